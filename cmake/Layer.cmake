@@ -1,0 +1,34 @@
+# A layer is one folder under src/ and include/outrider/, and one target outrider_<name>.
+#
+# Its headers are seen by the compiler only through its own target: each layer has an include tree
+# with just its own folder in it, so a file that includes a layer it does not link to does not build.
+#
+#   outrider_layer(NAME world SOURCES solid.cpp ... USES geometry core PRIVATE fmt::fmt)
+
+function(outrider_layer)
+  cmake_parse_arguments(LAYER "" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  set(target outrider_${LAYER_NAME})
+  set(tree ${PROJECT_BINARY_DIR}/layers/${LAYER_NAME})
+  file(MAKE_DIRECTORY ${tree}/outrider)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/outrider/${LAYER_NAME}
+       ${tree}/outrider/${LAYER_NAME} SYMBOLIC)
+
+  add_library(${target} STATIC)
+  foreach(source IN LISTS LAYER_SOURCES)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME}/${source})
+  endforeach()
+  add_library(outrider::${LAYER_NAME} ALIAS ${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${tree}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${OUTRIDER_WARNINGS})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${LAYER_NAME}
+    POSITION_INDEPENDENT_CODE ON)
+  list(TRANSFORM LAYER_USES PREPEND outrider_)
+  target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC} PRIVATE ${LAYER_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
+endfunction()
+
+set(OUTRIDER_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+# The same arithmetic with every compiler: no fused multiply-add behind our back.
+add_compile_options(-ffp-contract=off)

@@ -1,0 +1,19 @@
+// Trapezoidal motion: from rest to rest over a distance, under a speed and an acceleration limit.
+//
+// Works for metres and for radians alike. Source: Lynch and Park, Modern Robotics, section 9.2.2.2.
+#pragma once
+
+namespace outrider {
+
+struct Limits {
+  double speed = 1.0;         ///< > 0, unit per second
+  double acceleration = 1.0;  ///< > 0, unit per second squared; infinity for a jump to full speed
+};
+
+/// Least time to cover `distance` >= 0 from rest to rest, s. O(1).
+double duration(double distance, const Limits& limits);
+
+/// Distance covered `time_s` after the start of that motion; clamped to [0, distance]. O(1).
+double covered(double distance, const Limits& limits, double time_s);
+
+}  // namespace outrider

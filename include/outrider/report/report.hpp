@@ -1,0 +1,111 @@
+// Report: everything that happened in one run. The one thing that the summary, the JSON file, the
+// replay page and the pictures are made from; docs/report.md describes the JSON.
+//
+// Times are seconds on the run's own clock. Angles of yaw and heading are in the world, counter-
+// clockwise from +x; pitch is up from the horizon.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "outrider/geometry/box.hpp"
+#include "outrider/geometry/convex.hpp"
+#include "outrider/geometry/pose.hpp"
+
+namespace outrider {
+
+struct ReportSolid {
+  std::string name;
+  std::string kind;                       ///< box, cylinder, sphere, half_space, mesh
+  std::vector<RoundedPolygon> footprint;  ///< of the whole solid
+  double low_z_m = 0.0;
+  double high_z_m = 0.0;
+  bool blocks_driving = false;  ///< some part of it stands in the robot's way
+};
+
+/// One instant of the motion; between two samples every value is interpolated linearly.
+struct TrackSample {
+  double time_s = 0.0;
+  Pose2 pose;
+  double gun_yaw_rad = 0.0;
+  double gun_pitch_rad = 0.0;
+};
+
+/// A solid cut by the vertical plane of a shot: polygons in (distance along from the muzzle, height).
+struct ProfilePiece {
+  std::string name;
+  std::vector<Vec2> polygon;
+};
+
+struct ReportShot {
+  std::string target;
+  int attempt = 1;        ///< 1, 2, ... for this target
+  double time_s = 0.0;    ///< when the ball leaves the muzzle
+  double flight_s = 0.0;  ///< until its first contact
+  Vec3 muzzle;            ///< centre of the ball as it leaves
+  Vec3 velocity_mps;      ///< of the ball as it leaves
+  std::string contact;    ///< name of what was touched first; the target's name on a hit
+  Vec3 contact_point;     ///< centre of the ball then
+  bool hit = false;
+  bool hit_by_reference_rule = false;  ///< ball centre came within 0.5 m of the target's base
+  double clearance_m = 0.0;            ///< least distance from the ball to any solid before the contact
+  std::vector<ProfilePiece> profile;   ///< the side view, the target's box included under its name
+};
+
+struct ReportTarget {
+  std::string name;
+  std::string status;  ///< reached, failed or unreachable
+  std::string reason;  ///< one sentence
+  Vec3 centre;
+  Vec3 size;  ///< length, width, height, m
+  double yaw_rad = 0.0;
+  Pose2 pose;  ///< from which it was shot last
+  double pitch_rad = 0.0;
+  double shot_yaw_rad = 0.0;
+  double speed_mps = 0.0;
+  double clearance_m = 0.0;
+  double done_s = 0.0;  ///< when its status became final
+  int shots = 0;
+};
+
+struct ReportEvent {
+  double time_s = 0.0;
+  std::string kind;  ///< drive, aim, shot, hit, miss, status, ...
+  std::string text;  ///< one sentence
+};
+
+struct ReportPath {
+  double start_s = 0.0;
+  double end_s = 0.0;
+  std::vector<Vec2> waypoints;
+};
+
+struct Report {
+  std::string status;  ///< "done" or "not_done"
+  std::string job;     ///< "guard", ...
+  std::string reason;  ///< why it was not done; empty when it was
+  std::uint64_t seed = 0;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< option name -> value with unit
+  std::vector<std::string> warnings;                          ///< what was repaired in the input
+
+  std::string world_name;
+  Box2 bounds;
+  double gravity_mps2 = 9.8;
+  double robot_radius_m = 0.0;
+  double gun_length_m = 0.0;  ///< from the yaw axis to the tip, for drawing
+  double ball_radius_m = 0.0;
+  double margin_m = 0.0;  ///< clearance that planned flights keep
+  Pose2 start;
+  std::vector<ReportSolid> solids;
+
+  std::vector<std::pair<std::string, double>> metrics;  ///< in the order of showing
+  std::vector<ReportTarget> targets;
+  std::vector<ReportPath> paths;
+  std::vector<ReportShot> shots;
+  std::vector<ReportEvent> events;
+  std::vector<TrackSample> track;
+};
+
+}  // namespace outrider

@@ -1,0 +1,85 @@
+// Grid<T>: cells of equal size over a part of the plane, row by row from the lowest y.
+//
+// Three coordinates are kept apart: a Cell (column, row), the world (m), and a cell's centre. Row 0
+// is the lowest: images and MovingAI files, whose first row is the top, are flipped when read.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "outrider/geometry/box.hpp"
+#include "outrider/geometry/vec.hpp"
+
+namespace outrider {
+
+struct Cell {
+  int x = 0;  ///< column
+  int y = 0;  ///< row
+  friend constexpr bool operator==(Cell, Cell) = default;
+};
+
+/// Where the cells lie: cell (0, 0) spans origin to origin + resolution.
+struct GridFrame {
+  Vec2 origin;                ///< lowest corner of cell (0, 0), m
+  double resolution_m = 1.0;  ///< side of a cell
+  int width = 0;              ///< columns
+  int height = 0;             ///< rows
+
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  [[nodiscard]] std::size_t index(Cell c) const {
+    return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+  }
+  [[nodiscard]] Cell cell(std::size_t index) const {
+    const auto columns = static_cast<std::size_t>(width);
+    return {static_cast<int>(index % columns), static_cast<int>(index / columns)};
+  }
+  [[nodiscard]] Vec2 centre(Cell c) const {
+    return {origin.x + (c.x + 0.5) * resolution_m, origin.y + (c.y + 0.5) * resolution_m};
+  }
+  /// The lowest corner of a cell, as a vertex of the corner lattice.
+  [[nodiscard]] Vec2 corner(Cell c) const {
+    return {origin.x + c.x * resolution_m, origin.y + c.y * resolution_m};
+  }
+  /// The cell that holds a point; it may lie outside the grid. The point is finite and within 1e9 cells.
+  [[nodiscard]] Cell cell_at(Vec2 p) const {
+    return {static_cast<int>(std::floor((p.x - origin.x) / resolution_m)),
+            static_cast<int>(std::floor((p.y - origin.y) / resolution_m))};
+  }
+  [[nodiscard]] Box2 bounds() const {
+    return {origin, {origin.x + width * resolution_m, origin.y + height * resolution_m}};
+  }
+  friend bool operator==(const GridFrame&, const GridFrame&) = default;
+};
+
+/// The smallest grid of square cells, centred on the box, that covers it.
+inline GridFrame covering(const Box2& box, double resolution_m) {
+  const auto cells = [&](double size) { return static_cast<int>(std::ceil(size / resolution_m - 1e-9)); };
+  GridFrame frame;
+  frame.resolution_m = resolution_m;
+  frame.width = cells(box.size().x);
+  frame.height = cells(box.size().y);
+  frame.origin =
+      0.5 * (box.low + box.high) -
+      0.5 * resolution_m * Vec2{static_cast<double>(frame.width), static_cast<double>(frame.height)};
+  return frame;
+}
+
+template <class T>
+struct Grid {
+  GridFrame frame;
+  std::vector<T> cells;
+
+  Grid() = default;
+  explicit Grid(const GridFrame& where, T value = {}) : frame(where), cells(where.size(), value) {}
+
+  T& operator[](Cell c) { return cells[frame.index(c)]; }
+  const T& operator[](Cell c) const { return cells[frame.index(c)]; }
+  [[nodiscard]] bool contains(Cell c) const { return frame.contains(c); }
+};
+
+}  // namespace outrider

@@ -1,0 +1,34 @@
+#include "outrider/motion/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace outrider {
+namespace {
+
+/// Highest speed reached: the limit, or less when the distance is too short for it.
+double peak_speed(double distance, const Limits& limits) {
+  return std::min(limits.speed, std::sqrt(distance * limits.acceleration));
+}
+
+}  // namespace
+
+double duration(double distance, const Limits& limits) {
+  if (distance <= 0.0) return 0.0;
+  const double peak = peak_speed(distance, limits);
+  return distance / peak + peak / limits.acceleration;
+}
+
+double covered(double distance, const Limits& limits, double time_s) {
+  const double total = duration(distance, limits);
+  if (time_s <= 0.0 || distance <= 0.0) return 0.0;
+  if (time_s >= total) return distance;
+  const double peak = peak_speed(distance, limits);
+  const double ramp = peak / limits.acceleration;
+  if (time_s < ramp) return 0.5 * limits.acceleration * time_s * time_s;
+  const double left = total - time_s;
+  if (left < ramp) return distance - 0.5 * limits.acceleration * left * left;
+  return peak * (time_s - 0.5 * ramp);
+}
+
+}  // namespace outrider
