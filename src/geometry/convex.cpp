@@ -132,6 +132,7 @@ std::optional<Interval> cut(const std::vector<Vec2>& polygon, Vec2 origin, Vec2 
 }
 
 std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad) {
+  constexpr double slack = 1e-9;  // of rounding: a right angle is one step of 90 degrees
   const std::size_t n = shape.core.size();
   std::vector<Vec2> corners;
   for (std::size_t i = 0; i < n; ++i) {
@@ -140,8 +141,8 @@ std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad) {
     const double from = n == 1 ? 0.0 : heading_of(corner - shape.core[(i + n - 1) % n]) - pi / 2;
     const double to = n == 1 ? 2.0 * pi : heading_of(shape.core[(i + 1) % n] - corner) - pi / 2;
     double sweep = n == 1 ? 2.0 * pi : wrap_angle(to - from);
-    if (sweep <= 0.0) sweep += 2.0 * pi;
-    const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / step_rad)));
+    if (sweep < -slack) sweep += 2.0 * pi;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / step_rad - slack)));
     const double half = 0.5 * sweep / pieces;
     for (int k = 0; k < pieces; ++k) {
       const double normal = from + (2 * k + 1) * half;

@@ -148,6 +148,7 @@ bool is_upright(const Pose3& pose) { return std::abs(pose.rotation.axes[2].z) >=
 
 std::vector<Vec2> circle(Vec2 centre, double radius) {
   std::vector<Vec2> points;
+  points.reserve(48);
   for (int i = 0; i < 48; ++i) points.push_back(centre + radius * direction(2.0 * pi * i / 48));
   return points;
 }
@@ -190,7 +191,9 @@ Box3 bounds(const Solid& solid) {
                       [&](const SphereShape& s) { include_extent(s.radius_m, s.radius_m, s.radius_m); },
                       [&](const HalfSpaceShape&) {
                         constexpr double inf = std::numeric_limits<double>::infinity();
-                        box = {{-inf, -inf, -inf}, {inf, inf, is_upright(pose) ? pose.position.z : inf}};
+                        const double up = axes[2].z;
+                        box = {{-inf, -inf, up <= -upright ? pose.position.z : -inf},
+                               {inf, inf, up >= upright ? pose.position.z : inf}};
                       },
                       [&](const MeshShape& m) {
                         for (const auto& triangle : m.triangles) {

@@ -9,10 +9,13 @@
 
 namespace outrider {
 
-/// One object, UTF-8, keys in a fixed order, numbers in the shortest form that reads back the same.
+/// One object, UTF-8, keys in a fixed order. Numbers read back the same; what is only drawn (footprints,
+/// profiles, the track) is rounded to 1e-6 first. Infinite or unknown numbers are null.
 std::string to_json(const Report& report);
 
-/// Refuses text that is not a report of this version; the fault names the key that is missing or wrong.
+/// Refuses text that is not a report of this version; the fault names the place that is missing or
+/// wrong, as in targets[3].pose[1]. null is read as NaN, and refused in what is drawn. Unknown keys are
+/// ignored. to_json() of the outcome is the text again.
 Outcome<Report> report_from_json(std::string_view text);
 
 }  // namespace outrider

@@ -2,7 +2,7 @@
 // replay page and the pictures are made from; docs/report.md describes the JSON.
 //
 // Times are seconds on the run's own clock. Angles of yaw and heading are in the world, counter-
-// clockwise from +x; pitch is up from the horizon.
+// clockwise from +x; pitch is up from the horizon. A number that is not known is NaN.
 #pragma once
 
 #include <cstdint>

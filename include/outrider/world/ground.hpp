@@ -5,6 +5,7 @@
 // local. Thread rule: const queries may run concurrently.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,13 +33,22 @@ class Ground {
   [[nodiscard]] bool segment_free(Segment s, double radius_m) const;
 
  private:
+  struct TileRange {
+    int x0, x1, y0, y1;
+  };
+
+  [[nodiscard]] TileRange tiles_of(const Box2& box) const;
+  [[nodiscard]] std::size_t tile_index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
   template <class Visit>
-  bool any_near(const Box2& box, Visit visit) const;
+  bool any_along(Segment s, double reach_m, Visit visit) const;
   [[nodiscard]] double edge_distance(Vec2 p) const;
 
   Box2 bounds_;
   std::vector<RoundedPolygon> obstacles_;
-  std::vector<Box2> boxes_;  // of the obstacles, by index
+  std::vector<Box2> boxes_;       // of the obstacles, by index
+  std::vector<TileRange> tiles_;  // of the obstacles, by index
   double tile_m_ = 1.0;
   int columns_ = 1;
   int rows_ = 1;

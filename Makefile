@@ -1,0 +1,71 @@
+# The verbs people need. Each installs what it misses of packages.txt (Debian 12), builds, and does its
+# one thing; `make help` lists them.
+
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+INSTALL = @scripts/install-packages
+CONFIGURE = @scripts/configure
+
+# The tool alone needs no test packages: a fresh build folder leaves the tests out until they are asked for.
+FIRST = $(if $(wildcard build/build.ninja),,-DOUTRIDER_BUILD_TESTS=OFF)
+
+# Tests that read published data find it here and are skipped without it.
+ifneq ($(wildcard ../shared/data),)
+export OUTRIDER_DATA ?= $(abspath ../shared/data)
+endif
+
+.DEFAULT_GOAL := help
+.PHONY: help demo build test asan soak bench lint check-format format clean
+
+help:  ## list the verbs
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
+
+demo: build  ## guard the example yard, print the summary, write out/yard/*.html
+	@build/outrider run scenarios/yard/yard.yaml --out out/yard --html
+
+build:  ## build the tool, build/outrider
+	$(INSTALL) build
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
+	@ninja -C build -j $(JOBS) outrider
+
+test:  ## build everything and run every test
+	$(INSTALL) build test
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build -j $(JOBS)
+	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
+	  { echo "Some tests failed; the list above names them."; exit 1; }
+
+asan:  ## run the tests under the address and undefined-behaviour sanitizers
+	$(INSTALL) build test
+	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build-asan -j $(JOBS)
+	@ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
+	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
+
+soak:  ## run the random tests on 100 times as many cases, under the sanitizers
+	$(INSTALL) build test
+	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build-asan -j $(JOBS)
+	@OUTRIDER_CASES=100 ctest --preset asan -j $(JOBS) --timeout 3600
+
+bench:  ## run the benchmarks
+	$(INSTALL) build bench
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON $(FIRST)
+	@ninja -C build -j $(JOBS) bench/all
+	@for program in build/bench/bench_*; do $$program || exit 1; done
+
+lint: check-format  ## static analysis and formatting
+	$(INSTALL) build test lint
+	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
+	@ninja -C build-tidy -j $(JOBS)
+	@run-clang-tidy-19 -quiet -p build-tidy -j $(JOBS) "$(CURDIR)/(src|apps)/.*" 2>/dev/null
+
+check-format:
+	$(INSTALL) format
+	@scripts/sources | xargs clang-format-19 --dry-run -Werror
+
+format:  ## format every C++ file
+	$(INSTALL) format
+	@scripts/sources | xargs clang-format-19 -i
+
+clean:  ## remove everything that was built or written by a run
+	@rm -rf build build-* out

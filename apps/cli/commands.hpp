@@ -1,0 +1,16 @@
+// The commands of the tool. Each adds itself to the application and leaves its exit status in `status`
+// when it was the one asked for.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace outrider::cli {
+
+void add_run(CLI::App& app, int& status);
+void add_guard(CLI::App& app, int& status);
+void add_plan(CLI::App& app, int& status);
+void add_replay(CLI::App& app, int& status);
+void add_list(CLI::App& app, int& status);
+void add_schema(CLI::App& app, int& status);
+
+}  // namespace outrider::cli

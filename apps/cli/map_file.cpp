@@ -1,0 +1,77 @@
+#include "map_file.hpp"
+
+#include <fmt/format.h>
+
+#include "outrider/io/map_server.hpp"
+#include "outrider/io/movingai.hpp"
+#include "outrider/io/sdf.hpp"
+#include "outrider/motion/robot_model.hpp"
+#include "outrider/path/from_occupancy.hpp"
+
+namespace outrider::cli {
+namespace {
+
+Vec2 turned(Vec2 v, double angle_rad) {
+  const Vec2 along = direction(angle_rad);
+  return v.x * along + v.y * perpendicular(along);
+}
+
+Outcome<MapFile> from_world_file(const std::string& path, double radius_m, double height_m,
+                                 const GridOptions& grid) {
+  auto loaded = load_sdf(path);
+  if (!loaded) return pass_on(loaded);
+  MapFile map;
+  map.warnings = std::move(loaded->warnings);
+  map.radius_m = radius_m;
+  map.ground = Ground::of(loaded->world, height_m);
+  auto blocked = blocked_for_disk(*map.ground, radius_m, grid);
+  if (!blocked) return pass_on(blocked);
+  map.blocked = std::move(*blocked);
+  return map;
+}
+
+Outcome<MapFile> from_cells(Grid<std::uint8_t> occupied, double yaw_rad, double radius_m) {
+  MapFile map;
+  map.radius_m = radius_m;
+  map.yaw_rad = yaw_rad;
+  auto blocked = inflated(occupied, radius_m);
+  if (!blocked) return pass_on(blocked);
+  map.blocked = std::move(*blocked);
+  map.occupied = std::move(occupied);
+  return map;
+}
+
+}  // namespace
+
+Vec2 MapFile::to_grid(Vec2 world) const {
+  const Vec2 origin = blocked.frame.origin;
+  return origin + turned(world - origin, -yaw_rad);
+}
+
+Vec2 MapFile::to_world(Vec2 grid) const {
+  const Vec2 origin = blocked.frame.origin;
+  return origin + turned(grid - origin, yaw_rad);
+}
+
+Outcome<MapFile> load_map(const std::string& path, double radius_m, double height_m,
+                          const GridOptions& grid) {
+  std::string stem = path;
+  if (stem.ends_with(".gz")) stem.resize(stem.size() - 3);
+  const double robot_m = radius_m < 0.0 ? RobotModel{}.radius_m : radius_m;
+  if (stem.ends_with(".sdf") || stem.ends_with(".world"))
+    return from_world_file(path, robot_m, height_m, grid);
+  if (stem.ends_with(".yaml") || stem.ends_with(".yml")) {
+    auto map = load_map_server(path);
+    if (!map) return pass_on(map);
+    return from_cells(std::move(map->occupancy), map->yaw_rad, robot_m);
+  }
+  if (stem.ends_with(".map")) {
+    auto map = load_movingai_map(path);
+    if (!map) return pass_on(map);
+    return from_cells(std::move(*map), 0.0, std::max(0.0, radius_m));
+  }
+  return bad_input("not a kind of map that is known by its name; maps end in .yaml, .sdf, .world or .map",
+                   path);
+}
+
+}  // namespace outrider::cli

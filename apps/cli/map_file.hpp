@@ -1,0 +1,31 @@
+// Any map that a path can be planned on, made ready for a disk robot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+#include "outrider/path/from_world.hpp"
+#include "outrider/world/ground.hpp"
+
+namespace outrider::cli {
+
+struct MapFile {
+  Grid<std::uint8_t> occupied;   ///< cells that hold something; empty for a world of solids
+  Grid<std::uint8_t> blocked;    ///< cells where the robot's centre must not be
+  std::optional<Ground> ground;  ///< exact obstacles, where the file has them
+  double yaw_rad = 0.0;          ///< of the grid about its origin, in the world
+  double radius_m = 0.0;         ///< of the robot
+  std::vector<std::string> warnings;
+
+  [[nodiscard]] Vec2 to_grid(Vec2 world) const;
+  [[nodiscard]] Vec2 to_world(Vec2 grid) const;
+};
+
+/// By the name of the file: .yaml and .yml map_server, .sdf and .world SDF, .map MovingAI; .gz after any.
+/// A negative radius stands for the kind's own: 0.26 m, and 0 for MovingAI. `grid` and `height_m` matter
+/// for SDF worlds only.
+Outcome<MapFile> load_map(const std::string& path, double radius_m, double height_m, const GridOptions& grid);
+
+}  // namespace outrider::cli

@@ -1,0 +1,55 @@
+// Firing regions: for every place where the robot may stand, whether it can hit a target from there.
+//
+// Decided for every place of a grid, over the pitches of a lattice and aim points on the target, each
+// with the one speed that passes the aim point: does the ball, with the margin around it, reach the
+// target before it touches anything? Exact up to the contact tolerance (contact.hpp).
+//
+// How it is fast: see sight.hpp (places learn their few blockers from a sweep of shadows along grid
+// rows; a blocker is a rectangle in the plane of the flight until that is not enough).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "outrider/ballistics/shot.hpp"
+#include "outrider/world/grid.hpp"
+
+namespace outrider {
+
+/// The pitches tried, rad, ascending: steps of `pitch_step_rad` from the lowest to the highest pitch.
+std::vector<double> pitch_lattice(const ShotRules& rules);
+
+struct FiringRegion {
+  static constexpr std::uint8_t no_shot = 255;
+
+  std::vector<std::uint8_t> pitch;        ///< by cell: index on the pitch lattice, or no_shot
+  std::vector<float> spread;              ///< by cell: of that shot (shot.hpp); infinite without one
+  std::size_t places = 0;                 ///< standable cells
+  std::size_t in_range = 0;               ///< of these, within reach if nothing stood in the way
+  std::size_t hits = 0;                   ///< of these, with a shot
+  std::vector<std::uint32_t> blocked_by;  ///< by solid: places where it stops the flattest shot
+};
+
+/// All places, clear of the target, from which a shot at the target's centre hits; the flattest with a spread
+/// of at most 0.7, else the one with the least spread. `standable` is 1 where the robot may stand, by cell.
+/// O(places in reach x blockers in the line of sight); thread-safe for const arguments.
+FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                           const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+
+/// What was tried before a target is called unreachable.
+struct Exhausted {
+  std::size_t places = 0;                 ///< standable cells within reach
+  std::uint64_t flights = 0;              ///< decided, none of them a hit with the margin
+  std::vector<std::uint64_t> blocked_by;  ///< by solid: flights it stopped
+  std::optional<std::size_t> found;       ///< a cell with a hit, where the search ended
+  Shot shot;                              ///< from there
+};
+
+/// As firing_region, with aim points on a lattice of `aim_step_m` over the outline that the target
+/// shows to each place; stops at the first hit. Without a hit it is the proof, at this resolution, that
+/// there is none. O(places in reach x pitches x aim points).
+Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                  const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+
+}  // namespace outrider

@@ -1,0 +1,90 @@
+// Lines of sight: which solids can matter for a flight from a place to a target, and do they.
+//
+// A flight stays in the vertical plane through the gun and the aim point. A solid matters only when
+// its footprint, grown by the ball and the margin, meets the line of sight on the ground. Seen from
+// the target those places form a cone behind the solid; a row of the grid cuts it in one interval, so
+// a sweep along the row tells each place its few blockers. In the plane of the flight a blocker is
+// bounded by a rectangle that a parabola, being concave, passes above when both ends do, and below
+// when its highest point does; only what is left is decided by conservative advancement.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "outrider/ballistics/shot.hpp"
+#include "outrider/world/grid.hpp"
+
+namespace outrider {
+
+/// A convex piece of a solid as an obstacle to flights.
+struct Blocker {
+  Solid piece;
+  std::size_t solid = 0;   ///< index in the FlightSpace
+  std::vector<Vec2> hull;  ///< footprint grown by ball and margin, as a polygon around it
+  std::vector<Vec2> core;  ///< footprint where piece = footprint x [low, high]; else empty
+  double low_m = 0.0;      ///< heights of the piece itself
+  double high_m = 0.0;
+};
+std::vector<Blocker> blockers(const FlightSpace& space, double grow_m);
+
+/// One parabola in the plane of a line of sight; distances are measured from the yaw axis.
+struct Arc {
+  Shot shot;
+  double start_m = 0.0;   ///< distance of the muzzle
+  double height_m = 0.0;  ///< of the muzzle, world
+  double tangent = 0.0;
+  double drop = 0.0;         ///< k of flight.hpp
+  double forward_mps = 0.0;  ///< horizontal speed
+
+  [[nodiscard]] double z(double distance_m) const {
+    const double s = distance_m - start_m;
+    return height_m + s * (tangent - drop * s);
+  }
+  [[nodiscard]] double highest(double from_m, double to_m) const {
+    return z(std::clamp(start_m + tangent / (2.0 * drop), from_m, to_m));
+  }
+  [[nodiscard]] double time(double distance_m) const { return (distance_m - start_m) / forward_mps; }
+};
+
+/// A blocker on a line of sight: the distances between which its grown footprint is crossed, and
+/// between which its core is (empty interval when it is not).
+struct Window {
+  const Blocker* blocker = nullptr;
+  Interval grown;
+  Interval core;
+};
+
+/// The plane through a place and an aim point, with what stands in it before the target.
+struct Sight {
+  const ShotRules* rules = nullptr;
+  const Target* target = nullptr;
+  Vec2 position;
+  Vec2 along;            ///< unit vector to the aim point
+  double aim_m = 0.0;    ///< distance of the aim point
+  double entry_m = 0.0;  ///< distance at which the line enters the target's footprint
+  std::vector<Window> windows;
+
+  /// The arc at that pitch through height `aim_z` at the aim point; nothing when no speed does it.
+  [[nodiscard]] std::optional<Arc> arc(double pitch_rad, Vec2 tip, double tangent, double cosine,
+                                       double aim_z_m) const;
+  /// The first blocker in the list that stops the arc before the target; null when it hits.
+  [[nodiscard]] const Blocker* stopped_by(const Arc& arc) const;
+};
+
+/// Fills `sight` for the aim point `aim` (world) from `position`, looking at `near` blockers only.
+void look(Sight& sight, const ShotRules& rules, const Target& target, Vec2 position, Vec2 aim,
+          const std::vector<const Blocker*>& near);
+
+/// Visits each standable cell whose centre is within `reach_m` of `centre`, row by row, with the
+/// blockers whose hull, grown by `spare_m`, the line from there to `centre` may cross. The visit
+/// returns false to end the sweep.
+void sweep(const std::vector<Blocker>& all, Vec2 centre, double reach_m, double spare_m,
+           const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+           const std::function<bool(std::size_t cell, const std::vector<const Blocker*>& near)>& visit);
+
+/// No place farther than this from the target's centre can hit any point of it.
+double longest_range(const ShotRules& rules, const Target& target);
+
+}  // namespace outrider

@@ -1,0 +1,54 @@
+// The execution of a guard plan: a pure step from what the robot observes to what it does next.
+//
+// At each stop the shot is solved again from the pose actually reached. A target that is missed
+// `tries` times has failed. When all stops are done, targets that failed are tried once more from
+// another place, and targets without a firing region once more with the clearance margin given up.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "outrider/execute/robot.hpp"
+#include "outrider/guard/plan.hpp"
+
+namespace outrider {
+
+enum class TargetStatus { waiting, reached, failed, unreachable };
+std::string_view to_string(TargetStatus status);
+
+/// What has become of one target.
+struct TargetRecord {
+  TargetStatus status = TargetStatus::waiting;
+  std::string reason;               ///< one sentence
+  int shots = 0;                    ///< fired at it
+  std::int64_t tries = 0;           ///< of the present pass, misses and places without a shot
+  std::optional<PlannedShot> shot;  ///< the last one solved
+  Pose2 pose;                       ///< from where
+  double done_s = 0.0;              ///< when the status became what it is
+};
+
+/// A place to go to and what to shoot from there, in order.
+struct Errand {
+  Vec2 place;
+  std::vector<std::size_t> targets;
+};
+
+struct GuardMission {
+  std::vector<TargetRecord> records;  ///< by target
+  std::deque<Errand> errands;         ///< still to do; the first is the present one
+  bool arrived = false;               ///< at the place of the present errand
+  bool aimed = false;                 ///< the gun has been told where to point
+  bool second_pass = false;
+  Vec2 last_place;               ///< where the robot was last sent
+  std::optional<Routes> routes;  ///< of the plan
+};
+
+GuardMission begin(const GuardProblem& problem, const GuardPlan& plan);
+
+/// The next command, or nothing when the mission is over. Changes `mission` only.
+std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
+                            const Site& site);
+
+}  // namespace outrider

@@ -1,0 +1,17 @@
+// A lower bound on the time of a guard mission that holds for every choice of places and order.
+#pragma once
+
+#include "outrider/guard/site.hpp"
+
+namespace outrider {
+
+/// No mission that hits all targets of the site's regions, each from a cell of its region, takes less.
+/// The places from which the targets are hit are visited in some order, and a drive of length d takes
+/// at least duration(d); so driving costs at least the shortest path that visits every region once, and
+/// that at least a minimum spanning tree over the least straight-line distances between regions (up
+/// to 12 regions: the path itself, Held and Karp 1962). To it comes, for each target, the shortest time
+/// in which a ball can cross the gap. Turning, aiming and detours around obstacles are not counted.
+/// O(targets x cells + targets^2 x cells).
+double mission_bound(const GuardProblem& problem, const Site& site);
+
+}  // namespace outrider

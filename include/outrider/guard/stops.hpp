@@ -1,0 +1,35 @@
+// Stops: the few places, of the many from which something can be hit, that a tour is chosen from.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "outrider/guard/site.hpp"
+
+namespace outrider {
+
+/// By cell, which targets can be hit from there for sure: the shot forgives the errors of the gun, the
+/// robot fits wherever the errors of a drive put it, and from all cells that they can put it on the
+/// target can be hit too. A target that no cell hits for sure counts wherever it can be hit at all.
+struct SureHits {
+  std::size_t words = 1;               ///< 64-bit words a cell
+  std::vector<std::uint64_t> targets;  ///< cell-major bit sets
+
+  [[nodiscard]] std::span<const std::uint64_t> at(std::size_t cell) const {
+    return {targets.data() + cell * words, words};
+  }
+  [[nodiscard]] bool has(std::size_t cell, std::size_t target) const {
+    return (targets[cell * words + target / 64] >> (target % 64) & 1U) != 0;
+  }
+};
+
+SureHits sure_hits(const GuardProblem& problem, const Site& site);
+
+/// In each square tile of the yard, for each largest set of targets hit from there, the best cell: at
+/// most `most` cells, tiles no smaller than `tile_m`; each target that can be hit is in some set.
+/// Only cells within `near_m` of one of `around` count, unless that is empty. Ascending.
+std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, double tile_m, std::size_t most,
+                                      const std::vector<Vec2>& around, double near_m);
+
+}  // namespace outrider

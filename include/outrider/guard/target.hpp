@@ -1,0 +1,2 @@
+#pragma once
+#include "outrider/ballistics/target.hpp"

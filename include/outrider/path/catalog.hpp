@@ -1,0 +1,51 @@
+// The catalogue of path planners. Command line, page, bench, bindings, documentation and the contract
+// tests walk it; src/path/catalog.cpp is the only list.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/budget.hpp"
+#include "outrider/core/options.hpp"
+#include "outrider/path/plan.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider {
+
+/// The paths among which a planner claims its bound.
+enum class PathClass {
+  along_moves,    ///< along the eight moves of the grid
+  any_direction,  ///< legs between vertices in any direction
+};
+
+/// What a planner promises with its default options.
+struct Guarantee {
+  bool complete = true;                        ///< finds a path whenever the grid has one
+  PathClass among = PathClass::any_direction;  ///< the class of its paths and of its lower bound
+  double most_ratio = 1.0;  ///< cost <= most_ratio * the shortest of the class; infinite: none claimed
+  std::string_view sentence;
+};
+
+/// A planner with an instance of its options, which `plan` reads at each call.
+struct ConfiguredPlanner {
+  std::vector<Option> options;
+  std::function<Outcome<Plan>(const Problem&, const Budget&, Workspace&)> plan;
+};
+
+struct PathPlanner {
+  std::string_view name;
+  std::string_view sentence;
+  std::string_view paper;
+  Guarantee guarantee;
+  std::function<ConfiguredPlanner()> configure;
+};
+
+/// All of them, in the order of showing.
+const std::vector<PathPlanner>& path_planners();
+
+/// Fault: bad_input with the nearest known name.
+Outcome<PathPlanner> find_path_planner(std::string_view name);
+
+}  // namespace outrider

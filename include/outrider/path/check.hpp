@@ -1,0 +1,21 @@
+// check: an independent judge of plans. Shares no line of sight with the planners.
+//
+// Verifies that the path starts and ends at the vertices of the start and the goal, that every
+// waypoint lies on its vertex, that every leg is legal in the model of the ground (separating axes in
+// whole numbers, exact), that the cost is the sum of the legs to 1e-9 of itself, that the lower bound
+// is not above the cost, and that the path ends as near to the goal as it says. O(cells along the
+// path). The fault says what is wrong, and at which leg.
+#pragma once
+
+#include "outrider/path/plan.hpp"
+#include "outrider/world/ground.hpp"
+
+namespace outrider {
+
+Status check(const Plan& plan, const Problem& problem);
+
+/// Whether a disk of that radius follows the waypoints without touching an obstacle, by the exact
+/// shapes of the world instead of the grid.
+Status check(const Plan& plan, const Ground& ground, double radius_m);
+
+}  // namespace outrider

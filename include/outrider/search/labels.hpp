@@ -1,0 +1,49 @@
+// Labels: cost and parent of every state that a search has met.
+//
+// Each label carries the number of the search that wrote it, so begin() forgets the last search
+// without touching its labels; "closed" is part of the same number. O(1) everything.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace outrider {
+
+using State = std::uint32_t;
+
+template <class Cost>
+struct Label {
+  Cost g{};
+  State parent = 0;
+  std::uint32_t stamp = 0;
+};
+
+template <class Cost>
+class Labels {
+ public:
+  /// Forgets every label. O(1), but O(states) when more states are asked for than ever before, and
+  /// once in 2^31 searches.
+  void begin(std::size_t states) {
+    if (open_ >= std::numeric_limits<std::uint32_t>::max() - 3) {
+      labels_.assign(labels_.size(), {});
+      open_ = 0;
+    }
+    if (labels_.size() < states) labels_.resize(states);
+    open_ += 2;
+  }
+  [[nodiscard]] bool known(State s) const { return labels_[s].stamp >= open_; }
+  [[nodiscard]] bool closed(State s) const { return labels_[s].stamp == open_ + 1; }
+  [[nodiscard]] const Cost& g(State s) const { return labels_[s].g; }
+  [[nodiscard]] State parent(State s) const { return labels_[s].parent; }
+  /// Writes the label of a state that is not closed.
+  void open(State s, State parent, Cost g) { labels_[s] = {g, parent, open_}; }
+  void close(State s) { labels_[s].stamp = open_ + 1; }
+
+ private:
+  std::vector<Label<Cost>> labels_;
+  std::uint32_t open_ = 0;  // stamp of open states in this search; one more when closed
+};
+
+}  // namespace outrider

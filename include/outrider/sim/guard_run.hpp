@@ -1,0 +1,15 @@
+// A whole guard mission, simulated: survey, plan, execute, report.
+#pragma once
+
+#include "outrider/core/budget.hpp"
+#include "outrider/guard/plan.hpp"
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+/// Executes the plan on a simulated robot and reports. The report is a pure function of the arguments.
+/// status is "done" when every target was reached.
+Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                 const GuardOptions& options, std::uint64_t seed);
+
+}  // namespace outrider

@@ -1,0 +1,16 @@
+// The side view of a shot: what the vertical plane of a flight cuts.
+#pragma once
+
+#include <vector>
+
+#include "outrider/ballistics/shot.hpp"
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+/// Convex polygons in (distance from the muzzle along the flight, height), within 0.6 m of the flight's
+/// ends and down to 0.3 m below its lowest point; the target comes last.
+std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact, const FlightSpace& space,
+                                     const Target& target);
+
+}  // namespace outrider

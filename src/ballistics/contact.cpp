@@ -1,0 +1,118 @@
+#include "outrider/ballistics/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace outrider {
+namespace {
+
+constexpr double clearance_tolerance_m = 1e-4;
+
+/// The part of [from, until] in which a flight's ground track is inside the box grown by `by`.
+std::optional<Interval> passage(const Flight& flight, const Box3& box, double by, double from, double until) {
+  const auto slab = [&](double p, double v, double low, double high) {
+    if (v == 0.0) return p >= low && p <= high;
+    const double t0 = (low - p) / v;
+    const double t1 = (high - p) / v;
+    from = std::max(from, std::min(t0, t1));
+    until = std::min(until, std::max(t0, t1));
+    return from <= until;
+  };
+  if (!slab(flight.muzzle.x, flight.velocity_mps.x, box.low.x - by, box.high.x + by)) return {};
+  if (!slab(flight.muzzle.y, flight.velocity_mps.y, box.low.y - by, box.high.y + by)) return {};
+  // Height is concave in time: its least value over the passage is at one end.
+  const double lowest = std::min(flight.position(from).z, flight.position(until).z);
+  if (lowest > box.high.z + by) return {};
+  const double apex = std::clamp(flight.velocity_mps.z / flight.gravity_mps2, from, until);
+  if (flight.position(apex).z < box.low.z - by) return {};
+  return Interval{from, until};
+}
+
+/// Longest time in which a ball of speed v under gravity g surely travels less than `distance`.
+double safe_step(double distance, double speed, double gravity) {
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * gravity * distance));
+}
+
+struct Approach {
+  const Flight& flight;
+  const Solid& solid;
+  double distance_m;  ///< least so far
+  double time_s;
+
+  void visit(double t) {
+    const double d = distance(flight.position(t), solid);
+    if (d < distance_m) {
+      distance_m = d;
+      time_s = t;
+    }
+  }
+  /// Refines [t0, t1] while it may hold a smaller distance than the best known.
+  void search(double t0, double t1) {
+    const double speed = std::max(norm(flight.velocity(t0)), norm(flight.velocity(t1)));
+    const double middle = 0.5 * (t0 + t1);
+    visit(middle);
+    const double reach = 0.5 * speed * (t1 - t0);
+    if (distance(flight.position(middle), solid) - reach >= distance_m - clearance_tolerance_m) return;
+    search(t0, middle);
+    search(middle, t1);
+  }
+};
+
+}  // namespace
+
+double fall_time(const Flight& flight, double height_m) {
+  const double rise = flight.velocity_mps.z;
+  const double above = flight.muzzle.z - height_m;
+  const double discriminant = rise * rise + 2.0 * flight.gravity_mps2 * above;
+  if (discriminant <= 0.0) return 0.0;
+  return std::max(0.0, (rise + std::sqrt(discriminant)) / flight.gravity_mps2);
+}
+
+std::optional<double> contact_time(const Flight& flight, double ball_radius_m, const Solid& solid,
+                                   double from_s, double until_s) {
+  double t = from_s;
+  while (t <= until_s) {
+    const double gap = distance(flight.position(t), solid) - ball_radius_m;
+    if (gap <= contact_tolerance_m) return t;
+    t += safe_step(gap, norm(flight.velocity(t)), flight.gravity_mps2);
+  }
+  return std::nullopt;
+}
+
+FlightSpace::FlightSpace(std::vector<Solid> solids) : solids_(std::move(solids)) {
+  boxes_.reserve(solids_.size());
+  for (const Solid& solid : solids_) boxes_.push_back(bounds(solid));
+}
+
+std::optional<Contact> FlightSpace::first_contact(const Flight& flight, double ball_radius_m,
+                                                  double until_s) const {
+  std::optional<Contact> first;
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    const auto near = passage(flight, boxes_[i], ball_radius_m + contact_tolerance_m, 0.0, until_s);
+    if (!near) continue;
+    const auto time = contact_time(flight, ball_radius_m, solids_[i], near->low, near->high);
+    if (!time || (first && *time >= first->time_s)) continue;
+    first = Contact{*time, i, flight.position(*time)};
+    until_s = *time;
+  }
+  return first;
+}
+
+Clearance FlightSpace::clearance(const Flight& flight, double ball_radius_m, double until_s,
+                                 double most_m) const {
+  Clearance least{most_m, 0.0, 0};
+  for (std::size_t i = 0; i < solids_.size(); ++i) {
+    const auto near = passage(flight, boxes_[i], least.distance_m + ball_radius_m, 0.0, until_s);
+    if (!near) continue;
+    Approach approach{flight, solids_[i], least.distance_m + ball_radius_m, near->low};
+    approach.visit(near->low);
+    approach.visit(near->high);
+    approach.search(near->low, near->high);
+    const double gap = std::max(0.0, approach.distance_m - ball_radius_m);
+    if (gap < least.distance_m) least = {gap, approach.time_s, i};
+  }
+  return least;
+}
+
+}  // namespace outrider

@@ -1,0 +1,31 @@
+#include "outrider/guard/problem.hpp"
+
+namespace outrider {
+
+std::vector<Option> describe(ExecutionErrors& errors) {
+  return {
+      {"position", "m", 0.0, 10.0, "largest distance from the goal of a drive to where it ends",
+       &errors.position_m},
+      {"heading", "rad", 0.0, 1.0, "largest error of the heading there", &errors.heading_rad},
+      {"gun", "rad", 0.0, 1.0, "largest error of the barrel's yaw and pitch", &errors.aim.gun_rad},
+      {"speed", "", 0.0, 0.5, "largest error of the muzzle speed, as a part of it", &errors.aim.speed_ratio},
+  };
+}
+
+std::vector<Option> describe(GuardOptions& options) {
+  return {
+      {"resolution", "m", 0.005, 10.0, "spacing of the places where the robot may stand",
+       &options.resolution_m},
+      {"margin", "m", 0.0, 1.0, "clearance that a planned flight keeps from every solid", &options.margin_m},
+      {"pitch_step", "deg", 0.35, 45.0, "spacing of the pitches tried", &options.pitch_step_rad},
+      {"aim_step", "m", 0.005, 10.0, "spacing of the points on a target that are tried before it is given up",
+       &options.aim_step_m},
+      {"stops", "", 1, 2000, "places handed to the tour solver at a time", &options.stops},
+      {"refinements", "", 0, 20, "times that the places near the best tour are looked at closer",
+       &options.refinements},
+      {"iterations", "", 0, 1e7, "iterations of the tour solver each time", &options.iterations},
+      {"memory_cap", "MiB", 1, 1e6, "planning that would need more memory is refused", &options.memory_mib},
+  };
+}
+
+}  // namespace outrider

@@ -1,0 +1,25 @@
+// Grey images: PGM (P2, P5) and PNG in, PGM out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+
+namespace outrider {
+
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> values;  ///< row by row from the top, 0 black to 255 white
+  std::vector<bool> transparent;     ///< empty when no pixel is
+};
+
+/// Told by the first bytes. 16-bit values are scaled to 8; colours are averaged. `name` is for faults.
+Outcome<GreyImage> image_from_bytes(std::string_view bytes, const std::string& name);
+
+std::string to_pgm(const GreyImage& image);
+
+}  // namespace outrider

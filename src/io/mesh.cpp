@@ -1,0 +1,64 @@
+#include "outrider/io/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh_formats.hpp"
+#include "outrider/io/files.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t largest_mesh_bytes = std::size_t{64} << 20;
+constexpr double farthest = 1e6;
+
+bool is_near(Vec3 p) {  // false for NaN too
+  return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
+}
+
+bool has_area(const Triangle& t) { return squared_norm(cross(t[1] - t[0], t[2] - t[0])) > 0.0; }
+
+/// The name in small letters, without .gz.
+std::string plain_name(std::string name) {
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (name.ends_with(".gz")) name.resize(name.size() - 3);
+  return name;
+}
+
+Outcome<std::vector<Triangle>> read_format(std::string_view bytes, const std::string& name) {
+  const std::string plain = plain_name(name);
+  if (plain.ends_with(".stl")) return mesh_from_stl(bytes, name);
+  if (plain.ends_with(".obj")) return mesh_from_obj(bytes, name);
+  if (plain.ends_with(".dae")) return mesh_from_collada(bytes, name);
+  return bad_input("its format is not read; convert it to .stl, .obj or .dae", name);
+}
+
+}  // namespace
+
+tl::unexpected<Fault> too_many_triangles(const std::string& name) {
+  return bad_input(
+      fmt::format("it has more than {} triangles; use a simpler mesh for collisions", most_triangles), name);
+}
+
+Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std::string& name) {
+  auto triangles = read_format(bytes, name);
+  if (!triangles) return triangles;
+  for (const Triangle& triangle : *triangles) {
+    if (std::ranges::all_of(triangle, is_near)) continue;
+    return bad_input("a corner lies beyond 1e6, or is no number; scale the mesh", name);
+  }
+  std::erase_if(*triangles, [](const Triangle& triangle) { return !has_area(triangle); });
+  if (triangles->empty()) return bad_input("it has no triangles", name);
+  return triangles;
+}
+
+Outcome<std::vector<Triangle>> load_mesh(const std::string& path) {
+  auto bytes = read_file(path, largest_mesh_bytes);
+  if (!bytes) return pass_on(bytes);
+  return mesh_from_bytes(*bytes, path);
+}
+
+}  // namespace outrider

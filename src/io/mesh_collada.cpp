@@ -1,0 +1,280 @@
+// Collada 1.4 and 1.5: the meshes that the visual scene places (Khronos, COLLADA specification).
+#include <fmt/format.h>
+
+#include <map>
+#include <numbers>
+
+#include "mesh_formats.hpp"
+#include "text.hpp"
+#include "xml.hpp"
+
+namespace outrider {
+namespace {
+
+using Element = tinyxml2::XMLElement;
+using Ids = std::map<std::string_view, const Element*>;
+
+constexpr int deepest_nodes = 64;
+constexpr int most_nodes = 100'000;
+
+/// A map x -> linear x + move, by the columns of its linear part.
+struct Affine {
+  std::array<Vec3, 3> columns = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  Vec3 move;
+
+  Vec3 turn(Vec3 p) const { return p.x * columns[0] + p.y * columns[1] + p.z * columns[2]; }
+  Vec3 operator*(Vec3 p) const { return move + turn(p); }
+  Affine operator*(const Affine& b) const {
+    return {{turn(b.columns[0]), turn(b.columns[1]), turn(b.columns[2])}, *this * b.move};
+  }
+};
+
+struct Reader {
+  const std::string& name;
+  Ids ids;
+  double metres = 1.0;
+  int nodes = 0;
+  std::vector<Triangle> triangles = {};
+
+  [[nodiscard]] tl::unexpected<Fault> wrong(const Element& element, std::string_view what) const {
+    return bad_input(fmt::format("<{}>: {}", excerpt(element.Name()), what),
+                     fmt::format("{}:{}", name, element.GetLineNum()));
+  }
+  /// The element behind a reference "#id"; null when there is none.
+  [[nodiscard]] const Element* find(std::string_view reference) const {
+    if (reference.starts_with('#')) reference.remove_prefix(1);
+    const auto found = ids.find(reference);
+    return found == ids.end() ? nullptr : found->second;
+  }
+};
+
+void collect_ids(const Element& element, Ids& ids) {
+  if (const auto id = xml_attribute(element, "id"); !id.empty()) ids.emplace(id, &element);
+  for (const Element* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    collect_ids(*child, ids);
+  }
+}
+
+template <class Number>
+Outcome<std::vector<Number>> numbers(const Reader& reader, const Element& element) {
+  std::vector<Number> values;
+  std::string_view rest = xml_text(element);
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    const auto value = number<Number>(word);
+    if (!value) return reader.wrong(element, fmt::format("'{}' is no good here", excerpt(word)));
+    values.push_back(*value);
+  }
+  return values;
+}
+
+// ---- Meshes --------------------------------------------------------------------------------------
+
+Outcome<std::vector<Vec3>> positions(const Reader& reader, const Element& source) {
+  const Element* array = source.FirstChildElement("float_array");
+  if (array == nullptr) return reader.wrong(source, "it has no <float_array>");
+  auto values = numbers<double>(reader, *array);
+  if (!values) return pass_on(values);
+  std::size_t stride = 3;
+  if (const Element* technique = source.FirstChildElement("technique_common")) {
+    const Element* accessor = technique->FirstChildElement("accessor");
+    stride = accessor == nullptr ? 3 : accessor->UnsignedAttribute("stride", 3);
+  }
+  if (stride < 3) return reader.wrong(source, "its positions have fewer than three coordinates");
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i + 3 <= values->size(); i += stride) {
+    points.push_back({(*values)[i], (*values)[i + 1], (*values)[i + 2]});
+  }
+  return points;
+}
+
+/// The points of a mesh's <vertices>, which its primitives share.
+Outcome<std::vector<Vec3>> mesh_points(const Reader& reader, const Element& mesh) {
+  const Element* vertices = mesh.FirstChildElement("vertices");
+  if (vertices == nullptr) return reader.wrong(mesh, "it has no <vertices>");
+  for (const Element* input = vertices->FirstChildElement("input"); input != nullptr;
+       input = input->NextSiblingElement("input")) {
+    if (xml_attribute(*input, "semantic") != "POSITION") continue;
+    const Element* source = reader.find(xml_attribute(*input, "source"));
+    if (source == nullptr) return reader.wrong(*input, "its source does not exist");
+    return positions(reader, *source);
+  }
+  return reader.wrong(*vertices, "it has no input POSITION");
+}
+
+struct Layout {
+  std::size_t offset = 0;  ///< of VERTEX among the indices of a corner
+  std::size_t stride = 1;  ///< indices of a corner
+};
+
+Outcome<Layout> layout_of(const Reader& reader, const Element& primitive) {
+  Layout layout;
+  bool found = false;
+  for (const Element* input = primitive.FirstChildElement("input"); input != nullptr;
+       input = input->NextSiblingElement("input")) {
+    const std::size_t offset = input->UnsignedAttribute("offset", 0);
+    if (offset > 64) return reader.wrong(*input, "its offset is above 64");
+    layout.stride = std::max(layout.stride, offset + 1);
+    if (xml_attribute(*input, "semantic") != "VERTEX") continue;
+    layout.offset = offset;
+    found = true;
+  }
+  if (!found) return reader.wrong(primitive, "it has no input VERTEX");
+  return layout;
+}
+
+/// Polygons of the given corner counts (all of them triangles when empty) as fans.
+Status add_polygons(Reader& reader, const Element& p, const std::vector<Vec3>& points, const Layout& layout,
+                    const std::vector<std::size_t>& counts, bool one_polygon, const Affine& place) {
+  auto indices = numbers<std::size_t>(reader, p);
+  if (!indices) return pass_on(indices);
+  const std::size_t corners = indices->size() / layout.stride;
+  std::size_t first = 0;
+  for (std::size_t face = 0; first < corners; ++face) {
+    const std::size_t count = one_polygon            ? corners
+                              : counts.empty()       ? 3
+                              : face < counts.size() ? counts[face]
+                                                     : 0;
+    if (count == 0 || count > corners - first) return reader.wrong(p, "its indices do not fill whole faces");
+    const auto corner = [&](std::size_t i) {
+      return (*indices)[(first + i) * layout.stride + layout.offset];
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (corner(i) >= points.size())
+        return reader.wrong(p, fmt::format("index {} has no position", corner(i)));
+    }
+    for (std::size_t i = 2; i < count; ++i) {
+      Triangle triangle = {points[corner(0)], points[corner(i - 1)], points[corner(i)]};
+      for (Vec3& point : triangle) point = reader.metres * (place * point);
+      reader.triangles.push_back(triangle);
+    }
+    if (reader.triangles.size() > most_triangles) return too_many_triangles(reader.name);
+    first += count;
+  }
+  return {};
+}
+
+Status add_primitive(Reader& reader, const Element& primitive, const std::vector<Vec3>& points,
+                     const Affine& place) {
+  auto layout = layout_of(reader, primitive);
+  if (!layout) return pass_on(layout);
+  std::vector<std::size_t> counts;
+  if (const Element* vcount = primitive.FirstChildElement("vcount")) {
+    auto read = numbers<std::size_t>(reader, *vcount);
+    if (!read) return pass_on(read);
+    counts = std::move(*read);
+  }
+  const bool one_polygon = primitive.Name() == std::string_view("polygons");
+  for (const Element* p = primitive.FirstChildElement("p"); p != nullptr; p = p->NextSiblingElement("p")) {
+    if (auto added = add_polygons(reader, *p, points, *layout, counts, one_polygon, place); !added)
+      return added;
+  }
+  return {};
+}
+
+Status add_geometry(Reader& reader, const Element& geometry, const Affine& place) {
+  const Element* mesh = geometry.FirstChildElement("mesh");
+  if (mesh == nullptr) return {};
+  auto points = mesh_points(reader, *mesh);
+  if (!points) return pass_on(points);
+  for (const Element* child = mesh->FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const std::string_view kind = child->Name();
+    if (kind == "tristrips" || kind == "trifans")
+      return reader.wrong(*child, "strips and fans are not read; export triangles");
+    if (kind != "triangles" && kind != "polylist" && kind != "polygons") continue;
+    if (auto added = add_primitive(reader, *child, *points, place); !added) return added;
+  }
+  return {};
+}
+
+// ---- Scene ---------------------------------------------------------------------------------------
+
+Affine rotation(Vec3 axis, double angle_rad) {  // Rodrigues' formula
+  const Vec3 u = (1.0 / norm(axis)) * axis;
+  const auto turned = [&](Vec3 v) {
+    const double c = std::cos(angle_rad);
+    return c * v + std::sin(angle_rad) * cross(u, v) + (1.0 - c) * dot(u, v) * u;
+  };
+  return {{turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})}, {}};
+}
+
+/// The transform of one child of a node; identity for children that are none.
+Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
+  const std::string_view kind = child.Name();
+  const std::size_t count = kind == "matrix"                         ? 16
+                            : kind == "rotate"                       ? 4
+                            : kind == "translate" || kind == "scale" ? 3
+                                                                     : 0;
+  if (kind == "lookat" || kind == "skew")
+    return reader.wrong(child, "this transform is not read; export a matrix");
+  if (count == 0) return Affine{};
+  auto v = numbers<double>(reader, child);
+  if (!v) return pass_on(v);
+  if (v->size() != count) return reader.wrong(child, fmt::format("it takes {} numbers", count));
+  const auto& m = *v;
+  if (kind == "translate") return Affine{Affine{}.columns, {m[0], m[1], m[2]}};
+  if (kind == "scale") return Affine{{Vec3{m[0], 0, 0}, Vec3{0, m[1], 0}, Vec3{0, 0, m[2]}}, {}};
+  if (kind == "rotate") {
+    const Vec3 axis{m[0], m[1], m[2]};
+    return squared_norm(axis) > 0.0 ? rotation(axis, m[3] * std::numbers::pi / 180.0) : Affine{};
+  }
+  return Affine{{Vec3{m[0], m[4], m[8]}, Vec3{m[1], m[5], m[9]}, Vec3{m[2], m[6], m[10]}},
+                {m[3], m[7], m[11]}};
+}
+
+Status add_node(Reader& reader, const Element& node, Affine place, int depth) {
+  if (depth > deepest_nodes || ++reader.nodes > most_nodes) {
+    return reader.wrong(node, "its nodes nest too deep, or hold each other in a circle");
+  }
+  for (const Element* child = node.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    auto transform = transform_of(reader, *child);
+    if (!transform) return pass_on(transform);
+    place = place * *transform;
+    const std::string_view kind = child->Name();
+    const Element* referred = reader.find(xml_attribute(*child, "url"));
+    Status added;
+    if (kind == "node") {
+      added = add_node(reader, *child, place, depth + 1);
+    } else if (kind == "instance_node" && referred != nullptr) {
+      added = add_node(reader, *referred, place, depth + 1);
+    } else if (kind == "instance_geometry" && referred != nullptr) {
+      added = add_geometry(reader, *referred, place);
+    }
+    if (!added) return added;
+  }
+  return {};
+}
+
+const Element* scene_of(const Reader& reader, const Element& root) {
+  const Element* scene = root.FirstChildElement("scene");
+  const Element* instance = scene == nullptr ? nullptr : scene->FirstChildElement("instance_visual_scene");
+  return instance == nullptr ? nullptr : reader.find(xml_attribute(*instance, "url"));
+}
+
+}  // namespace
+
+Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const std::string& name) {
+  auto document = xml_document(text, name, "COLLADA");
+  if (!document) return pass_on(document);
+  const Element& root = *(*document)->RootElement();
+  Reader reader{name, {}};
+  collect_ids(root, reader.ids);
+  if (const Element* asset = root.FirstChildElement("asset")) {
+    const Element* unit = asset->FirstChildElement("unit");
+    if (unit != nullptr) reader.metres = unit->DoubleAttribute("meter", 1.0);
+  }
+  if (const Element* scene = scene_of(reader, root)) {
+    if (auto added = add_node(reader, *scene, {}, 0); !added) return pass_on(added);
+    return std::move(reader.triangles);
+  }
+  const Element* library = root.FirstChildElement("library_geometries");  // no scene: every mesh as it is
+  for (const Element* geometry = library == nullptr ? nullptr : library->FirstChildElement("geometry");
+       geometry != nullptr; geometry = geometry->NextSiblingElement("geometry")) {
+    if (auto added = add_geometry(reader, *geometry, {}); !added) return pass_on(added);
+  }
+  return std::move(reader.triangles);
+}
+
+}  // namespace outrider

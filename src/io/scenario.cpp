@@ -1,0 +1,132 @@
+#include "outrider/io/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "outrider/io/files.hpp"
+#include "text.hpp"
+#include "yaml.hpp"
+
+namespace outrider {
+namespace {
+
+using Value = std::variant<double, std::int64_t, bool, std::string>;
+
+/// Every option's value, to put back when a file is refused half way.
+std::vector<Value> snapshot(const std::vector<OptionGroup>& groups) {
+  std::vector<Value> values;
+  for (const OptionGroup& group : groups) {
+    for (const Option& option : group.options) {
+      std::visit([&](const auto* value) { values.emplace_back(*value); }, option.value);
+    }
+  }
+  return values;
+}
+
+void restore(const std::vector<OptionGroup>& groups, const std::vector<Value>& values) {
+  auto next = values.begin();
+  for (const OptionGroup& group : groups) {
+    for (const Option& option : group.options) {
+      std::visit([&]<class T>(T* value) { *value = std::get<T>(*next); }, option.value);
+      ++next;
+    }
+  }
+}
+
+std::string did_you_mean(const std::string& unknown, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(unknown.substr(0, 64), known);
+  if (!nearest.empty()) return fmt::format("did you mean '{}'?", nearest);
+  return known.empty() ? "there are none here" : fmt::format("known are {}", fmt::join(known, ", "));
+}
+
+/// What a scalar lacks to be a value of that option, beyond what assign() checks on the text.
+std::string_view type_fault(const Option& option, const YAML::Node& value) {
+  if (value.IsMap()) return "it is no section; it takes one value";
+  if (value.IsSequence())
+    return "it takes one value, not a list; write text such as \"1,2,3\" where it takes several";
+  if (!value.IsScalar()) return "its value is missing";
+  const bool quoted = value.Tag() == "!";
+  if (quoted && !std::holds_alternative<std::string*>(option.value))
+    return "it takes no quoted text; take the quotes away";
+  if (!is_printable(value.Scalar())) return "its text holds control characters or is not UTF-8";
+  return {};
+}
+
+Status set_option(const OptionGroup& group, const YAML::Node& key, const YAML::Node& value,
+                  const std::string& name) {
+  const std::string full = group.name.empty() ? key.Scalar() : fmt::format("{}.{}", group.name, key.Scalar());
+  const auto option = std::ranges::find(group.options, key.Scalar(), &Option::name);
+  if (option == group.options.end()) {
+    std::vector<std::string> known;
+    for (const Option& candidate : group.options) known.push_back(candidate.name);
+    return bad_input(
+        fmt::format("'{}' is no known key; {}", excerpt(full), did_you_mean(key.Scalar(), known)),
+        yaml_where(name, key));
+  }
+  if (const auto fault = type_fault(*option, value); !fault.empty()) {
+    return bad_input(fmt::format("{}: {}", full, fault), yaml_where(name, key));
+  }
+  if (auto assigned = assign(*option, value.Scalar()); !assigned) {
+    return bad_input(fmt::format("{}: {}", full, assigned.error().sentence), yaml_where(name, key));
+  }
+  return {};
+}
+
+Status set_section(const OptionGroup& group, const YAML::Node& key, const YAML::Node& section,
+                   const std::string& name) {
+  if (section.IsNull()) return {};
+  if (!section.IsMap()) {
+    return bad_input(fmt::format("'{}' is a section; its keys stand indented below it", group.name),
+                     yaml_where(name, key));
+  }
+  for (const auto& entry : section) {
+    if (auto set = set_option(group, entry.first, entry.second, name); !set) return set;
+  }
+  return {};
+}
+
+Status set_all(const YAML::Node& root, const std::string& name, const std::vector<OptionGroup>& groups) {
+  std::vector<std::string> known;
+  OptionGroup top;
+  for (const OptionGroup& group : groups) {
+    if (!group.name.empty()) known.push_back(group.name);
+    if (group.name.empty()) top.options.insert(top.options.end(), group.options.begin(), group.options.end());
+  }
+  for (const Option& option : top.options) known.push_back(option.name);
+  for (const auto& entry : root) {
+    const std::string& key = entry.first.Scalar();
+    const auto group = std::ranges::find(groups, key, &OptionGroup::name);
+    Status set;
+    if (group != groups.end() && !key.empty()) {
+      set = set_section(*group, entry.first, entry.second, name);
+    } else if (std::ranges::find(known, key) != known.end()) {
+      set = set_option(top, entry.first, entry.second, name);
+    } else {
+      set = bad_input(fmt::format("'{}' is no known key; {}", excerpt(key), did_you_mean(key, known)),
+                      yaml_where(name, entry.first));
+    }
+    if (!set) return set;
+  }
+  return {};
+}
+
+}  // namespace
+
+Status scenario_from_text(std::string_view text, const std::string& name,
+                          const std::vector<OptionGroup>& groups) {
+  auto root = yaml_map(text, name);
+  if (!root) return pass_on(root);
+  const std::vector<Value> before = snapshot(groups);
+  Status set = set_all(*root, name, groups);
+  if (!set) restore(groups, before);
+  return set;
+}
+
+Status load_scenario(const std::string& path, const std::vector<OptionGroup>& groups) {
+  auto text = read_file(path);
+  if (!text) return pass_on(text);
+  return scenario_from_text(*text, path, groups);
+}
+
+}  // namespace outrider

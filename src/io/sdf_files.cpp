@@ -1,0 +1,58 @@
+#include "sdf_files.hpp"
+
+#include <filesystem>
+
+#include "outrider/io/files.hpp"
+#include "xml.hpp"
+
+namespace outrider {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> existing(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error) || error) return std::nullopt;
+  return path.string();
+}
+
+std::optional<std::string> find_in_models(std::string_view rest, const SdfFolders& folders) {
+  rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+  if (rest.empty()) return std::nullopt;
+  const fs::path beside = folders.beside.empty() ? fs::path(".") : fs::path(folders.beside);
+  std::vector<fs::path> roots = {beside, beside / "models", beside / "..", beside / ".." / "models"};
+  roots.insert(roots.end(), folders.models.begin(), folders.models.end());
+  for (const fs::path& root : roots) {
+    if (auto found = existing(root / rest)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> find_uri(std::string_view uri, const SdfFolders& folders) {
+  const std::size_t scheme_end = uri.find("://");
+  const std::string_view scheme = scheme_end == std::string_view::npos ? "file" : uri.substr(0, scheme_end);
+  const std::string_view rest = scheme_end == std::string_view::npos ? uri : uri.substr(scheme_end + 3);
+  if (scheme == "model" || scheme == "package") return find_in_models(rest, folders);
+  if (scheme != "file" || rest.empty()) return std::nullopt;
+  return existing(fs::path(folders.beside) / rest);
+}
+
+std::optional<std::string> find_model(std::string_view uri, const SdfFolders& folders) {
+  auto found = find_uri(uri, folders);
+  std::error_code error;
+  if (!found || !fs::is_directory(*found, error)) return found;
+  std::string sdf_name = "model.sdf";
+  auto text = read_file((fs::path(*found) / "model.config").string(), std::size_t{1} << 20);
+  if (!text) return existing(fs::path(*found) / sdf_name);
+  auto config = xml_document(*text, *found, "model");
+  if (!config) return std::nullopt;
+  for (const auto* sdf = (*config)->RootElement()->FirstChildElement("sdf"); sdf != nullptr;
+       sdf = sdf->NextSiblingElement("sdf")) {
+    if (!xml_text(*sdf).empty()) sdf_name = xml_text(*sdf);  // the last is the newest by custom
+  }
+  return existing(fs::path(*found) / sdf_name);
+}
+
+}  // namespace outrider

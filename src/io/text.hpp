@@ -1,0 +1,58 @@
+// Lines, words and numbers of text formats.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace outrider {
+
+/// The next line without its end ("\n" or "\r\n"); `rest` loses it.
+inline std::string_view take_line(std::string_view& rest) {
+  const std::size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+inline constexpr std::string_view white_space = " \t\r\n\f\v";
+
+/// The next word, or empty at the end; `rest` loses it and the white space before it.
+inline std::string_view take_word(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(white_space));
+  rest.remove_prefix(word.size());
+  return word;
+}
+
+inline std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> result;
+  for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) result.push_back(word);
+  return result;
+}
+
+/// The whole text as a finite number (a leading + is allowed) or as an integer; nothing otherwise.
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() ||
+      !std::isfinite(static_cast<double>(value))) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// The text cut to what fits a sentence, control characters and bytes outside ASCII as '?'.
+std::string excerpt(std::string_view text, std::size_t most = 60);
+
+/// True for well-formed UTF-8 without control characters: what may stand as a name in a report.
+bool is_printable(std::string_view text);
+
+}  // namespace outrider

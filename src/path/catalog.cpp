@@ -1,0 +1,78 @@
+#include "outrider/path/catalog.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "outrider/path/a_star.hpp"
+#include "outrider/path/dijkstra.hpp"
+#include "outrider/path/theta_star.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+template <class Options>
+using Planner = Outcome<Plan> (*)(const Problem&, const Options&, const Budget&, Workspace&);
+
+template <class Options>
+std::function<ConfiguredPlanner()> with_options(Planner<Options> planner) {
+  return [planner] {
+    const auto options = std::make_shared<Options>();
+    return ConfiguredPlanner{
+        describe(*options),
+        [planner, options](const Problem& problem, const Budget& budget, Workspace& workspace) {
+          return planner(problem, *options, budget, workspace);
+        }};
+  };
+}
+
+}  // namespace
+
+const std::vector<PathPlanner>& path_planners() {
+  static const std::vector<PathPlanner> planners = {
+      {"dijkstra",
+       "Searches in all directions until the goal is reached.",
+       "Dijkstra, A note on two problems in connexion with graphs, 1959",
+       {true, PathClass::along_moves, 1.0, "complete; shortest along the eight moves of the grid"},
+       with_options(dijkstra)},
+      {"a_star",
+       "Searches towards the goal, led by the distance along the moves of an empty grid.",
+       "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
+       "1968",
+       {true, PathClass::along_moves, 1.0,
+        "complete; shortest along the eight moves of the grid (at most `weight` times as long above weight "
+        "1)"},
+       with_options(a_star)},
+      {"theta_star",
+       "A* whose legs may point in any direction: each vertex takes the parent of its parent if seen.",
+       "Nash, Daniel, Koenig and Felner, Theta*: any-angle path planning on grids, 2007",
+       {true, PathClass::any_direction, unbounded,
+        "complete; near the shortest path, without a proven ratio"},
+       with_options(theta_star)},
+      {"lazy_theta_star",
+       "Free-direction A* that looks along a line only when it expands a vertex.",
+       "Nash, Koenig and Tovey, Lazy Theta*: any-angle path planning and path length analysis in 3D, 2010",
+       {true, PathClass::any_direction, unbounded,
+        "complete; near the shortest path, without a proven ratio"},
+       with_options(lazy_theta_star)},
+  };
+  return planners;
+}
+
+Outcome<PathPlanner> find_path_planner(std::string_view name) {
+  std::vector<std::string> known;
+  for (const PathPlanner& planner : path_planners()) {
+    if (planner.name == name) return planner;
+    known.emplace_back(planner.name);
+  }
+  const std::string nearest = nearest_name(name, known);
+  return bad_input(nearest.empty()
+                       ? fmt::format("there is no planner '{}'; take one of {}", name, fmt::join(known, ", "))
+                       : fmt::format("there is no planner '{}'; did you mean '{}'?", name, nearest),
+                   "planner");
+}
+
+}  // namespace outrider

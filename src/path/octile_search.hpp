@@ -1,0 +1,14 @@
+// The search that Dijkstra and A* share: along the eight moves, f = g + weight * octile distance.
+#pragma once
+
+#include "outrider/core/budget.hpp"
+#include "outrider/path/plan.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider {
+
+/// Weight 0 is Dijkstra, 1 is A*, more is weighted A*. The lower bound is cost / max(1, weight).
+Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget& budget,
+                            Workspace& workspace);
+
+}  // namespace outrider

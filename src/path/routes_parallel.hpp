@@ -1,0 +1,40 @@
+// One budget for work that runs in parallel, with the same verdict for any number of threads.
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "outrider/core/budget.hpp"
+
+namespace outrider::routes {
+
+/// Calls work(i, meter) -> bool for i = 0 ... count - 1, each with a meter of its own on what remains
+/// of the budget, block by block; false means that the meter refused. What was spent is taken from
+/// `remaining` in the order of i.
+template <class Work>
+Status in_parallel(std::size_t count, Budget& remaining, Work work) {
+  constexpr std::size_t block = 64;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto wall_time = remaining.wall_time;
+  for (std::size_t low = 0; low < count; low += block) {
+    const std::size_t size = std::min(block, count - low);
+    std::vector<BudgetMeter> meters(size, BudgetMeter(remaining));
+    std::vector<char> done(size, 0);
+    tbb::parallel_for(std::size_t{0}, size,
+                      [&](std::size_t k) { done[k] = work(low + k, meters[k]) ? 1 : 0; });
+    for (std::size_t k = 0; k < size; ++k) {
+      if (remaining.stop.stop_requested()) return meters[k].refusal();
+      if (done[k] == 0 || meters[k].spent() > remaining.expansions) {
+        return fault(FaultCode::budget_exhausted, "the budget ended among the routes; give a larger one");
+      }
+      remaining.expansions -= meters[k].spent();
+    }
+    if (wall_time) remaining.wall_time = *wall_time - (std::chrono::steady_clock::now() - begin);
+  }
+  return {};
+}
+
+}  // namespace outrider::routes

@@ -1,0 +1,398 @@
+#include "outrider/report/json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace outrider {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+
+template <class T, class Plain>
+concept Is = std::same_as<std::remove_const_t<T>, Plain>;
+
+// The keys of every object, each named once: `io` writes or reads the member that it is given.
+// io.drawn() is for what is only looked at: it is rounded to 1e-6.
+
+template <class Io, Is<RoundedPolygon> T>
+void members(Io& io, T& shape) {
+  io.drawn("core", shape.core);
+  io.drawn("radius_m", shape.radius_m);
+}
+
+template <class Io, Is<ReportSolid> T>
+void members(Io& io, T& solid) {
+  io("name", solid.name);
+  io("kind", solid.kind);
+  io("low_z_m", solid.low_z_m);
+  io("high_z_m", solid.high_z_m);
+  io("blocks_driving", solid.blocks_driving);
+  io("footprint", solid.footprint);
+}
+
+template <class Io, Is<ProfilePiece> T>
+void members(Io& io, T& piece) {
+  io("name", piece.name);
+  io.drawn("polygon", piece.polygon);
+}
+
+template <class Io, Is<ReportTarget> T>
+void members(Io& io, T& target) {
+  io("name", target.name);
+  io("status", target.status);
+  io("reason", target.reason);
+  io("pose", target.pose);
+  io("pitch_rad", target.pitch_rad);
+  io("yaw_rad", target.shot_yaw_rad);
+  io("speed_mps", target.speed_mps);
+  io("clearance_m", target.clearance_m);
+  io("done_s", target.done_s);
+  io("shots", target.shots);
+  io("centre", target.centre);
+  io("size", target.size);
+  io("box_yaw_rad", target.yaw_rad);
+}
+
+template <class Io, Is<ReportPath> T>
+void members(Io& io, T& path) {
+  io("start_s", path.start_s);
+  io("end_s", path.end_s);
+  io("waypoints", path.waypoints);
+}
+
+template <class Io, Is<ReportShot> T>
+void members(Io& io, T& shot) {
+  io("target", shot.target);
+  io("attempt", shot.attempt);
+  io("time_s", shot.time_s);
+  io("flight_s", shot.flight_s);
+  io("muzzle", shot.muzzle);
+  io("velocity_mps", shot.velocity_mps);
+  io("contact", shot.contact);
+  io("contact_point", shot.contact_point);
+  io("hit", shot.hit);
+  io("hit_by_reference_rule", shot.hit_by_reference_rule);
+  io("clearance_m", shot.clearance_m);
+  io("profile", shot.profile);
+}
+
+template <class Io, Is<ReportEvent> T>
+void members(Io& io, T& event) {
+  io("time_s", event.time_s);
+  io("kind", event.kind);
+  io("text", event.text);
+}
+
+template <class Io, Is<Report> T>
+void members(Io& io, T& report) {
+  io("status", report.status);
+  io("job", report.job);
+  io("reason", report.reason);
+  io("seed", report.seed);
+  io("metrics", report.metrics);
+  io("targets", report.targets);
+  io("settings", report.settings);
+  io("warnings", report.warnings);
+  io.object("world", [&](auto& world) {
+    world("name", report.world_name);
+    world("bounds", report.bounds);
+    world("gravity_mps2", report.gravity_mps2);
+    world("solids", report.solids);
+  });
+  io.object("robot", [&](auto& robot) {
+    robot("radius_m", report.robot_radius_m);
+    robot("gun_length_m", report.gun_length_m);
+    robot("ball_radius_m", report.ball_radius_m);
+    robot("margin_m", report.margin_m);
+    robot("start", report.start);
+  });
+  io("paths", report.paths);
+  io("shots", report.shots);
+  io("events", report.events);
+  io("track", report.track);
+}
+
+class Writer {
+ public:
+  template <class T>
+  void operator()(const char* key, const T& value) {
+    json_[key] = written(value, false);
+  }
+  template <class T>
+  void drawn(const char* key, const T& value) {
+    json_[key] = written(value, true);
+  }
+  template <class Fill>
+  void object(const char* key, Fill fill) {
+    Writer inner;
+    fill(inner);
+    json_[key] = std::move(inner.json_);
+  }
+  Json& json() { return json_; }
+
+ private:
+  static Json written(double value, bool round) {
+    if (!std::isfinite(value)) return nullptr;
+    const bool small = std::abs(value) < 1e9;
+    const double kept = round && small ? std::round(value * 1e6) / 1e6 + 0.0 : value;
+    return kept;
+  }
+  template <std::integral T>
+  static Json written(T value, bool) {
+    return value;
+  }
+  static Json written(const std::string& text, bool) { return text; }
+  static Json written(Vec2 v, bool round) { return Json::array({written(v.x, round), written(v.y, round)}); }
+  static Json written(Vec3 v, bool round) {
+    return Json::array({written(v.x, round), written(v.y, round), written(v.z, round)});
+  }
+  static Json written(const Pose2& p, bool round) {
+    return Json::array(
+        {written(p.position.x, round), written(p.position.y, round), written(p.heading_rad, round)});
+  }
+  static Json written(const Box2& box, bool round) {
+    return box.empty() ? Json(nullptr) : Json::array({written(box.low, round), written(box.high, round)});
+  }
+  static Json written(const TrackSample& s, bool) {
+    Json row = Json::array();
+    for (const double value : {s.time_s, s.pose.position.x, s.pose.position.y, s.pose.heading_rad,
+                               s.gun_yaw_rad, s.gun_pitch_rad}) {
+      row.push_back(written(value, true));
+    }
+    return row;
+  }
+  template <class T>
+  static Json written(const std::vector<std::pair<std::string, T>>& entries, bool round) {
+    Json table = Json::object();
+    for (const auto& [name, value] : entries) table[name] = written(value, round);
+    return table;
+  }
+  template <class T>
+  static Json written(const std::vector<T>& items, bool round) {
+    Json list = Json::array();
+    for (const T& item : items) list.push_back(written(item, round));
+    return list;
+  }
+  template <class T>
+    requires requires(Writer& writer, const T& value) { members(writer, value); }
+  static Json written(const T& value, bool) {
+    Writer inner;
+    members(inner, value);
+    return std::move(inner.json_);
+  }
+
+  Json json_ = Json::object();
+};
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+// One line for each thing a person looks for, so that two reports compare line by line: the members
+// of the first two levels of objects, and the elements of their arrays of things.
+void lay_out(const Json& json, std::size_t depth, std::string& text) {
+  const bool things = json.is_array() && !json.empty() && (json[0].is_structured() || json[0].is_string());
+  if (json.empty() || !(things || json.is_object()) || depth > (things ? 2U : 1U)) {
+    text += text_of(json);
+    return;
+  }
+  std::string indent(2 * (depth + 1) + 1, ' ');
+  indent.front() = '\n';
+  text += things ? '[' : '{';
+  bool first = true;
+  for (const auto& [key, value] : json.items()) {
+    if (!first) text += ',';
+    text += indent;
+    if (!things) text += text_of(key) + ": ";
+    lay_out(value, things ? 3 : depth + 1, text);
+    first = false;
+  }
+  text += indent.substr(0, indent.size() - 2) + (things ? ']' : '}');
+}
+
+// A value in the text and the way to it, for faults: targets[3].pose[1].
+struct Place {
+  const Json& json;
+  std::optional<Fault>& refusal;  // the first one found
+  const Place* parent = nullptr;
+  std::string key;  // empty for an element of an array
+  std::size_t index = 0;
+
+  [[nodiscard]] std::string path() const {
+    if (parent == nullptr) return key;
+    const std::string before = parent->path();
+    if (key.empty()) return fmt::format("{}[{}]", before, index);
+    return before.empty() ? key : before + "." + key;
+  }
+  void refuse(std::string sentence) const {
+    if (!refusal) refusal = Fault{FaultCode::bad_input, std::move(sentence), path()};
+  }
+  [[nodiscard]] Place at(std::size_t i) const { return {json[i], refusal, this, {}, i}; }
+};
+
+bool expect(const Place& place, bool right, std::string_view wanted) {
+  if (!right) place.refuse(fmt::format("this is {}, but it must be {}", place.json.type_name(), wanted));
+  return right;
+}
+
+class Reader {
+ public:
+  explicit Reader(const Place& place) : place_(place) {}
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    visit(key, [&](const Place& at) { read(at, value, false); });
+  }
+  template <class T>
+  void drawn(const char* key, T& value) {
+    visit(key, [&](const Place& at) { read(at, value, true); });
+  }
+  template <class Fill>
+  void object(const char* key, Fill fill) {
+    visit(key, [&](const Place& at) {
+      if (!expect(at, at.json.is_object(), "an object")) return;
+      Reader inner(at);
+      fill(inner);
+    });
+  }
+
+  template <class T>
+    requires requires(Reader& reader, T& value) { members(reader, value); }
+  static void read(const Place& place, T& value, bool) {
+    if (!expect(place, place.json.is_object(), "an object")) return;
+    Reader inner(place);
+    members(inner, value);
+  }
+
+ private:
+  template <class Use>
+  void visit(const char* key, Use use) {
+    if (place_.refusal) return;
+    const auto found = place_.json.find(key);
+    const bool missing = found == place_.json.end();
+    static const Json nothing;
+    const Place at{missing ? nothing : *found, place_.refusal, &place_, key};
+    if (missing) {
+      at.refuse("this key is missing; the file was cut or written by something else");
+    } else {
+      use(at);
+    }
+  }
+
+  // null stands for a number that is not known, except in what is drawn
+  static void read(const Place& place, double& value, bool drawn) {
+    if (!drawn && place.json.is_null()) {
+      value = std::numeric_limits<double>::quiet_NaN();
+    } else if (expect(place, place.json.is_number(), drawn ? "a number" : "a number or null")) {
+      value = place.json.get<double>();
+    }
+  }
+  static void read(const Place& place, bool& value, bool) {
+    if (expect(place, place.json.is_boolean(), "true or false")) value = place.json.get<bool>();
+  }
+  static void read(const Place& place, std::string& value, bool) {
+    if (expect(place, place.json.is_string(), "a string")) value = place.json.get<std::string>();
+  }
+  static void read(const Place& place, std::uint64_t& value, bool) {
+    if (expect(place, place.json.is_number_unsigned(), "a whole number from 0 to 2^64 - 1")) {
+      value = place.json.get<std::uint64_t>();
+    }
+  }
+  static void read(const Place& place, int& value, bool) {
+    constexpr std::uint64_t most = 1'000'000'000;
+    const bool right = place.json.is_number_unsigned() && place.json.get<std::uint64_t>() <= most;
+    if (expect(place, right, "a whole number from 0 to 1e9")) value = place.json.get<int>();
+  }
+  template <std::size_t N>
+  static void read(const Place& place, const std::array<double*, N>& values, bool drawn) {
+    const bool right = place.json.is_array() && place.json.size() == N;
+    if (!expect(place, right, fmt::format("an array of {} numbers", N))) return;
+    for (std::size_t i = 0; i < N; ++i) read(place.at(i), *values[i], drawn);
+  }
+  static void read(const Place& place, Vec2& v, bool) { read(place, std::array{&v.x, &v.y}, true); }
+  static void read(const Place& place, Vec3& v, bool drawn) {
+    read(place, std::array{&v.x, &v.y, &v.z}, drawn);
+  }
+  static void read(const Place& place, Pose2& p, bool drawn) {
+    read(place, std::array{&p.position.x, &p.position.y, &p.heading_rad}, drawn);
+  }
+  static void read(const Place& place, Box2& box, bool) {
+    if (place.json.is_null()) {
+      box = Box2{};
+    } else if (expect(place, place.json.is_array() && place.json.size() == 2, "null or two corners")) {
+      read(place.at(0), box.low, true);
+      read(place.at(1), box.high, true);
+    }
+  }
+  static void read(const Place& place, TrackSample& s, bool) {
+    read(place,
+         std::array{&s.time_s, &s.pose.position.x, &s.pose.position.y, &s.pose.heading_rad, &s.gun_yaw_rad,
+                    &s.gun_pitch_rad},
+         true);
+  }
+  template <class T>
+  static void read(const Place& place, std::vector<std::pair<std::string, T>>& entries, bool drawn) {
+    if (!expect(place, place.json.is_object(), "an object")) return;
+    entries.clear();
+    for (const auto& [key, value] : place.json.items()) {
+      entries.emplace_back(key, T{});
+      read(Place{value, place.refusal, &place, key}, entries.back().second, drawn);
+    }
+  }
+  template <class T>
+  static void read(const Place& place, std::vector<T>& items, bool drawn) {
+    if (!expect(place, place.json.is_array(), "an array")) return;
+    items.assign(place.json.size(), T{});
+    for (std::size_t i = 0; i < items.size() && !place.refusal; ++i) read(place.at(i), items[i], drawn);
+  }
+
+  const Place& place_;
+};
+
+Status check_version(const Json& json) {
+  const auto found = json.is_object() ? json.find("outrider_report") : json.end();
+  if (found == json.end()) {
+    return bad_input("this is not a report: it is no JSON object with the key 'outrider_report'");
+  }
+  if (*found != version) {
+    return bad_input(fmt::format("report version {} is not known; this program reads version {}",
+                                 text_of(*found).substr(0, 20), version),
+                     "outrider_report");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  Writer writer;
+  writer("outrider_report", version);
+  members(writer, report);
+  std::string text;
+  lay_out(writer.json(), 0, text);
+  return text + "\n";
+}
+
+Outcome<Report> report_from_json(std::string_view text) {
+  Json json;
+  try {  // the library reports syntax by exception
+    json = Json::parse(text);
+  } catch (const Json::exception& error) {
+    return bad_input(
+        fmt::format("the report is no valid JSON: {}", std::string(error.what()).substr(0, 200)));
+  }
+  if (auto status = check_version(json); !status) return pass_on(status);
+  std::optional<Fault> refusal;
+  Report report;
+  Reader::read(Place{json, refusal, nullptr, {}}, report, false);
+  if (refusal) return tl::unexpected<Fault>(std::move(*refusal));
+  return report;
+}
+
+}  // namespace outrider

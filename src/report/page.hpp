@@ -1,0 +1,18 @@
+// The source files of the replay page, as text; src/report/page/ holds them.
+#pragma once
+
+#include <string_view>
+
+namespace outrider::page {
+
+extern const std::string_view replay_html;
+extern const std::string_view replay_css;
+extern const std::string_view model_js;
+extern const std::string_view camera_js;
+extern const std::string_view plan_js;
+extern const std::string_view side_js;
+extern const std::string_view table_js;
+extern const std::string_view transport_js;
+extern const std::string_view replay_js;
+
+}  // namespace outrider::page

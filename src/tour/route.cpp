@@ -1,0 +1,106 @@
+#include "route.hpp"
+
+namespace outrider::tour {
+namespace {
+
+State state_before(const Instance& instance, const Route& route, std::uint32_t position) {
+  return position == 0 ? start_of(instance) : route.after[position - 1];
+}
+
+void consider(const Instance& instance, const Route& route, std::uint32_t position, std::uint32_t node,
+              double divisor, Insertion& best) {
+  const double cost = splice_cost(instance, route, position, position, {&node, 1});
+  if (cost / divisor < best.score) best = {cost, cost / divisor, position, node};
+}
+
+void insert_in_visits(const Instance& instance, const Route& route, std::uint32_t goal, Insertion& best) {
+  if (const std::uint32_t node = instance.node(0, goal); node != none) {
+    consider(instance, route, 0, node, 1.0, best);
+  }
+  for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
+    const std::uint32_t node = instance.node(route.after[begin].stop, goal);
+    if (node == none) continue;
+    for (std::uint32_t position = begin; position <= route.visit_end[begin] + 1; ++position) {
+      consider(instance, route, position, node, 1.0, best);
+    }
+  }
+}
+
+/// New visits between the visit that ends before `position` and the one that begins there. Driving
+/// alone already costs more than the best in most cases: then the turns are not looked at.
+void insert_visit(const Instance& instance, const Route& route, std::uint32_t goal, std::uint32_t position,
+                  double sharing, std::span<const std::uint32_t> company, Insertion& best) {
+  const std::uint32_t from = state_before(instance, route, position).stop;
+  const bool last = position == route.size();
+  const std::uint32_t to = last ? from : route.after[position].stop;
+  const double direct = from == to ? 0.0 : instance.time[instance.arc(from, to)];
+  const double* outward = &instance.time[instance.arc(from, 0)];
+  const double* onward = &instance.time_to[instance.arc(to, 0)];
+  const std::vector<std::uint32_t>& stops = instance.stops_of[goal];
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const std::uint32_t stop = stops[i];
+    const double detour = outward[stop] + (last ? 0.0 : onward[stop]) - direct;
+    const double divisor = 1.0 + sharing * company[stop];
+    if (detour >= best.score * divisor || stop == from || stop == to) continue;
+    consider(instance, route, position, instance.nodes_of[goal][i], divisor, best);
+  }
+}
+
+}  // namespace
+
+void refresh(const Instance& instance, Route& route) {
+  const std::uint32_t size = route.size();
+  route.after.resize(size);
+  route.step.resize(size);
+  route.visit_end.resize(size);
+  route.cost = 0.0;
+  State state = start_of(instance);
+  for (std::uint32_t p = 0; p < size; ++p) {
+    route.step[p] = advance(instance, state, instance.nodes[route.nodes[p]]);
+    route.after[p] = state;
+    route.cost += route.step[p];
+  }
+  for (std::uint32_t p = size; p-- > 0;) {
+    const bool ends = p + 1 == size || route.after[p + 1].stop != route.after[p].stop;
+    route.visit_end[p] = ends ? p : route.visit_end[p + 1];
+  }
+}
+
+double splice_cost(const Instance& instance, const Route& route, std::uint32_t begin, std::uint32_t end,
+                   std::span<const std::uint32_t> replacement) {
+  State state = state_before(instance, route, begin);
+  double change = 0.0;
+  for (const std::uint32_t node : replacement) change += advance(instance, state, instance.nodes[node]);
+  for (std::uint32_t p = begin; p < end; ++p) change -= route.step[p];
+  if (end == route.size()) return change;
+  change += advance(instance, state, instance.nodes[route.nodes[end]]) - route.step[end];
+  for (std::uint32_t p = end; state.heading != route.after[p].heading;) {
+    const std::uint32_t last = route.visit_end[p];
+    if (last + 1 == route.size()) break;
+    const Node& leaving = instance.nodes[route.nodes[last]];
+    state = {leaving.stop, state.heading, leaving.yaw - state.heading, leaving.pitch};
+    p = last + 1;
+    change += advance(instance, state, instance.nodes[route.nodes[p]]) - route.step[p];
+  }
+  return change;
+}
+
+void splice(const Instance& instance, Route& route, std::uint32_t begin, std::uint32_t end,
+            std::span<const std::uint32_t> replacement) {
+  route.nodes.erase(route.nodes.begin() + begin, route.nodes.begin() + end);
+  route.nodes.insert(route.nodes.begin() + begin, replacement.begin(), replacement.end());
+  refresh(instance, route);
+}
+
+Insertion best_insertion(const Instance& instance, const Route& route, std::uint32_t goal, double sharing,
+                         std::span<const std::uint32_t> company) {
+  Insertion best;
+  insert_in_visits(instance, route, goal, best);
+  for (std::uint32_t begin = 0; begin < route.size(); begin = route.visit_end[begin] + 1) {
+    insert_visit(instance, route, goal, begin, sharing, company, best);
+  }
+  insert_visit(instance, route, goal, route.size(), sharing, company, best);
+  return best;
+}
+
+}  // namespace outrider::tour

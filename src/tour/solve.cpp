@@ -1,0 +1,86 @@
+#include "outrider/tour/solve.hpp"
+
+#include "construct.hpp"
+#include "exact.hpp"
+#include "improve.hpp"
+#include "lower_bound.hpp"
+
+namespace outrider {
+namespace {
+
+std::vector<Visit> visits_of(const tour::Instance& instance, const std::vector<std::uint32_t>& nodes) {
+  std::vector<Visit> visits;
+  for (const std::uint32_t n : nodes) {
+    const tour::Node& node = instance.nodes[n];
+    const std::size_t stop = instance.stop_name[node.stop];
+    if (visits.empty() || visits.back().stop != stop) visits.push_back({stop, {}});
+    visits.back().goals.push_back(node.goal);
+  }
+  return visits;
+}
+
+/// Replaces the tour by the optimum and proves it, or else sets the bound that the exact search reached.
+void solve_exactly(const tour::Instance& instance, const TourOptions& options, BudgetMeter& meter,
+                   tour::Route& route, Tour& tour) {
+  const tour::Exact exact = tour::search_exactly(instance, route.cost, options, meter);
+  if (!exact.nodes.empty()) {
+    route.nodes = exact.nodes;
+    tour::refresh(instance, route);
+  }
+  tour.expansions = exact.expansions;
+  tour.lower_bound_s = exact.lower_bound;
+  tour.proven_optimal = exact.finished;
+}
+
+/// Improves the route for some rounds of ruin and recreate, and counts them.
+void improve(const tour::Instance& instance, const TourOptions& options, std::int64_t iterations,
+             BudgetMeter& meter, tour::Route& route, Tour& tour) {
+  tour::Improvement improved = tour::improve(instance, route, options.seed, iterations, meter);
+  route = std::move(improved.best);
+  tour.iterations += improved.iterations;
+}
+
+}  // namespace
+
+std::vector<Option> describe(TourOptions& options) {
+  return {
+      {"exact_goals", "", 0, 16, "most goals for which the best tour is found and proven",
+       &options.exact_goals},
+      {"expansions", "", 0, 1e9, "most labels that the exact search expands", &options.expansions},
+      {"iterations", "", 0, 1e9, "rounds of ruin and recreate; an eighth of them before an exact search",
+       &options.iterations},
+      {"bound_goals", "", 0, 16, "most goals that the lower bound tours where there is no proof",
+       &options.bound_goals},
+      {"seed", "", 0, 9e15, "seed of the search", &options.seed},
+  };
+}
+
+Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget) {
+  if (Status status = check(problem); !status) return pass_on(status);
+  auto instance = tour::compile(problem);
+  if (!instance) return pass_on(instance);
+  BudgetMeter meter(budget);
+  if (!meter.spend()) return meter.refusal();
+  Tour tour;
+  if (problem.goals == 0) {
+    tour.proven_optimal = true;
+    return tour;
+  }
+  tour::Route route = tour::construct(*instance);
+  if (instance->goals <= options.exact_goals && tour::exact_is_possible(*instance)) {
+    improve(*instance, options, options.iterations / 8, meter, route, tour);  // enough to prune by
+    solve_exactly(*instance, options, meter, route, tour);
+  }
+  if (!tour.proven_optimal) {
+    improve(*instance, options, options.iterations, meter, route, tour);
+    tour.lower_bound_s = std::max(tour.lower_bound_s, tour::lower_bound(*instance, options, meter));
+  }
+  tour.visits = visits_of(*instance, route.nodes);
+  tour.cost_s = cost(problem, tour.visits);
+  if (tour.proven_optimal) tour.lower_bound_s = tour.cost_s;
+  tour.lower_bound_s = std::min(tour.lower_bound_s, tour.cost_s);
+  tour.ended_early = !meter.spend();
+  return tour;
+}
+
+}  // namespace outrider

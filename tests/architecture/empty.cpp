@@ -1,0 +1,1 @@
+// Given to the compiler with one header in front of it.

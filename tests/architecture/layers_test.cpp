@@ -1,0 +1,94 @@
+// Each layer uses only layers to its left: in what it includes, and in what its target links.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "sources.hpp"
+
+namespace architecture {
+namespace {
+
+/// How far to the right a layer stands; layers of one rank do not see each other.
+const std::map<std::string, int> rank = {
+    {"core", 0},    {"geometry", 1}, {"world", 2},      {"motion", 3},   {"search", 4},  {"path", 5},
+    {"pursuit", 5}, {"tour", 5},     {"ballistics", 5}, {"estimate", 5}, {"control", 5}, {"guard", 6},
+    {"explore", 6}, {"cover", 6},    {"execute", 7},    {"report", 8},   {"sim", 9},     {"io", 9},
+};
+
+bool may_use(const std::string& layer, const std::string& used) {
+  return layer == used || (rank.contains(layer) && rank.contains(used) && rank.at(used) < rank.at(layer));
+}
+
+std::vector<std::string> layers_included(const std::string& text) {
+  static const std::regex include(R"(#\s*include\s*["<]outrider/([a-z0-9_]+)/)");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+    found.push_back((*it)[1]);
+  }
+  return found;
+}
+
+TEST(Layers, EveryFolderHasARank) {
+  for (const Source& source : sources({"include/outrider", "src"})) {
+    const bool umbrella = source.path == "include/outrider/outrider.hpp";
+    EXPECT_TRUE(umbrella || rank.contains(source.layer)) << source.path;
+  }
+}
+
+TEST(Layers, IncludesPointLeft) {
+  int seen = 0;
+  for (const Source& source : sources({"include/outrider", "src"})) {
+    if (source.path == "include/outrider/outrider.hpp") continue;
+    for (const std::string& used : layers_included(source.code)) {
+      ++seen;
+      EXPECT_TRUE(may_use(source.layer, used)) << source.path << " includes " << used;
+    }
+  }
+  EXPECT_GT(seen, 20) << "the sources were not found";
+}
+
+TEST(Layers, NothingIncludesTheApplications) {
+  const std::regex apps(R"(#\s*include\s*["<](.*/)?apps/)");
+  for (const Source& source : sources({"include", "src"})) {
+    EXPECT_FALSE(std::regex_search(source.code, apps)) << source.path;
+  }
+}
+
+TEST(Layers, TargetsLinkLeft) {
+  std::ifstream file(OUTRIDER_LINKS);
+  ASSERT_TRUE(file) << OUTRIDER_LINKS;
+  int seen = 0;
+  for (std::string line; std::getline(file, line); ++seen) {
+    std::istringstream words(line);
+    std::string layer;
+    words >> layer;
+    EXPECT_TRUE(rank.contains(layer)) << layer;
+    for (std::string used; words >> used;) {
+      EXPECT_TRUE(layer != used && may_use(layer, used)) << layer << " links to " << used;
+    }
+  }
+  EXPECT_GE(seen, 4);
+}
+
+TEST(Layers, HeavyHeadersStayOutOfPublicHeaders) {
+  const std::regex heavy(
+      R"(#\s*include\s*[<"](boost|sdf|ignition|gz|ceres|ompl|tbb|oneapi|yaml-cpp|CLI|nlohmann/json\.hpp))");
+  EXPECT_TRUE(std::regex_search(std::string("#include <sdf/sdf.hh>"), heavy));
+  for (const Source& source : sources({"include"})) {
+    EXPECT_FALSE(std::regex_search(source.code, heavy)) << source.path;
+  }
+}
+
+TEST(Layers, TheRuleItselfRefuses) {
+  EXPECT_TRUE(may_use("world", "core"));
+  EXPECT_FALSE(may_use("world", "guard"));
+  EXPECT_FALSE(may_use("path", "tour"));
+  EXPECT_FALSE(may_use("core", "apps"));
+  EXPECT_EQ(layers_included("#include \"outrider/guard/target.hpp\"\n"), std::vector<std::string>{"guard"});
+}
+
+}  // namespace
+}  // namespace architecture

@@ -1,0 +1,131 @@
+// House rules that a machine can check: determinism, no leftovers, files and functions of a size.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <regex>
+
+#include "sources.hpp"
+
+namespace architecture {
+namespace {
+
+struct Rule {
+  std::string name;
+  std::regex forbidden;
+  std::string example;  ///< text that the rule must catch
+  std::function<bool(const Source&)> applies;
+};
+
+bool library(const Source& s) { return s.in_library(); }
+
+/// The library reads the clock only to keep a budget of wall time.
+bool has_no_clock(const Source& s) {
+  return s.in_library() && s.path.find("core/budget.") == std::string::npos &&
+         s.path != "src/path/routes_parallel.hpp";
+}
+bool draws_no_numbers(const Source& s) {
+  return s.path.find("core/rng") == std::string::npos && !s.path.starts_with("tests/architecture/");
+}
+bool is_an_algorithm(const Source& s) { return s.in_library() && s.layer != "io"; }
+
+std::string joined(const char* a, const char* b) { return std::string(a) + b; }  // hides it from itself
+
+const std::vector<Rule>& rules() {
+  static const std::vector<Rule> all = {
+      {"random numbers come from Rng",
+       std::regex(R"(std::random_device|\bs?rand\s*\(|std::\w+_distribution|std::(mt19937|minstd))"),
+       "std::normal_distribution<double> d;", draws_no_numbers},
+      {"no clock in the library",
+       std::regex(R"(std::chrono::\w+_clock|\b(std::time|std::clock|gettimeofday|clock_gettime)\s*\()"),
+       "std::chrono::steady_clock::now()", has_no_clock},
+      {"no order of a hash table", std::regex(R"(std::unordered_)"), "std::unordered_map<int, int> m;",
+       library},
+      {"algorithms do not print", std::regex(R"(std::(cout|cerr|clog)|\bprintf\s*\(|fmt::print)"),
+       "std::cerr << 1;", is_an_algorithm},
+      {"algorithms do not open files", std::regex(R"(std::[io]?fstream|\bfopen\s*\()"), "std::ifstream f;",
+       is_an_algorithm},
+      {"no using-directive in a header", std::regex(R"(\nusing namespace )"), "\nusing namespace std;",
+       [](const Source& s) { return s.path.ends_with(".hpp"); }},
+  };
+  return all;
+}
+
+TEST(Style, RulesHold) {
+  for (const Rule& rule : rules()) {
+    EXPECT_TRUE(std::regex_search(rule.example, rule.forbidden)) << rule.name;
+    for (const Source& source : sources({"include", "src", "apps", "tests", "bench", "examples"})) {
+      std::smatch found;
+      if (!rule.applies(source) || !std::regex_search(source.code, found, rule.forbidden)) continue;
+      ADD_FAILURE() << source.path << ": " << found.str() << ": " << rule.name;
+    }
+  }
+}
+
+TEST(Style, NothingIsLeftUndone) {
+  const std::regex leftover(joined("\\b(TO", "DO|FIX") + joined("ME|XX", "X)\\b"));
+  EXPECT_TRUE(std::regex_search(joined("// TO", "DO later"), leftover));
+  for (const Source& source : sources({"include", "src", "apps", "tests", "bench", "examples"})) {
+    EXPECT_FALSE(std::regex_search(source.text, leftover)) << source.path;
+  }
+}
+
+TEST(Style, NoPathOfOneMachine) {
+  const std::regex machine(joined("[\"<](/home/|/ro", "ot/|/wo") + joined("rk/|/Use", "rs/)"));
+  for (const Source& source : sources({"include", "src", "apps", "tests", "bench", "examples"})) {
+    EXPECT_FALSE(std::regex_search(source.text, machine)) << source.path;
+  }
+}
+
+TEST(Style, EveryHeaderOpensWithItsManual) {
+  for (const Source& source : sources({"include", "src"})) {
+    if (!source.path.ends_with(".hpp")) continue;
+    EXPECT_TRUE(source.text.starts_with("// ")) << source.path;
+    EXPECT_NE(source.text.find("\n#pragma once\n"), std::string::npos) << source.path;
+  }
+}
+
+constexpr std::size_t longest_file = 500;
+constexpr std::size_t longest_of_nine_in_ten = 300;
+constexpr std::size_t longest_function = 75;
+
+/// Lines from the head of a function to its closing brace, for functions at namespace level: they
+/// start and end in the first column.
+std::size_t longest_function_in(const Source& source) {
+  static const std::regex no_function(
+      R"(^(namespace|struct|class|enum|union|extern|inline constexpr|constexpr|const |static const ).*)");
+  std::size_t longest = 0;
+  std::size_t head = 0;
+  const std::vector<std::string> all = lines(source.code);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string& line = all[i];
+    const bool starts = !line.empty() && line[0] != ' ' && line[0] != '}' && line[0] != '#';
+    if (starts) head = std::regex_match(line, no_function) && line.find('(') == std::string::npos ? 0 : i + 1;
+    if (line.empty() || line[0] != '}') continue;
+    if (head > 0) longest = std::max(longest, i + 2 - head);
+    head = 0;
+  }
+  return longest;
+}
+
+TEST(Style, FilesAndFunctionsHaveASize) {
+  std::vector<std::size_t> lengths;
+  for (const Source& source : sources({"include", "src", "apps"})) {
+    lengths.push_back(lines(source.text).size());
+    EXPECT_LE(lengths.back(), longest_file) << source.path;
+    EXPECT_LE(longest_function_in(source), longest_function) << source.path;
+  }
+  std::sort(lengths.begin(), lengths.end());
+  EXPECT_LE(lengths.at(lengths.size() * 9 / 10), longest_of_nine_in_ten);
+  const Source sample{"", "", "", "namespace a {\nint f(int x) {\n  return x;\n}\n}\n"};
+  EXPECT_EQ(longest_function_in(sample), 3U);
+}
+
+TEST(Style, CommentsAndLiteralsAreNoCode) {
+  EXPECT_EQ(without_comments_and_literals("a /* b */ c // d\ne"), "a         c     \ne");
+  EXPECT_EQ(without_comments_and_literals(R"(f("x\"y", 'z', 1'000))"), "f(      ,    , 1'000)");
+  EXPECT_EQ(without_comments_and_literals("#include \"a.hpp\"\n"), "#include \"a.hpp\"\n");
+}
+
+}  // namespace
+}  // namespace architecture

@@ -1,0 +1,143 @@
+#include "outrider/core/options.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+struct Sample {
+  double speed = 2.5;
+  double pitch_rad = radians(45.0);
+  std::int64_t tries = 3;
+  bool strict = false;
+  std::string planner = "a_star";
+};
+
+std::vector<Option> describe(Sample& sample) {
+  return {{"speed", "m/s", 0.0, 10.0, "how fast", &sample.speed},
+          {"pitch", "deg", -30.0, 45.0, "how steep", &sample.pitch_rad},
+          {"tries", "", 1.0, 9.0, "how often", &sample.tries},
+          {"strict", "", 0.0, 0.0, "whether to insist", &sample.strict},
+          {"planner", "", 0.0, 0.0, "which one", &sample.planner}};
+}
+
+TEST(Options, ReadsEachType) {
+  Sample sample;
+  const auto options = describe(sample);
+  EXPECT_TRUE(assign(options[0], "0.125"));
+  EXPECT_TRUE(assign(options[1], "-30"));
+  EXPECT_TRUE(assign(options[2], "9"));
+  EXPECT_TRUE(assign(options[3], "true"));
+  EXPECT_TRUE(assign(options[4], "theta_star"));
+  EXPECT_EQ(sample.speed, 0.125);
+  EXPECT_DOUBLE_EQ(sample.pitch_rad, -pi / 6);
+  EXPECT_EQ(sample.tries, 9);
+  EXPECT_TRUE(sample.strict);
+  EXPECT_EQ(sample.planner, "theta_star");
+}
+
+TEST(Options, NamesTheTypes) {
+  Sample sample;
+  std::vector<std::string_view> types;
+  for (const Option& option : describe(sample)) types.push_back(type_name(option));
+  EXPECT_EQ(types, (std::vector<std::string_view>{"number", "number", "integer", "boolean", "string"}));
+}
+
+TEST(Options, TheEndsOfARangeBelongToIt) {
+  Sample sample;
+  const auto options = describe(sample);
+  EXPECT_TRUE(assign(options[0], "0"));
+  EXPECT_TRUE(assign(options[0], "10"));
+  EXPECT_FALSE(assign(options[0], "10.000001"));
+  EXPECT_FALSE(assign(options[0], "-0.000001"));
+  EXPECT_TRUE(assign(options[2], "1"));
+  EXPECT_FALSE(assign(options[2], "0"));
+  EXPECT_FALSE(assign(options[2], "10"));
+}
+
+TEST(Options, RefusesWhatIsNoFiniteNumber) {
+  for (const char* text : {"nan", "NaN", "-nan", "inf", "-inf", "infinity", "1e400", "", " ", " 1", "1 ",
+                           "+1", "1,5", "1.5x", "0x10", "one", "--1", "1e"}) {
+    Sample sample;
+    const auto options = describe(sample);
+    EXPECT_FALSE(assign(options[0], text)) << "'" << text << "'";
+    EXPECT_FALSE(assign(options[1], text)) << "'" << text << "'";
+    EXPECT_FALSE(assign(options[2], text)) << "'" << text << "'";
+    EXPECT_FALSE(assign(options[3], text)) << "'" << text << "'";
+    EXPECT_EQ(sample.speed, 2.5);
+    EXPECT_EQ(sample.pitch_rad, radians(45.0));
+    EXPECT_EQ(sample.tries, 3);
+  }
+}
+
+TEST(Options, AWholeNumberTakesNoFractionAndNoOverflow) {
+  for (const char* text : {"2.0", "2.5", "1e0", "99999999999999999999", "-99999999999999999999"}) {
+    Sample sample;
+    EXPECT_FALSE(assign(describe(sample)[2], text)) << text;
+    EXPECT_EQ(sample.tries, 3);
+  }
+}
+
+TEST(Options, ABooleanIsTrueOrFalse) {
+  for (const char* text : {"yes", "1", "True", "TRUE", "on"}) {
+    Sample sample;
+    EXPECT_FALSE(assign(describe(sample)[3], text)) << text;
+  }
+}
+
+TEST(Options, TheFaultNamesOptionValueRangeAndUnit) {
+  Sample sample;
+  const Status status = assign(describe(sample)[1], "50");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, FaultCode::bad_input);
+  EXPECT_EQ(to_string(status.error()), "pitch: '50' is no good; it takes a number from -30 to 45 deg");
+}
+
+TEST(Options, TextReadsBackTheSame) {
+  Sample sample;
+  const auto options = describe(sample);
+  for (const double value : {0.0, 0.1, 1.0 / 3.0, 2.5, 1e-9, 9.999999999999998}) {
+    sample.speed = value;
+    ASSERT_TRUE(assign(options[0], value_text(options[0])));
+    EXPECT_EQ(sample.speed, value);
+  }
+  EXPECT_EQ(value_text(options[2]), "3");
+  EXPECT_EQ(value_text(options[3]), "false");
+  EXPECT_EQ(value_text(options[4]), "a_star");
+}
+
+TEST(Options, DegreesReadAsTheyWereWritten) {
+  Sample sample;
+  const Option option = describe(sample)[1];
+  for (const char* text : {"45", "-30", "0", "0.1", "12.345", "-29.999999999", "1e-09"}) {
+    ASSERT_TRUE(assign(option, text)) << text;
+    EXPECT_EQ(value_text(option), text);
+  }
+}
+
+TEST(NearestName, FindsTheMisspelled) {
+  const std::vector<std::string> known = {"radius", "resolution", "muzzle_speed", "theta_star"};
+  EXPECT_EQ(nearest_name("radus", known), "radius");
+  EXPECT_EQ(nearest_name("resolutoin", known), "resolution");
+  EXPECT_EQ(nearest_name("muzle_sped", known), "muzzle_speed");
+  EXPECT_EQ(nearest_name("thetastar", known), "theta_star");
+  EXPECT_EQ(nearest_name("radius", known), "radius");
+}
+
+TEST(NearestName, SaysNothingWhenNothingIsClose) {
+  EXPECT_EQ(nearest_name("xyzzyplugh", {"radius", "resolution"}), "");
+  EXPECT_EQ(nearest_name("radius", {}), "");
+}
+
+TEST(NearestName, TheFirstOfEquallyNearWins) {
+  EXPECT_EQ(nearest_name("bat", {"cat", "rat", "bar"}), "cat");
+  EXPECT_EQ(nearest_name("bat", {"bar", "rat", "cat"}), "bar");
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,128 @@
+#include "outrider/io/files.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include <csignal>
+
+#include "data.hpp"
+
+namespace outrider {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string gzip(const std::string& path, const std::string& content) {
+  gzFile file = gzopen(path.c_str(), "wb");
+  gzwrite(file, content.data(), static_cast<unsigned>(content.size()));
+  gzclose(file);
+  return path;
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+std::string long_text() {
+  Rng rng(7);
+  std::string text;
+  while (text.size() < 1'000'000) text += std::to_string(rng.below(1000)) + "\n";
+  return text;
+}
+
+TEST(ReadFile, PlainAndGzipGiveTheSameBytesWhateverTheName) {
+  const test::Folder folder;
+  const std::string text = long_text() + std::string("\0\r\xff", 3);
+  EXPECT_EQ(*read_file(folder.write("plain.gz", text)), text);
+  EXPECT_EQ(*read_file(gzip((folder.path / "packed").string(), text)), text);
+  EXPECT_EQ(*read_file(folder.write("empty", "")), "");
+}
+
+TEST(ReadFile, LimitCountsDecompressedBytes) {
+  const test::Folder folder;
+  const std::string text(100'000, 'a');
+  const auto packed = gzip((folder.path / "packed").string(), text);
+  EXPECT_LT(fs::file_size(packed), 1000U);
+  EXPECT_TRUE(read_file(packed, 100'000));
+  const auto refused = read_file(packed, 99'999);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, packed);
+  EXPECT_NE(refused.error().sentence.find("99999"), std::string::npos);
+  EXPECT_TRUE(read_file(folder.write("none", ""), 0));
+}
+
+TEST(ReadFile, RefusesWhatIsNoReadableFile) {
+  const test::Folder folder;
+  const std::string missing = (folder.path / "missing").string();
+  ASSERT_FALSE(read_file(missing));
+  EXPECT_EQ(to_string(read_file(missing).error()), missing + ": there is no such file; check the path");
+  EXPECT_NE(read_file(folder.path.string()).error().sentence.find("folder"), std::string::npos);
+  EXPECT_FALSE(read_file(""));
+  EXPECT_FALSE(read_file((folder.path / std::string(5000, 'x')).string()));
+}
+
+TEST(ReadFile, RefusesTruncatedAndDamagedGzip) {
+  const test::Folder folder;
+  const std::string packed = test::bytes_of(gzip((folder.path / "packed").string(), long_text()));
+  const auto cut = read_file(folder.write("cut", packed.substr(0, packed.size() / 2)));
+  ASSERT_FALSE(cut);
+  EXPECT_NE(cut.error().sentence.find("cut short"), std::string::npos);
+  std::string changed = packed;
+  changed[packed.size() / 2] = static_cast<char>(changed[packed.size() / 2] ^ 0x55);
+  EXPECT_FALSE(read_file(folder.write("changed", changed)));
+}
+
+TEST(WriteFile, ReplacesWholeFilesAndLeavesNothingElse) {
+  const test::Folder folder;
+  const std::string path = (folder.path / "out.txt").string();
+  ASSERT_TRUE(write_file(path, "first"));
+  ASSERT_TRUE(write_file(path, long_text()));
+  EXPECT_EQ(test::bytes_of(path), long_text());
+  EXPECT_EQ(entries(folder.path), 1U);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(static_cast<unsigned>(fs::status(path).permissions()), 0666U & ~mask);
+}
+
+TEST(WriteFile, FollowsSymbolicLinks) {
+  const test::Folder folder;
+  const std::string real = folder.write("real", "old");
+  const fs::path link = folder.path / "link";
+  fs::create_symlink(real, link);
+  ASSERT_TRUE(write_file(link.string(), "new"));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(test::bytes_of(real), "new");
+}
+
+TEST(WriteFile, RefusesFoldersDevicesAndMissingFolders) {
+  const test::Folder folder;
+  EXPECT_FALSE(write_file(folder.path.string(), "x"));
+  EXPECT_FALSE(write_file("/dev/null", "x"));
+  EXPECT_FALSE(write_file("", "x"));
+  const auto refused = write_file((folder.path / "no" / "file").string(), "x");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence.find("make it first"), std::string::npos);
+  EXPECT_EQ(entries(folder.path), 0U);
+}
+
+TEST(WriteFile, FailureHalfWayKeepsTheOldFileAndNothingElse) {
+  const test::Folder folder;
+  const std::string path = folder.write("out.txt", "old");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto refused = write_file(path, long_text());
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(test::bytes_of(path), "old");
+  EXPECT_EQ(entries(folder.path), 1U);
+}
+
+}  // namespace
+}  // namespace outrider
