@@ -100,10 +100,11 @@ Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan&
   }
   const auto targets = static_cast<double>(problem.targets.size());
   const double reached = count(report, "reached");
-  report.status = reached == targets ? "done" : "not_done";
+  const double failed = count(report, "failed");
+  report.status = failed == 0.0 ? "done" : "not_done";
   if (reached < targets) {
-    report.reason = fmt::format("{} of {} targets reached, {} failed, {} unreachable", reached, targets,
-                                count(report, "failed"), count(report, "unreachable"));
+    report.reason = fmt::format("{} of {} targets reached, {} failed, {} proven to be out of reach", reached, targets,
+                                failed, targets - reached - failed);
   }
   report.metrics = {{"targets", targets},
                     {"reached", reached},

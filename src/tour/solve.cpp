@@ -1,5 +1,7 @@
 #include "outrider/tour/solve.hpp"
 
+#include <fmt/format.h>
+
 #include "construct.hpp"
 #include "exact.hpp"
 #include "improve.hpp"
@@ -17,6 +19,16 @@ std::vector<Visit> visits_of(const tour::Instance& instance, const std::vector<s
     visits.back().goals.push_back(node.goal);
   }
   return visits;
+}
+
+Status check_options(TourOptions options) {
+  for (const Option& option : describe(options)) {
+    const auto value = static_cast<double>(*std::get<std::int64_t*>(option.value));
+    if (value >= option.low && value <= option.high) continue;
+    return bad_input(
+        fmt::format("{} is {}; it takes {:g} to {:g}", option.name, value, option.low, option.high));
+  }
+  return {};
 }
 
 /// Replaces the tour by the optimum and proves it, or else sets the bound that the exact search reached.
@@ -56,6 +68,7 @@ std::vector<Option> describe(TourOptions& options) {
 }
 
 Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget) {
+  if (Status status = check_options(options); !status) return pass_on(status);
   if (Status status = check(problem); !status) return pass_on(status);
   auto instance = tour::compile(problem);
   if (!instance) return pass_on(instance);

@@ -8,7 +8,8 @@
 namespace outrider {
 
 /// Executes the plan on a simulated robot and reports. The report is a pure function of the arguments.
-/// status is "done" when every target was reached.
+/// status is "done" when every target
+/// that can be hit was hit.
 Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                  const GuardOptions& options, std::uint64_t seed);
 

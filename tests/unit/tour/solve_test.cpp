@@ -228,6 +228,13 @@ TEST(Solve, WallTimeEndsItWithAWholeTour) {
   EXPECT_TRUE(check(problem, *tour));
 }
 
+TEST(Solve, RefusesOptionsOutOfRange) {
+  TourOptions options;
+  options.bound_goals = 17;
+  EXPECT_EQ(solve(one_goal(), options, {}).error().code, FaultCode::bad_input);
+  EXPECT_EQ(solve(one_goal(), heuristic(-1), {}).error().code, FaultCode::bad_input);
+}
+
 TEST(Solve, DescribesItsOptions) {
   TourOptions options;
   for (const Option& option : describe(options)) {
