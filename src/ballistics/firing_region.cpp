@@ -54,22 +54,14 @@ Choice choose(const Sight& sight, const PitchTable& table, double aim_z) {
   return choice;
 }
 
-/// Offsets of a lattice from -half to half with the centre in it and steps of at most `step`.
-std::vector<double> offsets(double half, double step) {
-  const int n = static_cast<int>(std::ceil(half / step));
-  std::vector<double> result;
-  for (int i = -n; i <= n; ++i) result.push_back(n == 0 ? 0.0 : half * i / n);
-  return result;
-}
-
 }  // namespace
 
 std::vector<double> pitch_lattice(const ShotRules& rules) {
   const double span = rules.gun.pitch_high_rad - rules.gun.pitch_low_rad;
-  const int steps =
-      std::min(FiringRegion::no_shot - 1, static_cast<int>(std::floor(span / rules.pitch_step_rad + 1e-9)));
-  std::vector<double> pitches;
-  for (int i = 0; i <= steps; ++i) pitches.push_back(rules.gun.pitch_low_rad + i * rules.pitch_step_rad);
+  const double most = FiringRegion::no_shot - 1;
+  const int steps = static_cast<int>(std::clamp(std::ceil(span / rules.pitch_step_rad - 1e-9), 0.0, most));
+  std::vector<double> pitches{rules.gun.pitch_low_rad};
+  for (int i = 1; i <= steps; ++i) pitches.push_back(rules.gun.pitch_low_rad + span * i / steps);
   return pitches;
 }
 
@@ -107,6 +99,7 @@ Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
   const double half_diagonal = 0.5 * std::hypot(target.size.x, target.size.y);
+  const auto heights = offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m);
   Exhausted result;
   result.blocked_by.assign(space.solids().size(), 0);
 
@@ -130,17 +123,11 @@ Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target
   sweep(all, xy(centre), longest_range(rules, target), half_diagonal, frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           const Vec2 position = frame.centre(frame.cell(cell));
-          const Vec2 to_centre = xy(centre) - position;
-          const double range = norm(to_centre);
-          if (!clear_of(rules, target, position) || range <= half_diagonal) return true;
-          const double bearing = heading_of(to_centre) - target.yaw_rad;
-          const double half_across = 0.5 * (target.size.x * std::abs(std::sin(bearing)) +
-                                            target.size.y * std::abs(std::cos(bearing)));
+          if (!clear_of(rules, target, position)) return true;
           bool in_range = false;
-          for (const double across : offsets(half_across, rules.aim_step_m)) {
-            const Vec2 aim = xy(centre) + across / range * perpendicular(to_centre);
+          for (const Vec2 aim : aim_points(target, position, rules.aim_step_m)) {
             look(sight, rules, target, position, aim, near);
-            for (const double up : offsets(0.5 * target.size.z, rules.aim_step_m)) {
+            for (const double up : heights) {
               in_range = try_aim(cell, aim, centre.z + up) || in_range;
             }
           }

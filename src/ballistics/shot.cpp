@@ -6,12 +6,16 @@
 #include <limits>
 #include <vector>
 
+#include "outrider/ballistics/firing_region.hpp"
+#include "outrider/ballistics/sight.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double forgiving = 0.7;  // largest spread of a shot chosen for its time
 constexpr double fine_pitch_rad = radians(0.5);
-constexpr std::size_t most_flown = 48;  // candidates flown exactly before the best so far is taken
+constexpr std::size_t most_rated = 4;   // of these the hit rate is found when none survives
+constexpr std::size_t most_flown = 48;  // shots that fly but forgive too little before the first is taken
 
 /// Half of the target's size along and across a direction of sight.
 struct Outline {
@@ -41,47 +45,96 @@ bool better(const Candidate& a, const Candidate& b) {
   return a_forgives ? a.time_s < b.time_s : a.spread < b.spread;
 }
 
-/// Every shot of the fine lattice that passes one of the aim points, the best first.
-std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, Vec2 position,
-                                  double pitch_rad) {
-  std::vector<Candidate> result;
+/// A point on a target, seen from the gun.
+struct Aim {
+  Vec2 sight;             ///< from the yaw axis
+  double height_m = 0.0;  ///< above the floor
+  double off_centre;      ///< part of the half width and half height that it is away from the centre
+};
+
+/// A few points around the centre.
+std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2 position) {
   const Vec3 centre = target.centre();
   const Vec2 sight = xy(centre) - position;
-  const double range = norm(sight);
-  if (range == 0.0) return result;
   const double half_across = outline(target, heading_of(sight)).across_m;
-  const int steps = static_cast<int>((rules.gun.pitch_high_rad - rules.gun.pitch_low_rad) / fine_pitch_rad);
+  std::vector<Aim> aims;
   for (const double across : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-    const Vec2 aim = sight + across * half_across / range * perpendicular(sight);
+    const Vec2 aim = sight + across * half_across / norm(sight) * perpendicular(sight);
     for (const double up : {0.0, 0.4, -0.4, 0.8}) {
-      const double height = centre.z + up * 0.5 * target.size.z - rules.floor_z_m;
-      const double off_centre = std::abs(across) + std::abs(up);
-      for (int i = 0; i <= steps; ++i) {
-        const double pitch = rules.gun.pitch_low_rad + i * fine_pitch_rad;
-        const auto speed = speed_through(rules.gun, pitch, norm(aim), height, rules.gravity_mps2);
-        if (!speed) continue;
-        const Shot shot{heading_of(aim), pitch, *speed};
-        const double flight = (norm(aim) - muzzle(rules.gun, pitch).x) / (*speed * std::cos(pitch));
-        result.push_back({shot, spread(rules, target, position, shot) + off_centre,
-                          flight + aim_time(rules.gun, 0.0, pitch - pitch_rad)});
-      }
+      aims.push_back(
+          {aim, centre.z + up * 0.5 * target.size.z - rules.floor_z_m, std::abs(across) + std::abs(up)});
+    }
+  }
+  return aims;
+}
+
+/// All points that exhaust() tries.
+std::vector<Aim> all_aims(const ShotRules& rules, const Target& target, Vec2 position) {
+  const Vec2 sight = xy(target.base) - position;
+  const double half_across = outline(target, heading_of(sight)).across_m;
+  const double half_height = 0.5 * target.size.z;
+  std::vector<Aim> aims;
+  for (const Vec2 point : aim_points(target, position, rules.aim_step_m)) {
+    const Vec2 aim = point - position;
+    const double across = std::abs(cross(sight, aim)) / (norm(sight) * half_across);
+    for (const double up : offsets(-half_height, half_height, rules.aim_step_m)) {
+      aims.push_back({aim, target.centre().z + up - rules.floor_z_m, across + std::abs(up) / half_height});
+    }
+  }
+  return aims;
+}
+
+/// Every shot at one of the pitches that passes one of the aim points, the best first.
+std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, Vec2 position,
+                                  double pitch_rad, const std::vector<Aim>& aims) {
+  const auto pitches = pitch_lattice(rules);
+  std::vector<Candidate> result;
+  for (const Aim& aim : aims) {
+    for (const double pitch : pitches) {
+      const double range = norm(aim.sight);
+      const auto speed = speed_through(rules.gun, pitch, range, aim.height_m, rules.gravity_mps2);
+      if (!speed) continue;
+      const Shot shot{heading_of(aim.sight), pitch, *speed};
+      const double flight = (range - muzzle(rules.gun, pitch).x) / (*speed * std::cos(pitch));
+      result.push_back({shot, spread(rules, target, position, shot) + aim.off_centre,
+                        flight + aim_time(rules.gun, 0.0, pitch - pitch_rad)});
     }
   }
   std::stable_sort(result.begin(), result.end(), better);
   return result;
 }
 
+/// Whether the shot hits with errors of these parts of the largest.
+bool hits_with_errors(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
+                      const Shot& shot, double yaw_part, double pitch_part, double speed_part) {
+  const Shot off{shot.yaw_rad + yaw_part * rules.errors.gun_rad,
+                 shot.pitch_rad + pitch_part * rules.errors.gun_rad,
+                 shot.speed_mps * (1.0 + speed_part * rules.errors.speed_ratio)};
+  const Flight flight = launch(rules.gun, position, rules.floor_z_m, off, rules.gravity_mps2);
+  return fly(flight, rules.gun.ball_radius_m, space, target, rules.floor_z_m).hit;
+}
+
 bool survives_errors(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
                      const Shot& shot) {
   for (unsigned corner = 0; corner < 8; ++corner) {
     const auto sign = [corner](unsigned bit) { return (corner >> bit & 1U) != 0 ? 1.0 : -1.0; };
-    const Shot off{shot.yaw_rad + sign(0) * rules.errors.gun_rad,
-                   shot.pitch_rad + sign(1) * rules.errors.gun_rad,
-                   shot.speed_mps * (1.0 + sign(2) * rules.errors.speed_ratio)};
-    const Flight flight = launch(rules.gun, position, rules.floor_z_m, off, rules.gravity_mps2);
-    if (!fly(flight, rules.gun.ball_radius_m, space, target, rules.floor_z_m).hit) return false;
+    if (!hits_with_errors(rules, space, target, position, shot, sign(0), sign(1), sign(2))) return false;
   }
   return true;
+}
+
+double hit_rate(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
+                const Shot& shot) {
+  constexpr std::array<double, 3> parts = {-2.0 / 3.0, 0.0, 2.0 / 3.0};
+  int hits = 0;
+  for (const double yaw : parts) {
+    for (const double pitch : parts) {
+      for (const double speed : parts) {
+        hits += hits_with_errors(rules, space, target, position, shot, yaw, pitch, speed) ? 1 : 0;
+      }
+    }
+  }
+  return hits / 27.0;
 }
 
 /// The flight flown exactly: nothing when it misses or does not keep the margin.
@@ -91,9 +144,30 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
   const double radius = rules.gun.ball_radius_m;
   const Impact impact = fly(flight, radius, space, target, rules.floor_z_m);
   if (!impact.hit || space.first_contact(flight, radius + rules.margin_m, impact.time_s)) return {};
-  return PlannedShot{candidate.shot,   impact.time_s,
-                     impact.position,  space.clearance(flight, radius, impact.time_s, 1.0).distance_m,
-                     candidate.spread, false};
+  return PlannedShot{candidate.shot, impact.time_s, impact.position, 0.0, candidate.spread, false, 0.0};
+}
+
+/// The first that survives all extreme errors; else, of the first few that fly, the one that hits most.
+std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpace& space,
+                                        const Target& target, Vec2 position,
+                                        const std::vector<Candidate>& shots) {
+  std::optional<PlannedShot> best;
+  std::size_t tried = 0;
+  for (const Candidate& candidate : shots) {
+    auto shot = flown(rules, space, target, position, candidate);
+    if (!shot) continue;
+    shot->survives = survives_errors(rules, space, target, position, shot->shot);
+    if (shot->survives || tried < most_rated) {
+      shot->hit_rate = shot->survives ? 1.0 : hit_rate(rules, space, target, position, shot->shot);
+      if (!best || shot->hit_rate > best->hit_rate || shot->survives) best = shot;
+    }
+    if (shot->survives || ++tried == most_flown) break;
+  }
+  if (best) {
+    const Flight flight = launch(rules.gun, position, rules.floor_z_m, best->shot, rules.gravity_mps2);
+    best->clearance_m = space.clearance(flight, rules.gun.ball_radius_m, best->flight_s, 1.0).distance_m;
+  }
+  return best;
 }
 
 }  // namespace
@@ -121,13 +195,16 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
 double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot) {
   const Outline half = outline(target, shot.yaw_rad);
   const double range = distance(position, xy(target.base));
-  const double s = range - muzzle(rules.gun, shot.pitch_rad).x;
+  const Vec2 tip = muzzle(rules.gun, shot.pitch_rad);
+  const double s = range - tip.x;
   const double cosine = std::cos(shot.pitch_rad);
   const double tangent = std::tan(shot.pitch_rad);
   const double k = rules.gravity_mps2 / (2.0 * shot.speed_mps * shot.speed_mps * cosine * cosine);
   const double slope = tangent - 2.0 * k * s;
-  // z(s) = h + s tan p - k s^2: dz/dp = s / cos^2 p - 2 k s^2 tan p, dz/dv = 2 k s^2 / v.
-  const double by_pitch = std::abs(s / (cosine * cosine) - 2.0 * k * s * s * tangent);
+  // z(s) = h + s tan p - k s^2, where dh/dp = tip.x and ds/dp = tip.y - pivot:
+  // dz/dp = tip.x + slope ds/dp + s / cos^2 p - 2 k s^2 tan p, dz/dv = 2 k s^2 / v.
+  const double by_pitch = std::abs(tip.x + slope * (tip.y - rules.gun.pivot_height_m) +
+                                   s / (cosine * cosine) - 2.0 * k * s * s * tangent);
   const double vertical = by_pitch * rules.errors.gun_rad + 2.0 * k * s * s * rules.errors.speed_ratio;
   const double lateral = range * rules.errors.gun_rad;
   const double ball = rules.gun.ball_radius_m;
@@ -137,18 +214,13 @@ double spread(const ShotRules& rules, const Target& target, Vec2 position, const
 
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                      Vec2 position, double pitch_rad) {
-  if (!clear_of(rules, target, position)) return std::nullopt;
-  std::optional<PlannedShot> best;
-  std::size_t tried = 0;
-  for (const Candidate& candidate : candidates(rules, target, position, pitch_rad)) {
-    auto shot = flown(rules, space, target, position, candidate);
-    if (!shot) continue;
-    shot->survives = survives_errors(rules, space, target, position, shot->shot);
-    if (shot->survives) return shot;
-    if (!best) best = shot;
-    if (++tried == most_flown) break;
-  }
-  return best;
+  if (!clear_of(rules, target, position) || position == xy(target.base)) return std::nullopt;
+  ShotRules fine = rules;
+  fine.pitch_step_rad = fine_pitch_rad;
+  const auto shots = candidates(fine, target, position, pitch_rad, central_aims(rules, target, position));
+  if (auto shot = first_to_fly(rules, space, target, position, shots)) return shot;
+  const auto all = candidates(rules, target, position, pitch_rad, all_aims(rules, target, position));
+  return first_to_fly(rules, space, target, position, all);
 }
 
 }  // namespace outrider

@@ -78,7 +78,7 @@ Cone cone_behind(const std::vector<Vec2>& hull, Vec2 eye) {
   bool inside = true;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 a = hull[i];
-    inside = inside && cross(hull[(i + 1) % hull.size()] - a, eye - a) >= 0.0;
+    inside = inside && cross(hull[(i + 1) % hull.size()] - a, eye - a) >= -1e-9;
   }
   if (inside) {
     cone.everywhere = true;
@@ -99,6 +99,14 @@ Cone cone_behind(const std::vector<Vec2>& hull, Vec2 eye) {
                  {left.y, -left.x, cross(eye, left)},
                  {axis.x, axis.y, nearest + dot(axis, eye)}}};
   return cone;
+}
+
+/// Corners of the target's footprint with its sides moved out by `by_m`.
+std::vector<Vec2> ground_box(const Target& target, double by_m) {
+  const Vec2 x = (0.5 * target.size.x + by_m) * direction(target.yaw_rad);
+  const Vec2 y = (0.5 * target.size.y + by_m) * perpendicular(direction(target.yaw_rad));
+  const Vec2 c = xy(target.base);
+  return {c - x - y, c + x - y, c + x + y, c - x + y};
 }
 
 struct Span {
@@ -138,7 +146,6 @@ const Blocker* Sight::stopped_by(const Arc& arc) const {
   const double z_entry = arc.z(entry_m);
   const bool by_the_side = z_entry >= target->base.z && z_entry <= target->base.z + target->size.z;
   const double end = by_the_side ? entry_m : aim_m;
-  const double near_target = entry_m - 2.0 * grow;  // before it the ball cannot touch the target
   for (const Window& window : windows) {
     const Blocker& blocker = *window.blocker;
     const double from = std::max(window.grown.low, arc.start_m);
@@ -148,7 +155,7 @@ const Blocker* Sight::stopped_by(const Arc& arc) const {
     if (arc.highest(from, to) < blocker.low_m - grow) continue;
     const double middle = 0.5 * (window.core.low + window.core.high);
     const double z_middle = arc.z(middle);
-    if (window.core.low <= window.core.high && middle >= arc.start_m && middle < near_target &&
+    if (window.core.low <= window.core.high && middle >= arc.start_m && middle < touch_m &&
         z_middle >= blocker.low_m && z_middle <= blocker.high_m) {
       return &blocker;
     }
@@ -156,13 +163,47 @@ const Blocker* Sight::stopped_by(const Arc& arc) const {
     const Flight flight = launch(rules->gun, position, rules->floor_z_m, shot, rules->gravity_mps2);
     const auto touch = contact_time(flight, grow, blocker.piece, arc.time(from), arc.time(to));
     if (!touch) continue;
-    if (arc.start_m + *touch * arc.forward_mps >= near_target &&
+    if (arc.start_m + *touch * arc.forward_mps >= touch_m &&
         contact_time(flight, rules->gun.ball_radius_m, solid_of(*target), 0.0, *touch)) {
       continue;  // the target is touched first
     }
     return &blocker;
   }
   return nullptr;
+}
+
+std::vector<double> offsets(double low, double high, double step) {
+  const int below = static_cast<int>(std::ceil(-low / step - 1e-9));
+  const int above = static_cast<int>(std::ceil(high / step - 1e-9));
+  std::vector<double> result;
+  for (int i = below; i > 0; --i) result.push_back(low * i / below);
+  result.push_back(0.0);
+  for (int i = 1; i <= above; ++i) result.push_back(high * i / above);
+  return result;
+}
+
+std::vector<Vec2> aim_points(const Target& target, Vec2 position, double step_m) {
+  const Vec2 to_centre = xy(target.base) - position;
+  const double range = norm(to_centre);
+  if (range == 0.0) return {};
+  const auto footprint = ground_box(target, 0.0);
+  double right = 0.0;
+  double left = 0.0;
+  double farthest = 0.0;
+  for (const Vec2 corner : footprint) {
+    const Vec2 ray = corner - position;
+    const double bearing = std::atan2(cross(to_centre, ray), dot(to_centre, ray));
+    right = std::min(right, bearing);
+    left = std::max(left, bearing);
+    farthest = std::max(farthest, norm(ray));
+  }
+  std::vector<Vec2> points;
+  for (const double bearing : offsets(right, left, step_m / farthest)) {
+    const Vec2 along = direction(heading_of(to_centre) + bearing);
+    const auto chord = cut(footprint, position, along, 0.0, farthest);
+    if (chord) points.push_back(position + 0.5 * (chord->low + chord->high) * along);
+  }
+  return points;
 }
 
 void look(Sight& sight, const ShotRules& rules, const Target& target, Vec2 position, Vec2 aim,
@@ -173,12 +214,11 @@ void look(Sight& sight, const ShotRules& rules, const Target& target, Vec2 posit
   sight.position = position;
   sight.aim_m = norm(line);
   sight.along = 1.0 / sight.aim_m * line;
-  const Vec2 x = 0.5 * target.size.x * direction(target.yaw_rad);
-  const Vec2 y = 0.5 * target.size.y * perpendicular(direction(target.yaw_rad));
-  const Vec2 c = xy(target.base);
-  const auto inside =
-      cut({c - x - y, c + x - y, c + x + y, c - x + y}, position, sight.along, 0.0, sight.aim_m);
+  const auto inside = cut(ground_box(target, 0.0), position, sight.along, 0.0, sight.aim_m);
+  const double reach = rules.gun.ball_radius_m + contact_tolerance_m;
+  const auto near_it = cut(ground_box(target, reach), position, sight.along, 0.0, sight.aim_m);
   sight.entry_m = inside ? inside->low : sight.aim_m;
+  sight.touch_m = near_it ? near_it->low : sight.entry_m;
   sight.windows.clear();
   for (const Blocker* blocker : near) {
     if (blocker->hull.empty()) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "outrider/guard/stops.hpp"
 
@@ -53,10 +54,10 @@ void note_failure(GuardMission& mission, std::size_t target, const GuardProblem&
   drop_target(mission);
 }
 
-void note_result(GuardMission& mission, const Observation& seen, const GuardProblem& problem) {
+void note_result(GuardMission& mission, bool hit, const Observation& seen, const GuardProblem& problem) {
   const std::size_t target = mission.errands.front().targets.front();
   TargetRecord& record = mission.records[target];
-  if (*seen.hit) {
+  if (hit) {
     settle(record, TargetStatus::reached,
            fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
                        record.pose.position.y),
@@ -107,14 +108,11 @@ std::vector<Vec2> way_to(const GuardMission& mission, const Observation& seen, c
   if (mission.routes) {
     if (auto route = mission.routes->route(seen.pose, place)) return std::move(route->waypoints);
   }
-  // No corner of an obstacle is seen from here or from there: back to where the robot was sent, then
-  // along the grid.
-  const auto routes = site_routes(problem, site, {mission.last_place, place}, {});
-  std::vector<Vec2> way{here};
-  if (routes) {
-    for (const Vec2 p : routes->waypoints(0, 1)) way.push_back(p);
+  // No corner of an obstacle is seen from here or from there: along the grid.
+  if (const auto routes = site_routes(problem, site, {here, place}, {})) {
+    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
   }
-  return way;
+  return {here};
 }
 
 }  // namespace
@@ -147,7 +145,7 @@ GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
 
 std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
                             const Site& site) {
-  if (seen.hit) note_result(mission, seen, problem);
+  if (std::exchange(mission.fired, false)) note_result(mission, seen.hit.value_or(false), seen, problem);
   for (;;) {
     if (mission.errands.empty()) {
       if (mission.second_pass) return std::nullopt;
@@ -174,16 +172,17 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       if (mission.second_pass) rules.margin_m = 0.0;
       const auto shot = best_shot(rules, site.space(target), problem.targets[target], seen.pose.position,
                                   seen.gun_pitch_rad);
+      record.pose = seen.pose;
       if (!shot) {
         look_elsewhere(mission, seen, problem, site);
         continue;
       }
       record.shot = shot;
-      record.pose = seen.pose;
       mission.aimed = true;
       return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
     }
     ++record.shots;
+    mission.fired = true;
     return Fire{target, record.shot->shot};
   }
 }

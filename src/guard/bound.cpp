@@ -46,28 +46,34 @@ Matrix least_drives(const GuardProblem& problem, const Site& site, const std::ve
   return time;
 }
 
-/// Prim's algorithm from node 0.
-double spanning_tree(const Matrix& cost) {
-  const std::size_t n = cost.size();
-  std::vector<double> link(cost[0]);
-  std::vector<bool> in(n, false);
-  in[0] = true;
-  double total = 0.0;
-  for (std::size_t k = 1; k < n; ++k) {
-    std::size_t next = 0;
-    for (std::size_t i = 1; i < n; ++i) {
-      if (!in[i] && (next == 0 || link[i] < link[next])) next = i;
-    }
-    in[next] = true;
-    total += link[next];
-    for (std::size_t i = 1; i < n; ++i) link[i] = std::min(link[i], cost[next][i]);
+/// Regions that lie far apart, the farthest first: the start, then always the region whose nearest chosen
+/// one is farthest away.
+std::vector<std::size_t> spread_out(const Matrix& cost, std::size_t most) {
+  std::vector<std::size_t> chosen{0};
+  std::vector<double> nearest(cost[0]);
+  while (chosen.size() < std::min(most, cost.size())) {
+    const auto far = std::max_element(nearest.begin(), nearest.end());
+    if (*far <= 0.0) break;
+    const auto next = static_cast<std::size_t>(far - nearest.begin());
+    chosen.push_back(next);
+    for (std::size_t i = 0; i < nearest.size(); ++i) nearest[i] = std::min(nearest[i], cost[next][i]);
   }
-  return total;
+  return chosen;
+}
+
+Matrix part_of(const Matrix& cost, const std::vector<std::size_t>& nodes) {
+  Matrix part;
+  for (const std::size_t i : nodes) {
+    part.emplace_back();
+    for (const std::size_t j : nodes) part.back().push_back(cost[i][j]);
+  }
+  return part;
 }
 
 /// Shortest path from node 0 through all others, by subsets (Held and Karp 1962).
 double shortest_path_through_all(const Matrix& cost) {
   const std::size_t n = cost.size() - 1;
+  if (n == 0) return 0.0;
   const std::size_t subsets = std::size_t{1} << n;
   std::vector<double> best(subsets * n, inf);
   for (std::size_t i = 0; i < n; ++i) best[(std::size_t{1} << i) * n + i] = cost[0][i + 1];
@@ -108,7 +114,11 @@ double mission_bound(const GuardProblem& problem, const Site& site) {
   }
   if (asked.empty()) return 0.0;
   const Matrix drives = least_drives(problem, site, asked);
-  double bound = asked.size() <= most_exact ? shortest_path_through_all(drives) : spanning_tree(drives);
+  std::vector<std::size_t> chosen = spread_out(drives, most_exact + 1);
+  double bound = 0.0;
+  for (; chosen.size() > 1; chosen.pop_back()) {
+    bound = std::max(bound, shortest_path_through_all(part_of(drives, chosen)));
+  }
   for (const std::size_t t : asked) bound += least_flight(problem, site, t);
   return bound;
 }

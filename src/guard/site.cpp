@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -21,6 +22,40 @@ ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
           options.margin_m,
           options.pitch_step_rad,
           options.aim_step_m};
+}
+
+Status check_ranges(const std::vector<Option>& options, const std::string& section) {
+  for (const Option& option : options) {
+    auto ok = assign(option, value_text(option));
+    if (!ok) return bad_input(ok.error().sentence, section + "." + ok.error().where);
+  }
+  return {};
+}
+
+Status check_numbers(GuardProblem problem, GuardOptions options) {
+  if (auto ok = check_ranges(describe(problem.robot), "robot"); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.gun), "gun"); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.errors), "errors"); !ok) return ok;
+  if (auto ok = check_ranges(describe(options), "plan"); !ok) return ok;
+  const Pose2& start = problem.start;
+  if (!std::isfinite(start.position.x + start.position.y + start.heading_rad)) {
+    return bad_input("not a finite number; give x, y in m and a heading", "start");
+  }
+  if (!(problem.world.gravity_mps2 > 0.0) ||
+      !std::isfinite(problem.world.gravity_mps2 + problem.world.floor_z_m)) {
+    return bad_input(
+        fmt::format("a gravity of {:g} m/s2 and a floor at {:g} m are no good; gravity is above 0",
+                    problem.world.gravity_mps2, problem.world.floor_z_m),
+        "world");
+  }
+  for (const Target& target : problem.targets) {
+    const double sum = squared_norm(target.base) + squared_norm(target.size) + target.yaw_rad;
+    if (std::isfinite(sum) && target.size.x > 0.0 && target.size.y > 0.0 && target.size.z > 0.0) continue;
+    return bad_input(
+        fmt::format("target {} has a number that is not finite or a size that is not above 0", target.name),
+        "targets");
+  }
+  return {};
 }
 
 Status check_targets(const GuardProblem& problem) {
@@ -48,7 +83,7 @@ Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& op
   const Vec2 size = problem.world.bounds.size();
   const double cap = static_cast<double>(options.memory_mib) * 1024.0 * 1024.0;
   const double cells = std::ceil(size.x / options.resolution_m) * std::ceil(size.y / options.resolution_m);
-  if (problem.world.bounds.empty() || !std::isfinite(cells)) {
+  if (problem.world.bounds.empty() || !std::isfinite(cells) || cells < 1.0) {
     return bad_input("the yard has no bounds; give them as low x, low y, high x, high y", "bounds");
   }
   const bool few = cells <= 1e9 && size.x / options.resolution_m < 1e6 && size.y / options.resolution_m < 1e6;
@@ -141,9 +176,10 @@ void prove(Site& site, const Target& target, std::size_t t) {
   Exhausted tried = exhaust(site.rules, space, target, site.frame, site.reachable);
   if (tried.found) {
     FiringRegion& region = site.regions[t];
-    const double index = (tried.shot.pitch_rad - site.rules.gun.pitch_low_rad) / site.rules.pitch_step_rad;
+    const auto pitches = pitch_lattice(site.rules);
+    const auto index = std::find(pitches.begin(), pitches.end(), tried.shot.pitch_rad) - pitches.begin();
     const Vec2 place = site.frame.centre(site.frame.cell(*tried.found));
-    region.pitch[*tried.found] = static_cast<std::uint8_t>(std::lround(index));
+    region.pitch[*tried.found] = static_cast<std::uint8_t>(index);
     region.spread[*tried.found] = static_cast<float>(spread(site.rules, target, place, tried.shot));
     region.hits = 1;
     return;
@@ -167,6 +203,7 @@ World driving_world(const GuardProblem& problem) {
 }  // namespace
 
 Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
+  if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
   if (auto ok = check_targets(problem); !ok) return pass_on(ok);
   auto frame = frame_for(problem, options);
   if (!frame) return pass_on(frame);

@@ -33,19 +33,29 @@ std::vector<Vec2> way_home(const Site& site, Vec2 place, double radius_m) {
   return bends;
 }
 
+bool all_connected(const Routes& routes, std::size_t stops) {
+  for (std::size_t i = 0; i < stops; ++i) {
+    for (std::size_t j = i + 1; j < stops; ++j) {
+      if (!std::isfinite(routes.between(i, j).time_s)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Outcome<Routes> site_routes(const GuardProblem& problem, const Site& site, const std::vector<Vec2>& stops,
                             const Budget& budget) {
   auto routes = routes_between(site.ground, problem.robot, stops, {}, {}, budget);
   if (!routes) return routes;
-  std::vector<Vec2> bends;
-  for (std::size_t i = 1; i < stops.size(); ++i) {
-    if (std::isfinite(routes->between(0, i).time_s)) continue;
+  if (all_connected(*routes, stops.size())) return routes;
+  // The first stop joins them as a node, and the start, where all ways home meet.
+  std::vector<Vec2> bends{stops[0], problem.start.position};
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (i > 0 && std::isfinite(routes->between(0, i).time_s)) continue;
     const auto way = way_home(site, stops[i], problem.robot.radius_m);
     bends.insert(bends.end(), way.begin(), way.end());
   }
-  if (bends.empty()) return routes;
   return routes_between(site.ground, problem.robot, stops, bends, {}, budget);
 }
 

@@ -73,6 +73,27 @@ std::vector<std::size_t> largest_sets(const Site& site, const SureHits& hits,
   return kept;
 }
 
+/// The first cells of a greedy cover: always the one with most targets that no earlier one has.
+std::vector<std::size_t> cover(const SureHits& hits, const std::vector<std::size_t>& cells) {
+  std::vector<std::uint64_t> left(hits.words, ~std::uint64_t{0});
+  std::vector<std::size_t> chosen;
+  for (;;) {
+    std::size_t best = 0;
+    int most = 0;
+    for (const std::size_t cell : cells) {
+      int fresh = 0;
+      for (std::size_t w = 0; w < hits.words; ++w) fresh += std::popcount(hits.at(cell)[w] & left[w]);
+      if (fresh > most) {
+        most = fresh;
+        best = cell;
+      }
+    }
+    if (most == 0) return chosen;
+    chosen.push_back(best);
+    for (std::size_t w = 0; w < hits.words; ++w) left[w] &= ~hits.at(best)[w];
+  }
+}
+
 }  // namespace
 
 SureHits sure_hits(const GuardProblem& problem, const Site& site) {
@@ -123,10 +144,10 @@ std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, do
     for (auto& [where, cells] : tiles) {
       for (const std::size_t cell : largest_sets(site, hits, std::move(cells))) chosen.push_back(cell);
     }
-    if (chosen.size() <= most || tiles.size() <= 1) {
-      std::sort(chosen.begin(), chosen.end());
-      return chosen;
-    }
+    if (chosen.size() > most && tiles.size() > 1) continue;
+    if (chosen.size() > most) chosen = cover(hits, chosen);
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
   }
 }
 

@@ -49,7 +49,7 @@ Outcome<fs::path> destination(const std::string& path) {
   if (!fs::exists(status)) return fs::path(path);
   if (fs::is_directory(status)) return bad_input("it is a folder; name a file to write", path);
   if (!fs::is_regular_file(status)) return bad_input("it is not a regular file; name another", path);
-  fs::path real = fs::canonical(path, error);
+  const fs::path real = fs::canonical(path, error);
   return error ? fs::path(path) : real;
 }
 

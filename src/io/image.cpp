@@ -109,7 +109,7 @@ Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
   };
   if (png_image_begin_read_from_memory(&png.header, bytes.data(), bytes.size()) == 0) return damaged();
   if (auto size = check_size(png.header.width, png.header.height, name); !size) return pass_on(size);
-  constexpr std::size_t most_pixels_per_byte = 8 * 1032;  // one bit a pixel, deflate at its best
+  constexpr std::size_t most_pixels_per_byte = std::size_t{8} * 1032;  // one bit a pixel, deflate at its best
   if (std::size_t{png.header.width} * png.header.height > most_pixels_per_byte * bytes.size()) {
     return bad_input("it is cut short: its header names more pixels than its bytes can hold", name);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "image.hpp"
 #include "outrider/io/files.hpp"
@@ -45,28 +46,33 @@ struct KeyReader {
     const YAML::Node node = root[std::string(key)];
     if (!node.IsDefined() && !required) return;
     const auto parsed = node.IsDefined() && node.IsScalar() ? number<double>(node.Scalar()) : std::nullopt;
-    if (!parsed || *parsed < low || *parsed > high) return refuse(node, key, right);
-    value = *parsed;
+    if (parsed && *parsed >= low && *parsed <= high) {
+      value = *parsed;
+    } else {
+      refuse(node, key, right);
+    }
   }
   void read(std::string& value, std::string_view key, bool required, std::string_view right) {
     const YAML::Node node = root[std::string(key)];
     if (!node.IsDefined() && !required) return;
-    if (!node.IsDefined() || !node.IsScalar() || node.Scalar().empty()) return refuse(node, key, right);
-    value = node.Scalar();
+    if (node.IsDefined() && node.IsScalar() && !node.Scalar().empty()) {
+      value = node.Scalar();
+    } else {
+      refuse(node, key, right);
+    }
   }
 };
 
-void read_origin(KeyReader& reader, std::array<double, 3>& origin) {
-  constexpr std::string_view right = "[x, y, yaw], numbers from -1e6 to 1e6";
-  const YAML::Node node = reader.root["origin"];
-  if (!node.IsDefined() || !node.IsSequence() || node.size() < 2 || node.size() > 3) {
-    return reader.refuse(node, "origin", right);
-  }
+/// x, y and, where it is given, yaw.
+std::optional<std::array<double, 3>> origin_of(const YAML::Node& node) {
+  if (!node.IsDefined() || !node.IsSequence() || node.size() < 2 || node.size() > 3) return std::nullopt;
+  std::array<double, 3> origin{};
   for (std::size_t i = 0; i < node.size(); ++i) {
     const auto value = node[i].IsScalar() ? number<double>(node[i].Scalar()) : std::nullopt;
-    if (!value || std::abs(*value) > farthest_m) return reader.refuse(node, "origin", right);
+    if (!value || std::abs(*value) > farthest_m) return std::nullopt;
     origin[i] = *value;
   }
+  return origin;
 }
 
 Outcome<MapKeys> map_keys(std::string_view text, const std::string& name) {
@@ -77,7 +83,11 @@ Outcome<MapKeys> map_keys(std::string_view text, const std::string& name) {
   KeyReader reader{map, name};
   reader.read(keys.image, "image", true, "the name of a PGM or PNG file");
   reader.read(keys.resolution_m, "resolution", 1e-4, 1e3, true, "the side of a pixel in m, from 1e-4 to 1e3");
-  read_origin(reader, keys.origin);
+  if (const auto origin = origin_of(map["origin"])) {
+    keys.origin = *origin;
+  } else {
+    reader.refuse(map["origin"], "origin", "[x, y, yaw], numbers from -1e6 to 1e6");
+  }
   std::string negate = "0";
   reader.read(negate, "negate", false, "0 or 1");
   if (negate != "0" && negate != "1" && negate != "true" && negate != "false") {
@@ -104,6 +114,12 @@ Occupancy occupancy_of(std::uint8_t value, const MapKeys& keys) {
   const double p = raw ? value / 100.0 : shade;
   if (p > keys.occupied_thresh) return occupied_cell;
   return p < keys.free_thresh ? free_cell : unknown_cell;
+}
+
+/// What map_server writes.
+std::uint8_t shade_of(std::uint8_t occupancy) {
+  if (occupancy == free_cell) return 254;
+  return occupancy == occupied_cell ? 0 : 205;
 }
 
 Status check_frame(const GridFrame& frame, const std::string& path) {
@@ -148,8 +164,7 @@ Status save_map_server(const std::string& path, const MapServerMap& map) {
   GreyImage image{frame.width, frame.height, std::vector<std::uint8_t>(frame.size()), {}};
   for (std::size_t pixel = 0; pixel < frame.size(); ++pixel) {
     const Cell from_top = frame.cell(pixel);
-    const std::uint8_t value = map.occupancy[{from_top.x, frame.height - 1 - from_top.y}];
-    image.values[pixel] = value == free_cell ? 254 : value == occupied_cell ? 0 : 205;
+    image.values[pixel] = shade_of(map.occupancy[{from_top.x, frame.height - 1 - from_top.y}]);
   }
   const fs::path image_path = fs::path(path).replace_extension(".pgm");
   if (image_path == fs::path(path)) return bad_input("the YAML file cannot end in .pgm; name it .yaml", path);

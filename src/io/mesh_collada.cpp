@@ -22,7 +22,7 @@ struct Affine {
   std::array<Vec3, 3> columns = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Vec3 move;
 
-  Vec3 turn(Vec3 p) const { return p.x * columns[0] + p.y * columns[1] + p.z * columns[2]; }
+  [[nodiscard]] Vec3 turn(Vec3 p) const { return p.x * columns[0] + p.y * columns[1] + p.z * columns[2]; }
   Vec3 operator*(Vec3 p) const { return move + turn(p); }
   Affine operator*(const Affine& b) const {
     return {{turn(b.columns[0]), turn(b.columns[1]), turn(b.columns[2])}, *this * b.move};
@@ -34,7 +34,7 @@ struct Reader {
   Ids ids;
   double metres = 1.0;
   int nodes = 0;
-  std::vector<Triangle> triangles = {};
+  std::vector<Triangle> triangles;
 
   [[nodiscard]] tl::unexpected<Fault> wrong(const Element& element, std::string_view what) const {
     return bad_input(fmt::format("<{}>: {}", excerpt(element.Name()), what),
@@ -123,33 +123,50 @@ Outcome<Layout> layout_of(const Reader& reader, const Element& primitive) {
   return layout;
 }
 
-/// Polygons of the given corner counts (all of them triangles when empty) as fans.
-Status add_polygons(Reader& reader, const Element& p, const std::vector<Vec3>& points, const Layout& layout,
-                    const std::vector<std::size_t>& counts, bool one_polygon, const Affine& place) {
+/// One face as a fan of triangles; `corners` are indices into the points.
+void add_fan(Reader& reader, const std::vector<std::size_t>& corners, const std::vector<Vec3>& points,
+             const Affine& place) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    Triangle triangle = {points[corners[0]], points[corners[i - 1]], points[corners[i]]};
+    for (Vec3& point : triangle) point = reader.metres * (place * point);
+    reader.triangles.push_back(triangle);
+  }
+}
+
+/// How many corners each face of a <p> has.
+struct FaceSizes {
+  bool one_face = false;            ///< <polygons>: the whole <p> is one
+  std::vector<std::size_t> counts;  ///< <polylist>; triangles when there are none
+
+  [[nodiscard]] std::size_t of(std::size_t face, std::size_t corners) const {
+    if (one_face) return corners;
+    if (counts.empty()) return 3;
+    return face < counts.size() ? counts[face] : 0;
+  }
+};
+
+Status add_faces(Reader& reader, const Element& p, const std::vector<Vec3>& points, const Layout& layout,
+                 const FaceSizes& sizes, const Affine& place) {
   auto indices = numbers<std::size_t>(reader, p);
   if (!indices) return pass_on(indices);
-  const std::size_t corners = indices->size() / layout.stride;
-  std::size_t first = 0;
-  for (std::size_t face = 0; first < corners; ++face) {
-    const std::size_t count = one_polygon            ? corners
-                              : counts.empty()       ? 3
-                              : face < counts.size() ? counts[face]
-                                                     : 0;
-    if (count == 0 || count > corners - first) return reader.wrong(p, "its indices do not fill whole faces");
-    const auto corner = [&](std::size_t i) {
-      return (*indices)[(first + i) * layout.stride + layout.offset];
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-      if (corner(i) >= points.size())
-        return reader.wrong(p, fmt::format("index {} has no position", corner(i)));
+  std::vector<std::size_t> corners;
+  for (std::size_t i = layout.offset; i < indices->size() / layout.stride * layout.stride;
+       i += layout.stride) {
+    if ((*indices)[i] >= points.size()) {
+      return reader.wrong(p, fmt::format("index {} has no position", (*indices)[i]));
     }
-    for (std::size_t i = 2; i < count; ++i) {
-      Triangle triangle = {points[corner(0)], points[corner(i - 1)], points[corner(i)]};
-      for (Vec3& point : triangle) point = reader.metres * (place * point);
-      reader.triangles.push_back(triangle);
+    corners.push_back((*indices)[i]);
+  }
+  auto first = corners.cbegin();
+  for (std::size_t face = 0; first != corners.cend(); ++face) {
+    const std::size_t count = sizes.of(face, corners.size());
+    if (count == 0 || count > static_cast<std::size_t>(corners.cend() - first)) {
+      return reader.wrong(p, "its indices do not fill whole faces");
     }
+    const auto last = first + static_cast<std::ptrdiff_t>(count);
+    add_fan(reader, {first, last}, points, place);
     if (reader.triangles.size() > most_triangles) return too_many_triangles(reader.name);
-    first += count;
+    first = last;
   }
   return {};
 }
@@ -158,16 +175,14 @@ Status add_primitive(Reader& reader, const Element& primitive, const std::vector
                      const Affine& place) {
   auto layout = layout_of(reader, primitive);
   if (!layout) return pass_on(layout);
-  std::vector<std::size_t> counts;
+  FaceSizes sizes{primitive.Name() == std::string_view("polygons"), {}};
   if (const Element* vcount = primitive.FirstChildElement("vcount")) {
     auto read = numbers<std::size_t>(reader, *vcount);
     if (!read) return pass_on(read);
-    counts = std::move(*read);
+    sizes.counts = std::move(*read);
   }
-  const bool one_polygon = primitive.Name() == std::string_view("polygons");
   for (const Element* p = primitive.FirstChildElement("p"); p != nullptr; p = p->NextSiblingElement("p")) {
-    if (auto added = add_polygons(reader, *p, points, *layout, counts, one_polygon, place); !added)
-      return added;
+    if (auto added = add_faces(reader, *p, points, *layout, sizes, place); !added) return added;
   }
   return {};
 }
@@ -199,15 +214,20 @@ Affine rotation(Vec3 axis, double angle_rad) {  // Rodrigues' formula
   return {{turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})}, {}};
 }
 
+/// How many numbers a transform has; 0 for elements that are none.
+std::size_t value_count(std::string_view kind) {
+  if (kind == "matrix") return 16;
+  if (kind == "rotate") return 4;
+  return kind == "translate" || kind == "scale" ? 3 : 0;
+}
+
 /// The transform of one child of a node; identity for children that are none.
 Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
   const std::string_view kind = child.Name();
-  const std::size_t count = kind == "matrix"                         ? 16
-                            : kind == "rotate"                       ? 4
-                            : kind == "translate" || kind == "scale" ? 3
-                                                                     : 0;
-  if (kind == "lookat" || kind == "skew")
+  const std::size_t count = value_count(kind);
+  if (kind == "lookat" || kind == "skew") {
     return reader.wrong(child, "this transform is not read; export a matrix");
+  }
   if (count == 0) return Affine{};
   auto v = numbers<double>(reader, child);
   if (!v) return pass_on(v);
@@ -259,7 +279,7 @@ Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const st
   auto document = xml_document(text, name, "COLLADA");
   if (!document) return pass_on(document);
   const Element& root = *(*document)->RootElement();
-  Reader reader{name, {}};
+  Reader reader{name, {}, 1.0, 0, {}};
   collect_ids(root, reader.ids);
   if (const Element* asset = root.FirstChildElement("asset")) {
     const Element* unit = asset->FirstChildElement("unit");

@@ -1,6 +1,8 @@
 // Wavefront OBJ: lines "v x y z" and "f a b c ...", an index being v, v/vt, v//vn or v/vt/vn.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "mesh_formats.hpp"
 #include "text.hpp"
 
@@ -15,35 +17,49 @@ std::optional<std::size_t> vertex_index(std::string_view word, std::size_t count
   return static_cast<std::size_t>(*index > 0 ? *index - 1 : size + *index);
 }
 
+/// The three numbers after "v"; a weight may follow.
+std::optional<Vec3> vertex(const std::vector<std::string_view>& parts) {
+  if (parts.size() < 4) return std::nullopt;
+  const auto x = number<double>(parts[1]);
+  const auto y = number<double>(parts[2]);
+  const auto z = number<double>(parts[3]);
+  if (!x || !y || !z) return std::nullopt;
+  return Vec3{*x, *y, *z};
+}
+
+Status add_face(const std::vector<std::string_view>& parts, const std::vector<Vec3>& vertices,
+                std::vector<Triangle>& triangles, const std::string& where) {
+  std::vector<Vec3> corners;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const auto index = vertex_index(parts[i], vertices.size());
+    if (!index) return bad_input(fmt::format("'{}' names no vertex above it", excerpt(parts[i])), where);
+    corners.push_back(vertices[*index]);
+  }
+  if (corners.size() < 3) return bad_input("a face takes at least three vertices", where);
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+  return {};
+}
+
 }  // namespace
 
 Outcome<std::vector<Triangle>> mesh_from_obj(std::string_view text, const std::string& name) {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    std::string_view line = take_line(text);
+    const std::string_view line = take_line(text);
     const auto parts = words(line.substr(0, line.find('#')));
-    const auto where = [&] { return fmt::format("{}:{}", name, line_number); };
-    if (parts.empty()) continue;
+    if (parts.empty() || (parts[0] != "v" && parts[0] != "f")) continue;
+    const std::string where = fmt::format("{}:{}", name, line_number);
     if (parts[0] == "v") {
-      const auto x = parts.size() >= 4 ? number<double>(parts[1]) : std::nullopt;
-      const auto y = parts.size() >= 4 ? number<double>(parts[2]) : std::nullopt;
-      const auto z = parts.size() >= 4 ? number<double>(parts[3]) : std::nullopt;
-      if (!x || !y || !z) return bad_input("a vertex takes three numbers", where());
-      vertices.push_back({*x, *y, *z});
-    } else if (parts[0] == "f") {
-      std::vector<Vec3> corners;
-      for (std::size_t i = 1; i < parts.size(); ++i) {
-        const auto index = vertex_index(parts[i], vertices.size());
-        if (!index)
-          return bad_input(fmt::format("'{}' names no vertex above it", excerpt(parts[i])), where());
-        corners.push_back(vertices[*index]);
-      }
-      if (corners.size() < 3) return bad_input("a face takes at least three vertices", where());
-      for (std::size_t i = 2; i < corners.size(); ++i)
-        triangles.push_back({corners[0], corners[i - 1], corners[i]});
-      if (triangles.size() > most_triangles) return too_many_triangles(name);
+      const auto point = vertex(parts);
+      if (!point) return bad_input("a vertex takes three numbers", where);
+      vertices.push_back(*point);
+    } else if (auto added = add_face(parts, vertices, triangles, where); !added) {
+      return pass_on(added);
     }
+    if (triangles.size() > most_triangles) return too_many_triangles(name);
   }
   return triangles;
 }

@@ -59,6 +59,7 @@ Status set_option(const OptionGroup& group, const YAML::Node& key, const YAML::N
   const auto option = std::ranges::find(group.options, key.Scalar(), &Option::name);
   if (option == group.options.end()) {
     std::vector<std::string> known;
+    known.reserve(group.options.size());
     for (const Option& candidate : group.options) known.push_back(candidate.name);
     return bad_input(
         fmt::format("'{}' is no known key; {}", excerpt(full), did_you_mean(key.Scalar(), known)),

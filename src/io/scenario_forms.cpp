@@ -16,7 +16,7 @@ bool is_number(const Option& option) {
 }
 
 Json value_json(const Option& option) {
-  const std::string text = value_text(option);
+  std::string text = value_text(option);
   if (std::holds_alternative<std::string*>(option.value)) return text;
   return Json::parse(text, nullptr, false);
 }

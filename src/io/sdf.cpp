@@ -5,23 +5,20 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <numbers>
-#include <optional>
 #include <sdf/sdf.hh>
 #include <set>
 #include <sstream>
 
 #include "outrider/io/files.hpp"
-#include "outrider/io/mesh.hpp"
 #include "sdf_floor.hpp"
 #include "sdf_repair.hpp"
+#include "sdf_shapes.hpp"
 #include "text.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double farthest_m = 1e6;
-constexpr std::size_t most_world_triangles = 2'000'000;
 constexpr std::size_t most_solids = 200'000;
 constexpr std::size_t largest_world_bytes = std::size_t{64} << 20;
 
@@ -50,126 +47,6 @@ bool is_near(Vec3 p) {  // false for NaN too
 
 bool is_size(double size_m) { return size_m > 0.0 && size_m <= farthest_m; }
 
-// ---- Shapes --------------------------------------------------------------------------------------
-
-/// A shape and where it stands in its collision.
-struct Piece {
-  Shape shape;
-  Pose3 collision_T_piece = {};
-  std::string suffix = {};
-};
-using Pieces = std::vector<Piece>;
-
-/// The rotation that takes +z to a direction.
-Rotation upward(Vec3 normal) {
-  const Vec3 z = (1.0 / norm(normal)) * normal;
-  if (z.z >= 1.0) return {};
-  const Vec3 helper = std::abs(z.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-  const Vec3 across = cross(helper, z);
-  const Vec3 x = (1.0 / norm(across)) * across;
-  return {{x, cross(z, x), z}};
-}
-
-/// Triangles around an ellipsoid: a sphere's, stretched, and grown so that no face cuts into it.
-MeshShape ellipsoid(Vec3 radii) {
-  constexpr int rings = 24;
-  constexpr int sides = 48;
-  const double grow = 1.0 / (std::cos(std::numbers::pi / (2 * rings)) * std::cos(std::numbers::pi / sides));
-  const auto point = [&](int ring, int side) {
-    const double polar = std::numbers::pi * ring / rings;
-    const Vec2 around = direction(2.0 * std::numbers::pi * (side % sides) / sides);
-    const double out = ring == 0 || ring == rings ? 0.0 : std::sin(polar);
-    return Vec3{grow * radii.x * out * around.x, grow * radii.y * out * around.y,
-                grow * radii.z * std::cos(polar)};
-  };
-  MeshShape mesh;
-  for (int ring = 0; ring < rings; ++ring) {
-    for (int side = 0; side < sides; ++side) {
-      const Vec3 a = point(ring, side);
-      const Vec3 b = point(ring + 1, side);
-      const Vec3 c = point(ring + 1, side + 1);
-      const Vec3 d = point(ring, side + 1);
-      if (ring + 1 < rings) mesh.triangles.push_back({a, b, c});
-      if (ring > 0) mesh.triangles.push_back({a, c, d});
-    }
-  }
-  return mesh;
-}
-
-/// Reads each mesh once.
-struct Meshes {
-  std::map<std::string, std::vector<Triangle>> by_path;
-  std::size_t placed = 0;  ///< triangles in the world so far
-
-  Outcome<MeshShape> shape(const sdf::Mesh& mesh) {
-    const Vec3 scale = vec(mesh.Scale());
-    if (!is_near(scale) || scale.x * scale.y * scale.z == 0.0)
-      return bad_input("its mesh's scale is 0 or no number");
-    auto found = by_path.find(mesh.Uri());
-    if (found == by_path.end()) {
-      auto loaded = load_mesh(mesh.Uri());
-      if (!loaded) return pass_on(loaded);
-      found = by_path.emplace(mesh.Uri(), std::move(*loaded)).first;
-    }
-    placed += found->second.size();
-    if (placed > most_world_triangles) {
-      return bad_input(fmt::format("the world's meshes have more than {} triangles; use simpler ones",
-                                   most_world_triangles));
-    }
-    MeshShape result{found->second};
-    for (Triangle& triangle : result.triangles) {
-      for (Vec3& p : triangle) p = {scale.x * p.x, scale.y * p.y, scale.z * p.z};
-    }
-    return result;
-  }
-};
-
-tl::unexpected<Fault> bad_size() {
-  return bad_input("its size is not above 0 and at most 1e6 m; correct it");
-}
-
-Outcome<Pieces> round_pieces(double radius_m, double length_m, bool capped) {
-  if (!is_size(radius_m) || !is_size(length_m)) return bad_size();
-  Pieces pieces = {{CylinderShape{radius_m, 0.5 * length_m}}};
-  if (!capped) return pieces;
-  pieces.push_back({SphereShape{radius_m}, {{0, 0, 0.5 * length_m}, {}}, "_top"});
-  pieces.push_back({SphereShape{radius_m}, {{0, 0, -0.5 * length_m}, {}}, "_bottom"});
-  return pieces;
-}
-
-Outcome<Pieces> pieces_of(const sdf::Geometry& geometry, Meshes& meshes) {
-  switch (geometry.Type()) {
-    case sdf::GeometryType::BOX: {
-      const Vec3 size = vec(geometry.BoxShape()->Size());
-      if (!is_size(size.x) || !is_size(size.y) || !is_size(size.z)) return bad_size();
-      return Pieces{{BoxShape{0.5 * size}}};
-    }
-    case sdf::GeometryType::CYLINDER:
-      return round_pieces(geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length(), false);
-    case sdf::GeometryType::CAPSULE:
-      return round_pieces(geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length(), true);
-    case sdf::GeometryType::SPHERE:
-      if (!is_size(geometry.SphereShape()->Radius())) return bad_size();
-      return Pieces{{SphereShape{geometry.SphereShape()->Radius()}}};
-    case sdf::GeometryType::ELLIPSOID: {
-      const Vec3 radii = vec(geometry.EllipsoidShape()->Radii());
-      if (!is_size(radii.x) || !is_size(radii.y) || !is_size(radii.z)) return bad_size();
-      return Pieces{{ellipsoid(radii)}};
-    }
-    case sdf::GeometryType::PLANE: {
-      const Vec3 normal = vec(geometry.PlaneShape()->Normal());
-      if (!is_near(normal) || norm(normal) < 1e-6) return bad_input("its plane's normal is no direction");
-      return Pieces{{HalfSpaceShape{}, {{}, upward(normal)}}};
-    }
-    case sdf::GeometryType::MESH: {
-      auto mesh = meshes.shape(*geometry.MeshShape());
-      if (!mesh) return pass_on(mesh);
-      return Pieces{{std::move(*mesh)}};
-    }
-    default: return Pieces{};
-  }
-}
-
 // ---- Poses and names -----------------------------------------------------------------------------
 
 /// One collision, found in the tree of models.
@@ -183,7 +60,7 @@ struct Found {
 struct Walk {
   const std::map<std::string, Pose3>& stated;
   const std::string& file;
-  std::vector<Found> found = {};
+  std::vector<Found> found;
 
   /// The world pose of a part: what the state says, or its place in its parent.
   Outcome<Pose3> place(const sdf::SemanticPose& part, const std::string& resolve_to,
@@ -261,19 +138,19 @@ std::string unique(std::string name, std::set<std::string>& taken) {
 
 Status add_solids(World& world, const std::vector<Found>& found, std::vector<FloorPlane>& floors,
                   const std::string& file) {
-  Meshes meshes;
+  SdfMeshes meshes;
   std::set<std::string> taken;
   const std::vector<std::string> names = solid_names(found);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const sdf::Geometry& geometry = *found[i].collision->Geom();
-    auto pieces = pieces_of(geometry, meshes);
+    auto pieces = sdf_pieces(geometry, meshes);
     if (!pieces) {
       const std::string& where = pieces.error().where;
       return bad_input(fmt::format("collision '{}': {}{}", names[i], where.empty() ? where : where + ": ",
                                    pieces.error().sentence),
                        file);
     }
-    for (Piece& piece : *pieces) {
+    for (SdfPiece& piece : *pieces) {
       Solid solid{unique(names[i] + piece.suffix, taken),
                   found[i].world_T_collision * piece.collision_T_piece, std::move(piece.shape)};
       if (!is_near(solid.world_T_solid.position)) {
@@ -333,7 +210,7 @@ Outcome<sdf::Root> parse(const std::string& text, const std::string& file) {
 
 Outcome<std::vector<Found>> find_collisions(const sdf::World& parsed, const RepairedSdf& repaired,
                                             const std::string& file) {
-  Walk walk{repaired.stated, file};
+  Walk walk{repaired.stated, file, {}};
   for (std::uint64_t i = 0; i < parsed.ModelCount(); ++i) {
     const sdf::Model& model = *parsed.ModelByIndex(i);
     auto world_T_model = walk.place(model.SemanticPose(), "world", {}, model.Name());

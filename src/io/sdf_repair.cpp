@@ -1,70 +1,20 @@
 #include "sdf_repair.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
-#include <initializer_list>
-#include <set>
 
 #include "outrider/io/files.hpp"
-#include "sdf_files.hpp"
+#include "sdf_parts.hpp"
 #include "text.hpp"
-#include "xml.hpp"
 
 namespace outrider {
 namespace {
 
 namespace fs = std::filesystem;
-using Element = tinyxml2::XMLElement;
+using Element = SdfElement;
 
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_includes = 1000;
 constexpr int deepest_include = 8;
-constexpr double newest_version = 1.9;
-
-/// What all files of one world share.
-struct Session {
-  SdfWarnings& warnings;
-  std::set<std::string, std::less<>> referenced;  // frames named by an attribute anywhere
-  std::size_t includes = 0;
-  std::size_t bytes = 0;
-};
-
-/// One file of it.
-struct SdfFile {
-  Session& session;
-  std::string name;
-  SdfFolders folders;
-  double version = newest_version;
-  int depth = 0;
-
-  [[nodiscard]] std::string where(const Element& element) const {
-    return fmt::format("{}:{}", name, element.GetLineNum());
-  }
-  void warn(const Element& element, const std::string& sentence) const {
-    session.warnings.add(where(element), sentence);
-  }
-};
-
-/// The name with every "::" as "_": sdformat keeps "::" for itself.
-std::string without_colons(std::string_view given) {
-  std::string name;
-  for (const char c : given) {
-    if (c == ':' && name.ends_with(':')) {
-      name.back() = '_';
-    } else {
-      name += c;
-    }
-  }
-  return name;
-}
-
-bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
 
 /// Elements that say where collisions stand; the rest (visuals, plugins, lights ...) is none of ours.
 bool matters(const Element& parent, const Element& child) {
@@ -79,131 +29,6 @@ bool matters(const Element& parent, const Element& child) {
   if (in == "joint") return !one_of(name, {"sensor", "physics"});
   return true;
 }
-
-// ---- Poses ---------------------------------------------------------------------------------------
-
-/// Refuses what is no pose; three numbers get a rotation of zero.
-Status repair_pose(const SdfFile& file, Element& pose) {
-  const auto parts = words(xml_text(pose));
-  for (const std::string_view part : parts) {
-    if (number<double>(part)) continue;
-    return bad_input(fmt::format("'{}' in a <pose> is no finite number", excerpt(part)), file.where(pose));
-  }
-  const bool quaternion = xml_attribute(pose, "rotation_format") == "quat_xyzw";
-  if (parts.empty() || parts.size() == (quaternion ? 7U : 6U)) return {};
-  if (parts.size() != 3) {
-    return bad_input(fmt::format("a <pose> has {} numbers; it takes x y z roll pitch yaw", parts.size()),
-                     file.where(pose));
-  }
-  file.warn(pose, "a <pose> of three numbers was read as a place without a rotation");
-  const std::string text =
-      fmt::format("{} {} {} {}", parts[0], parts[1], parts[2], quaternion ? "0 0 0 1" : "0 0 0");
-  pose.SetText(text.c_str());
-  return {};
-}
-
-// ---- State ---------------------------------------------------------------------------------------
-
-/// Collects the poses of the models and links of a saved state; they are in the world's frame.
-Status read_stated(const SdfFile& file, Element& owner, const std::string& prefix,
-                   std::map<std::string, Pose3>& stated) {
-  for (Element* child = owner.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
-    if (!one_of(child->Name(), {"model", "link"})) continue;
-    const std::string path = prefix + without_colons(xml_attribute(*child, "name"));
-    if (Element* pose = child->FirstChildElement("pose")) {
-      if (auto repaired = repair_pose(file, *pose); !repaired) return repaired;
-      std::array<double, 6> v{};
-      const auto parts = words(xml_text(*pose));
-      for (std::size_t i = 0; i < std::min(parts.size(), v.size()); ++i) v[i] = *number<double>(parts[i]);
-      stated.emplace(path, Pose3{{v[0], v[1], v[2]}, Rotation::from_rpy(v[3], v[4], v[5])});
-    }
-    for (const std::string_view factor : words(xml_text(*child, "scale"))) {
-      if (number<double>(factor) == 1.0) continue;
-      file.warn(*child, "a <scale> in <state> was not applied; sizes are those of the models");
-      break;
-    }
-    if (auto nested = read_stated(file, *child, path + "::", stated); !nested) return nested;
-  }
-  return {};
-}
-
-Status read_state(const SdfFile& file, Element& state, std::map<std::string, Pose3>& stated) {
-  for (const char* name : {"sim_time", "real_time", "wall_time"}) {
-    const Element* time = state.FirstChildElement(name);
-    if (time == nullptr) continue;
-    const auto parts = words(xml_text(*time));
-    const bool pair = parts.size() == 2 && number<std::int64_t>(parts[0]) && number<std::int64_t>(parts[1]);
-    if (!pair) file.warn(*time, "a time in <state> is not seconds and nanoseconds and was left out");
-  }
-  for (const char* name : {"insertions", "deletions"}) {
-    const Element* change = state.FirstChildElement(name);
-    if (change != nullptr && !change->NoChildren()) {
-      file.warn(*change, fmt::format("the <{}> of <state> were left out; save the world again", name));
-    }
-  }
-  return read_stated(file, state, "", stated);
-}
-
-// ---- Collisions ----------------------------------------------------------------------------------
-
-/// True when the collision stays. `path` names it in warnings.
-bool repair_geometry(const SdfFile& file, Element& collision, const std::string& path) {
-  Element* geometry = collision.FirstChildElement("geometry");
-  if (geometry == nullptr || geometry->FirstChildElement() == nullptr) {
-    file.warn(collision, fmt::format("collision '{}' has no shape and was left out", path));
-    return false;
-  }
-  Element* kept = nullptr;  // sdformat's own order of preference
-  for (const char* kind : {"box", "capsule", "cylinder", "ellipsoid", "plane", "sphere", "mesh", "empty"}) {
-    if (kept == nullptr) kept = geometry->FirstChildElement(kind);
-  }
-  if (kept == nullptr) {
-    file.warn(collision, fmt::format("collision '{}' is a <{}>, which is not modelled; it was left out", path,
-                                     excerpt(geometry->FirstChildElement()->Name())));
-    return false;
-  }
-  if (kept->Name() == std::string_view("empty")) return false;
-  if (kept->PreviousSiblingElement() != nullptr || kept->NextSiblingElement() != nullptr) {
-    file.warn(*geometry, fmt::format("a <geometry> has several shapes; its <{}> was kept", kept->Name()));
-    for (Element *next = nullptr, *shape = geometry->FirstChildElement(); shape != nullptr; shape = next) {
-      next = shape->NextSiblingElement();
-      if (shape != kept) geometry->DeleteChild(shape);
-    }
-  }
-  if (kept->Name() != std::string_view("mesh")) return true;
-  const std::string uri(xml_text(*kept, "uri"));
-  const auto found = find_uri(uri, file.folders);
-  if (!found) {
-    file.warn(*kept,
-              fmt::format("the mesh '{}' of collision '{}' was not found, so the collision was left out",
-                          excerpt(uri), path));
-    return false;
-  }
-  if (kept->FirstChildElement("submesh") != nullptr) {
-    file.warn(*kept, fmt::format("collision '{}' asks for a <submesh>; the whole mesh was taken", path));
-  }
-  kept->FirstChildElement("uri")->SetText(found->c_str());
-  return true;
-}
-
-// ---- Names ---------------------------------------------------------------------------------------
-
-/// Makes the name of a frame or a collision unique among its siblings, and free of "::".
-void repair_name(const SdfFile& file, Element& element, std::set<std::string>& taken) {
-  const char* attribute = element.Attribute("name");
-  if (attribute == nullptr) return;  // sdformat says so
-  std::string name = without_colons(attribute);
-  if (name != attribute) file.warn(element, "'::' in a name was replaced by '_'");
-  const std::string wanted = name;
-  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{}_{}", wanted, i);
-  if (name != wanted) {
-    file.warn(element, fmt::format("<{}> names its sibling has too got a number", element.Name()));
-  }
-  taken.insert(name);
-  if (name != attribute) element.SetAttribute("name", name.c_str());
-}
-
-// ---- The walk ------------------------------------------------------------------------------------
 
 Status repair_children(const SdfFile& file, Element& parent, const std::string& path);
 
@@ -227,6 +52,28 @@ Outcome<bool> repair_element(const SdfFile& file, Element& element, const std::s
   return true;
 }
 
+void leave_out(const SdfFile& file, Element& parent, Element* child) {
+  const std::string_view kind = child->Name();
+  if (kind.find(':') != std::string_view::npos) {
+    file.warn(*child, fmt::format("a left-over <{}> was left out", excerpt(kind)));
+  } else if (kind == "population") {
+    file.warn(*child, "a <population> was left out; place its models one by one");
+  }
+  parent.DeleteChild(child);
+}
+
+/// Puts the included model where its <include> stood.
+Status splice_include(const SdfFile& file, Element& parent, Element* include, std::set<std::string>& taken) {
+  auto model = expand_include(file, *include, *parent.GetDocument());
+  if (!model) return pass_on(model);
+  if (*model != nullptr) {
+    repair_name(file, **model, taken);
+    parent.InsertAfterChild(include, *model);
+  }
+  parent.DeleteChild(include);
+  return {};
+}
+
 Status repair_children(const SdfFile& file, Element& parent, const std::string& path) {
   std::set<std::string> frame_names;
   std::set<std::string> collision_names;
@@ -234,22 +81,11 @@ Status repair_children(const SdfFile& file, Element& parent, const std::string& 
     next = child->NextSiblingElement();
     const std::string_view kind = child->Name();
     if (!matters(parent, *child)) {
-      if (kind.find(':') != std::string_view::npos) {
-        file.warn(*child, fmt::format("a left-over <{}> was left out", excerpt(kind)));
-      } else if (kind == "population") {
-        file.warn(*child, "a <population> was left out; place its models one by one");
-      }
-      parent.DeleteChild(child);
+      leave_out(file, parent, child);
       continue;
     }
     if (kind == "include") {
-      auto model = expand_include(file, *child, *parent.GetDocument());
-      if (!model) return pass_on(model);
-      if (*model != nullptr) {
-        repair_name(file, **model, frame_names);
-        parent.InsertAfterChild(child, *model);
-      }
-      parent.DeleteChild(child);
+      if (auto spliced = splice_include(file, parent, child, frame_names); !spliced) return spliced;
       continue;
     }
     if (one_of(kind, {"model", "link", "frame", "joint"})) repair_name(file, *child, frame_names);
@@ -294,8 +130,8 @@ Outcome<XmlDocument> parse_file(SdfFile& file, std::string_view text) {
   file.version = version.value_or(1.6);
   // 1.10 and later are newer than 1.9, though smaller as numbers.
   const std::string_view text_of = xml_attribute(root, "version");
-  if (text_of.starts_with("1.1") && text_of.size() > 3) file.version = newest_version + 0.1;
-  if (file.version > newest_version) {
+  if (text_of.starts_with("1.1") && text_of.size() > 3) file.version = newest_sdf_version + 0.1;
+  if (file.version > newest_sdf_version) {
     file.warn(root, fmt::format("SDF version {} was read as 1.9", excerpt(text_of)));
     root.SetAttribute("version", "1.9");
   }
@@ -309,7 +145,7 @@ Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2
   if (!found) {
     file.warn(include,
               fmt::format("the include of '{}' was not found and was left out; name its folder in model_path",
-                          excerpt(uri)));
+                          excerpt(uri, 200)));
     return nullptr;
   }
   if (file.depth == deepest_include || ++file.session.includes > most_includes) {
@@ -333,7 +169,7 @@ Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2
   collect_references(*model, frames);
   if (!frames.empty() && (included.version < 1.65) != (file.version < 1.65)) {
     return bad_input(fmt::format("'{}' names frames as SDF {} does; write both files for one version",
-                                 excerpt(uri), xml_attribute(root, "version")),
+                                 excerpt(uri, 200), xml_attribute(root, "version")),
                      file.where(include));
   }
   if (auto repaired = repair_children(included, root, ""); !repaired) return pass_on(repaired);
@@ -383,7 +219,7 @@ std::vector<std::string> SdfWarnings::sentences() const {
 
 Outcome<RepairedSdf> repair_sdf(std::string_view text, const std::string& name, const std::string& model_path,
                                 SdfWarnings& warnings) {
-  Session session{warnings, {}};
+  SdfSession session{warnings, {}};
   SdfFolders folders{fs::path(name).parent_path().string(), {}};
   for (std::string_view rest = model_path; !rest.empty();) {
     const std::size_t colon = std::min(rest.find(':'), rest.size());

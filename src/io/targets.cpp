@@ -130,7 +130,8 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
     if (!type) return pass_on(type);
     auto target = target_of(*keys, *type, where);
     if (!target) return pass_on(target);
-    const std::string kind = *type ? std::to_string(**type) : "target";
+    const std::optional<std::size_t> number_of_type = *type;
+    const std::string kind = number_of_type ? std::to_string(*number_of_type) : "target";
     target->name = fmt::format("{}_{}", kind, count_by_type[kind]++);
     if (const auto given = keys->find("name"); given != keys->end()) target->name = given->second;
     if (target->name.empty() || !is_printable(target->name) || !names.insert(target->name).second) {

@@ -30,6 +30,11 @@ bool hits_by_reference_rule(const Flight& flight, const Target& target, double u
   return contact_time(flight, reference_rule_m, base, 0.0, until_s).has_value();
 }
 
+std::string name_of_contact(const Impact& impact, const FlightSpace& space, const Target& target) {
+  if (impact.hit) return target.name;
+  return impact.solid ? space.solids()[*impact.solid].name : "nothing";
+}
+
 }  // namespace
 
 SimulatedGuard::SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed)
@@ -67,7 +72,8 @@ void SimulatedGuard::turn_to(double heading_rad) {
   const double turn = wrap_angle(heading_rad - from);
   const double total = duration(std::abs(turn), problem_.robot.turning());
   const double begin = time_s_;
-  for (double t = sample_period_s; t < total; t += sample_period_s) {
+  for (int i = 1; i * sample_period_s < total; ++i) {
+    const double t = i * sample_period_s;
     const double done = covered(std::abs(turn), problem_.robot.turning(), t);
     time_s_ = begin + t;
     pose_.heading_rad = wrap_angle(from + std::copysign(done, turn));
@@ -86,7 +92,8 @@ void SimulatedGuard::drive_to(Vec2 goal) {
   turn_to(heading_of(goal - from));
   const double total = duration(length, problem_.robot.straight());
   const double begin = time_s_;
-  for (double t = sample_period_s; t < total; t += sample_period_s) {
+  for (int i = 1; i * sample_period_s < total; ++i) {
+    const double t = i * sample_period_s;
     time_s_ = begin + t;
     pose_.position = from + covered(length, problem_.robot.straight(), t) / length * (goal - from);
     sample();
@@ -156,7 +163,7 @@ void SimulatedGuard::fire(const Fire& command) {
   shot.flight_s = impact.time_s;
   shot.muzzle = flight.muzzle;
   shot.velocity_mps = flight.velocity_mps;
-  shot.contact = impact.hit ? target.name : impact.solid ? space.solids()[*impact.solid].name : "nothing";
+  shot.contact = name_of_contact(impact, space, target);
   shot.contact_point = impact.position;
   shot.hit = impact.hit;
   shot.hit_by_reference_rule = hits_by_reference_rule(flight, target, impact.time_s);

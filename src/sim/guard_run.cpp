@@ -103,8 +103,8 @@ Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan&
   const double failed = count(report, "failed");
   report.status = failed == 0.0 ? "done" : "not_done";
   if (reached < targets) {
-    report.reason = fmt::format("{} of {} targets reached, {} failed, {} proven to be out of reach", reached, targets,
-                                failed, targets - reached - failed);
+    report.reason = fmt::format("{} of {} targets reached, {} failed, {} proven to be out of reach", reached,
+                                targets, failed, targets - reached - failed);
   }
   report.metrics = {{"targets", targets},
                     {"reached", reached},

@@ -43,7 +43,7 @@ class FlightSpace {
   [[nodiscard]] std::optional<Contact> first_contact(const Flight& flight, double ball_radius_m,
                                                      double until_s) const;
   /// Nearest approach of the ball's surface to any solid until `until_s`, to 0.1 mm, cut off at
-  /// `most_m`. Branch and bound on time with the speed as Lipschitz constant.
+  /// `most_m` (time and solid are 0 then). Branch and bound on time with the speed as Lipschitz constant.
   [[nodiscard]] Clearance clearance(const Flight& flight, double ball_radius_m, double until_s,
                                     double most_m) const;
 
@@ -52,7 +52,7 @@ class FlightSpace {
   std::vector<Box3> boxes_;
 };
 
-/// The time at which a flight has fallen to `height_m` for good; 0 when it starts below.
+/// The time at which a flight has fallen to `height_m` for good; 0 when it never rises to it.
 double fall_time(const Flight& flight, double height_m);
 
 }  // namespace outrider

@@ -17,7 +17,8 @@
 
 namespace outrider {
 
-/// The pitches tried, rad, ascending: steps of `pitch_step_rad` from the lowest to the highest pitch.
+/// The pitches tried, rad, ascending: from the lowest to the highest in equal steps of at most
+/// `pitch_step_rad`, but no more than 255 of them.
 std::vector<double> pitch_lattice(const ShotRules& rules);
 
 struct FiringRegion {
@@ -46,9 +47,9 @@ struct Exhausted {
   Shot shot;                              ///< from there
 };
 
-/// As firing_region, with aim points on a lattice of `aim_step_m` over the outline that the target
-/// shows to each place; stops at the first hit. Without a hit it is the proof, at this resolution, that
-/// there is none. O(places in reach x pitches x aim points).
+/// As firing_region, with aim points at most `aim_step_m` apart: across the outline that the target shows
+/// to each place (sight.hpp, aim_points) and over its height; stops at the first hit. Without a hit it is
+/// the proof, at this resolution, that there is none. O(places in reach x pitches x aim points).
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable);
 

@@ -42,7 +42,7 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
            double floor_z_m);
 
 /// Worst deviation at the target under the largest errors, as a part of what the target's size
-/// forgives; below 1 a shot aimed at the centre still touches the box, to first order.
+/// forgives; below 1 a shot aimed at the centre still touches the box, to first order in each error alone.
 double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot);
 
 struct PlannedShot {
@@ -50,15 +50,19 @@ struct PlannedShot {
   double flight_s = 0.0;     ///< until the ball touches the target
   Vec3 contact;              ///< centre of the ball then
   double clearance_m = 0.0;  ///< of the flight until then, cut off at 1 m
-  double spread = 0.0;
-  bool survives = false;  ///< the eight extreme combinations of the errors hit as well
+  double spread = 0.0;       ///< as above, and how far off the centre the aim is (1: at the edge)
+  bool survives = false;     ///< the eight extreme combinations of the errors hit as well
+  double hit_rate = 0.0;  ///< part of the shots that hit under errors within the bounds; 1 when it survives,
+                          ///< else over the midpoints of 27 equal parts of the box of errors
 };
 
-/// The soonest of the shots from `position` that forgive enough: over a fine lattice of pitches and aim
-/// points, those with a spread of at most 0.7 come first, by the time to bring the barrel there from
-/// `pitch_rad` and to fly, then the others by their spread. They are flown exactly in that order until
-/// one keeps the margin and survives all extreme errors; else the first that keeps the margin is taken.
-/// Nothing when no shot of the lattice does.
+/// The soonest of the shots from `position` that forgive enough: over pitches every half degree and 20 aim
+/// points around the centre, those with a spread of at most 0.7 come first, by the time to bring the
+/// barrel there from `pitch_rad` and to fly, then the others by their spread. They are flown exactly in
+/// that order until one keeps the margin and survives all extreme errors; after 48 that keep the margin
+/// only, the one that hits most often of the first four is taken. When none keeps it, the pitches and aim
+/// points of exhaust() (firing_region.hpp) are tried in the same way. Nothing when none of those keeps it
+/// either.
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                      Vec2 position, double pitch_rad);
 

@@ -63,6 +63,7 @@ struct Sight {
   Vec2 position;
   Vec2 along;            ///< unit vector to the aim point
   double aim_m = 0.0;    ///< distance of the aim point
+  double touch_m = 0.0;  ///< before this distance the ball cannot touch the target
   double entry_m = 0.0;  ///< distance at which the line enters the target's footprint
   std::vector<Window> windows;
 
@@ -72,6 +73,14 @@ struct Sight {
   /// The first blocker in the list that stops the arc before the target; null when it hits.
   [[nodiscard]] const Blocker* stopped_by(const Arc& arc) const;
 };
+
+/// Middles of the chords that lines of sight from `position` cut from the target's footprint, from its
+/// right edge to its left, the line to its centre among them; at that distance they are at most `step_m`
+/// apart. None from inside the footprint's centre.
+std::vector<Vec2> aim_points(const Target& target, Vec2 position, double step_m);
+
+/// Offsets from low <= 0 to high >= 0 with both ends and 0 among them, at most `step` apart.
+std::vector<double> offsets(double low, double high, double step);
 
 /// Fills `sight` for the aim point `aim` (world) from `position`, looking at `near` blockers only.
 void look(Sight& sight, const ShotRules& rules, const Target& target, Vec2 position, Vec2 aim,

@@ -25,7 +25,7 @@ struct TargetRecord {
   int shots = 0;                    ///< fired at it
   std::int64_t tries = 0;           ///< of the present pass, misses and places without a shot
   std::optional<PlannedShot> shot;  ///< the last one solved
-  Pose2 pose;                       ///< from where
+  Pose2 pose;                       ///< from where it was solved last, or could not be
   double done_s = 0.0;              ///< when the status became what it is
 };
 
@@ -40,6 +40,7 @@ struct GuardMission {
   std::deque<Errand> errands;         ///< still to do; the first is the present one
   bool arrived = false;               ///< at the place of the present errand
   bool aimed = false;                 ///< the gun has been told where to point
+  bool fired = false;                 ///< the last command was a shot
   bool second_pass = false;
   Vec2 last_place;               ///< where the robot was last sent
   std::optional<Routes> routes;  ///< of the plan
@@ -47,7 +48,9 @@ struct GuardMission {
 
 GuardMission begin(const GuardProblem& problem, const GuardPlan& plan);
 
-/// The next command, or nothing when the mission is over. Changes `mission` only.
+/// The next command, or nothing when the mission is over. Changes `mission` only. The observation after a
+/// shot says whether it hit; where it does not, the shot counts as a miss. At most 2 `tries` shots are
+/// fired at a target, so every mission ends.
 std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
                             const Site& site);
 

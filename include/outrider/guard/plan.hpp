@@ -32,10 +32,10 @@ struct GuardPlan {
   std::vector<PlannedStop> stops;
   std::vector<Unreachable> unreachable;
   std::optional<Routes> routes;  ///< between the start and the stops; nothing when there are none
-  double cost_s = 0.0;         ///< mission time if nothing goes wrong
-  double lower_bound_s = 0.0;  ///< no plan at this resolution takes less
-  bool tour_proven = false;    ///< no better tour of the stops last looked at exists
-  std::size_t places = 0;      ///< cells that can be driven to
+  double cost_s = 0.0;           ///< mission time if nothing goes wrong
+  double lower_bound_s = 0.0;    ///< no plan that hits from cells of the regions takes less
+  bool tour_proven = false;      ///< no better tour of the stops last looked at exists
+  std::size_t places = 0;        ///< cells that can be driven to
 };
 
 /// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the
@@ -45,7 +45,7 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, con
                               const Budget& budget);
 
 /// Routes between places of the site. Where the corners of the obstacles lose a passage that the grid
-/// has, cells of a grid path join in.
+/// has, cells of a grid path join in: places that see a reachable cell next to them are all connected.
 Outcome<Routes> site_routes(const GuardProblem& problem, const Site& site, const std::vector<Vec2>& stops,
                             const Budget& budget);
 

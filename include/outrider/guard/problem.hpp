@@ -34,9 +34,9 @@ struct GuardOptions {
   double margin_m = 0.03;                ///< from a planned flight to every solid
   double pitch_step_rad = radians(2.5);  ///< of the pitches tried
   double aim_step_m = 0.05;              ///< of the aim points tried before a target is given up
-  std::int64_t stops = 160;              ///< places handed to the tour solver at a time
+  std::int64_t stops = 300;              ///< places handed to the tour solver at a time
   std::int64_t refinements = 2;          ///< times that places near the best tour are looked at closer
-  std::int64_t iterations = 4000;        ///< of the tour solver, each time
+  std::int64_t iterations = 1000;        ///< of the tour solver, each time
   std::int64_t memory_mib = 2048;        ///< planning that would need more is refused
 };
 

@@ -10,8 +10,8 @@
 namespace outrider {
 
 /// By cell, which targets can be hit from there for sure: the shot forgives the errors of the gun, the
-/// robot fits wherever the errors of a drive put it, and from all cells that they can put it on the
-/// target can be hit too. A target that no cell hits for sure counts wherever it can be hit at all.
+/// robot fits wherever the errors of a drive put it, and the target can be hit from all cells whose centres
+/// lie within these errors too. A target that no cell hits for sure counts wherever it can be hit at all.
 struct SureHits {
   std::size_t words = 1;               ///< 64-bit words a cell
   std::vector<std::uint64_t> targets;  ///< cell-major bit sets
@@ -26,8 +26,9 @@ struct SureHits {
 
 SureHits sure_hits(const GuardProblem& problem, const Site& site);
 
-/// In each square tile of the yard, for each largest set of targets hit from there, the best cell: at
-/// most `most` cells, tiles no smaller than `tile_m`; each target that can be hit is in some set.
+/// In each square tile of the yard, for each largest set of targets hit from there, the best cell. Tiles
+/// are no smaller than `tile_m`, and larger until at most `most` cells are left; where one tile still has
+/// more, a greedy cover is taken. Each target that a cell which counts can hit is in some set.
 /// Only cells within `near_m` of one of `around` count, unless that is empty. Ascending.
 std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, double tile_m, std::size_t most,
                                       const std::vector<Vec2>& around, double near_m);

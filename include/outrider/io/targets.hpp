@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/guard/target.hpp"
+#include "outrider/ballistics/target.hpp"
 
 namespace outrider {
 

@@ -1,0 +1,144 @@
+#include "draft.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "outrider/guard/plan.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double near_m = 1.2;  // how far from a stop of the tour a better one is looked for
+constexpr double coarse_tile_m = 0.8;
+constexpr double good_rate = 0.85;  // least hit rate of a shot that is planned while there is a choice
+
+/// Everything that solving over one set of cells after another has in common.
+struct Drafting {
+  const GuardProblem& problem;
+  const Site& site;
+  const GuardOptions& options;
+  const Budget& budget;
+  const SureHits& hits;
+  const std::vector<std::size_t>& targets;  // by goal
+  ShotBook& book;
+
+  [[nodiscard]] Vec2 place(std::size_t cell) const { return site.frame.centre(site.frame.cell(cell)); }
+};
+
+/// Finds the shots of these cells that are not in the book yet.
+void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  std::vector<ShotBook::iterator> missing;
+  for (const std::size_t cell : cells) {
+    for (const std::size_t t : drafting.targets) {
+      if (!drafting.hits.has(cell, t)) continue;
+      const auto [entry, added] = drafting.book.try_emplace({cell, t});
+      if (added) missing.push_back(entry);
+    }
+  }
+  const Site& site = drafting.site;
+  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+    const auto [cell, t] = missing[i]->first;
+    missing[i]->second =
+        best_shot(site.rules, site.space(t), drafting.problem.targets[t], drafting.place(cell),
+                  pitch_lattice(site.rules)[site.regions[t].pitch[cell]]);
+  });
+}
+
+/// Flights until the first hit, on average, times the length of one.
+double expected_flight(const PlannedShot& shot) { return shot.flight_s / std::max(shot.hit_rate, 0.05); }
+
+/// The shots offered to the tour, by cell: those that hit nearly always, or where a target has none of
+/// these, any.
+std::vector<std::vector<Service>> services(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  std::vector<std::vector<Service>> offered(cells.size());
+  for (std::size_t goal = 0; goal < drafting.targets.size(); ++goal) {
+    const auto offer = [&](bool any) {
+      bool found = false;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto entry = drafting.book.find({cells[i], drafting.targets[goal]});
+        if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
+          continue;
+        const PlannedShot& shot = *entry->second;
+        offered[i].push_back({static_cast<std::uint32_t>(goal), shot.shot.yaw_rad, shot.shot.pitch_rad,
+                              expected_flight(shot)});
+        found = true;
+      }
+      return found;
+    };
+    if (!offer(false)) offer(true);
+  }
+  return offered;
+}
+
+Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  const GuardProblem& problem = drafting.problem;
+  fill(drafting, cells);
+  Draft draft{{0}, drafting.targets, {}};
+  std::vector<Vec2> places{problem.start.position};
+  for (const std::size_t cell : cells) {
+    draft.cells.push_back(cell);
+    places.push_back(drafting.place(cell));
+  }
+  const auto routes = site_routes(problem, drafting.site, places, drafting.budget);
+  if (!routes) return tl::unexpected(routes.error());
+
+  TourProblem tour;
+  tour.goals = drafting.targets.size();
+  tour.heading_rad = problem.start.heading_rad;
+  tour.turning = problem.robot.turning();
+  tour.yaw_rate_radps = problem.gun.yaw_rate_radps;
+  tour.pitch_rate_radps = problem.gun.pitch_rate_radps;
+  tour.services = services(drafting, cells);
+  tour.services.insert(tour.services.begin(), std::vector<Service>{});  // the start
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(routes->between(i, j));
+  }
+  TourOptions tour_options;
+  tour_options.iterations = drafting.options.iterations;
+  auto solved = solve(tour, tour_options, drafting.budget);
+  if (!solved) return pass_on(solved);
+  draft.tour = std::move(*solved);
+  return draft;
+}
+
+/// The stops of a tour and the cells around them.
+std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft) {
+  std::vector<std::size_t> cells;
+  std::vector<Vec2> around;
+  for (const Visit& visit : draft.tour.visits) {
+    cells.push_back(draft.cells[visit.stop]);
+    around.push_back(drafting.place(cells.back()));
+  }
+  const double tile = 2.0 * drafting.site.frame.resolution_m;
+  const auto most = static_cast<std::size_t>(drafting.options.stops);
+  for (const std::size_t cell : choose_stops(drafting.site, drafting.hits, tile, most, around, near_m)) {
+    cells.push_back(cell);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+}  // namespace
+
+Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
+                          const Budget& budget, ShotBook& book) {
+  std::vector<std::size_t> targets;
+  for (std::size_t t = 0; t < site.regions.size(); ++t) {
+    if (site.regions[t].hits > 0) targets.push_back(t);
+  }
+  const SureHits hits = sure_hits(problem, site);
+  const Drafting drafting{problem, site, options, budget, hits, targets, book};
+  const auto most = static_cast<std::size_t>(options.stops);
+  auto best = solve_over(drafting, choose_stops(site, hits, coarse_tile_m, most, {}, 0.0));
+  for (std::int64_t i = 0; best && i < options.refinements; ++i) {
+    auto closer = solve_over(drafting, cells_near(drafting, *best));
+    if (!closer) return closer;
+    if (closer->tour.cost_s >= best->tour.cost_s) break;
+    best = std::move(closer);
+  }
+  return best;
+}
+
+}  // namespace outrider
