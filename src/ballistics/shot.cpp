@@ -52,17 +52,21 @@ struct Aim {
   double off_centre;      ///< part of the half width and half height that it is away from the centre
 };
 
+Aim centre_aim(const ShotRules& rules, const Target& target, Vec2 position) {
+  return {xy(target.base) - position, target.centre().z - rules.floor_z_m, 0.0};
+}
+
 /// A few points around the centre.
 std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2 position) {
-  const Vec3 centre = target.centre();
-  const Vec2 sight = xy(centre) - position;
-  const double half_across = outline(target, heading_of(sight)).across_m;
+  const Aim centre = centre_aim(rules, target, position);
+  const Vec2 aside = 1.0 / norm(centre.sight) * perpendicular(centre.sight);
+  const double half_across = outline(target, heading_of(centre.sight)).across_m;
   std::vector<Aim> aims;
   for (const double across : {0.0, 0.4, -0.4, 0.8, -0.8}) {
-    const Vec2 aim = sight + across * half_across / norm(sight) * perpendicular(sight);
     for (const double up : {0.0, 0.4, -0.4, 0.8}) {
-      aims.push_back(
-          {aim, centre.z + up * 0.5 * target.size.z - rules.floor_z_m, std::abs(across) + std::abs(up)});
+      if (across == 0.0 && up == 0.0) continue;
+      aims.push_back({centre.sight + across * half_across * aside, centre.height_m + up * 0.5 * target.size.z,
+                      std::abs(across) + std::abs(up)});
     }
   }
   return aims;
@@ -142,9 +146,10 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                                  Vec2 position, const Candidate& candidate) {
   const Flight flight = launch(rules.gun, position, rules.floor_z_m, candidate.shot, rules.gravity_mps2);
   const double radius = rules.gun.ball_radius_m;
-  const Impact impact = fly(flight, radius, space, target, rules.floor_z_m);
-  if (!impact.hit || space.first_contact(flight, radius + rules.margin_m, impact.time_s)) return {};
-  return PlannedShot{candidate.shot, impact.time_s, impact.position, 0.0, candidate.spread, false, 0.0};
+  const double end = fall_time(flight, target.base.z - 1.0);
+  const auto touch = contact_time(flight, radius, solid_of(target), 0.0, end);
+  if (!touch || space.first_contact(flight, radius + rules.margin_m, *touch)) return {};
+  return PlannedShot{candidate.shot, *touch, flight.position(*touch), 0.0, candidate.spread, false, 0.0};
 }
 
 /// The first that survives all extreme errors; else, of the first few that fly, the one that hits most.
@@ -217,10 +222,15 @@ std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& 
   if (!clear_of(rules, target, position) || position == xy(target.base)) return std::nullopt;
   ShotRules fine = rules;
   fine.pitch_step_rad = fine_pitch_rad;
-  const auto shots = candidates(fine, target, position, pitch_rad, central_aims(rules, target, position));
-  if (auto shot = first_to_fly(rules, space, target, position, shots)) return shot;
-  const auto all = candidates(rules, target, position, pitch_rad, all_aims(rules, target, position));
-  return first_to_fly(rules, space, target, position, all);
+  const auto best_at = [&](const ShotRules& lattice, const std::vector<Aim>& aims) {
+    return first_to_fly(rules, space, target, position,
+                        candidates(lattice, target, position, pitch_rad, aims));
+  };
+  auto best = best_at(fine, {centre_aim(rules, target, position)});
+  if (best && best->survives) return best;
+  auto off_centre = best_at(fine, central_aims(rules, target, position));
+  if (off_centre && (!best || off_centre->hit_rate > best->hit_rate)) best = off_centre;
+  return best ? best : best_at(rules, all_aims(rules, target, position));
 }
 
 }  // namespace outrider

@@ -28,30 +28,41 @@ double mission_time(const GuardProblem& problem, const GuardPlan& plan) {
   return time;
 }
 
-/// The stops of a draft with their shots, still without ways between them.
+/// The stops of a draft with their shots, still without ways between them. The shots are solved again, as
+/// they will be on the way, for the pitch at which the shot before leaves the barrel.
 std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site, const Draft& draft,
                                   const ShotBook& book) {
   std::vector<PlannedStop> stops;
+  double pitch = 0.0;
   for (const Visit& visit : draft.tour.visits) {
     const std::size_t cell = draft.cells[visit.stop];
     const bool at_start = visit.stop == 0;
     PlannedStop stop{at_start ? problem.start.position : site.frame.centre(site.frame.cell(cell)), {}, {}};
     for (const std::uint32_t goal : visit.goals) {
       const std::size_t target = draft.targets[goal];
-      stop.hits.push_back({target, *book.at({cell, target})});
+      const auto shot =
+          best_shot(site.rules, site.space(target), problem.targets[target], stop.position, pitch);
+      stop.hits.push_back({target, shot ? *shot : *book.at({cell, target})});
+      pitch = stop.hits.back().shot.shot.pitch_rad;
     }
     stops.push_back(std::move(stop));
   }
   return stops;
 }
 
-/// Joins the stops, from the start on, by the fastest drives.
+/// Joins the stops, from the start on, by the drives that are fastest with the turn before them.
 Status join(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
   std::vector<Vec2> places{problem.start.position};
   for (const PlannedStop& stop : plan.stops) places.push_back(stop.position);
   auto routes = site_routes(problem, site, places, budget);
   if (!routes) return pass_on(routes);
-  for (std::size_t i = 0; i < plan.stops.size(); ++i) plan.stops[i].waypoints = routes->waypoints(i, i + 1);
+  double heading = problem.start.heading_rad;
+  for (std::size_t i = 0; i < plan.stops.size(); ++i) {
+    auto route = routes->route({places[i], heading}, places[i + 1]);
+    auto& way = plan.stops[i].waypoints;
+    way = route ? std::move(route->waypoints) : routes->waypoints(i, i + 1);
+    heading = drive_cost(problem.robot, heading, way).heading_rad;
+  }
   plan.routes = std::move(*routes);
   return {};
 }

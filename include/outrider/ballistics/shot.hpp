@@ -52,17 +52,17 @@ struct PlannedShot {
   double clearance_m = 0.0;  ///< of the flight until then, cut off at 1 m
   double spread = 0.0;       ///< as above, and how far off the centre the aim is (1: at the edge)
   bool survives = false;     ///< the eight extreme combinations of the errors hit as well
-  double hit_rate = 0.0;  ///< part of the shots that hit under errors within the bounds; 1 when it survives,
-                          ///< else over the midpoints of 27 equal parts of the box of errors
+  double hit_rate = 0.0;  ///< part of the shots that hit under errors within the bounds; taken for 1 when it
+                          ///< survives, else over the midpoints of 27 equal parts of the box of errors
 };
 
-/// The soonest of the shots from `position` that forgive enough: over pitches every half degree and 20 aim
-/// points around the centre, those with a spread of at most 0.7 come first, by the time to bring the
-/// barrel there from `pitch_rad` and to fly, then the others by their spread. They are flown exactly in
-/// that order until one keeps the margin and survives all extreme errors; after 48 that keep the margin
-/// only, the one that hits most often of the first four is taken. When none keeps it, the pitches and aim
-/// points of exhaust() (firing_region.hpp) are tried in the same way. Nothing when none of those keeps it
-/// either.
+/// The soonest of the shots from `position` that forgive enough. Of the shots at the target's centre,
+/// with pitches every half degree, those with a spread of at most 0.7 come first, by the time to bring
+/// the barrel there from `pitch_rad` and to fly, then the others by their spread. They are flown exactly
+/// in that order until one keeps the margin and survives all extreme errors. After 48 that keep the margin
+/// only, 19 aim points around the centre are tried in the same way, and the shot with the highest hit
+/// rate of the first four of either kind is taken. When none keeps the margin, the pitches and aim points
+/// of exhaust() (firing_region.hpp) are tried. Nothing when none of those keeps it either.
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                      Vec2 position, double pitch_rad);
 

@@ -1,0 +1,147 @@
+// Whole missions: the yard that comes with the project, and the two of the reference report.
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/report/json.hpp"
+#include "outrider/sim/guard_run.hpp"
+#include "support/fine_flight.hpp"
+
+namespace outrider {
+namespace {
+
+double metric(const Report& report, const std::string& name) {
+  for (const auto& [key, value] : report.metrics) {
+    if (key == name) return value;
+  }
+  ADD_FAILURE() << "no metric " << name;
+  return -1.0;
+}
+
+struct Mission {
+  GuardScenario scenario;
+  std::optional<Site> site;
+  GuardPlan plan;
+
+  [[nodiscard]] Report run(std::uint64_t seed) const {
+    return run_guard(scenario.problem, *site, plan, scenario.options, seed);
+  }
+};
+
+Mission prepared(GuardScenario scenario) {
+  Mission mission{std::move(scenario), {}, {}};
+  auto warnings = load_problem(mission.scenario);
+  EXPECT_TRUE(warnings.has_value()) << to_string(warnings.error());
+  auto site = survey(mission.scenario.problem, mission.scenario.options);
+  EXPECT_TRUE(site.has_value()) << to_string(site.error());
+  auto plan = plan_guard(mission.scenario.problem, *site, mission.scenario.options, {});
+  EXPECT_TRUE(plan.has_value()) << to_string(plan.error());
+  mission.site = std::move(*site);
+  mission.plan = std::move(*plan);
+  return mission;
+}
+
+Mission our_yard() {
+  GuardScenario scenario;
+  const std::string path = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/yard.yaml";
+  const auto loaded = load_scenario(path, describe(scenario));
+  EXPECT_TRUE(loaded.has_value()) << to_string(loaded.error());
+  resolve_paths(scenario, path);
+  return prepared(std::move(scenario));
+}
+
+/// Flies every shot of a report again, in small steps; the contact must be where the report says.
+void expect_replays(const Mission& mission, const Report& report) {
+  const GuardProblem& problem = mission.scenario.problem;
+  for (const ReportShot& shot : report.shots) {
+    const auto target = std::find_if(problem.targets.begin(), problem.targets.end(),
+                                     [&](const Target& t) { return t.name == shot.target; });
+    ASSERT_NE(target, problem.targets.end());
+    const auto index = static_cast<std::size_t>(target - problem.targets.begin());
+    const Solid box = solid_of(*target);
+    const auto& solids = mission.site->space(index).solids();
+    const auto end =
+        testing::fly_fine(shot.muzzle, shot.velocity_mps, problem.world.gravity_mps2,
+                          problem.gun.ball_radius_m, solids, &box, problem.world.floor_z_m - 1.0);
+    EXPECT_EQ(end.hit, shot.hit) << shot.target;
+    EXPECT_EQ(shot.contact, end.hit ? shot.target : solids[end.solid.value()].name);
+    // A step is 0.2 mm; along a face that is grazed it takes a few more.
+    EXPECT_LT(norm(end.position - shot.contact_point), 2e-3) << shot.target;
+  }
+  // Where the robot was, it fitted.
+  for (const TrackSample& sample : report.track) {
+    ASSERT_GE(mission.site->ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+  }
+}
+
+void expect_counts(const Report& report, double reached, double unreachable) {
+  EXPECT_EQ(metric(report, "reached"), reached);
+  EXPECT_EQ(metric(report, "failed"), 0.0);
+  EXPECT_EQ(metric(report, "unreachable"), unreachable);
+  EXPECT_EQ(report.status, "done");
+  EXPECT_EQ(report.targets.size(), static_cast<std::size_t>(reached + unreachable));
+  EXPECT_LE(metric(report, "lower_bound_s"), metric(report, "planned_s"));
+}
+
+TEST(OurYard, IsGuardedButForTheCatInTheShed) {
+  const Mission mission = our_yard();
+  const Report report = mission.run(static_cast<std::uint64_t>(mission.scenario.seed));
+  expect_counts(report, 23, 1);
+  expect_replays(mission, report);
+  for (const ReportTarget& target : report.targets) {
+    EXPECT_EQ(target.status == "unreachable", target.name == "schroedi") << target.name;
+    if (target.name == "schroedi") {
+      EXPECT_NE(target.reason.find("shed"), std::string::npos) << target.reason;
+    }
+  }
+  const auto back = report_from_json(to_json(report));
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(to_json(*back), to_json(report));
+}
+
+TEST(OurYard, GivesTheSameBytesTwiceAndWithOneThread) {
+  const std::string first = to_json(our_yard().run(7));
+  std::string second;
+  std::string alone;
+  {
+    const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+    second = to_json(our_yard().run(7));
+  }
+  {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    alone = to_json(our_yard().run(7));
+  }
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(first, alone);
+}
+
+class ReferenceWorld : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Worlds, ReferenceWorld, ::testing::Values("by_small", "by_small2"),
+                         [](const auto& world) { return std::string(world.param); });
+
+TEST_P(ReferenceWorld, LosesNoTargetWhateverTheSeed) {
+  const char* const given = std::getenv("OUTRIDER_DATA");
+  const std::string data = given != nullptr ? given : std::string(OUTRIDER_SOURCE_DIR) + "/../shared/data";
+  GuardScenario scenario;
+  scenario.world = data + "/guard/worlds/" + GetParam() + ".sdf";
+  scenario.targets = data + "/guard/goals_params.txt";
+  scenario.start = "0,-9.5,90";
+  if (!std::filesystem::exists(scenario.world))
+    GTEST_SKIP() << "no " << scenario.world << "; set OUTRIDER_DATA";
+  const Mission mission = prepared(scenario);
+  EXPECT_TRUE(mission.plan.unreachable.empty());
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Report report = mission.run(seed);
+    expect_counts(report, 24, 0);
+    expect_replays(mission, report);
+    RecordProperty("mission_s_" + std::to_string(seed), std::to_string(metric(report, "mission_s")));
+  }
+}
+
+}  // namespace
+}  // namespace outrider
