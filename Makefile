@@ -14,7 +14,7 @@ export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test asan soak bench lint check-format format clean
+.PHONY: help demo build test asan docs soak bench lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -40,6 +40,11 @@ asan:  ## run the tests under the address and undefined-behaviour sanitizers
 	@ninja -C build-asan -j $(JOBS)
 	@ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
+
+docs:  ## write docs/options.md and docs/scenario.schema.json anew
+	$(INSTALL) build
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
+	@ninja -C build -j $(JOBS) docs
 
 soak:  ## run the random tests on 100 times as many cases, under the sanitizers
 	$(INSTALL) build test
