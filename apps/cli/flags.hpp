@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -10,16 +9,17 @@
 
 namespace outrider::cli {
 
-/// What was given on the command line, by flag; applied after the scenario file so that flags win.
-using GivenFlags = std::map<std::string, std::string>;
-
 /// "--targets-block", "--robot-radius", ...
 std::string flag_of(const std::string& group, const std::string& option);
 
-/// Adds one flag for each option; the values land in `given`, which must outlive the parse.
-void add_flags(CLI::App& app, const std::vector<OptionGroup>& groups, GivenFlags& given);
+/// Adds one flag for each option. What is given waits in `app` until apply_flags() reads it, so that
+/// flags can win over a file that is read in between.
+void add_flags(CLI::App& app, const std::vector<OptionGroup>& groups);
 
 /// Assigns what was given to the options; the fault names the flag.
-Status apply_flags(const GivenFlags& given, const std::vector<OptionGroup>& groups);
+Status apply_flags(const CLI::App& app, const std::vector<OptionGroup>& groups);
+
+/// What was wrong with words that the parser refused, in one sentence with the nearest that would do.
+Fault misunderstanding(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace outrider::cli

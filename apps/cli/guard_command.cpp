@@ -16,108 +16,151 @@
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "progress.hpp"
 
 namespace outrider::cli {
 namespace {
 
 struct GuardCommand {
   std::string scenario_path;
-  GivenFlags given;
-  Output output;
+  bool json = false;
+  std::string out;
   bool html = false;
   bool svg = false;
-  std::size_t threads = 0;  // 0: as many as the machine has
+  std::int64_t threads = 0;
+  GuardScenario scenario;
 };
+
+OptionGroup describe_output(GuardCommand& command) {
+  return {
+      "",
+      "output",
+      {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
+       {"out", "", 0, 0, "folder for the report and the pictures", &command.out},
+       {"html", "", 0, 0, "write a page that plays the mission, in the folder", &command.html},
+       {"svg", "", 0, 0, "write a moving picture of the mission, in the folder", &command.svg},
+       {"threads", "", 0, 1024, "threads to plan with; 0: all; the answer is the same", &command.threads}}};
+}
 
 struct GuardResult {
   Report report;
   double planning_s = 0.0;
 };
 
-Outcome<GuardResult> carry_out(const GuardCommand& command) {
-  GuardScenario scenario;
+/// Scenario file, then flags, then the files that they name; returns what was repaired.
+Outcome<std::vector<std::string>> read_input(GuardCommand& command, const CLI::App& flags) {
+  GuardScenario& scenario = command.scenario;
   const auto groups = describe(scenario);
   if (!command.scenario_path.empty()) {
     if (auto ok = load_scenario(command.scenario_path, groups); !ok) return pass_on(ok);
     resolve_paths(scenario, command.scenario_path);
   }
-  if (auto ok = apply_flags(command.given, groups); !ok) return pass_on(ok);
-  auto warnings = load_problem(scenario);
-  if (!warnings) return pass_on(warnings);
-  for (const std::string& warning : *warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
+  if (auto ok = apply_flags(flags, groups); !ok) return pass_on(ok);
+  return load_problem(scenario);
+}
 
-  const auto begin = std::chrono::steady_clock::now();
-  const auto site = survey(scenario.problem, scenario.options);
-  if (!site) return tl::unexpected(site.error());
-  const auto plan = plan_guard(scenario.problem, *site, scenario.options, {});
-  if (!plan) return tl::unexpected(plan.error());
-  const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - begin;
-
-  GuardResult result{
-      run_guard(scenario.problem, *site, *plan, scenario.options, static_cast<std::uint64_t>(scenario.seed)),
-      planning.count()};
-  result.report.warnings = std::move(*warnings);
-  for (const OptionGroup& group : groups) {
+std::vector<std::pair<std::string, std::string>> settings_of(GuardScenario& scenario) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const OptionGroup& group : describe(scenario)) {
     for (const Option& option : group.options) {
       const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
-      result.report.settings.emplace_back(
-          key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
+      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
     }
   }
+  return settings;
+}
+
+Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
+  Progress progress(4);
+  progress.next("reading the yard");
+  auto warnings = read_input(command, flags);
+  if (!warnings) return pass_on(warnings);
+  const GuardScenario& scenario = command.scenario;
+
+  const auto begin = std::chrono::steady_clock::now();
+  progress.next("surveying from where each target can be hit");
+  auto site = survey(scenario.problem, scenario.options);
+  if (!site) return pass_on(site);
+  progress.next("planning the tour");
+  auto plan = plan_guard(scenario.problem, *site, scenario.options, {});
+  if (!plan) return pass_on(plan);
+  const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - begin;
+
+  progress.next("driving and shooting");
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  GuardResult result{run_guard(scenario.problem, *site, *plan, scenario.options, seed), planning.count()};
+  result.report.warnings = std::move(*warnings);
+  result.report.settings = settings_of(command.scenario);
   return result;
 }
 
 /// Writes what was asked for into the folder; returns the path of the report, or nothing without a folder.
+/// The pictures are made from the text of the report, so that a replay makes the same.
 Outcome<std::string> write_files(const GuardCommand& command, const Report& report) {
-  if (command.output.folder.empty()) return std::string{};
-  if (auto ok = make_folder(command.output.folder); !ok) return pass_on(ok);
-  const std::string stem = command.output.folder + "/" + report.job;
-  if (auto ok = write_file(stem + ".json", to_json(report)); !ok) return pass_on(ok);
-  if (command.html) {
-    if (auto ok = write_file(stem + ".html", to_html(report)); !ok) return pass_on(ok);
+  if (command.out.empty()) return std::string{};
+  const std::string stem = command.out + "/" + report.job;
+  std::vector<std::pair<std::string, std::string>> files{{stem + ".json", to_json(report)}};
+  if (command.html || command.svg) {
+    auto stored = report_from_json(files.front().second);
+    if (!stored) return pass_on(stored);
+    if (command.html) files.emplace_back(stem + ".html", to_html(*stored));
+    if (command.svg) files.emplace_back(stem + ".svg", to_animated_svg(*stored, 24.0));
   }
-  if (command.svg) {
-    if (auto ok = write_file(stem + ".svg", to_animated_svg(report, 24.0)); !ok) return pass_on(ok);
+  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
+  for (const auto& [path, content] : files) {
+    if (auto ok = write_file(path, content); !ok) return pass_on(ok);
   }
-  return stem + ".json";
+  return files.front().first;
 }
 
-int execute(const GuardCommand& command) {
+Status check_output(const GuardCommand& command, const CLI::App& flags) {
+  if (flags.get_option("--out")->count() > 0) return check_folder(command.out);
+  if (!command.html && !command.svg) return {};
+  return bad_input("a page or a picture needs a folder; give --out DIR", command.html ? "--html" : "--svg");
+}
+
+void print_text(const GuardCommand& command, const GuardResult& result, const std::string& path) {
+  fmt::print("{}  planning took {}\n", summary(result.report), duration_text(result.planning_s));
+  if (path.empty()) return;
+  const std::string stem = command.out + "/" + result.report.job;
+  fmt::print("\n  report   {}\n", path);
+  if (command.html) fmt::print("  watch    {}.html\n", stem);
+  if (command.svg) fmt::print("  picture  {}.svg\n", stem);
+}
+
+int execute(GuardCommand& command, const CLI::App& flags) {
+  const bool json = flags.get_option("--json")->count() > 0;
+  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
+  if (auto ok = check_output(command, flags); !ok) return say(ok.error(), command.json);
   std::unique_ptr<tbb::global_control> limit;
   if (command.threads > 0) {
-    limit =
-        std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, command.threads);
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<std::size_t>(command.threads));
   }
-  if (command.output.folder.empty() && (command.html || command.svg)) {
-    return say({FaultCode::bad_input, "a page or a picture needs a folder; give --out DIR", "--html"},
-               command.output);
+  const auto result = carry_out(command, flags);
+  if (!result) return say(result.error(), command.json);
+  for (const std::string& warning : result->report.warnings) {
+    fmt::print(stderr, "outrider: warning: {}\n", warning);
   }
-  const auto result = carry_out(command);
-  if (!result) return say(result.error(), command.output);
   const auto path = write_files(command, result->report);
-  if (!path) return say(path.error(), command.output);
+  if (!path) return say(path.error(), command.json);
 
-  if (command.output.json) {
-    print(summary_json(result->report, result->planning_s, *path));
+  if (command.json) {
+    auto object = summary_json(result->report, *path);
+    insert_planning(object, result->planning_s);
+    print(object);
   } else {
-    fmt::print("{}", summary(result->report));
-    fmt::print("  planning took {}\n", duration_text(result->planning_s));
-    if (!path->empty()) fmt::print("\n  report  {}\n", *path);
-    if (command.html) fmt::print("  watch   {}/{}.html\n", command.output.folder, result->report.job);
-    if (command.svg) fmt::print("  picture {}/{}.svg\n", command.output.folder, result->report.job);
+    print_text(command, *result, *path);
   }
   return result->report.status == "done" ? job_done : job_not_done;
 }
 
-/// The flags that `run` and `guard` have in common.
-void add_common(CLI::App& app, GuardCommand& command) {
-  app.add_flag("--json", command.output.json, "print one JSON object on standard output");
-  app.add_option("--out", command.output.folder, "folder for the report and the pictures");
-  app.add_flag("--html", command.html, "write a page that plays the mission");
-  app.add_flag("--svg", command.svg, "write a moving picture of the mission");
-  app.add_option("--threads", command.threads, "threads to plan with; 0: all")->check(CLI::Range(0, 1024));
-  GuardScenario defaults;
-  add_flags(app, describe(defaults), command.given);
+/// What `run` and `guard` have in common.
+void add_common(CLI::App& app, const std::shared_ptr<GuardCommand>& command, int& status) {
+  std::vector<OptionGroup> groups = describe(command->scenario);
+  groups.insert(groups.begin(), describe_output(*command));
+  add_flags(app, groups);
+  app.callback([command, &app, &status] { status = execute(*command, app); });
 }
 
 }  // namespace
@@ -125,17 +168,22 @@ void add_common(CLI::App& app, GuardCommand& command) {
 void add_run(CLI::App& app, int& status) {
   CLI::App* run = app.add_subcommand("run", "do the job in a scenario file; flags win over the file");
   auto command = std::make_shared<GuardCommand>();
-  run->add_option("scenario", command->scenario_path, "scenario file (YAML)")->required();
-  add_common(*run, *command);
-  run->callback([command, &status] { status = execute(*command); });
+  run->add_option("scenario", command->scenario_path,
+                  "scenario file; 'outrider schema --as scenario' prints one")
+      ->required()
+      ->type_name("FILE");
+  add_common(*run, command, status);
+  run->footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
 }
 
 void add_guard(CLI::App& app, int& status) {
   CLI::App* guard = app.add_subcommand("guard", "drive, aim and shoot a water gun at every target in a yard");
   auto command = std::make_shared<GuardCommand>();
-  guard->add_option("--scenario", command->scenario_path, "scenario file to start from");
-  add_common(*guard, *command);
-  guard->callback([command, &status] { status = execute(*command); });
+  guard->add_option("--scenario", command->scenario_path, "scenario file to start from; flags win over it")
+      ->type_name("FILE");
+  add_common(*guard, command, status);
+  guard->footer(
+      "\nExample: outrider guard --world yard.sdf --targets cats.txt --start 0,-9.5,90 --out out --html");
 }
 
 }  // namespace outrider::cli

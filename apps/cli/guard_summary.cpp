@@ -28,6 +28,28 @@ std::string target_row(const ReportTarget& target, std::size_t width) {
                      degrees(target.pitch_rad), target.speed_mps, target.clearance_m);
 }
 
+/// Counts without a decimal point.
+nlohmann::ordered_json number_json(double value) {
+  constexpr double exact = 1e15;
+  if (std::abs(value) < exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+nlohmann::ordered_json target_json(const ReportTarget& t) {
+  nlohmann::ordered_json object = {{"name", t.name}, {"status", t.status}, {"reason", t.reason}};
+  if (t.shots == 0) {
+    for (const char* key : {"pose", "pitch_rad", "yaw_rad", "speed_mps", "clearance_m"})
+      object[key] = nullptr;
+    return object;
+  }
+  object["pose"] = {t.pose.position.x, t.pose.position.y, t.pose.heading_rad};
+  object["pitch_rad"] = t.pitch_rad;
+  object["yaw_rad"] = t.shot_yaw_rad;
+  object["speed_mps"] = t.speed_mps;
+  object["clearance_m"] = t.clearance_m;
+  return object;
+}
+
 }  // namespace
 
 std::string summary(const Report& report) {
@@ -48,25 +70,24 @@ std::string summary(const Report& report) {
   return text;
 }
 
-nlohmann::ordered_json summary_json(const Report& report, double planning_s, const std::string& report_path) {
-  nlohmann::ordered_json metrics;
-  for (const auto& [name, value] : report.metrics) {
-    if (name == "mission_s") metrics["planning_s"] = planning_s;
-    value == std::floor(value) ? metrics[name] = static_cast<std::int64_t>(value) : metrics[name] = value;
-  }
+nlohmann::ordered_json summary_json(const Report& report, const std::string& report_path) {
+  nlohmann::ordered_json metrics = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : report.metrics) metrics[name] = number_json(value);
   nlohmann::ordered_json targets = nlohmann::ordered_json::array();
-  for (const ReportTarget& t : report.targets) {
-    targets.push_back({{"name", t.name},
-                       {"status", t.status},
-                       {"reason", t.reason},
-                       {"pose", {t.pose.position.x, t.pose.position.y, t.pose.heading_rad}},
-                       {"pitch_rad", t.pitch_rad},
-                       {"yaw_rad", t.shot_yaw_rad},
-                       {"speed_mps", t.speed_mps},
-                       {"clearance_m", t.clearance_m}});
+  for (const ReportTarget& target : report.targets) targets.push_back(target_json(target));
+  nlohmann::ordered_json path = nullptr;
+  if (!report_path.empty()) path = report_path;
+  return {{"status", report.status}, {"job", report.job}, {"reason", report.reason},    {"metrics", metrics},
+          {"targets", targets},      {"report", path},    {"warnings", report.warnings}};
+}
+
+void insert_planning(nlohmann::ordered_json& summary, double planning_s) {
+  nlohmann::ordered_json metrics = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : summary["metrics"].items()) {
+    if (name == "mission_s") metrics["planning_s"] = planning_s;
+    metrics[name] = value;
   }
-  return {{"status", report.status}, {"job", report.job},  {"reason", report.reason},
-          {"metrics", metrics},      {"targets", targets}, {"report", report_path}};
+  summary["metrics"] = std::move(metrics);
 }
 
 }  // namespace outrider::cli

@@ -11,7 +11,11 @@ namespace outrider::cli {
 /// The headline, a table of the targets, and the totals.
 std::string summary(const Report& report);
 
-/// {"status", "job", "reason", "metrics", "targets", "report"}; `planning_s` joins the metrics.
-nlohmann::ordered_json summary_json(const Report& report, double planning_s, const std::string& report_path);
+/// {"status", "job", "reason", "metrics", "targets", "warnings", "report"}. What is known of no shot at a
+/// target is null, and so is the path when it is empty.
+nlohmann::ordered_json summary_json(const Report& report, const std::string& report_path);
+
+/// Puts "planning_s", which no report holds because it differs from run to run, before "mission_s".
+void insert_planning(nlohmann::ordered_json& summary, double planning_s);
 
 }  // namespace outrider::cli

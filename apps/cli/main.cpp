@@ -3,45 +3,40 @@
 
 #include <cstdio>
 #include <exception>
-#include <string>
-#include <vector>
+#include <new>
+#include <string_view>
 
 #include "commands.hpp"
+#include "flags.hpp"
 #include "output.hpp"
-#include "outrider/core/options.hpp"
 
 namespace outrider::cli {
 namespace {
 
-/// The command that the words ask for, or the whole tool.
-const CLI::App& asked_for(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app : *chosen.front();
-}
-
-/// One sentence about words that fit no command, with the nearest that would.
-std::string misunderstanding(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& command = asked_for(app);
-  const auto unknown = app.remaining(true);
-  if (unknown.empty()) return error.what();
-  std::vector<std::string> known;
-  for (const CLI::Option* option : command.get_options()) known.push_back(option->get_name());
-  for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
-  const std::string nearest = nearest_name(unknown.front(), known);
-  return fmt::format("'{}' is not known here{}; 'outrider {}--help' lists what is", unknown.front(),
-                     nearest.empty() ? "" : fmt::format(", perhaps {}", nearest),
-                     &command == &app ? "" : command.get_name() + " ");
+/// Whether JSON was asked for, for faults that come before the flags are read.
+bool wants_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--json" || word == "--json=true") return true;
+  }
+  return false;
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"A ground robot finds its way, and does a job, in a yard or a building."};
-  app.set_version_flag("--version", OUTRIDER_VERSION);
+  CLI::App app{"A ground robot finds its way, and does a job, in a yard or a building.", "outrider"};
+  app.set_help_flag("-h,--help", "show this text");
+  app.set_version_flag("--version", OUTRIDER_VERSION, "show the version");
+  app.get_formatter()->column_width(36);
   app.require_subcommand(1);
+  app.footer(
+      "\n'outrider COMMAND --help' shows the flags of a command.\n"
+      "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong.");
   int status = job_done;
   add_run(app, status);
   add_guard(app, status);
   add_plan(app, status);
   add_replay(app, status);
+  add_bench(app, status);
   add_list(app, status);
   add_schema(app, status);
   try {
@@ -49,20 +44,32 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "outrider: {}\n", misunderstanding(app, error));
-    return refused;
+    return say(misunderstanding(app, error), wants_json(argc, argv));
   }
   return status;
+}
+
+/// Runs the tool; what nobody caught is said, not dumped.
+int guarded_run(int argc, char** argv) {
+  const bool json = wants_json(argc, argv);
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return say(
+        {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
+        json);
+  } catch (const std::exception& broken) {
+    return say({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
+  }
 }
 
 }  // namespace
 }  // namespace outrider::cli
 
 int main(int argc, char** argv) {
-  try {
-    return outrider::cli::run(argc, argv);
-  } catch (const std::exception& broken) {
-    fmt::print(stderr, "outrider: this is a bug: {}\n", broken.what());
-    return outrider::cli::refused;
-  }
+  using namespace outrider;
+  const int status = cli::guarded_run(argc, argv);
+  if (std::fflush(stdout) == 0) return status;
+  return cli::say({FaultCode::bad_input, "standard output cannot be written to; is the disk full?", {}},
+                  false);
 }

@@ -5,7 +5,6 @@
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/motion/robot_model.hpp"
 #include "outrider/path/from_occupancy.hpp"
 
 namespace outrider::cli {
@@ -53,25 +52,28 @@ Vec2 MapFile::to_world(Vec2 grid) const {
   return origin + turned(grid - origin, yaw_rad);
 }
 
-Outcome<MapFile> load_map(const std::string& path, double radius_m, double height_m,
+Outcome<MapFile> load_map(const std::string& path, std::optional<double> radius_m, const RobotModel& robot,
                           const GridOptions& grid) {
   std::string stem = path;
   if (stem.ends_with(".gz")) stem.resize(stem.size() - 3);
-  const double robot_m = radius_m < 0.0 ? RobotModel{}.radius_m : radius_m;
-  if (stem.ends_with(".sdf") || stem.ends_with(".world"))
-    return from_world_file(path, robot_m, height_m, grid);
+  if (stem.ends_with(".sdf") || stem.ends_with(".world")) {
+    return from_world_file(path, radius_m.value_or(robot.radius_m), robot.height_m, grid);
+  }
   if (stem.ends_with(".yaml") || stem.ends_with(".yml")) {
     auto map = load_map_server(path);
     if (!map) return pass_on(map);
-    return from_cells(std::move(map->occupancy), map->yaw_rad, robot_m);
+    return from_cells(std::move(map->occupancy), map->yaw_rad, radius_m.value_or(robot.radius_m));
   }
   if (stem.ends_with(".map")) {
     auto map = load_movingai_map(path);
     if (!map) return pass_on(map);
-    return from_cells(std::move(*map), 0.0, std::max(0.0, radius_m));
+    return from_cells(std::move(*map), 0.0, radius_m.value_or(0.0));
   }
-  return bad_input("not a kind of map that is known by its name; maps end in .yaml, .sdf, .world or .map",
-                   path);
+  return bad_input(
+      "the name does not tell what kind of map it is; maps end in .yaml, .yml, .sdf, .world, .map or .txt "
+      "(.gz may "
+      "follow)",
+      path);
 }
 
 }  // namespace outrider::cli

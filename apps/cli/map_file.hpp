@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
+#include "outrider/motion/robot_model.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/world/ground.hpp"
 
@@ -24,8 +25,9 @@ struct MapFile {
 };
 
 /// By the name of the file: .yaml and .yml map_server, .sdf and .world SDF, .map MovingAI; .gz after any.
-/// A negative radius stands for the kind's own: 0.26 m, and 0 for MovingAI. `grid` and `height_m` matter
+/// Without a radius it is that of the robot, and 0 for MovingAI. The rest of the robot and `grid` matter
 /// for SDF worlds only.
-Outcome<MapFile> load_map(const std::string& path, double radius_m, double height_m, const GridOptions& grid);
+Outcome<MapFile> load_map(const std::string& path, std::optional<double> radius_m, const RobotModel& robot,
+                          const GridOptions& grid);
 
 }  // namespace outrider::cli

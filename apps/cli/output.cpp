@@ -1,24 +1,42 @@
 #include "output.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace outrider::cli {
+namespace {
 
-int say(const Fault& fault, const Output& output) {
+namespace fs = std::filesystem;
+
+tl::unexpected<Fault> no_folder(const std::string& folder, const std::string& reason) {
+  return bad_input(
+      fmt::format("cannot make the folder '{}' ({}); name one that can be written to", folder, reason),
+      "--out");
+}
+
+}  // namespace
+
+bool is_answer(const Fault& fault) {
+  return fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
+         fault.code == FaultCode::budget_exhausted || fault.code == FaultCode::cancelled;
+}
+
+nlohmann::ordered_json fault_json(const Fault& fault) {
+  return {{"status", is_answer(fault) ? "not_done" : "refused"},
+          {"code", to_string(fault.code)},
+          {"reason", fault.sentence},
+          {"where", fault.where}};
+}
+
+int say(const Fault& fault, bool json) {
   fmt::print(stderr, "outrider: {}\n", to_string(fault));
-  const bool answered = fault.code == FaultCode::no_path || fault.code == FaultCode::no_shot ||
-                        fault.code == FaultCode::budget_exhausted || fault.code == FaultCode::cancelled;
-  if (output.json) {
-    print({{"status", answered ? "not_done" : "refused"},
-           {"code", to_string(fault.code)},
-           {"reason", fault.sentence},
-           {"where", fault.where}});
-  }
-  return answered ? job_not_done : refused;
+  if (json) print(fault_json(fault));
+  return is_answer(fault) ? job_not_done : refused;
 }
 
 void print(const nlohmann::ordered_json& object) {
@@ -26,20 +44,34 @@ void print(const nlohmann::ordered_json& object) {
   fmt::print("{}\n", object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-Status make_folder(const std::string& folder) {
+Status check_folder(const std::string& folder) {
+  if (folder.empty()) return no_folder(folder, "its name is empty");
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    return bad_input(fmt::format("cannot make the folder '{}' ({}); name one that can be written to", folder,
-                                 error ? error.message() : "a file is in its place"),
-                     "--out");
+  fs::path nearest = fs::absolute(folder, error);  // of its parents, the one that exists
+  while (!error && !fs::exists(fs::symlink_status(nearest)) && nearest.has_relative_path()) {
+    nearest = nearest.parent_path();
+  }
+  if (error) return no_folder(folder, error.message());
+  if (!fs::is_directory(nearest, error)) return no_folder(folder, nearest.string() + " is no folder");
+  if (::access(nearest.c_str(), W_OK | X_OK) != 0) {
+    return no_folder(folder, "nothing may be written to " + nearest.string());
   }
   return {};
 }
 
+Status make_folder(const std::string& folder) {
+  if (auto ok = check_folder(folder); !ok) return ok;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder)) return no_folder(folder, error.message());
+  return {};
+}
+
 std::string duration_text(double seconds) {
-  if (seconds < 1.0) return fmt::format("{:.2f} s", seconds);
-  if (seconds < 60.0) return fmt::format("{:.1f} s", seconds);
+  if (!std::isfinite(seconds)) return "an unknown time";
+  if (seconds < 0.995) return fmt::format("{:.2f} s", seconds);
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds > 1e9) return fmt::format("{:.3g} s", seconds);
   const auto whole = static_cast<long>(seconds + 0.5);
   return fmt::format("{} min {} s", whole / 60, whole % 60);
 }

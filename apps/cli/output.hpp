@@ -10,18 +10,21 @@ namespace outrider::cli {
 
 enum ExitStatus { job_done = 0, job_not_done = 1, refused = 2 };
 
-/// Where the results of a command go.
-struct Output {
-  bool json = false;   ///< exactly one JSON object on standard output
-  std::string folder;  ///< --out; empty: no files
-};
+/// True when the fault is an answer to a request that was right ("no_path"): the job was not done.
+bool is_answer(const Fault& fault);
 
-/// Says the fault on standard error, and as JSON on standard output when asked; returns the exit status:
-/// not done for an answer ("no_path"), refused for a request that was wrong.
-int say(const Fault& fault, const Output& output);
+/// {"status", "code", "reason", "where"}, with status "not_done" for an answer, else "refused".
+nlohmann::ordered_json fault_json(const Fault& fault);
+
+/// Says the fault on standard error, and with `json` as one object on standard output; returns the exit
+/// status.
+int say(const Fault& fault, bool json);
 
 /// Prints one JSON object on standard output.
 void print(const nlohmann::ordered_json& object);
+
+/// Refuses a folder that make_folder() would. Touches nothing.
+Status check_folder(const std::string& folder);
 
 /// Makes the folder with its parents.
 Status make_folder(const std::string& folder);

@@ -4,67 +4,156 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <tuple>
+#include <utility>
 
 namespace outrider::cli {
 namespace {
 
-constexpr double width_px = 900.0;
+constexpr double map_px = 860.0;  // of the longer side of the map
+constexpr double edge_px = 20.0;
+constexpr double line_px = 24.0;  // of text
+// Colours that also differ for the colour-blind: Okabe and Ito, Color Universal Design, 2008.
 constexpr std::array<const char*, 6> colours = {"#0072b2", "#d55e00", "#009e73",
-                                                "#cc79a7", "#e69f00", "#56b4e9"};
+                                                "#cc79a7", "#b8860b", "#56b4e9"};
+
+/// Where things of the map stand on the page, in px.
+struct View {
+  GridFrame frame;
+  double cell_px = 1.0;
+
+  [[nodiscard]] Vec2 operator()(Vec2 p) const {
+    return {edge_px + (p.x - frame.origin.x) / frame.resolution_m * cell_px,
+            edge_px + (frame.height - (p.y - frame.origin.y) / frame.resolution_m) * cell_px};
+  }
+  [[nodiscard]] double px(double length_m) const { return length_m / frame.resolution_m * cell_px; }
+  [[nodiscard]] double width() const { return frame.width * cell_px; }
+  [[nodiscard]] double height() const { return frame.height * cell_px; }
+};
+
+template <class... Args>
+void put(std::string& svg, fmt::format_string<Args...> text, Args&&... args) {
+  fmt::format_to(std::back_inserter(svg), text, std::forward<Args>(args)...);
+}
 
 /// One rectangle a run of set cells, in units of cells with y down.
-void draw_cells(std::string& svg, const Grid<std::uint8_t>& grid, const char* colour) {
-  fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"", colour);
+void draw_cells(std::string& svg, const View& view, const Grid<std::uint8_t>& grid, const char* kind) {
+  if (grid.cells.empty()) return;
   const GridFrame& frame = grid.frame;
+  put(svg, "<path class=\"{}\" transform=\"translate({} {}) scale({:.6g})\" d=\"", kind, edge_px, edge_px,
+      view.cell_px);
   for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width;) {
-      if (grid[{x, y}] == 0) {
-        ++x;
-        continue;
-      }
+    for (int x = 0; x < frame.width; ++x) {
+      if (grid[{x, y}] == 0) continue;
       const int first = x;
       while (x < frame.width && grid[{x, y}] != 0) ++x;
-      fmt::format_to(std::back_inserter(svg), "M{} {}h{}v1h-{}z", first, frame.height - 1 - y, x - first,
-                     x - first);
+      put(svg, "M{} {}h{}v1h-{}z", first, frame.height - 1 - y, x - first, x - first);
     }
   }
   svg += "\"/>\n";
 }
 
+void draw_obstacle(std::string& svg, const View& view, const RoundedPolygon& shape) {
+  put(svg, "<path class=\"solid\" stroke-width=\"{:.3f}\" d=\"", 2.0 * view.px(shape.radius_m));
+  char command = 'M';
+  for (const Vec2 p : shape.core) {
+    const Vec2 at = view(p);
+    put(svg, "{}{:.2f} {:.2f}", std::exchange(command, 'L'), at.x, at.y);
+  }
+  svg += "z\"/>\n";
+}
+
+/// Later paths are thinner, so that equal ones stay visible.
+void draw_path(std::string& svg, const View& view, const PathPicture& picture, std::size_t index) {
+  const auto count = static_cast<double>(picture.paths.size());
+  put(svg, "<polyline class=\"path\" stroke=\"{}\" stroke-width=\"{:.2f}\" points=\"",
+      colours[index % colours.size()],
+      picture.paths.size() == 1 ? 3.0 : 9.0 - 6.5 * static_cast<double>(index) / (count - 1.0));
+  for (const Vec2 p : picture.paths[index].plan.waypoints) {
+    const Vec2 at = view(p);
+    put(svg, "{:.2f},{:.2f} ", at.x, at.y);
+  }
+  svg += "\"/>\n";
+}
+
+/// A ring at the start, a disk at the goal.
+void draw_ends(std::string& svg, const View& view, const PathPicture& picture) {
+  for (const auto& [point, kind, name] :
+       {std::tuple{picture.start, "from", "from"}, std::tuple{picture.goal, "goal", "to"}}) {
+    const Vec2 at = view(point);
+    const bool right = at.x > edge_px + 0.8 * view.width();
+    put(svg,
+        "<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"6\"/>\n"
+        "<text class=\"halo\" x=\"{:.2f}\" y=\"{:.2f}\"{}>{}</text>\n",
+        kind, at.x, at.y, at.x + (right ? -11.0 : 11.0), at.y + 5.0, right ? " text-anchor=\"end\"" : "",
+        name);
+  }
+}
+
+/// A round length between a tenth and a quarter of the map.
+double scale_length(double width_m) {
+  const double power = std::pow(10.0, std::floor(std::log10(0.25 * width_m)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= 0.25 * width_m) return step * power;
+  }
+  return power;
+}
+
+void draw_legend(std::string& svg, const View& view, const PathPicture& picture) {
+  double y = 2.0 * edge_px + view.height() + 12.0;
+  const double length_m = scale_length(view.frame.width * view.frame.resolution_m);
+  const double right = edge_px + view.width();
+  put(svg,
+      "<path class=\"scale\" d=\"M{0:.2f} {1:.2f}v6H{2:.2f}v-6\"/>\n"
+      "<text x=\"{3:.2f}\" y=\"{4:.2f}\" text-anchor=\"end\">{5:g} m</text>\n",
+      right - view.px(length_m), y - 9.0, right, right, y + 15.0, length_m);
+  for (std::size_t i = 0; i < picture.paths.size(); ++i, y += line_px) {
+    put(svg,
+        "<path stroke=\"{}\" stroke-width=\"4\" d=\"M{} {:.2f}h28\"/>\n"
+        "<text x=\"{}\" y=\"{:.2f}\">{}  {:.2f} m</text>\n",
+        colours[i % colours.size()], edge_px, y - 5.0, edge_px + 38.0, y, picture.paths[i].name,
+        picture.paths[i].plan.cost);
+  }
+}
+
 }  // namespace
 
-std::string path_picture(const Grid<std::uint8_t>& occupied, const Grid<std::uint8_t>& blocked,
-                         const std::vector<DrawnPath>& paths) {
-  const GridFrame& frame = blocked.frame;
-  const double cell_px = width_px / frame.width;
-  const double legend = 26.0 / cell_px;  // height of a line of text, in cells
-  const double height = frame.height + legend * (static_cast<double>(paths.size()) + 0.5);
+std::string to_svg(const PathPicture& picture) {
+  const GridFrame& frame = picture.blocked.frame;
+  const View view{frame, map_px / std::max(frame.width, frame.height)};
+  const double width = std::max(view.width(), 360.0) + 2.0 * edge_px;
+  const double height =
+      view.height() + 3.0 * edge_px + line_px * std::max(1.2, static_cast<double>(picture.paths.size()));
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"0 0 {} "
-      "{:.3f}\">\n"
-      "<rect width=\"{}\" height=\"{:.3f}\" fill=\"#fbfbf9\"/>\n",
-      width_px, height * cell_px, frame.width, height, frame.width, height);
-  draw_cells(svg, blocked, "#d9dbd6");
-  if (!occupied.cells.empty()) draw_cells(svg, occupied, "#4a4f55");
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const char* colour = colours[i % colours.size()];
-    svg += "<polyline fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\" points=\"";
-    for (const Vec2 p : paths[i].plan.waypoints) {
-      fmt::format_to(std::back_inserter(svg), "{:.3f},{:.3f} ", (p.x - frame.origin.x) / frame.resolution_m,
-                     frame.height - (p.y - frame.origin.y) / frame.resolution_m);
-    }
-    // Later paths are thinner, so that equal ones stay visible.
-    const double stroke = (7.0 - 4.0 * static_cast<double>(i) / static_cast<double>(paths.size())) / cell_px;
-    const double y = frame.height + legend * (static_cast<double>(i) + 0.9);
-    fmt::format_to(
-        std::back_inserter(svg),
-        "\" stroke=\"{0}\" stroke-width=\"{1:.3f}\"/>\n<rect x=\"{2:.3f}\" y=\"{3:.3f}\" width=\"{4:.3f}\" "
-        "height=\"{5:.3f}\" fill=\"{0}\"/>\n<text x=\"{6:.3f}\" y=\"{7:.3f}\" font-family=\"sans-serif\" "
-        "font-size=\"{8:.3f}\" fill=\"#222\">{9}: {10:.3f} m</text>\n",
-        colour, stroke, 0.5 * legend, y - 0.3 * legend, legend, 0.18 * legend, 1.8 * legend, y, 0.62 * legend,
-        paths[i].name, paths[i].plan.cost);
-  }
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\">\n",
+      width, height);
+  svg +=
+      "<style>\n"
+      "svg{background:#fbfbf9;font:15px system-ui,sans-serif}.free{fill:#fff}.near{fill:#e3e6e2}"
+      ".solid{fill:#4a4f55;stroke:#4a4f55;stroke-linejoin:round;stroke-linecap:round}.solid[transform]{stroke:none}"
+      ".path{fill:none;stroke-linejoin:round;stroke-linecap:round}.scale{fill:none;stroke:#333}"
+      "text{fill:#222}.halo{paint-order:stroke;stroke:#fff;stroke-width:4px;font-weight:600}"
+      ".from{fill:#fff;stroke:#222;stroke-width:3}.goal{fill:#222;stroke:#fff;stroke-width:2}\n"
+      "@media(prefers-color-scheme:dark){svg{background:#16181b}.free{fill:#202327}.near{fill:#33383d}"
+      ".solid{fill:#8d949b;stroke:#8d949b}.scale{stroke:#ccc}text{fill:#e6e6e6}.halo{stroke:#202327}}\n"
+      "</style>\n";
+  put(svg,
+      "<clipPath id=\"map\"><rect x=\"{0}\" y=\"{0}\" width=\"{1:.2f}\" height=\"{2:.2f}\"/></clipPath>\n",
+      edge_px, view.width(), view.height());
+  put(svg,
+      "<g clip-path=\"url(#map)\">\n<rect class=\"free\" x=\"{0}\" y=\"{0}\" width=\"{1:.2f}\" "
+      "height=\"{2:.2f}\"/>\n",
+      edge_px, view.width(), view.height());
+  draw_cells(svg, view, picture.blocked, "near");
+  draw_cells(svg, view, picture.occupied, "solid");
+  for (const RoundedPolygon& shape : picture.obstacles) draw_obstacle(svg, view, shape);
+  svg += "</g>\n";
+  for (std::size_t i = 0; i < picture.paths.size(); ++i) draw_path(svg, view, picture, i);
+  draw_ends(svg, view, picture);
+  draw_legend(svg, view, picture);
   return svg + "</svg>\n";
 }
 

@@ -1,9 +1,10 @@
-// A picture of paths on a grid.
+// A picture of paths on a map.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "outrider/geometry/convex.hpp"
 #include "outrider/path/plan.hpp"
 #include "outrider/world/grid.hpp"
 
@@ -14,9 +15,17 @@ struct DrawnPath {
   Plan plan;
 };
 
-/// SVG: obstacles dark, what the robot's radius adds to them lighter, each path in a colour of its own with
-/// its name and length. `occupied` may be empty; both grids have one frame.
-std::string path_picture(const Grid<std::uint8_t>& occupied, const Grid<std::uint8_t>& blocked,
-                         const std::vector<DrawnPath>& paths);
+struct PathPicture {
+  const Grid<std::uint8_t>& occupied;  ///< cells that hold something; may be empty
+  const Grid<std::uint8_t>& blocked;   ///< cells where the robot's centre must not be
+  std::vector<RoundedPolygon> obstacles;
+  Vec2 start;
+  Vec2 goal;
+  std::vector<DrawnPath> paths;
+};
+
+/// SVG: obstacles dark, what the robot's radius adds to them lighter, start and goal, a length to scale,
+/// each path in a colour of its own with its name and length. Fit for light and dark pages.
+std::string to_svg(const PathPicture& picture);
 
 }  // namespace outrider::cli

@@ -1,0 +1,51 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace outrider::cli {
+
+using Clock = std::chrono::steady_clock;
+
+Progress::Progress(int steps) : steps_(steps) {
+  if (::isatty(STDERR_FILENO) == 1) watcher_ = std::thread([this] { watch(); });
+}
+
+Progress::~Progress() { end(); }
+
+void Progress::next(const std::string& step) {
+  const std::lock_guard lock(mutex_);
+  step_ = step;
+  ++done_;
+}
+
+void Progress::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  ended_.notify_one();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+void Progress::watch() {
+  constexpr int bar_width = 20;
+  const auto begin = Clock::now();
+  auto wake = begin + std::chrono::seconds(1);
+  bool shown = false;
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_until(lock, wake, [this] { return over_; })) {
+    const auto full = static_cast<std::size_t>(bar_width * done_ / steps_);
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count();
+    fmt::print(stderr, "\r\x1b[K[{:.<{}}] {}, {} s", std::string(full, '#'), bar_width, step_, seconds);
+    std::fflush(stderr);
+    shown = true;
+    wake += std::chrono::milliseconds(250);
+  }
+  if (shown) fmt::print(stderr, "\r\x1b[K");
+}
+
+}  // namespace outrider::cli

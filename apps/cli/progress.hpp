@@ -1,0 +1,37 @@
+// A line on standard error that says what long work is at, where people watch.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace outrider::cli {
+
+/// Shows "[###..] step, 3 s" from the first second on, and leaves nothing behind. Silent where standard
+/// error is no terminal. The steps are named before they begin. Thread rule: one thread calls.
+class Progress {
+ public:
+  explicit Progress(int steps);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// The next step begins.
+  void next(const std::string& step);
+  /// Clears the line, for good.
+  void end();
+
+ private:
+  void watch();
+
+  int steps_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable ended_;
+  bool over_ = false;
+  int done_ = -1;
+  std::string step_;
+  std::thread watcher_;
+};
+
+}  // namespace outrider::cli

@@ -1,0 +1,13 @@
+# Runs PROGRAM and compares what it prints with the comment "// Prints:" at the end of SOURCE.
+execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${SOURCE} text)
+string(FIND "${text}" "// Prints:\n" at)
+if(at EQUAL -1)
+  message(FATAL_ERROR "${SOURCE} does not end with the comment '// Prints:' and its output")
+endif()
+string(SUBSTRING "${text}" ${at} -1 comment)
+string(REPLACE "// Prints:\n" "" comment "${comment}")
+string(REGEX REPLACE "(^|\n)// ?" "\\1" promised "${comment}")
+if(NOT printed STREQUAL promised)
+  message(FATAL_ERROR "${SOURCE} promises\n${promised}\nbut prints\n${printed}")
+endif()

@@ -1,0 +1,191 @@
+"""The job guard from the command line: what it says, writes and returns."""
+import json
+import pathlib
+import re
+import unittest
+
+from tool import DATA, SOURCE, TARGETS, ToolTest, main
+
+METRICS = ["targets", "reached", "failed", "unreachable", "reached_by_reference_rule", "planning_s", "mission_s",
+           "driven_m", "turned_rad", "shots", "lower_bound_s"]
+TARGET_KEYS = ["name", "status", "reason", "pose", "pitch_rad", "yaw_rad", "speed_mps", "clearance_m"]
+YARD_WORLDS = DATA / "guard" / "worlds"
+
+
+class Guard(ToolTest):
+    def check_summary(self, summary):
+        for key in ["status", "job", "metrics", "targets", "report"]:
+            self.assertIn(key, summary)
+        self.assertEqual(summary["job"], "guard")
+        metrics = summary["metrics"]
+        for key in METRICS:
+            self.assertIn(key, metrics)
+            self.assertIsInstance(metrics[key], (int, float), key)
+        for key in ["targets", "reached", "failed", "unreachable", "shots"]:
+            self.assertIsInstance(metrics[key], int, key)
+        self.assertEqual(metrics["targets"], len(summary["targets"]))
+        self.assertEqual(metrics["targets"], metrics["reached"] + metrics["failed"] + metrics["unreachable"])
+        self.assertLessEqual(metrics["lower_bound_s"], metrics["mission_s"])
+        for target in summary["targets"]:
+            self.assertEqual(list(target)[:len(TARGET_KEYS)], TARGET_KEYS)
+            self.assertIn(target["status"], ["reached", "failed", "unreachable"])
+            self.assertTrue(target["reason"])
+            if target["status"] == "reached":
+                self.assertEqual(len(target["pose"]), 3)
+                self.assertGreater(target["speed_mps"], 0)
+                self.assertGreaterEqual(target["clearance_m"], 0)
+
+    def test_json_is_one_object_and_names_the_report(self):
+        result = self.run_tool(*self.guard("--json", "--out", "out", "--html", "--svg"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        summary = self.json_of(result)
+        self.check_summary(summary)
+        self.assertEqual(summary["status"], "done")
+        self.assertEqual([t["status"] for t in summary["targets"]], ["reached"] * 3)
+        self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
+                         ["guard.html", "guard.json", "guard.svg"])
+        report = json.loads((self.folder / summary["report"]).read_text())
+        self.assertEqual(report["status"], "done")
+        self.assertEqual(len(report["targets"]), 3)
+
+    def test_without_a_folder_nothing_is_written(self):
+        before = self.tree()
+        summary = self.json_of(self.run_tool(*self.guard("--json")))
+        self.assertIsNone(summary["report"])
+        self.assertEqual(self.tree(), before)
+
+    def test_text_is_for_people(self):
+        result = self.run_tool(*self.guard("--out", "deep/er/out", "--html"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stdout.startswith("court: 3 of 3 targets reached in "), result.stdout)
+        self.assertNotIn("{", result.stdout)
+        for word in ["fox", "deep/er/out/guard.json", "deep/er/out/guard.html", "planning took"]:
+            self.assertIn(word, result.stdout)
+
+    def test_warnings_go_to_standard_error(self):
+        broken = (self.folder / "yard.sdf").read_text().replace("0.5 0 0 0</pose>", "0.5</pose>", 1)
+        self.write("yard.sdf", broken)
+        result = self.run_tool(*self.guard("--json"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertTrue(result.stderr.startswith("outrider: warning: yard.sdf:"), result.stderr)
+        self.assertEqual(len(self.json_of(result)["warnings"]), len(result.stderr.splitlines()))
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        reports = []
+        for threads in ["1", "2", "1"]:
+            self.run_tool(*self.guard("--out", f"t{len(reports)}", "--threads", threads, "--seed", "5"))
+            reports.append((self.folder / f"t{len(reports)}" / "guard.json").read_bytes())
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual(reports[0], reports[2])
+        self.run_tool(*self.guard("--out", "other", "--seed", "6"))
+        self.assertNotEqual(reports[0], (self.folder / "other" / "guard.json").read_bytes())
+
+    def test_a_target_that_fails_is_exit_status_1(self):
+        wild = self.guard("--errors-gun", "1", "--errors-speed", "0.5", "--tries", "1", "--json", "--seed", "3")
+        result = self.run_tool(*wild)
+        summary = self.json_of(result)
+        self.check_summary(summary)
+        self.assertGreater(summary["metrics"]["failed"], 0)
+        self.assertEqual(summary["status"], "not_done")
+        self.assertIn("failed", summary["reason"])
+        self.assertEqual(result.returncode, 1)
+
+    def test_a_target_out_of_reach_has_a_proof_and_no_pose(self):
+        self.write("targets.txt", TARGETS + "name=kite type=1 x=0 y=0 z=40\n")
+        result = self.run_tool(*self.guard("--json"))
+        summary = self.json_of(result)
+        self.check_summary(summary)
+        kite = summary["targets"][-1]
+        self.assertEqual((kite["name"], kite["status"]), ("kite", "unreachable"))
+        for key in ["pose", "pitch_rad", "yaw_rad", "speed_mps", "clearance_m"]:
+            self.assertIsNone(kite[key])
+        self.assertEqual(summary["metrics"]["unreachable"], 1)
+
+    def test_flags_win_over_the_scenario_and_paths_are_beside_it(self):
+        (self.folder / "missions").mkdir()
+        self.write("missions/m.yaml", "job: guard\nworld: ../yard.sdf\ntargets: ../targets.txt\nstart: 0,-2,90\n"
+                   "seed: 4\nplan:\n  resolution: 0.2\n  iterations: 50\n  refinements: 0\n")
+        first = self.json_of(self.run_tool("run", "missions/m.yaml", "--json", "--out", "a"))
+        self.run_tool("run", "missions/m.yaml", "--out", "b", "--seed", "4", "--targets", "targets.txt")
+        self.run_tool("guard", "--scenario", "missions/m.yaml", "--out", "c", "--seed", "5")
+        settings = {name: json.loads((self.folder / name / "guard.json").read_text())["seed"] for name in "abc"}
+        self.assertEqual(settings, {"a": 4, "b": 4, "c": 5})
+        self.check_summary(first)
+
+
+class Replay(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.summary = self.json_of(self.run_tool(*self.guard("--json", "--out", "out", "--html", "--svg")))
+
+    def test_tells_what_the_run_told(self):
+        result = self.run_tool("replay", "out/guard.json", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        again = self.json_of(result)
+        del self.summary["metrics"]["planning_s"]  # no report holds it: it differs from run to run
+        self.assertEqual(again, self.summary)
+        text = self.run_tool("replay", "out/guard.json").stdout
+        self.assertTrue(text.startswith("court: 3 of 3 targets reached in "), text)
+
+    def test_makes_the_page_and_the_picture(self):
+        result = self.run_tool("replay", "out/guard.json", "--html", "page.html", "--svg", "picture.svg")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "page.html").read_bytes(), (self.folder / "out/guard.html").read_bytes())
+        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/guard.svg").read_bytes())
+        page = (self.folder / "page.html").read_text()
+        self.assertTrue(page.lstrip().lower().startswith("<!doctype html"))
+        self.assertIn("fox", page)
+        self.assertIsNone(re.search(r"""(src|href)\s*=\s*["']?(https?:)?//""", page), "it loads something")
+        self.assertTrue((self.folder / "picture.svg").read_text().startswith("<svg"))
+
+    def test_reads_compressed_reports(self):
+        import gzip
+        self.write("r.json.gz", gzip.compress((self.folder / "out/guard.json").read_bytes()))
+        self.assertEqual(self.run_tool("replay", "r.json.gz").returncode, 0)
+
+    def test_refuses_what_is_no_report(self):
+        report = (self.folder / "out/guard.json").read_text()
+        self.write("old.json", report.replace('"outrider_report": 1', '"outrider_report": 99')
+                   .replace('"outrider_report":1', '"outrider_report":99'))
+        self.refused("replay", "old.json", "--html", "p.html", says=["old.json", "99"])
+        self.write("cut.json", report[:len(report) // 2])
+        self.refused("replay", "cut.json", "--svg", "p.svg", says=["cut.json", "JSON"])
+        self.write("other.json", '{"type": "FeatureCollection"}')
+        self.refused("replay", "other.json", says=["other.json", "outrider_report"])
+        self.write("list.json", "[]")
+        self.refused("replay", "list.json", says=["list.json"])
+        self.refused("replay", "none.json", says=["none.json", "no such file"])
+        self.refused("replay", "out", says=["out", "folder"])
+
+    def test_refuses_to_write_where_it_cannot(self):
+        self.refused("replay", "out/guard.json", "--html", "nowhere/p.html", says=["nowhere/p.html", "make it first"])
+        self.refused("replay", "out/guard.json", "--svg", "out", says=["out", "folder"])
+        self.refused("replay", "out/guard.json", "--html", "", says=["empty"])
+
+
+class Reference(ToolTest):
+    """The two worlds of the reference report; a coarse plan, so that it is quick."""
+
+    @unittest.skipUnless(YARD_WORLDS.is_dir(), "the published data is not here")
+    def test_both_worlds_run(self):
+        for name in ["by_small", "by_small2"]:
+            result = self.run_tool("guard", "--world", YARD_WORLDS / f"{name}.sdf", "--targets",
+                                   DATA / "guard" / "goals_params.txt", "--start", "0,-9.5,90", "--seed", "1", "--json",
+                                   "--out", name, "--plan-resolution", "0.25", "--plan-iterations", "200", timeout=300)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("outrider: warning: ", result.stderr)
+            summary = self.json_of(result)
+            Guard.check_summary(self, summary)
+            self.assertEqual(summary["metrics"]["targets"], 24)
+            self.assertEqual(self.run_tool("replay", pathlib.Path(name) / "guard.json").returncode, 0)
+
+    def test_the_bundled_scenario_loads(self):
+        result = self.run_tool("run", SOURCE / "scenarios/yard/yard.yaml", "--json", "--plan-resolution", "0.4",
+                               "--plan-iterations", "20", "--plan-aim-step", "0.3", "--plan-pitch-step", "10", timeout=300)
+        self.assertIn(result.returncode, [0, 1], result.stderr)
+        self.assertGreaterEqual(self.json_of(result)["metrics"]["targets"], 20)
+
+
+if __name__ == "__main__":
+    main()

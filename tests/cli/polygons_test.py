@@ -1,0 +1,111 @@
+"""The command plan on polygon environments: queries, comparison, pictures, refusals."""
+import math
+import unittest
+import xml.etree.ElementTree
+
+from tool import DATA, ToolTest, main
+
+# A room with a wall of two blocks that share an edge; the way is round its end.
+ROOM = """(0,0) (8,0)  (8,6) (0,6)
+---
+(3,0) (4,0) (4,2) (3,2)
+(4,2) (3,2) (3,4) (4,4)
+---
+(1,1) (7,1)
+(1, 5) (7,5)
+"""
+
+
+class Polygons(ToolTest):
+    def plan(self, *args, status=0):
+        self.write("room.txt", ROOM.encode())
+        result = self.run_tool("plan", *args, "--json")
+        self.assertEqual(result.returncode, status, result.stderr)
+        return self.json_of(result), result.stderr
+
+    def check_rows(self, rows, radius):
+        for row in rows:
+            self.assertEqual((row["status"], row["checked"]), ("done", True))
+            self.assertGreaterEqual(row["clearance_m"], radius - 3e-9)
+            self.assertLessEqual(row["lower_bound"], row["length_m"] + 1e-9)
+            self.assertEqual(row["cost"], row["length_m"])
+        for query in {row["query"] for row in rows}:
+            exact = [row for row in rows if row["query"] == query and row["guarantee"] == "disk_optimal"]
+            self.assertEqual(len(exact), 3)
+            for row in exact:
+                self.assertTrue(row["optimal"])
+                self.assertAlmostEqual(row["cost"] / exact[0]["cost"], 1.0, places=9)
+            for row in rows:
+                slack = row["reached_within_m"] + 0.08  # a start moved to the grid's vertex
+                if row["query"] == query:
+                    self.assertGreaterEqual(row["length_m"], exact[0]["cost"] - slack)
+
+    def test_all_queries_compared_with_pictures(self):
+        answer, _ = self.plan("room.txt", "--query", "all", "--compare", "--radius", "0.5", "--out", "out")
+        self.assertEqual((answer["status"], answer["job"], answer["radius_m"]), ("done", "plan", 0.5))
+        self.check_rows(answer["rows"], 0.5)
+        self.assertGreaterEqual(len(answer["rows"]), 2 * 6)
+        # Two tangents to the circles about (3, 4) and (4, 4), their arcs, and 1 m along the wall's end.
+        expected = 1.0
+        for aside in (2, 3):
+            apart = math.hypot(aside, 3)
+            expected += math.sqrt(apart**2 - 0.25) + 0.5 * (math.atan2(3, aside) + math.asin(0.5 / apart))
+        first = next(r for r in answer["rows"] if r["planner"] == "visibility_graph" and r["query"] == 1)
+        self.assertAlmostEqual(first["cost"], expected, places=9)
+        for name in ("plan.svg", "query_1.svg", "query_2.svg"):
+            root = xml.etree.ElementTree.parse(self.folder / "out" / name).getroot()
+            self.assertTrue(root.tag.endswith("svg"))
+        self.assertTrue((self.folder / "out" / "plan.json").exists())
+
+    def test_one_query_points_and_polygonal(self):
+        one, _ = self.plan("room.txt", "--query", "2")
+        points, _ = self.plan("room.txt", "--from", "1,5", "--to", "7,5")
+        self.assertEqual(one["rows"][0]["cost"], 6.0)
+        self.assertEqual(points["rows"][0]["cost"], 6.0)
+        self.assertIsNone(points["rows"][0]["query"])
+        arcs, _ = self.plan("room.txt", "--query", "1", "--planner", "visibility_graph_implicit")
+        legs, _ = self.plan("room.txt", "--query", "1", "--planner", "visibility_graph_implicit",
+                            "--visibility-graph-implicit-polygonal")
+        self.assertTrue(any("turn_rad" in piece for piece in arcs["rows"][0]["pieces"]))
+        self.assertFalse(any("turn_rad" in piece for piece in legs["rows"][0]["pieces"]))
+        ratio = legs["rows"][0]["cost"] / arcs["rows"][0]["cost"]
+        self.assertTrue(1.0 < ratio < 1.0026, ratio)
+
+    def test_no_path_is_an_answer(self):
+        answer, _ = self.plan("room.txt", "--from", "1,3", "--to", "7,3", "--radius", "0.999", status=0)
+        self.assertEqual(answer["status"], "done")
+        answer, sentence = self.plan("room.txt", "--from", "1.5,3", "--to", "6,3", "--radius", "1.01", status=1)
+        self.assertEqual(answer["rows"][0]["code"], "no_path")
+        self.assertIn("nothing joins", sentence)
+
+    def test_refusals(self):
+        self.write("crossed.txt", b"(0,0) (4,0) (4,4) (0,4)\n---\n(1,1) (2,2) (2,1) (1,2)\n")
+        for args, words in {
+            ("room.txt",): "--from",
+            ("room.txt", "--query", "3"): "has 2",
+            ("room.txt", "--query", "1", "--from", "1,1"): "one or the other",
+            ("room.txt", "--query", "1", "--radius", "0"): "0.001",
+            ("room.txt", "--from", "2.9,1", "--to", "7,1"): "0.1 m from the nearest edge",
+            ("room.txt", "--from", "3.5,1", "--to", "7,1"): "inside an obstacle",
+            ("room.txt", "--from", "9,1", "--to", "7,1"): "outside the boundary",
+            ("room.txt", "--query", "1", "--planner", "a_star", "--resolution", "0.005", "--radius", "100"): "100",
+            ("crossed.txt", "--query", "all", "--out", "out"): "crosses or touches itself",
+            ("none.txt", "--query", "all"): "no such file",
+        }.items():
+            answer, sentence = self.plan(*args, status=2)
+            self.assertEqual(answer["status"], "refused")
+            self.assertIn(words, sentence)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_published_maps(self):
+        folder = DATA / "polygons"
+        if not folder.exists():
+            self.skipTest(f"{folder} is absent; set OUTRIDER_DATA")
+        for number in range(1, 8):
+            answer, _ = self.plan(folder / f"map_{number}.txt", "--query", "all", "--compare")
+            self.assertEqual(len({row["query"] for row in answer["rows"]}), 10)
+            self.check_rows(answer["rows"], 0.18)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,119 @@
+"""Runs the tool as a stranger would, in a folder of its own with a small yard."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TOOL = os.environ["OUTRIDER"]
+SOURCE = pathlib.Path(os.environ["OUTRIDER_SOURCE"])
+DATA = pathlib.Path(os.environ.get("OUTRIDER_DATA") or SOURCE.parent / "shared" / "data")
+
+WALL = """<model name="{name}"><static>true</static><pose>{x} {y} 0.5 0 0 0</pose><link name="link">
+<collision name="body"><geometry><box><size>{sx} {sy} 1</size></box></geometry></collision></link></model>
+"""
+FLOOR = """<model name="floor"><static>true</static><link name="link"><collision name="body">
+<geometry><plane><normal>0 0 1</normal><size>20 20</size></plane></geometry></collision></link></model>
+"""
+
+
+def world(*models):
+    return ('<?xml version="1.0"?>\n<sdf version="1.6">\n<world name="court">\n<gravity>0 0 -9.8</gravity>\n'
+            + "".join(models) + "</world>\n</sdf>\n")
+
+
+def wall(name, x, y, sx, sy):
+    return WALL.format(name=name, x=x, y=y, sx=sx, sy=sy)
+
+
+FENCE = [wall("north", 0, 3, 6, 0.2), wall("south", 0, -3, 6, 0.2), wall("east", 3, 0, 0.2, 6),
+         wall("west", -3, 0, 0.2, 6)]
+YARD = world(FLOOR, *FENCE, wall("crate", 1, 1, 0.5, 0.5))
+TARGETS = "type=1 x=-1.5 y=1\ntype=4 x=1 y=1 z=1\nname=fox size=0.3,0.3,0.3 x=1.8 y=1.9\n"
+COARSE = ["--plan-resolution", "0.2", "--plan-iterations", "50", "--plan-refinements", "0"]
+
+# A plan view: 6 x 4 cells with a wall from the top that leaves a gap in the lowest row.
+MAP = "type octile\nheight 4\nwidth 6\nmap\n...@..\n...@..\n...@..\n......\n"
+
+
+class ToolTest(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        self.home = tempfile.TemporaryDirectory(prefix="outrider-cli-")
+        self.addCleanup(self.home.cleanup)
+        self.folder = pathlib.Path(self.home.name)
+        self.write("yard.sdf", YARD)
+        self.write("targets.txt", TARGETS)
+        self.write("small.map", MAP)
+
+    def write(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def run_tool(self, *args, timeout=60):
+        return subprocess.run([TOOL, *map(str, args)], cwd=self.folder, capture_output=True, text=True,
+                              errors="replace", stdin=subprocess.DEVNULL, timeout=timeout)
+
+    def tree(self):
+        """Every file and folder with its bytes."""
+        return {path.relative_to(self.folder): path.read_bytes() if path.is_file() else None
+                for path in sorted(self.folder.rglob("*"))}
+
+    def json_of(self, result):
+        """The one object on standard output."""
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), 1, result.stdout + result.stderr)
+
+        def no_constant(name):
+            raise AssertionError(f"{name} is no JSON")
+
+        return json.loads(lines[0], parse_constant=no_constant)
+
+    def sentence(self, result):
+        """What standard error says beside warnings: one line."""
+        lines = [line for line in result.stderr.splitlines() if not line.startswith("outrider: warning: ")]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("outrider: "), lines[0])
+        self.assertNotIn("this is a bug", lines[0])
+        return lines[0]
+
+    def refused(self, *args, says, status=2):
+        """Refused with one sentence that holds all of `says`, as text and as JSON; nothing is written."""
+        before = self.tree()
+        for json_flag in ([], ["--json"]):
+            if args[:1] == ("schema",) and json_flag:
+                continue
+            result = self.run_tool(*args[:1], *json_flag, *args[1:])
+            self.assertEqual(result.returncode, status, result.stderr)
+            sentence = self.sentence(result)
+            for word in says:
+                self.assertIn(word, sentence)
+            if json_flag:
+                fault = self.json_of(result)
+                self.assertEqual(fault["status"], "refused" if status == 2 else "not_done")
+                self.assertIn(fault["reason"], sentence)
+                self.assertIn(fault["where"], sentence)
+                self.assertTrue(fault["code"])
+            else:
+                self.assertEqual(result.stdout, "")
+        self.assertEqual(self.tree(), before, "something was written")
+
+    def guard(self, *args):
+        """Arguments of a guard mission in the small yard; later ones do not replace these."""
+        given = [str(a) for a in args]
+        base = {"--world": "yard.sdf", "--targets": "targets.txt", "--start": "0,-2,90"}
+        words = ["guard"]
+        for flag, value in base.items():
+            if flag not in given:
+                words += [flag, value]
+        for flag, value in zip(COARSE[::2], COARSE[1::2]):
+            if flag not in given:
+                words += [flag, value]
+        return words + given
+
+
+def main():
+    unittest.main(verbosity=1)
