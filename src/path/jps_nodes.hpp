@@ -1,0 +1,70 @@
+// The jump points that a search has met, numbered as they are met, and found by their cell.
+//
+// A table of open addresses, as large as the search needs and not as the grid, so that a short search
+// stays in the nearest cache. Its order shows in no result. O(1) expected.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "octile.hpp"
+
+namespace outrider::jump {
+
+struct Node {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  Cell cell;
+  std::uint32_t parent = none;  ///< of the start: itself
+  Octile g;
+  double length = 0.0;         ///< value of g
+  std::uint8_t direction = 0;  ///< of arrival
+  std::uint8_t sides = 0;      ///< on which a turn is forced
+  bool closed = false;
+};
+
+class Nodes {
+ public:
+  void clear() {
+    nodes_.clear();
+    slots_.assign(least_slots, Node::none);
+  }
+  Node& operator[](std::uint32_t id) { return nodes_[id]; }
+  const Node& operator[](std::uint32_t id) const { return nodes_[id]; }
+
+  /// The node of a cell; a new one has no parent.
+  std::uint32_t find_or_add(Cell c) {
+    std::size_t slot = slot_of(c);
+    for (; slots_[slot] != Node::none; slot = (slot + 1) & (slots_.size() - 1)) {
+      if (nodes_[slots_[slot]].cell == c) return slots_[slot];
+    }
+    const auto id = static_cast<std::uint32_t>(nodes_.size());
+    slots_[slot] = id;
+    nodes_.push_back({c, Node::none, {}, 0.0, 0, 0, false});
+    if (2 * nodes_.size() > slots_.size()) grow();
+    return id;
+  }
+
+ private:
+  static constexpr std::size_t least_slots = 512;
+
+  [[nodiscard]] std::size_t slot_of(Cell c) const {
+    const std::uint64_t key = (static_cast<std::uint64_t>(c.y) << 32U) | static_cast<std::uint64_t>(c.x);
+    return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 32U) & (slots_.size() - 1);
+  }
+  void grow() {
+    slots_.assign(4 * slots_.size(), Node::none);
+    for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
+      std::size_t slot = slot_of(nodes_[id].cell);
+      while (slots_[slot] != Node::none) slot = (slot + 1) & (slots_.size() - 1);
+      slots_[slot] = id;
+    }
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> slots_;  // a power of two; none where free
+};
+
+}  // namespace outrider::jump

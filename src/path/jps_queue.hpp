@@ -1,0 +1,100 @@
+// The open list of jump point search: a heap of four children, and the first entry kept outside of it.
+//
+// An expansion often finds the very node that is to be expanded next; that one never enters the heap.
+// Order: least f, then largest g (to 1/4096 cell), then the node met first.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace outrider::jump {
+
+struct Entry {
+  std::uint64_t f_bits = 0;  ///< of f as a double, which is not negative: ordered as f is
+  std::uint64_t tie = 0;     ///< 38 bits of g, complemented, over 26 bits of the node
+
+  [[nodiscard]] double f() const { return std::bit_cast<double>(f_bits); }
+  [[nodiscard]] std::uint32_t node() const { return static_cast<std::uint32_t>(tie & ((1U << 26U) - 1)); }
+};
+
+inline Entry entry(double f, double g, std::uint32_t node) {
+  constexpr std::uint64_t most = (std::uint64_t{1} << 38U) - 1;
+  return {std::bit_cast<std::uint64_t>(f), ((most - static_cast<std::uint64_t>(g * 4096.0)) << 26U) | node};
+}
+
+/// Without a branch, which no processor could foresee.
+inline bool before(const Entry& a, const Entry& b) {
+  return ((a.f_bits < b.f_bits) | ((a.f_bits == b.f_bits) & (a.tie < b.tie))) != 0;
+}
+
+class Queue {
+ public:
+  void clear() {
+    heap_.clear();
+    has_first_ = false;
+  }
+  void push(Entry added) {
+    if (has_first_) {
+      if (before(added, first_)) std::swap(added, first_);
+    } else if (heap_.empty() || before(added, heap_.front())) {
+      first_ = added;
+      has_first_ = true;
+      return;
+    }
+    rise(added);
+  }
+  /// Takes the first entry out; false when there is none.
+  bool pop(Entry& first) {
+    if (has_first_) {
+      first = first_;
+      has_first_ = false;
+      return true;
+    }
+    if (heap_.empty()) return false;
+    first = heap_.front();
+    const Entry last = heap_.back();
+    heap_.pop_back();
+    if (!heap_.empty()) sink(last);
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t children = 4;
+
+  void rise(const Entry& added) {
+    std::size_t hole = heap_.size();
+    heap_.push_back(added);
+    while (hole > 0) {
+      const std::size_t parent = (hole - 1) / children;
+      if (!before(added, heap_[parent])) break;
+      heap_[hole] = heap_[parent];
+      hole = parent;
+    }
+    heap_[hole] = added;
+  }
+  /// Puts an entry in the place of the first.
+  void sink(const Entry& last) {
+    std::size_t hole = 0;
+    for (;;) {
+      const std::size_t eldest = hole * children + 1;
+      if (eldest >= heap_.size()) break;
+      std::size_t least = eldest;
+      for (std::size_t i = eldest + 1; i < std::min(eldest + children, heap_.size()); ++i) {
+        least = before(heap_[i], heap_[least]) ? i : least;
+      }
+      if (!before(heap_[least], last)) break;
+      heap_[hole] = heap_[least];
+      hole = least;
+    }
+    heap_[hole] = last;
+  }
+
+  std::vector<Entry> heap_;
+  Entry first_;
+  bool has_first_ = false;
+};
+
+}  // namespace outrider::jump

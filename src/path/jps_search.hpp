@@ -1,0 +1,96 @@
+// What jump point search shares with its indexed form: the jump points reached, and which is next.
+//
+// Between a jump point and its parent the way runs along one diagonal and then straight, so its length
+// is the octile distance of the two.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include "jps_map.hpp"
+#include "jps_nodes.hpp"
+#include "jps_queue.hpp"
+#include "outrider/core/budget.hpp"
+#include "outrider/path/plan.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider::jump {
+
+struct Frontier {
+  Nodes nodes;
+  Queue queue;
+  Cell goal;          ///< counted from the border, as all cells here
+  double most = 0.0;  ///< cost of the best way to the goal so far
+  std::uint64_t generated = 0;
+
+  void begin(const GridQuery& query);
+
+  /// The first node that is not closed yet; false when there is none.
+  bool pop(Entry& first) {
+    while (queue.pop(first)) {
+      if (!nodes[first.node()].closed) return true;
+    }
+    return false;
+  }
+
+  /// A way from a node to c, where it arrives in that direction.
+  void reach(std::uint32_t from, Cell c, unsigned direction, unsigned sides) {
+    ++generated;
+    const std::uint32_t id = nodes.find_or_add(c);
+    Node& node = nodes[id];
+    if (node.closed) return;
+    const Octile g = nodes[from].g + octile_distance(nodes[from].cell, c);
+    const double length = g.value();
+    if (node.parent != Node::none && !(length < node.length)) return;
+    const double f = (g + octile_distance(c, goal)).value();
+    if (!(f < most)) return;
+    node = {c,    from, g, length, static_cast<std::uint8_t>(direction), static_cast<std::uint8_t>(sides),
+            false};
+    if (c == goal) most = f;
+    queue.push(entry(f, length, id));
+  }
+};
+
+/// Tells one ground from a later one at the same place in memory.
+struct GroundTag {
+  std::weak_ptr<const GridGround> owner;
+  const GridGround* grid = nullptr;
+
+  /// True when `ground` is another one than last time.
+  bool renew(const std::shared_ptr<const GridGround>& ground) {
+    const bool same = grid == ground.get() && !owner.owner_before(ground) && !ground.owner_before(owner);
+    if (same) return false;
+    owner = ground;
+    grid = ground.get();
+    return true;
+  }
+};
+
+/// The plan that ends at a node.
+Plan plan_to(std::uint32_t last, const Frontier& frontier, const Problem& problem, std::uint64_t expansions);
+
+/// The search: `expand(node)` reaches for the next jump points.
+template <class Expand>
+Outcome<Plan> search(const Problem& problem, const GridQuery& query, Frontier& frontier, const Budget& budget,
+                     Trace* trace, Expand expand) {
+  BudgetMeter meter(budget);
+  frontier.begin(query);
+  const auto state = [&](const Node& node) { return query.ground.index({node.cell.x - 1, node.cell.y - 1}); };
+  Entry first;
+  while (frontier.pop(first)) {
+    if (!meter.spend()) return meter.refusal();
+    const std::uint32_t id = first.node();
+    Node& node = frontier.nodes[id];
+    node.closed = true;
+    if (trace != nullptr) {
+      trace->record({state(node), state(frontier.nodes[node.parent]), first.f(), node.g.value(),
+                     octile_distance(node.cell, frontier.goal).value()});
+    }
+    if (node.cell == frontier.goal) return plan_to(id, frontier, problem, meter.spent());
+    expand(id);
+  }
+  return fault(FaultCode::no_path, "nothing joins the start and the goal");
+}
+
+}  // namespace outrider::jump
