@@ -68,7 +68,7 @@ void run(benchmark::State& state, const PathPlanner& row, GridModel model) {
 
 const bool registered = [] {
   for (const PathPlanner& row : path_planners()) {
-    for (const GridModel model : {GridModel::cells, GridModel::corners}) {
+    for (const GridModel model : row.models) {
       const std::string name = std::string(row.name) + "/" + std::string(to_string(model));
       benchmark::RegisterBenchmark(name.c_str(),
                                    [&row, model](benchmark::State& state) { run(state, row, model); })

@@ -10,6 +10,7 @@ void add_run(CLI::App& app, int& status);
 void add_guard(CLI::App& app, int& status);
 void add_plan(CLI::App& app, int& status);
 void add_replay(CLI::App& app, int& status);
+void add_bench(CLI::App& app, int& status);
 void add_list(CLI::App& app, int& status);
 void add_schema(CLI::App& app, int& status);
 

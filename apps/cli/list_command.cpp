@@ -10,24 +10,53 @@
 namespace outrider::cli {
 namespace {
 
+struct Job {
+  const char* name;
+  const char* sentence;
+};
+constexpr Job jobs[] = {{"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
+                        {"plan", "Find a collision-free path for a disk robot."}};
+
+/// The grids that a planner takes: "cells", "corners".
+std::vector<std::string> models_of(const PathPlanner& planner) {
+  std::vector<std::string> names;
+  for (const GridModel model : planner.models) names.emplace_back(to_string(model));
+  return names;
+}
+
+/// The same, and "polygons".
+std::vector<std::string> grounds_of(const PathPlanner& planner) {
+  std::vector<std::string> grounds = models_of(planner);
+  if (planner.polygons) grounds.emplace_back("polygons");
+  return grounds;
+}
+
 void list_json() {
+  auto job_list = nlohmann::ordered_json::array();
+  for (const Job& job : jobs) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
   auto planners = nlohmann::ordered_json::array();
   for (const PathPlanner& planner : path_planners()) {
     planners.push_back({{"name", planner.name},
                         {"sentence", planner.sentence},
                         {"paper", planner.paper},
                         {"guarantee", planner.guarantee.sentence},
-                        {"complete", planner.guarantee.complete}});
+                        {"complete", planner.guarantee.complete},
+                        {"models", models_of(planner)},
+                        {"polygons", planner.polygons},
+                        {"index", planner.index}});
   }
-  print({{"jobs", {"guard", "plan"}}, {"path_planners", planners}});
+  print({{"jobs", job_list}, {"path_planners", planners}});
 }
 
 void list_text() {
-  fmt::print("Jobs\n  guard   hit every target in a yard with a ballistic water gun\n");
-  fmt::print("  plan    a collision-free path for a disk robot\n\nPath planners (plan --planner NAME)\n");
+  fmt::print("Jobs\n");
+  for (const Job& job : jobs) fmt::print("  {}\n      {}\n", job.name, job.sentence);
+  fmt::print("\nPath planners (outrider plan --planner NAME)\n");
   for (const PathPlanner& planner : path_planners()) {
-    fmt::print("  {:<16} {}\n  {:<16} {}\n  {:<16} {}\n", planner.name, planner.sentence, "",
-               planner.guarantee.sentence, "", planner.paper);
+    fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
+    fmt::print("      Guarantee: {}.\n      Ground: {}.\n", planner.guarantee.sentence,
+               fmt::join(grounds_of(planner), ", "));
+    fmt::print("      Source: {}.\n", planner.paper);
   }
 }
 

@@ -7,7 +7,11 @@
 
 #include "outrider/path/a_star.hpp"
 #include "outrider/path/dijkstra.hpp"
+#include "outrider/path/jps.hpp"
+#include "outrider/path/jps_plus.hpp"
+#include "outrider/path/polyanya.hpp"
 #include "outrider/path/theta_star.hpp"
+#include "outrider/path/visibility_graph.hpp"
 
 namespace outrider {
 namespace {
@@ -29,10 +33,8 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner) {
   };
 }
 
-}  // namespace
-
-const std::vector<PathPlanner>& path_planners() {
-  static const std::vector<PathPlanner> planners = {
+std::vector<PathPlanner> planners_on_grids() {
+  return {
       {"dijkstra",
        "Searches in all directions until the goal is reached.",
        "Dijkstra, A note on two problems in connexion with graphs, 1959",
@@ -46,6 +48,20 @@ const std::vector<PathPlanner>& path_planners() {
         "complete; shortest along the eight moves of the grid (at most `weight` times as long above weight "
         "1)"},
        with_options(a_star)},
+      {"jps",
+       "A* that expands only the cells where an obstacle forces a turn; runs over the others 64 at a time.",
+       "Harabor and Grastien, Improving jump point search, 2014",
+       {true, PathClass::along_moves, 1.0, "complete; shortest along the eight moves of the grid"},
+       with_options(jps),
+       {GridModel::cells}},
+      {"jps_plus",
+       "Jump point search with an index of how far each run goes from each cell; for many queries on one "
+       "grid.",
+       "Rabin and Silva, JPS+: an extreme A* speed optimization for static uniform cost grids, 2015",
+       {true, PathClass::along_moves, 1.0, "complete; shortest along the eight moves of the grid"},
+       with_options(jps_plus),
+       {GridModel::cells},
+       true},
       {"theta_star",
        "A* whose legs may point in any direction: each vertex takes the parent of its parent if seen.",
        "Nash, Daniel, Koenig and Felner, Theta*: any-angle path planning on grids, 2007",
@@ -58,7 +74,54 @@ const std::vector<PathPlanner>& path_planners() {
        {true, PathClass::any_direction, unbounded,
         "complete; near the shortest path, without a proven ratio"},
        with_options(lazy_theta_star)},
+      {"polyanya",
+       "Looks from corner to corner over a navigation mesh, and finds the shortest path in any direction.",
+       "Cui, Harabor and Grastien, Compromise-free pathfinding on a navigation mesh, 2017",
+       {true, PathClass::any_direction, 1.0, "complete; shortest of all paths"},
+       with_options(polyanya),
+       {GridModel::corners}},
   };
+}
+
+std::vector<PathPlanner> planners_on_polygons() {
+  return {
+      {"visibility_graph",
+       "Joins all grown corners that see each other, found by a sweep round each, beforehand.",
+       "Lee, Proximity and reachability in the plane, 1978; Liu and Arimoto, Path planning using a tangent "
+       "graph, 1992",
+       {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
+       with_options(visibility_graph),
+       {},
+       true,
+       true},
+      {"visibility_graph_reduced",
+       "Joins the convex corners whose tangents support or separate, found pair by pair, beforehand.",
+       "Liu and Arimoto, Path planning using a tangent graph for mobile robots among polygonal and curved "
+       "obstacles, 1992",
+       {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
+       with_options(visibility_graph_reduced),
+       {},
+       true,
+       true},
+      {"visibility_graph_implicit",
+       "Looks round a corner, by a sweep, only when A* first comes to it; builds nothing beforehand.",
+       "Lee, Proximity and reachability in the plane, 1978; Hart, Nilsson and Raphael, 1968",
+       {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
+       with_options(visibility_graph_implicit),
+       {},
+       false,
+       true},
+  };
+}
+
+}  // namespace
+
+const std::vector<PathPlanner>& path_planners() {
+  static const std::vector<PathPlanner> planners = [] {
+    std::vector<PathPlanner> all = planners_on_grids();
+    for (PathPlanner& planner : planners_on_polygons()) all.push_back(std::move(planner));
+    return all;
+  }();
   return planners;
 }
 

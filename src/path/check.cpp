@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "polygon_ground_check.hpp"
+
 namespace outrider {
 namespace {
 
@@ -110,8 +112,11 @@ tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move
 
 Status check_numbers(const Plan& plan, const Problem& problem) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < plan.waypoints.size(); ++i)
-    sum += distance(plan.waypoints[i - 1], plan.waypoints[i]);
+  if (plan.pieces.empty()) {
+    for (std::size_t i = 1; i < plan.waypoints.size(); ++i)
+      sum += distance(plan.waypoints[i - 1], plan.waypoints[i]);
+  }
+  for (const PathPiece& piece : plan.pieces) sum += length_of(piece);
   const double slack = relative * std::max(1.0, sum);
   if (!(std::abs(plan.cost - sum) <= slack)) {
     return refused(fmt::format("the cost is {} m, but its legs add up to {} m", plan.cost, sum));
@@ -131,6 +136,10 @@ Status check_numbers(const Plan& plan, const Problem& problem) {
 }  // namespace
 
 Status check(const Plan& plan, const Problem& problem) {
+  if (problem.polygons) {
+    if (auto good = check_on_polygons(plan, problem); !good) return good;
+    return check_numbers(plan, problem);
+  }
   if (!problem.grid) return bad_input("the problem has no grid to check the plan on");
   const GridGround& ground = *problem.grid;
   if (plan.waypoints.empty() || plan.waypoints.size() != plan.vertices.size()) {

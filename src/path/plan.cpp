@@ -1,5 +1,7 @@
 #include "outrider/path/plan.hpp"
 
+#include <cmath>
+
 namespace outrider {
 namespace {
 
@@ -9,6 +11,11 @@ bool goes_straight(Cell a, Cell b, Cell c) {
 }
 
 }  // namespace
+
+double length_of(const PathPiece& piece) {
+  if (piece.turn_rad == 0.0) return distance(piece.from, piece.to);
+  return std::abs(piece.turn_rad) * distance(piece.centre, piece.from);
+}
 
 Plan plan_along(const Problem& problem, const std::vector<Cell>& vertices, double cost, double lower_bound,
                 const PlanCounters& counters) {

@@ -21,15 +21,54 @@ Outcome<Cell> vertex(const GridGround& ground, Vec2 p, std::string_view name, Fa
   return *v;
 }
 
+Status stands(const PolygonGround& ground, Vec2 p, std::string_view name, FaultCode blocked) {
+  const Box2& bounds = ground.bounds;
+  if (!bounds.contains(p) || ground.outside(p)) {
+    return fault(FaultCode::outside_map,
+                 fmt::format("the {} ({}, {}) lies outside the boundary; it spans x from {} to {} and y from "
+                             "{} to {}",
+                             name, p.x, p.y, bounds.low.x, bounds.high.x, bounds.low.y, bounds.high.y));
+  }
+  if (ground.point_free(p)) return {};
+  if (ground.solid(p)) {
+    return fault(blocked, fmt::format("the {} ({}, {}) lies inside an obstacle; move it to free ground", name,
+                                      p.x, p.y));
+  }
+  return fault(blocked,
+               fmt::format("the {} ({}, {}) is {:.6g} m from the nearest edge, less than the robot's "
+                           "radius of {} m; move it away or take a smaller robot",
+                           name, p.x, p.y, ground.edge_distance(p), ground.radius_m));
+}
+
 }  // namespace
 
 Outcome<GridQuery> grid_query(const Problem& problem) {
-  if (!problem.grid) return bad_input("the problem has no grid; this planner needs one as its ground");
+  if (!problem.grid) {
+    return bad_input(problem.polygons
+                         ? "the ground is polygons; this planner needs a grid, take one that works "
+                           "on polygons, such as visibility_graph"
+                         : "the problem has no grid; this planner needs one as its ground");
+  }
   auto start = vertex(*problem.grid, problem.start, "start", FaultCode::start_blocked);
   if (!start) return pass_on(start);
   auto goal = vertex(*problem.grid, problem.goal, "goal", FaultCode::goal_blocked);
   if (!goal) return pass_on(goal);
   return GridQuery{*problem.grid, *start, *goal};
+}
+
+Outcome<std::shared_ptr<const PolygonGround>> polygon_query(const Problem& problem) {
+  if (!problem.polygons) {
+    return bad_input(problem.grid ? fmt::format("the ground is a grid of the model {}; this planner needs "
+                                                "polygons, take one that works on grids, such as theta_star",
+                                                to_string(problem.grid->model))
+                                  : "the problem has no polygons; this planner needs them as its ground");
+  }
+  const PolygonGround& ground = *problem.polygons;
+  if (auto start = stands(ground, problem.start, "start", FaultCode::start_blocked); !start) {
+    return pass_on(start);
+  }
+  if (auto goal = stands(ground, problem.goal, "goal", FaultCode::goal_blocked); !goal) return pass_on(goal);
+  return problem.polygons;
 }
 
 }  // namespace outrider

@@ -46,10 +46,16 @@ std::string name_of(const testing::TestParamInfo<std::tuple<std::size_t, GridMod
          std::string(to_string(std::get<1>(info.param)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, PathContract,
-                         testing::Combine(testing::Range(std::size_t{0}, path_planners().size()),
-                                          testing::Values(GridModel::cells, GridModel::corners)),
-                         name_of);
+/// Each row with each model that it takes.
+std::vector<std::tuple<std::size_t, GridModel>> rows_and_models() {
+  std::vector<std::tuple<std::size_t, GridModel>> all;
+  for (std::size_t i = 0; i < path_planners().size(); ++i) {
+    for (const GridModel model : path_planners()[i].models) all.emplace_back(i, model);
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, PathContract, testing::ValuesIn(rows_and_models()), name_of);
 
 TEST_P(PathContract, StartIsGoal) {
   const Problem problem = problem_on(drawn({"...", "...", "..."}), model(), {1, 1}, {1, 1});
@@ -261,6 +267,20 @@ TEST_P(PathContract, OptionsDescribeThemselves) {
   for (const Option& option : planner.options) {
     EXPECT_TRUE(assign(option, value_text(option)).has_value()) << option.name;
     EXPECT_FALSE(option.sentence.empty());
+  }
+}
+
+TEST(PathCatalog, ModelsThatARowDoesNotTakeAreRefused) {
+  for (const PathPlanner& planner : path_planners()) {
+    for (const GridModel model : {GridModel::cells, GridModel::corners}) {
+      if (planner.takes(model)) continue;
+      Workspace workspace;
+      const auto answer =
+          planner.configure().plan(problem_on(drawn({"...", "..."}), model, {0, 0}, {2, 1}), {}, workspace);
+      ASSERT_FALSE(answer.has_value()) << planner.name;
+      EXPECT_EQ(answer.error().code, FaultCode::bad_input);
+      EXPECT_NE(answer.error().sentence.find(to_string(model)), std::string::npos) << planner.name;
+    }
   }
 }
 

@@ -59,6 +59,7 @@ TEST(MovingAi, PlannersOptimalAlongTheMovesHaveThePublishedLengths) {
     const int top = ground->frame.height - 1;
     for (const PathPlanner& row : path_planners()) {
       if (row.guarantee.among != PathClass::along_moves || row.guarantee.most_ratio != 1.0) continue;
+      if (!row.takes(GridModel::cells)) continue;
       const ConfiguredPlanner planner = row.configure();
       Workspace workspace;
       for (const movingai::Query& q : spread(movingai::read_scen(*table), set.queries)) {
@@ -97,6 +98,7 @@ TEST(MovingAi, NoPathUndercutsThePublishedShortestAndFreeDirectionsComeNear) {
     const int top = ground->frame.height;
     const auto queries = spread(movingai::read_any_angle(*table), set.queries);
     for (const PathPlanner& row : path_planners()) {
+      if (!row.takes(GridModel::corners)) continue;
       const ConfiguredPlanner planner = row.configure();
       Workspace workspace;
       double sum = 0.0, least = 0.0;

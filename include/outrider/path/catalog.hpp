@@ -2,6 +2,7 @@
 // tests walk it; src/path/catalog.cpp is the only list.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ namespace outrider {
 enum class PathClass {
   along_moves,    ///< along the eight moves of the grid
   any_direction,  ///< legs between vertices in any direction
+  any_curve,      ///< whatever way the disk can go over the ground
 };
 
 /// What a planner promises with its default options.
@@ -40,6 +42,13 @@ struct PathPlanner {
   std::string_view paper;
   Guarantee guarantee;
   std::function<ConfiguredPlanner()> configure;
+  std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< grids; others are bad_input
+  bool index = false;     ///< builds something that outlasts the first query on a ground, for the next ones
+  bool polygons = false;  ///< takes polygons as its ground
+
+  [[nodiscard]] bool takes(GridModel model) const {
+    return std::find(models.begin(), models.end(), model) != models.end();
+  }
 };
 
 /// All of them, in the order of showing.

@@ -33,6 +33,10 @@ class Labels {
     if (labels_.size() < states) labels_.resize(states);
     open_ += 2;
   }
+  /// Makes room for more states in the middle of a search.
+  void grow(std::size_t states) {
+    if (labels_.size() < states) labels_.resize(states);
+  }
   [[nodiscard]] bool known(State s) const { return labels_[s].stamp >= open_; }
   [[nodiscard]] bool closed(State s) const { return labels_[s].stamp == open_ + 1; }
   [[nodiscard]] const Cost& g(State s) const { return labels_[s].g; }

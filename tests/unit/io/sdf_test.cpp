@@ -250,7 +250,8 @@ TEST(Sdf, StateWinsOverModelPoses) {
       "</geometry></collision></link></model></model>"
       "<state world_name='w'><sim_time>1 2</sim_time><model name='a'><pose>7 8 9 0 0 0</pose></model>"
       "<model name='m'><pose>1 1 1 0 0 0</pose><model name='n'><pose>2 2 2 0 0 0</pose>"
-      "<link name='l'><pose>3 3 3 0 0 0</pose></link></model></model><model name='ghost'><pose>0 0 0 0 0 "
+      "<link name='l'><pose>3 3 3 0 0 0</pose></link></model></model><model><pose>5 5 5 0 0 "
+      "0</pose></model><model name='ghost'><pose>0 0 0 0 0 "
       "0</pose></model>"
       "</state>"));
   EXPECT_TRUE(warnings.empty());

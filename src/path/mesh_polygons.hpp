@@ -1,0 +1,30 @@
+// Joins triangles to convex polygons.
+//
+// First the sides between the triangles are flipped until they are Delaunay's, as far as the obstacles
+// allow. Then they are taken away, longest first, where that leaves a convex polygon. What stays are few
+// long views over open ground, and small polygons in the nooks of walls, where few paths lead.
+// O(n log n), and the flips, of which there are O(n) in practice.
+// Sources: flips, Lawson, Software for C1 surface interpolation (1977); joining, Hertel and Mehlhorn, Fast
+// triangulation of simple polygons (1983).
+#pragma once
+
+#include "mesh_triangles.hpp"
+
+namespace outrider {
+
+/// Polygon after polygon, counter-clockwise.
+struct ConvexPolygons {
+  struct Side {
+    std::uint32_t corner;   ///< from which it leads to that of the next side
+    std::uint32_t behind;   ///< the same side of the polygon behind it, or no_side
+    std::uint32_t polygon;  ///< to which it belongs
+  };
+  static constexpr std::uint32_t no_side = ~std::uint32_t{0};
+
+  std::vector<Side> sides;
+  std::vector<std::uint32_t> first;  ///< side of each polygon; one more at the end
+};
+
+ConvexPolygons join_triangles(const Triangulation& cut);
+
+}  // namespace outrider

@@ -1,0 +1,139 @@
+#include "mesh_triangles.hpp"
+
+#include <algorithm>
+
+namespace outrider {
+namespace {
+
+using Chain = std::vector<std::uint32_t>;
+
+/// Equal runs of free cells in neighbouring rows: x0 to x1, y0 to y1. In the order of y0, then x0.
+struct Slab {
+  int x0, x1, y0, y1;
+};
+
+std::int64_t turned(Cell a, Cell b, Cell c) {
+  return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{b.y - a.y} * (c.x - a.x);
+}
+std::int64_t squared(Cell a, Cell b) {
+  const std::int64_t x = b.x - a.x, y = b.y - a.y;
+  return x * x + y * y;
+}
+
+std::vector<Slab> slabs_of(const GridGround& ground) {
+  std::vector<Slab> slabs;
+  std::vector<std::size_t> below, here;  // slabs that reach the last row and this one
+  for (int y = 0; y < ground.frame.height; ++y) {
+    here.clear();
+    std::size_t next = 0;
+    const std::uint8_t* marks = ground.marks.data() + ground.index({0, y});
+    for (int x = 0; x < ground.frame.width; ++x) {
+      if ((marks[x] & GridGround::blocked_bit) != 0) continue;
+      const int x0 = x;
+      while ((marks[x] & GridGround::blocked_bit) == 0) ++x;  // the border of the grid is blocked
+      while (next < below.size() && slabs[below[next]].x0 < x0) ++next;
+      if (next < below.size() && slabs[below[next]].x0 == x0 && slabs[below[next]].x1 == x) {
+        slabs[below[next]].y1 = y + 1;
+        here.push_back(below[next]);
+      } else {
+        slabs.push_back({x0, x, y, y + 1});
+        here.push_back(slabs.size() - 1);
+      }
+    }
+    std::swap(below, here);
+  }
+  return slabs;
+}
+
+class Cutter {
+ public:
+  explicit Cutter(const GridGround& ground) : slabs_(slabs_of(ground)) {
+    for (int y = 0; y <= ground.frame.height; ++y) {
+      row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
+      for (int x = 0; x <= ground.frame.width; ++x) {
+        const std::uint32_t ne = ground.index({x, y}), se = ne - ground.stride;
+        const std::uint8_t* m = ground.marks.data();
+        constexpr unsigned bit = GridGround::blocked_bit;
+        const unsigned count = (m[ne] & bit) + (m[ne - 1] & bit) + (m[se] & bit) + (m[se - 1] & bit);
+        if (count % 2 == 1 || (count == 2 && (m[ne] & bit) == (m[se - 1] & bit)))
+          cut_.corners.push_back({x, y});
+      }
+    }
+    row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
+  }
+
+  Triangulation run() {
+    for (const Slab& slab : slabs_) {
+      cut_strip(slab);
+      if (at(low(slab).first).x == slab.x0) cut_mountain(slab, true);
+      if (at(low(slab).last).x == slab.x1) cut_mountain(slab, false);
+    }
+    return std::move(cut_);
+  }
+
+ private:
+  /// Neighbouring corners on a line, from the first to the last.
+  struct Range {
+    std::uint32_t first, last;
+  };
+
+  [[nodiscard]] Cell at(std::uint32_t corner) const { return cut_.corners[corner]; }
+  [[nodiscard]] Range on_line(int y, int x0, int x1) const {
+    const auto begin = cut_.corners.begin() + row_[static_cast<std::size_t>(y)];
+    const auto end = cut_.corners.begin() + row_[static_cast<std::size_t>(y) + 1];
+    const auto left = [](Cell c, int x) { return c.x < x; };
+    const auto first = std::lower_bound(begin, end, x0, left),
+               last = std::lower_bound(first, end, x1 + 1, left);
+    return {static_cast<std::uint32_t>(first - cut_.corners.begin()),
+            static_cast<std::uint32_t>(last - cut_.corners.begin()) - 1};
+  }
+  [[nodiscard]] Range low(const Slab& s) const { return on_line(s.y0, s.x0, s.x1); }
+  [[nodiscard]] Range high(const Slab& s) const { return on_line(s.y1, s.x0, s.x1); }
+
+  void cut_strip(const Slab& slab) {
+    auto [b, b_last] = low(slab);
+    auto [t, t_last] = high(slab);
+    while (b < b_last || t < t_last) {
+      const bool below =
+          t == t_last || (b < b_last && squared(at(b + 1), at(t)) <= squared(at(b), at(t + 1)));
+      cut_.triangles.push_back(below ? std::array{b, b + 1, t} : std::array{b, t + 1, t});
+      ++(below ? b : t);
+    }
+  }
+
+  /// The slab on top of another one at the same wall.
+  [[nodiscard]] const Slab& above(const Slab& s, bool left) const {
+    return *std::lower_bound(slabs_.begin(), slabs_.end(), s, [left](const Slab& p, const Slab& of) {
+      if (p.y0 != of.y1) return p.y0 < of.y1;
+      return left ? p.x0 < of.x0 : p.x1 < of.x1;
+    });
+  }
+
+  /// Between the wall that begins beside the slab and the strips along it.
+  void cut_mountain(const Slab& begin, bool left) {
+    chain_.assign(1, left ? low(begin).first : low(begin).last);
+    for (const Slab* slab = &begin;; slab = &above(*slab, left)) {
+      const std::uint32_t next = left ? high(*slab).first : high(*slab).last;
+      while (chain_.size() >= 2) {
+        const std::uint32_t a = chain_[chain_.size() - 2], b = chain_.back();
+        const std::int64_t turn = turned(at(a), at(b), at(next));
+        if (left ? turn <= 0 : turn >= 0) break;
+        cut_.triangles.push_back(left ? std::array{a, b, next} : std::array{a, next, b});
+        chain_.pop_back();
+      }
+      chain_.push_back(next);
+      if (at(next).x == (left ? begin.x0 : begin.x1)) return;
+    }
+  }
+
+  std::vector<Slab> slabs_;
+  Triangulation cut_;
+  std::vector<std::uint32_t> row_;  // by y: the first corner of the line
+  Chain chain_;
+};
+
+}  // namespace
+
+Triangulation cut_into_triangles(const GridGround& ground) { return Cutter(ground).run(); }
+
+}  // namespace outrider

@@ -1,0 +1,118 @@
+// The open nodes of Polyanya: least f first, then largest g, then the youngest.
+//
+// The best one may be held in hand, past the heap: a node is often followed by its own successor.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "outrider/world/grid.hpp"
+
+namespace outrider::polyanya_search {
+
+/// A place or a direction, relative to a root.
+struct Arrow {
+  std::int32_t x = 0, y = 0;
+};
+/// > 0 when b points to the left of a. Exact.
+inline std::int64_t turned(Arrow a, Arrow b) { return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x; }
+
+/// What a root sees through a side of a polygon: the cone from `right` to `left`, both of which belong
+/// to it. Without a side it is yet to look around from the root itself.
+struct Node {
+  double g = 0.0;  ///< to the root
+  Cell at;         ///< the root
+  Arrow right, left;
+  std::uint32_t root = 0;     ///< of mesh.turns; the last one is the start
+  std::uint32_t polygon = 0;  ///< beyond the side
+  std::uint32_t side = 0;     ///< as that polygon has it
+};
+
+class Frontier {
+ public:
+  void begin() {
+    nodes_.clear();
+    heap_.clear();
+    hand_ = {};
+    held_ = false;
+  }
+
+  void add(const Node& node, double f) {
+    const Entry entry = entry_of(f, node.g);
+    nodes_.push_back(node);
+    if (!held_) {
+      hand_ = entry;
+      held_ = true;
+    } else if (before(entry, hand_)) {
+      push(hand_);
+      hand_ = entry;
+    } else {
+      push(entry);
+    }
+  }
+
+  /// Takes the first node out; false when there is none.
+  bool pop(Node& node, double& f) {
+    if (!held_ && heap_.empty()) return false;
+    if (!held_) {
+      hand_ = heap_.front();
+      drop_top();
+    } else if (!heap_.empty() && before(heap_.front(), hand_)) {
+      std::swap(hand_, heap_.front());
+      sift_down(heap_.front(), heap_.size());
+    }
+    held_ = false;
+    node = nodes_[~static_cast<std::uint32_t>(hand_.rank)];
+    f = hand_.f;
+    return true;
+  }
+
+ private:
+  /// rank: largest g, then largest place in nodes_.
+  struct Entry {
+    double f = 0.0;
+    std::uint64_t rank = 0;
+  };
+  [[nodiscard]] Entry entry_of(double f, double g) const {
+    const std::uint64_t far = ~std::bit_cast<std::uint32_t>(static_cast<float>(g));  // g >= 0
+    return {f, far << 32U | static_cast<std::uint32_t>(~nodes_.size())};
+  }
+  static bool before(const Entry& a, const Entry& b) {  // without a branch, which could not be foretold
+    const auto less = static_cast<unsigned>(a.f < b.f), equal = static_cast<unsigned>(a.f == b.f);
+    return (less | (equal & static_cast<unsigned>(a.rank < b.rank))) != 0;
+  }
+
+  // A heap of four children each.
+  void push(const Entry& entry) {
+    std::size_t i = heap_.size();
+    heap_.push_back(entry);
+    for (; i > 0 && before(entry, heap_[(i - 1) / 4]); i = (i - 1) / 4) heap_[i] = heap_[(i - 1) / 4];
+    heap_[i] = entry;
+  }
+  void drop_top() {
+    const Entry last = heap_.back();
+    heap_.pop_back();
+    if (!heap_.empty()) sift_down(last, heap_.size());
+  }
+  void sift_down(const Entry entry, std::size_t count) {
+    std::size_t i = 0;
+    for (std::size_t child = 1; child < count; child = 4 * i + 1) {
+      std::size_t best = child;
+      for (std::size_t k = child + 1; k < std::min(child + 4, count); ++k)
+        best = before(heap_[k], heap_[best]) ? k : best;
+      if (!before(heap_[best], entry)) break;
+      heap_[i] = heap_[best];
+      i = best;
+    }
+    heap_[i] = entry;
+  }
+
+  std::vector<Node> nodes_;  // in the order of their making
+  std::vector<Entry> heap_;
+  Entry hand_;
+  bool held_ = false;
+};
+
+}  // namespace outrider::polyanya_search
