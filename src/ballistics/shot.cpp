@@ -14,7 +14,8 @@ namespace {
 
 constexpr double forgiving = 0.7;  // largest spread of a shot chosen for its time
 constexpr double fine_pitch_rad = radians(0.5);
-constexpr std::size_t most_rated = 4;   // of these the hit rate is found when none survives
+constexpr std::size_t most_rated = 4;         // of these the hit rate is found when none survives
+constexpr std::size_t most_off_centre = 200;  // candidates flown beside a shot at the centre that may miss
 constexpr std::size_t most_flown = 48;  // shots that fly but forgive too little before the first is taken
 
 /// Half of the target's size along and across a direction of sight.
@@ -155,11 +156,11 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
 /// The first that survives all extreme errors; else, of the first few that fly, the one that hits most.
 std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpace& space,
                                         const Target& target, Vec2 position,
-                                        const std::vector<Candidate>& shots) {
+                                        const std::vector<Candidate>& shots, std::size_t most_tried) {
   std::optional<PlannedShot> best;
   std::size_t tried = 0;
-  for (const Candidate& candidate : shots) {
-    auto shot = flown(rules, space, target, position, candidate);
+  for (std::size_t i = 0; i < std::min(shots.size(), most_tried); ++i) {
+    auto shot = flown(rules, space, target, position, shots[i]);
     if (!shot) continue;
     shot->survives = survives_errors(rules, space, target, position, shot->shot);
     if (shot->survives || tried < most_rated) {
@@ -222,15 +223,16 @@ std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& 
   if (!clear_of(rules, target, position) || position == xy(target.base)) return std::nullopt;
   ShotRules fine = rules;
   fine.pitch_step_rad = fine_pitch_rad;
-  const auto best_at = [&](const ShotRules& lattice, const std::vector<Aim>& aims) {
+  const auto best_at = [&](const ShotRules& lattice, const std::vector<Aim>& aims, std::size_t most_tried) {
     return first_to_fly(rules, space, target, position,
-                        candidates(lattice, target, position, pitch_rad, aims));
+                        candidates(lattice, target, position, pitch_rad, aims), most_tried);
   };
-  auto best = best_at(fine, {centre_aim(rules, target, position)});
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  auto best = best_at(fine, {centre_aim(rules, target, position)}, all);
   if (best && best->survives) return best;
-  auto off_centre = best_at(fine, central_aims(rules, target, position));
+  auto off_centre = best_at(fine, central_aims(rules, target, position), best ? most_off_centre : all);
   if (off_centre && (!best || off_centre->hit_rate > best->hit_rate)) best = off_centre;
-  return best ? best : best_at(rules, all_aims(rules, target, position));
+  return best ? best : best_at(rules, all_aims(rules, target, position), all);
 }
 
 }  // namespace outrider

@@ -19,9 +19,10 @@ struct Drafting {
   const Site& site;
   const GuardOptions& options;
   const Budget& budget;
-  const SureHits& hits;
-  const std::vector<std::size_t>& targets;  // by goal
   ShotBook& book;
+  SureHits hits;
+  std::vector<std::size_t> targets;  // by goal
+  std::vector<std::size_t> needed;   // cells that are always among the stops
 
   [[nodiscard]] Vec2 place(std::size_t cell) const { return site.frame.centre(site.frame.cell(cell)); }
 };
@@ -43,6 +44,42 @@ void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
         best_shot(site.rules, site.space(t), drafting.problem.targets[t], drafting.place(cell),
                   pitch_lattice(site.rules)[site.regions[t].pitch[cell]]);
   });
+}
+
+/// The cell of a target's region with the least spread from which it has an exact shot, which joins the book.
+std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t) {
+  const FiringRegion& region = drafting.site.regions[t];
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < region.pitch.size(); ++i) {
+    if (region.pitch[i] != FiringRegion::no_shot) cells.push_back(i);
+  }
+  std::stable_sort(cells.begin(), cells.end(),
+                   [&](std::size_t a, std::size_t b) { return region.spread[a] < region.spread[b]; });
+  for (const std::size_t cell : cells) {
+    const auto shot = best_shot(drafting.site.rules, drafting.site.space(t), drafting.problem.targets[t],
+                                drafting.place(cell), 0.0);
+    if (!shot) continue;
+    drafting.book[{cell, t}] = shot;
+    drafting.hits.add(cell, t);
+    return cell;
+  }
+  return std::nullopt;
+}
+
+/// Adds a cell for each target that has no exact shot from the given ones; drops it when none has.
+void cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
+  fill(drafting, cells);
+  std::erase_if(drafting.targets, [&](std::size_t t) {
+    const bool covered = std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
+      const auto entry = drafting.book.find({cell, t});
+      return entry != drafting.book.end() && entry->second;
+    });
+    if (covered) return false;
+    const auto cell = any_cell_with_shot(drafting, t);
+    if (cell) drafting.needed.push_back(*cell);
+    return !cell;
+  });
+  cells.insert(cells.end(), drafting.needed.begin(), drafting.needed.end());
 }
 
 /// Flights until the first hit, on average, times the length of one.
@@ -104,7 +141,7 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
 
 /// The stops of a tour and the cells around them.
 std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft) {
-  std::vector<std::size_t> cells;
+  std::vector<std::size_t> cells = drafting.needed;
   std::vector<Vec2> around;
   for (const Visit& visit : draft.tour.visits) {
     cells.push_back(draft.cells[visit.stop]);
@@ -124,14 +161,14 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
                           const Budget& budget, ShotBook& book) {
-  std::vector<std::size_t> targets;
+  Drafting drafting{problem, site, options, budget, book, sure_hits(problem, site), {}, {}};
   for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    if (site.regions[t].hits > 0) targets.push_back(t);
+    if (site.regions[t].hits > 0) drafting.targets.push_back(t);
   }
-  const SureHits hits = sure_hits(problem, site);
-  const Drafting drafting{problem, site, options, budget, hits, targets, book};
   const auto most = static_cast<std::size_t>(options.stops);
-  auto best = solve_over(drafting, choose_stops(site, hits, coarse_tile_m, most, {}, 0.0));
+  auto cells = choose_stops(site, drafting.hits, coarse_tile_m, most, {}, 0.0);
+  cover_all(drafting, cells);
+  auto best = solve_over(drafting, cells);
   for (std::int64_t i = 0; best && i < options.refinements; ++i) {
     auto closer = solve_over(drafting, cells_near(drafting, *best));
     if (!closer) return closer;

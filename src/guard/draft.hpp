@@ -15,7 +15,8 @@ namespace outrider {
 /// The exact shot by (cell, target); nothing where no shot keeps the margin. Filled as needed.
 using ShotBook = std::map<std::pair<std::size_t, std::size_t>, std::optional<PlannedShot>>;
 
-/// A tour over cells. Its goals are the targets that have a firing region, in their order.
+/// A tour over cells. Its goals are the targets that have a firing region and in it, decided exactly, a shot
+/// from some cell.
 struct Draft {
   std::vector<std::size_t> cells;    ///< by stop of the tour; entry 0 stands for the start
   std::vector<std::size_t> targets;  ///< by goal of the tour

@@ -1,5 +1,7 @@
 #include "outrider/guard/plan.hpp"
 
+#include <algorithm>
+
 #include "draft.hpp"
 #include "outrider/guard/bound.hpp"
 #include "reason.hpp"
@@ -82,6 +84,11 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, con
   ShotBook book;
   const auto draft = draft_tour(problem, site, options, budget, book);
   if (!draft) return tl::unexpected(draft.error());
+  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+    const auto& planned = draft->targets;
+    if (site.regions[t].hits == 0 || std::find(planned.begin(), planned.end(), t) != planned.end()) continue;
+    plan.unreachable.push_back({t, "its only shots keep the margin by less than the contact tolerance"});
+  }
   plan.stops = stops_of(problem, site, *draft, book);
   plan.tour_proven = draft->tour.proven_optimal;
   if (auto ok = join(problem, site, budget, plan); !ok) return pass_on(ok);

@@ -115,7 +115,7 @@ SureHits sure_hits(const GuardProblem& problem, const Site& site) {
       }
     }
     for (const std::size_t i : sure.empty() ? possible : sure) {
-      hits.targets[i * hits.words + t / 64] |= std::uint64_t{1} << (t % 64);
+      hits.add(i, t);
     }
   }
   return hits;

@@ -60,7 +60,8 @@ struct PlannedShot {
 /// with pitches every half degree, those with a spread of at most 0.7 come first, by the time to bring
 /// the barrel there from `pitch_rad` and to fly, then the others by their spread. They are flown exactly
 /// in that order until one keeps the margin and survives all extreme errors. After 48 that keep the margin
-/// only, 19 aim points around the centre are tried in the same way, and the shot with the highest hit
+/// only, 19 aim points around the centre are tried in the same way (the first 200 shots, if one at the
+/// centre does keep it), and the shot with the highest hit
 /// rate of the first four of either kind is taken. When none keeps the margin, the pitches and aim points
 /// of exhaust() (firing_region.hpp) are tried. Nothing when none of those keeps it either.
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,

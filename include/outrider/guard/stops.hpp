@@ -19,6 +19,9 @@ struct SureHits {
   [[nodiscard]] std::span<const std::uint64_t> at(std::size_t cell) const {
     return {targets.data() + cell * words, words};
   }
+  void add(std::size_t cell, std::size_t target) {
+    targets[cell * words + target / 64] |= std::uint64_t{1} << (target % 64);
+  }
   [[nodiscard]] bool has(std::size_t cell, std::size_t target) const {
     return (targets[cell * words + target / 64] >> (target % 64) & 1U) != 0;
   }
