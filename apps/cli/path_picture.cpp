@@ -133,7 +133,8 @@ std::string to_svg(const PathPicture& picture) {
   svg +=
       "<style>\n"
       "svg{background:#fbfbf9;font:15px system-ui,sans-serif}.free{fill:#fff}.near{fill:#e3e6e2}"
-      ".solid{fill:#4a4f55;stroke:#4a4f55;stroke-linejoin:round;stroke-linecap:round}.solid[transform]{stroke:none}"
+      ".solid{fill:#4a4f55;stroke:#4a4f55;stroke-linejoin:round;stroke-linecap:round}.solid[transform]{"
+      "stroke:none}"
       ".path{fill:none;stroke-linejoin:round;stroke-linecap:round}.scale{fill:none;stroke:#333}"
       "text{fill:#222}.halo{paint-order:stroke;stroke:#fff;stroke-width:4px;font-weight:600}"
       ".from{fill:#fff;stroke:#222;stroke-width:3}.goal{fill:#222;stroke:#fff;stroke-width:2}\n"

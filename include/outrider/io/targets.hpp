@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/core/outcome.hpp"
 #include "outrider/ballistics/target.hpp"
+#include "outrider/core/outcome.hpp"
 
 namespace outrider {
 
