@@ -4,8 +4,8 @@
 // with the one speed that passes the aim point: does the ball, with the margin around it, reach the
 // target before it touches anything? Exact up to the contact tolerance (contact.hpp).
 //
-// How it is fast: see sight.hpp (places learn their few blockers from a sweep of shadows along grid
-// rows; a blocker is a rectangle in the plane of the flight until that is not enough).
+// How it is fast: places learn their few blockers from a sweep of shadows along grid rows (blocker.hpp);
+// a blocker is a rectangle in the plane of the flight until that is not enough (sight.hpp).
 #pragma once
 
 #include <cstdint>

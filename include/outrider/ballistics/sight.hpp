@@ -1,33 +1,18 @@
-// Lines of sight: which solids can matter for a flight from a place to a target, and do they.
+// Lines of sight: do the blockers on the way from a place to a target stop a flight?
 //
-// A flight stays in the vertical plane through the gun and the aim point. A solid matters only when
-// its footprint, grown by the ball and the margin, meets the line of sight on the ground. Seen from
-// the target those places form a cone behind the solid; a row of the grid cuts it in one interval, so
-// a sweep along the row tells each place its few blockers. In the plane of the flight a blocker is
-// bounded by a rectangle that a parabola, being concave, passes above when both ends do, and below
-// when its highest point does; only what is left is decided by conservative advancement.
+// In the plane of the flight a blocker is bounded by a rectangle that a parabola, being concave, passes
+// above when both ends do, and below when its highest point does; only what is left is decided by
+// conservative advancement (contact.hpp).
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
-#include <functional>
+#include <optional>
 #include <vector>
 
+#include "outrider/ballistics/blocker.hpp"
 #include "outrider/ballistics/shot.hpp"
-#include "outrider/world/grid.hpp"
 
 namespace outrider {
-
-/// A convex piece of a solid as an obstacle to flights.
-struct Blocker {
-  Solid piece;
-  std::size_t solid = 0;   ///< index in the FlightSpace
-  std::vector<Vec2> hull;  ///< footprint grown by ball and margin, as a polygon around it
-  std::vector<Vec2> core;  ///< footprint where piece = footprint x [low, high]; else empty
-  double low_m = 0.0;      ///< heights of the piece itself
-  double high_m = 0.0;
-};
-std::vector<Blocker> blockers(const FlightSpace& space, double grow_m);
 
 /// One parabola in the plane of a line of sight; distances are measured from the yaw axis.
 struct Arc {
@@ -85,13 +70,6 @@ std::vector<double> offsets(double low, double high, double step);
 /// Fills `sight` for the aim point `aim` (world) from `position`, looking at `near` blockers only.
 void look(Sight& sight, const ShotRules& rules, const Target& target, Vec2 position, Vec2 aim,
           const std::vector<const Blocker*>& near);
-
-/// Visits each standable cell whose centre is within `reach_m` of `centre`, row by row, with the
-/// blockers whose hull, grown by `spare_m`, the line from there to `centre` may cross. The visit
-/// returns false to end the sweep.
-void sweep(const std::vector<Blocker>& all, Vec2 centre, double reach_m, double spare_m,
-           const GridFrame& frame, const std::vector<std::uint8_t>& standable,
-           const std::function<bool(std::size_t cell, const std::vector<const Blocker*>& near)>& visit);
 
 /// No place farther than this from the target's centre can hit any point of it.
 double longest_range(const ShotRules& rules, const Target& target);

@@ -1,0 +1,65 @@
+#include "outrider/ballistics/blocker.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace outrider {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+bool is_upright_prism(const Solid& solid) {
+  const bool upright = std::abs(solid.world_T_solid.rotation.axes[2].z) >= 1.0 - 1e-12;
+  return upright && (std::holds_alternative<BoxShape>(solid.shape) ||
+                     std::holds_alternative<CylinderShape>(solid.shape));
+}
+
+/// Convex pieces with distances of their own: a mesh falls into its triangles.
+std::vector<Solid> convex_pieces(const Solid& solid) {
+  const auto* mesh = std::get_if<MeshShape>(&solid.shape);
+  if (mesh == nullptr) return {solid};
+  std::vector<Solid> pieces;
+  for (const auto& triangle : mesh->triangles) {
+    pieces.push_back({solid.name, solid.world_T_solid, MeshShape{{triangle}}});
+  }
+  return pieces;
+}
+
+Blocker blocker_of(const Solid& piece, std::size_t index, double grow_m) {
+  Blocker blocker{piece, index, {}, {}, 0.0, 0.0};
+  const Box3 box = bounds(piece);
+  blocker.low_m = box.low.z;
+  blocker.high_m = box.high.z;
+  const auto shapes = footprint(piece, -inf, inf);
+  if (shapes.empty()) return blocker;  // a half-space: met everywhere
+  RoundedPolygon grown = shapes.front();
+  if (is_upright_prism(piece)) {
+    // Inside a cylinder's footprint the inscribed square is enough to see most hits at once.
+    blocker.core = grown.core;
+    if (grown.core.size() == 1) {
+      const double half = grown.radius_m * std::sqrt(0.5);
+      const Vec2 c = grown.core.front();
+      blocker.core = {{c.x - half, c.y - half},
+                      {c.x + half, c.y - half},
+                      {c.x + half, c.y + half},
+                      {c.x - half, c.y + half}};
+    }
+  }
+  grown.radius_m += grow_m;
+  blocker.hull = circumscribed(grown, radians(46.0));
+  return blocker;
+}
+
+}  // namespace
+
+std::vector<Blocker> blockers(const FlightSpace& space, double grow_m) {
+  std::vector<Blocker> all;
+  for (std::size_t i = 0; i < space.solids().size(); ++i) {
+    for (const Solid& piece : convex_pieces(space.solids()[i])) {
+      all.push_back(blocker_of(piece, i, grow_m));
+    }
+  }
+  return all;
+}
+
+}  // namespace outrider
