@@ -1,9 +1,8 @@
 #include "draft.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "outrider/core/parallel.hpp"
 #include "outrider/guard/plan.hpp"
 
 namespace outrider {
@@ -38,7 +37,7 @@ void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
     }
   }
   const Site& site = drafting.site;
-  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+  parallel_for(missing.size(), [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
     missing[i]->second =
         best_shot(site.rules, site.space(t), drafting.problem.targets[t], drafting.place(cell),

@@ -1,12 +1,13 @@
 #include "outrider/guard/site.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
+
+#include "outrider/core/parallel.hpp"
 
 namespace outrider {
 namespace {
@@ -223,7 +224,7 @@ Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
   find_standable(site, problem.robot.radius_m, spare);
   find_reachable(site, problem.start.position, problem.robot.radius_m);
-  tbb::parallel_for(std::size_t{0}, problem.targets.size(), [&](std::size_t i) {
+  parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
     site.regions[i] = firing_region(site.rules, site.space(i), target, site.frame, site.reachable);
     if (site.regions[i].hits == 0) prove(site, target, i);

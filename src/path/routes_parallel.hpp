@@ -1,13 +1,12 @@
 // One budget for work that runs in parallel, with the same verdict for any number of threads.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <vector>
 
 #include "outrider/core/budget.hpp"
+#include "outrider/core/parallel.hpp"
 
 namespace outrider::routes {
 
@@ -23,8 +22,7 @@ Status in_parallel(std::size_t count, Budget& remaining, Work work) {
     const std::size_t size = std::min(block, count - low);
     std::vector<BudgetMeter> meters(size, BudgetMeter(remaining));
     std::vector<char> done(size, 0);
-    tbb::parallel_for(std::size_t{0}, size,
-                      [&](std::size_t k) { done[k] = work(low + k, meters[k]) ? 1 : 0; });
+    parallel_for(size, [&](std::size_t k) { done[k] = work(low + k, meters[k]) ? 1 : 0; });
     for (std::size_t k = 0; k < size; ++k) {
       if (remaining.stop.stop_requested()) return meters[k].refusal();
       if (done[k] == 0 || meters[k].spent() > remaining.expansions) {

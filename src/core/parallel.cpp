@@ -1,0 +1,30 @@
+#include "outrider/core/parallel.hpp"
+
+#ifdef __SANITIZE_THREAD__
+#include <atomic>
+#include <thread>
+#else
+#include <tbb/parallel_for.h>
+#endif
+
+namespace outrider {
+
+#ifdef __SANITIZE_THREAD__
+// The thread sanitizer cannot see inside the library that oneTBB comes as, and would take each of its
+// hand-overs for a race: here the same bodies run on plain threads, so that their own races show.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) body(i);
+  };
+  std::thread other(work);
+  work();
+  other.join();
+}
+#else
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::parallel_for(std::size_t{0}, count, body);
+}
+#endif
+
+}  // namespace outrider
