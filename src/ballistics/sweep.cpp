@@ -68,20 +68,21 @@ struct Span {
   const Blocker* blocker;
 };
 
+/// The column, with its fraction, whose centre is at x; just off the grid for what lies beyond it.
+double column(const GridFrame& frame, double x) {
+  return std::clamp((x - frame.origin.x) / frame.resolution_m - 0.5, -1.0, static_cast<double>(frame.width));
+}
+
 /// Where a row crosses the cones, in cells of the grid, by the first of them.
 std::vector<Span> spans_of_row(const std::vector<Blocker>& all, const std::vector<Cone>& cones, double y,
                                const GridFrame& frame) {
-  const auto column = [&](double x) {
-    return std::clamp((x - frame.origin.x) / frame.resolution_m - 0.5, -1.0,
-                      static_cast<double>(frame.width));
-  };
   std::vector<Span> spans;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Interval x = cones[i].row(y);
     if (x.low > x.high) continue;
     // One cell more on each side, so that rounding never hides a blocker.
-    spans.push_back({static_cast<int>(std::floor(column(x.low))) - 1,
-                     static_cast<int>(std::ceil(column(x.high))) + 1, &all[i]});
+    spans.push_back({static_cast<int>(std::floor(column(frame, x.low))) - 1,
+                     static_cast<int>(std::ceil(column(frame, x.high))) + 1, &all[i]});
   }
   std::stable_sort(spans.begin(), spans.end(),
                    [](const Span& a, const Span& b) { return a.first < b.first; });
@@ -132,13 +133,9 @@ void sweep(const std::vector<Blocker>& all, Vec2 centre, double reach_m, double 
     const double chord2 = reach_m * reach_m - (y - centre.y) * (y - centre.y);
     if (chord2 < 0.0) continue;
     const double chord = std::sqrt(chord2);
-    const auto column = [&](double x) {
-      return std::clamp((x - frame.origin.x) / frame.resolution_m - 0.5, -1.0,
-                        static_cast<double>(frame.width));
-    };
     RowSweep along(spans_of_row(all, cones, y, frame));
-    const int last = std::min(frame.width - 1, static_cast<int>(std::floor(column(centre.x + chord))));
-    for (int x = std::max(0, static_cast<int>(std::ceil(column(centre.x - chord)))); x <= last; ++x) {
+    const int last = std::min(frame.width - 1, static_cast<int>(std::floor(column(frame, centre.x + chord))));
+    for (int x = std::max(0, static_cast<int>(std::ceil(column(frame, centre.x - chord)))); x <= last; ++x) {
       const auto& near = along.at(x);
       const std::size_t cell = frame.index({x, row});
       if (standable[cell] != 0 && !visit(cell, near)) return;

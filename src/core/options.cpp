@@ -7,15 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
 namespace {
-
-template <class... Visitors>
-struct Overload : Visitors... {
-  using Visitors::operator()...;
-};
 
 std::string expectation(const Option& option, std::string_view kind) {
   return fmt::format("{} from {:g} to {:g}{}{}", kind, option.low, option.high,

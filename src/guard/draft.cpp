@@ -37,11 +37,11 @@ void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
     }
   }
   const Site& site = drafting.site;
+  const auto pitches = pitch_lattice(site.rules);
   parallel_for(missing.size(), [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
-    missing[i]->second =
-        best_shot(site.rules, site.space(t), drafting.problem.targets[t], drafting.place(cell),
-                  pitch_lattice(site.rules)[site.regions[t].pitch[cell]]);
+    missing[i]->second = best_shot(site.rules, site.space(t), drafting.problem.targets[t],
+                                   drafting.place(cell), pitches[site.regions[t].pitch[cell]]);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/overload.hpp"
 #include "outrider/sim/profile.hpp"
 
 namespace outrider {
@@ -12,11 +13,6 @@ namespace {
 
 constexpr double sample_period_s = 0.1;
 constexpr double reference_rule_m = 0.5;
-
-template <class... Visitors>
-struct Overload : Visitors... {
-  using Visitors::operator()...;
-};
 
 /// Uniform in the disk of that radius.
 Vec2 in_disk(Rng& rng, double radius_m) {

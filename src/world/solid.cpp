@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -12,11 +13,6 @@ namespace {
 
 constexpr int prism_sides = 64;  // 1 / cos(pi / 64) = 1.0012: the 0.13 % of the header
 constexpr double upright = 1.0 - 1e-12;
-
-template <class... Visitors>
-struct Overload : Visitors... {
-  using Visitors::operator()...;
-};
 
 // ---- Distances, each in the frame of the solid -------------------------------------------------
 
