@@ -6,6 +6,7 @@
 namespace outrider {
 namespace {
 
+constexpr double chord_rad = radians(46.0);  // of the polygons that stand for arcs
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 bool is_upright_prism(const Solid& solid) {
@@ -26,27 +27,17 @@ std::vector<Solid> convex_pieces(const Solid& solid) {
 }
 
 Blocker blocker_of(const Solid& piece, std::size_t index, double grow_m) {
-  Blocker blocker{piece, index, {}, {}, 0.0, 0.0};
+  Blocker blocker{piece, index, {}, {}, {}, 0.0, 0.0};
   const Box3 box = bounds(piece);
   blocker.low_m = box.low.z;
   blocker.high_m = box.high.z;
   const auto shapes = footprint(piece, -inf, inf);
   if (shapes.empty()) return blocker;  // a half-space: met everywhere
   RoundedPolygon grown = shapes.front();
-  if (is_upright_prism(piece)) {
-    // Inside a cylinder's footprint the inscribed square is enough to see most hits at once.
-    blocker.core = grown.core;
-    if (grown.core.size() == 1) {
-      const double half = grown.radius_m * std::sqrt(0.5);
-      const Vec2 c = grown.core.front();
-      blocker.core = {{c.x - half, c.y - half},
-                      {c.x + half, c.y - half},
-                      {c.x + half, c.y + half},
-                      {c.x - half, c.y + half}};
-    }
-  }
+  if (is_upright_prism(piece)) blocker.core = inscribed(grown, chord_rad);
   grown.radius_m += grow_m;
-  blocker.hull = circumscribed(grown, radians(46.0));
+  if (is_upright_prism(piece)) blocker.side = inscribed(grown, chord_rad);
+  blocker.hull = circumscribed(grown, chord_rad);
   return blocker;
 }
 

@@ -10,22 +10,11 @@ namespace {
 
 constexpr double good_spread = 0.7;
 
-/// What each pitch of the lattice needs again and again.
-struct PitchTable {
-  std::vector<double> pitch, tangent, cosine;
-  std::vector<Vec2> tip;
-
-  explicit PitchTable(const ShotRules& rules) : pitch(pitch_lattice(rules)) {
-    for (const double p : pitch) {
-      tangent.push_back(std::tan(p));
-      cosine.push_back(std::cos(p));
-      tip.push_back(muzzle(rules.gun, p));
-    }
-  }
-  [[nodiscard]] std::optional<Arc> arc(const Sight& sight, std::size_t i, double aim_z) const {
-    return sight.arc(pitch[i], tip[i], tangent[i], cosine[i], aim_z);
-  }
-};
+std::vector<Elevation> elevations(const ShotRules& rules) {
+  std::vector<Elevation> all;
+  for (const double pitch : pitch_lattice(rules)) all.push_back(elevation(rules, pitch));
+  return all;
+}
 
 struct Choice {
   std::uint8_t pitch = FiringRegion::no_shot;
@@ -34,19 +23,22 @@ struct Choice {
   const Blocker* blocker = nullptr;  ///< of the flattest arc
 };
 
-Choice choose(const Sight& sight, const PitchTable& table, double aim_z) {
+Choice choose(Sight& sight, const std::vector<Elevation>& lattice, double aim_z) {
   Choice choice;
-  for (std::size_t i = 0; i < table.pitch.size(); ++i) {
-    const auto arc = table.arc(sight, i, aim_z);
+  Window* last = nullptr;  // what stopped one arc often stops the next
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const auto arc = sight.arc(lattice[i], aim_z);
     if (!arc) continue;
-    const Blocker* blocker = sight.stopped_by(*arc);
-    if (!choice.in_range) choice.blocker = blocker;
+    Window* stop = last != nullptr && sight.stops(*last, *arc) ? last : sight.stopped_by(*arc);
+    if (!choice.in_range && stop != nullptr) choice.blocker = stop->blocker;
     choice.in_range = true;
-    if (blocker != nullptr) continue;
-    const Shot shot{heading_of(sight.along), arc->shot.pitch_rad, arc->shot.speed_mps};
-    const auto s = static_cast<float>(spread(*sight.rules, *sight.target, sight.position, shot));
-    if (s < choice.spread) {
-      choice.spread = s;
+    if (stop != nullptr) {
+      last = stop;
+      continue;
+    }
+    const auto spread = static_cast<float>(sight.spread(*arc));
+    if (spread < choice.spread) {
+      choice.spread = spread;
       choice.pitch = static_cast<std::uint8_t>(i);
     }
     if (choice.spread <= good_spread) break;
@@ -67,7 +59,7 @@ std::vector<double> pitch_lattice(const ShotRules& rules) {
 
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
                            const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  const PitchTable table(rules);
+  const auto lattice = elevations(rules);
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
   FiringRegion region;
@@ -76,13 +68,13 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
   region.blocked_by.assign(space.solids().size(), 0);
   for (const std::uint8_t cell : standable) region.places += cell;
 
-  Sight sight;
+  Sight sight(rules, target);
   sweep(all, xy(centre), longest_range(rules, target), 0.0, frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           const Vec2 position = frame.centre(frame.cell(cell));
           if (!clear_of(rules, target, position)) return true;
-          look(sight, rules, target, position, xy(centre), near);
-          const Choice choice = choose(sight, table, centre.z);
+          sight.look(position, xy(centre), near);
+          const Choice choice = choose(sight, lattice, centre.z);
           region.pitch[cell] = choice.pitch;
           region.spread[cell] = choice.spread;
           region.in_range += choice.in_range ? 1 : 0;
@@ -95,7 +87,7 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
 
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  const PitchTable table(rules);
+  const auto lattice = elevations(rules);
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
   const double half_diagonal = 0.5 * std::hypot(target.size.x, target.size.y);
@@ -103,19 +95,21 @@ Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target
   Exhausted result;
   result.blocked_by.assign(space.solids().size(), 0);
 
-  Sight sight;
-  const auto try_aim = [&](std::size_t cell, Vec2 aim, double aim_z) {
+  Sight sight(rules, target);
+  const auto try_aim = [&](std::size_t cell, double aim_z) {
+    if (result.found) return false;
     bool in_range = false;
-    for (std::size_t i = 0; i < table.pitch.size() && !result.found; ++i) {
-      const auto arc = table.arc(sight, i, aim_z);
+    for (const Elevation& at : lattice) {
+      const auto arc = sight.arc(at, aim_z);
       if (!arc) continue;
       in_range = true;
       ++result.flights;
-      if (const Blocker* blocker = sight.stopped_by(*arc)) {
-        ++result.blocked_by[blocker->solid];
+      if (const Window* stop = sight.stopped_by(*arc)) {
+        ++result.blocked_by[stop->blocker->solid];
       } else {
         result.found = cell;
-        result.shot = {heading_of(aim - sight.position), arc->shot.pitch_rad, arc->shot.speed_mps};
+        result.shot = sight.shot(*arc);
+        break;
       }
     }
     return in_range;
@@ -126,9 +120,9 @@ Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target
           if (!clear_of(rules, target, position)) return true;
           bool in_range = false;
           for (const Vec2 aim : aim_points(target, position, rules.aim_step_m)) {
-            look(sight, rules, target, position, aim, near);
+            sight.look(position, aim, near);
             for (const double up : heights) {
-              in_range = try_aim(cell, aim, centre.z + up) || in_range;
+              in_range = try_aim(cell, centre.z + up) || in_range;
             }
           }
           result.places += in_range ? 1 : 0;

@@ -18,21 +18,6 @@ constexpr std::size_t most_rated = 4;         // of these the hit rate is found 
 constexpr std::size_t most_off_centre = 200;  // candidates flown beside a shot at the centre that may miss
 constexpr std::size_t most_flown = 48;  // shots that fly but forgive too little before the first is taken
 
-/// Half of the target's size along and across a direction of sight.
-struct Outline {
-  double along_m;
-  double across_m;
-};
-
-Outline outline(const Target& target, double yaw_rad) {
-  const double c = std::abs(std::cos(yaw_rad - target.yaw_rad));
-  const double s = std::abs(std::sin(yaw_rad - target.yaw_rad));
-  const double length = 0.5 * target.size.x;
-  const double width = 0.5 * target.size.y;
-  constexpr double tiny = 1e-9;
-  return {std::min(length / std::max(c, tiny), width / std::max(s, tiny)), length * s + width * c};
-}
-
 struct Candidate {
   Shot shot;
   double spread;
@@ -61,7 +46,8 @@ Aim centre_aim(const ShotRules& rules, const Target& target, Vec2 position) {
 std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2 position) {
   const Aim centre = centre_aim(rules, target, position);
   const Vec2 aside = 1.0 / norm(centre.sight) * perpendicular(centre.sight);
-  const double half_across = outline(target, heading_of(centre.sight)).across_m;
+  const double half_across =
+      outline(target, direction(target.yaw_rad), 1.0 / norm(centre.sight) * centre.sight).across_m;
   std::vector<Aim> aims;
   for (const double across : {0.0, 0.4, -0.4, 0.8, -0.8}) {
     for (const double up : {0.0, 0.4, -0.4, 0.8}) {
@@ -76,7 +62,7 @@ std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2
 /// All points that exhaust() tries.
 std::vector<Aim> all_aims(const ShotRules& rules, const Target& target, Vec2 position) {
   const Vec2 sight = xy(target.base) - position;
-  const double half_across = outline(target, heading_of(sight)).across_m;
+  const double half_across = outline(target, direction(target.yaw_rad), 1.0 / norm(sight) * sight).across_m;
   const double half_height = 0.5 * target.size.z;
   std::vector<Aim> aims;
   for (const Vec2 point : aim_points(target, position, rules.aim_step_m)) {
@@ -179,8 +165,9 @@ std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpac
 }  // namespace
 
 bool clear_of(const ShotRules& rules, const Target& target, Vec2 position) {
-  const Vec2 along = direction(target.yaw_rad);
   const Vec2 offset = position - xy(target.base);
+  if (norm(offset) >= rules.standoff_m + 0.5 * std::hypot(target.size.x, target.size.y)) return true;
+  const Vec2 along = direction(target.yaw_rad);
   const Vec2 beyond{std::max(0.0, std::abs(dot(offset, along)) - 0.5 * target.size.x),
                     std::max(0.0, std::abs(cross(along, offset)) - 0.5 * target.size.y)};
   return norm(beyond) >= rules.standoff_m;
@@ -199,23 +186,10 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
 }
 
 double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot) {
-  const Outline half = outline(target, shot.yaw_rad);
-  const double range = distance(position, xy(target.base));
-  const Vec2 tip = muzzle(rules.gun, shot.pitch_rad);
-  const double s = range - tip.x;
-  const double cosine = std::cos(shot.pitch_rad);
-  const double tangent = std::tan(shot.pitch_rad);
-  const double k = rules.gravity_mps2 / (2.0 * shot.speed_mps * shot.speed_mps * cosine * cosine);
-  const double slope = tangent - 2.0 * k * s;
-  // z(s) = h + s tan p - k s^2, where dh/dp = tip.x and ds/dp = tip.y - pivot:
-  // dz/dp = tip.x + slope ds/dp + s / cos^2 p - 2 k s^2 tan p, dz/dv = 2 k s^2 / v.
-  const double by_pitch = std::abs(tip.x + slope * (tip.y - rules.gun.pivot_height_m) +
-                                   s / (cosine * cosine) - 2.0 * k * s * s * tangent);
-  const double vertical = by_pitch * rules.errors.gun_rad + 2.0 * k * s * s * rules.errors.speed_ratio;
-  const double lateral = range * rules.errors.gun_rad;
-  const double ball = rules.gun.ball_radius_m;
-  return std::max(vertical / (0.5 * target.size.z + half.along_m * std::abs(slope) + ball),
-                  lateral / (half.across_m + ball));
+  const Elevation at = elevation(rules, shot.pitch_rad);
+  const double forward = shot.speed_mps * at.cosine;
+  return spread(rules, target, outline(target, direction(target.yaw_rad), direction(shot.yaw_rad)),
+                distance(position, xy(target.base)), at, rules.gravity_mps2 / (2.0 * forward * forward));
 }
 
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,

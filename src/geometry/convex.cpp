@@ -131,10 +131,14 @@ std::optional<Interval> cut(const std::vector<Vec2>& polygon, Vec2 origin, Vec2 
   return Interval{t_low, t_high};
 }
 
-std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad) {
+namespace {
+
+/// Visits the arcs of the border, each corner's cut in equal pieces of at most `step_rad`: the corner, the
+/// outward normal where the first piece begins, how many there are and half the angle of each.
+template <class Visit>
+void for_each_arc(const RoundedPolygon& shape, double step_rad, Visit visit) {
   constexpr double slack = 1e-9;  // of rounding: a right angle is one step of 90 degrees
   const std::size_t n = shape.core.size();
-  std::vector<Vec2> corners;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 corner = shape.core[i];
     // Directions of the edges that meet here decide the arc of outward normals to cover.
@@ -143,12 +147,31 @@ std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad) {
     double sweep = n == 1 ? 2.0 * pi : wrap_angle(to - from);
     if (sweep < -slack) sweep += 2.0 * pi;
     const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / step_rad - slack)));
-    const double half = 0.5 * sweep / pieces;
-    for (int k = 0; k < pieces; ++k) {
-      const double normal = from + (2 * k + 1) * half;
-      corners.push_back(corner + shape.radius_m / std::cos(half) * direction(normal));
-    }
+    visit(corner, from, pieces, 0.5 * sweep / pieces);
   }
+}
+
+}  // namespace
+
+std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad) {
+  std::vector<Vec2> corners;
+  for_each_arc(shape, step_rad, [&](Vec2 corner, double from, int pieces, double half) {
+    for (int k = 0; k < pieces; ++k) {
+      corners.push_back(corner + shape.radius_m / std::cos(half) * direction(from + (2 * k + 1) * half));
+    }
+  });
+  return corners;
+}
+
+std::vector<Vec2> inscribed(const RoundedPolygon& shape, double step_rad) {
+  if (shape.radius_m == 0.0) return shape.core;
+  const bool closed = shape.core.size() == 1;  // the last point of a circle is the first
+  std::vector<Vec2> corners;
+  for_each_arc(shape, step_rad, [&](Vec2 corner, double from, int pieces, double half) {
+    for (int k = 0; k < pieces + (closed ? 0 : 1); ++k) {
+      corners.push_back(corner + shape.radius_m * direction(from + 2 * k * half));
+    }
+  });
   return corners;
 }
 

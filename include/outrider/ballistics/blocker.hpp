@@ -15,12 +15,14 @@
 
 namespace outrider {
 
-/// A convex piece of a solid as an obstacle to flights.
+/// A convex piece of a solid as an obstacle to flights. Where piece = footprint x [low, high], polygons
+/// tell what surely touches it; else `core` and `side` are empty.
 struct Blocker {
   Solid piece;
   std::size_t solid = 0;   ///< index in the FlightSpace
-  std::vector<Vec2> hull;  ///< footprint grown by ball and margin, as a polygon around it
-  std::vector<Vec2> core;  ///< footprint where piece = footprint x [low, high]; else empty
+  std::vector<Vec2> hull;  ///< around the footprint grown by ball and margin
+  std::vector<Vec2> side;  ///< in the footprint grown by ball and margin
+  std::vector<Vec2> core;  ///< in the footprint
   double low_m = 0.0;      ///< heights of the piece itself
   double high_m = 0.0;
 };

@@ -57,4 +57,8 @@ std::optional<Interval> cut(const std::vector<Vec2>& polygon, Vec2 origin, Vec2 
 /// turn by at most `step_rad`, so a corner lies at most radius / cos(step / 2) from the core.
 std::vector<Vec2> circumscribed(const RoundedPolygon& shape, double step_rad);
 
+/// Corners of a polygon inside the rounded polygon: each arc is replaced by chords that turn by at most
+/// `step_rad`, so no point of it is farther than radius (1 - cos(step / 2)) from the border of the shape.
+std::vector<Vec2> inscribed(const RoundedPolygon& shape, double step_rad);
+
 }  // namespace outrider

@@ -71,7 +71,7 @@ TEST(Sweep, EndsWhenToldTo) {
   EXPECT_EQ(visits, 7);
 }
 
-TEST(Blockers, HullsHoldEveryPlaceWhereTheGrownSolidIsOverhead) {
+TEST(Blockers, PolygonsBoundTheGrownSolidFromOutsideAndInside) {
   Rng rng(32);
   for (int i = 0; i < cases(140); ++i) {
     const Solid solid = random_solid(rng, static_cast<std::uint64_t>(i) % 7, 0.3);
@@ -81,17 +81,24 @@ TEST(Blockers, HullsHoldEveryPlaceWhereTheGrownSolidIsOverhead) {
       const double away = testing::own_distance(p, solid);
       bool inside_one = false;
       bool in_core = false;
+      bool in_side = false;
+      bool over_core = false;
       for (const Blocker& piece : pieces) {
         const bool level = p.z >= piece.low_m - 0.04 && p.z <= piece.high_m + 0.04;
         inside_one = inside_one || (level && testing::inside(xy(p), piece.hull, 1e-9));
-        in_core =
-            in_core || (p.z >= piece.low_m && p.z <= piece.high_m && testing::inside(xy(p), piece.core));
+        const bool beside = p.z >= piece.low_m && p.z <= piece.high_m;
+        in_core = in_core || (beside && testing::inside(xy(p), piece.core));
+        in_side = in_side || (beside && testing::inside(xy(p), piece.side));
+        over_core = over_core || (level && testing::inside(xy(p), piece.core));
       }
       if (away <= 0.04) {
         EXPECT_TRUE(inside_one) << solid.name;
       }
       if (in_core) {
         EXPECT_LT(away, 1e-9) << solid.name;
+      }
+      if (in_side || over_core) {
+        EXPECT_LT(away, 0.04 + 1e-9) << solid.name;
       }
     }
   }

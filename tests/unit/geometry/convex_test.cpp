@@ -207,6 +207,24 @@ TEST(Circumscribed, HoldsTheShapeAndStaysNear) {
   }
 }
 
+TEST(Inscribed, LiesInTheShapeAndStaysNearItsBorder) {
+  Rng rng(11);
+  for (int round = 0; round < cases(300); ++round) {
+    const RoundedPolygon shape = random_rounded_polygon(rng, 1.0);
+    const double step = rng.uniform(0.05, 1.5);
+    const std::vector<Vec2> corners = inscribed(shape, step);
+    const double lost = shape.radius_m * (1.0 - std::cos(step / 2));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 next = corners[(i + 1) % corners.size()];
+      for (const double part : {0.0, 0.3, 0.5, 0.9}) {
+        const double away = core_distance(corners[i] + part * (next - corners[i]), shape.core);
+        EXPECT_LE(away, shape.radius_m + 1e-9);
+        EXPECT_GE(away, shape.radius_m - lost - 1e-9);
+      }
+    }
+  }
+}
+
 TEST(Cut, IsThePartOfTheRayInside) {
   Rng rng(10);
   int cuts = 0;

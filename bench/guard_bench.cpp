@@ -1,0 +1,46 @@
+// The survey of a yard, with the firing regions of all its targets, on one thread; the counter tells the
+// places with a shot. The yard is the bundled one, or that of the scenario which OUTRIDER_GUARD_SCENARIO
+// names.
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "outrider/guard/site.hpp"
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/scenario.hpp"
+
+namespace outrider {
+namespace {
+
+void survey_of_yard(benchmark::State& state) {
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const char* named = std::getenv("OUTRIDER_GUARD_SCENARIO");
+  const std::string path = named == nullptr ? OUTRIDER_SCENARIOS "/yard/yard.yaml" : named;
+  GuardScenario scenario;
+  if (auto ok = load_scenario(path, describe(scenario)); !ok) {
+    return state.SkipWithError(ok.error().sentence.c_str());
+  }
+  resolve_paths(scenario, path);
+  if (auto ok = load_problem(scenario); !ok) return state.SkipWithError(ok.error().sentence.c_str());
+  scenario.options.resolution_m = static_cast<double>(state.range(0)) / 1000.0;
+  std::size_t hits = 0;
+  for (auto _ : state) {
+    const auto site = survey(scenario.problem, scenario.options);
+    if (!site) return state.SkipWithError(site.error().sentence.c_str());
+    hits = 0;
+    for (const FiringRegion& region : site->regions) hits += region.hits;
+  }
+  state.counters["hits"] = static_cast<double>(hits);
+}
+
+BENCHMARK(survey_of_yard)
+    ->Name("survey/yard")
+    ->ArgName("mm")
+    ->Arg(100)
+    ->Arg(40)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace outrider
