@@ -1,0 +1,42 @@
+// The catalogue of pursuit planners; src/pursuit/catalog.cpp is the only list.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/budget.hpp"
+#include "outrider/core/options.hpp"
+#include "outrider/pursuit/plan.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider {
+
+/// What a planner promises with its default options.
+struct PursuitGuarantee {
+  bool complete = true;  ///< finds a catch whenever there is one, or proves that there is none
+  bool optimal = true;   ///< and it is the cheapest, with lower_bound = cost
+  std::string_view sentence;
+};
+
+/// A planner with an instance of its options, which `plan` reads at each call.
+struct ConfiguredPursuitPlanner {
+  std::vector<Option> options;
+  std::function<Outcome<PursuitPlan>(const PursuitProblem&, const Budget&, Workspace&)> plan;
+};
+
+struct PursuitPlanner {
+  std::string_view name;
+  std::string_view sentence;
+  std::string_view paper;
+  PursuitGuarantee guarantee;
+  std::function<ConfiguredPursuitPlanner()> configure;
+};
+
+/// All of them, in the order of showing.
+const std::vector<PursuitPlanner>& pursuit_planners();
+
+/// Fault: bad_input with the nearest known name.
+Outcome<PursuitPlanner> find_pursuit_planner(std::string_view name);
+
+}  // namespace outrider

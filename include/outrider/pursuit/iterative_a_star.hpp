@@ -1,0 +1,30 @@
+// Iterative A* with penalties and backward goals: a reference method, kept for comparison.
+//
+// Goals are cells of the target taken backward from the end of its trajectory. Towards each, A* in space
+// alone minimises cost + penalty x steps; a way that arrives late is searched again with a ten times
+// larger penalty, until it is in time or even the fewest steps are late. Who is early waits at the goal. The
+// cheapest catch of all goals is the answer.
+//
+// Not complete (only `goals` seconds of the trajectory are tried) and not optimal (it waits only at the
+// goal, and penalties skip ways between two of them). lower_bound is 0: nothing is proven.
+// O(goals log(penalties) cells log cells).
+// Source: the method of the reference report on map 1-9 (CMU 16-782), from its description.
+#pragma once
+
+#include "outrider/core/budget.hpp"
+#include "outrider/core/options.hpp"
+#include "outrider/pursuit/plan.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider {
+
+struct IterativeAStarOptions {
+  std::int64_t goals = 16;  ///< seconds tried, spread from the last one back to the first
+};
+std::vector<Option> describe(IterativeAStarOptions& options);
+
+/// Faults: those of check(problem); budget_exhausted when no goal was reached in time, or the budget ended.
+Outcome<PursuitPlan> iterative_a_star(const PursuitProblem& problem, const IterativeAStarOptions& options,
+                                      const Budget& budget, Workspace& workspace);
+
+}  // namespace outrider

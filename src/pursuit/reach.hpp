@@ -1,0 +1,46 @@
+// Reach: in how many seconds the robot can be in each cell, layer by layer, and so when it can catch.
+//
+// The flood goes no farther than seconds in which a catch may still be cheaper than one already known.
+// O(cells reached + seconds).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field.hpp"
+#include "outrider/core/budget.hpp"
+
+namespace outrider {
+
+class Reach {
+ public:
+  explicit Reach(const PursuitField& field);
+
+  /// Floods on until the next second in which the target can be caught, or to the end. False: the
+  /// budget ended first.
+  bool next_catch(BudgetMeter& meter);
+
+  /// Seconds in which the target can be caught, in order.
+  std::vector<int> catches;
+  bool complete = false;  ///< no second after the last of `catches` allows one
+
+  CellSet cells;               ///< those reached
+  std::uint32_t cheapest = 0;  ///< the least cost among them
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }  ///< cells reached
+  /// A way to a reached cell with the least number of steps, from the start.
+  [[nodiscard]] std::vector<CellIndex> path_to(CellIndex cell) const;
+
+ private:
+  bool flood_one(BudgetMeter& meter);
+
+  const PursuitField* field_;
+  CellSet open_;                    // free and not reached
+  std::vector<std::uint8_t> mark_;  // 1 + steps modulo 255; 0 where not reached
+  std::vector<CellIndex> frontier_, next_;
+  std::size_t done_ = 0;  // cells of the frontier that have been taken up
+  std::uint64_t size_ = 1;
+  int second_ = 0;  // of the frontier
+};
+
+}  // namespace outrider
