@@ -8,6 +8,8 @@ get_property(layers GLOBAL PROPERTY OUTRIDER_LAYERS)
 add_library(outrider_everything INTERFACE)
 add_library(outrider::outrider ALIAS outrider_everything)
 target_link_libraries(outrider_everything INTERFACE ${layers})
+# Within the build it sees the whole tree, and so outrider.hpp; layers see only what they may.
+target_include_directories(outrider_everything INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 set_target_properties(outrider_everything PROPERTIES EXPORT_NAME outrider)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/outrider)

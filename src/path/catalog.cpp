@@ -7,9 +7,12 @@
 
 #include "outrider/path/a_star.hpp"
 #include "outrider/path/dijkstra.hpp"
+#include "outrider/path/hub_labels.hpp"
 #include "outrider/path/jps.hpp"
 #include "outrider/path/jps_plus.hpp"
+#include "outrider/path/least_time.hpp"
 #include "outrider/path/polyanya.hpp"
+#include "outrider/path/sampling.hpp"
 #include "outrider/path/theta_star.hpp"
 #include "outrider/path/visibility_graph.hpp"
 
@@ -33,13 +36,31 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner) {
   };
 }
 
+template <class Options>
+using ManyPlanner = std::vector<Outcome<Plan>> (*)(const Problem&, const std::vector<Vec2>&, const Options&,
+                                                   const Budget&, Workspace&);
+
+template <class Options>
+std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPlanner<Options> many) {
+  return [planner, many] {
+    const auto options = std::make_shared<Options>();
+    return ConfiguredPlanner{
+        describe(*options),
+        [planner, options](const Problem& problem, const Budget& budget, Workspace& workspace) {
+          return planner(problem, *options, budget, workspace);
+        },
+        [many, options](const Problem& problem, const std::vector<Vec2>& goals, const Budget& budget,
+                        Workspace& workspace) { return many(problem, goals, *options, budget, workspace); }};
+  };
+}
+
 std::vector<PathPlanner> planners_on_grids() {
   return {
       {"dijkstra",
        "Searches in all directions until the goal is reached.",
        "Dijkstra, A note on two problems in connexion with graphs, 1959",
        {true, PathClass::along_moves, 1.0, "complete; shortest along the eight moves of the grid"},
-       with_options(dijkstra)},
+       with_options(dijkstra, dijkstra_many)},
       {"a_star",
        "Searches towards the goal, led by the distance along the moves of an empty grid.",
        "Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths, "
@@ -80,6 +101,14 @@ std::vector<PathPlanner> planners_on_grids() {
        {true, PathClass::any_direction, 1.0, "complete; shortest of all paths"},
        with_options(polyanya),
        {GridModel::corners}},
+      {"hub_labels",
+       "Looks the shortest path in any direction up in an index of hubs that most paths pass; for many "
+       "queries on one grid.",
+       "Du, Shen and Cheema, Ultrafast Euclidean shortest path computation using hub labeling, 2023",
+       {true, PathClass::any_direction, 1.0, "complete; shortest of all paths"},
+       with_options(hub_labels),
+       {GridModel::corners},
+       true},
   };
 }
 
@@ -90,7 +119,7 @@ std::vector<PathPlanner> planners_on_polygons() {
        "Lee, Proximity and reachability in the plane, 1978; Liu and Arimoto, Path planning using a tangent "
        "graph, 1992",
        {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
-       with_options(visibility_graph),
+       with_options(visibility_graph, visibility_graph_many),
        {},
        true,
        true},
@@ -99,7 +128,7 @@ std::vector<PathPlanner> planners_on_polygons() {
        "Liu and Arimoto, Path planning using a tangent graph for mobile robots among polygonal and curved "
        "obstacles, 1992",
        {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
-       with_options(visibility_graph_reduced),
+       with_options(visibility_graph_reduced, visibility_graph_reduced_many),
        {},
        true,
        true},
@@ -107,22 +136,79 @@ std::vector<PathPlanner> planners_on_polygons() {
        "Looks round a corner, by a sweep, only when A* first comes to it; builds nothing beforehand.",
        "Lee, Proximity and reachability in the plane, 1978; Hart, Nilsson and Raphael, 1968",
        {true, PathClass::any_curve, 1.0, "complete; shortest of all paths of the disk, with true arcs"},
-       with_options(visibility_graph_implicit),
+       with_options(visibility_graph_implicit, visibility_graph_implicit_many),
        {},
        false,
+       true},
+      {"least_time",
+       "Least time for a robot that turns in place before each straight, when turning has a price.",
+       "Liu and Arimoto, 1992; Milnor, On the total curvature of knots, 1950",
+       {true, PathClass::any_curve, 1.0026,
+        "complete; at most 1.0026 times the least time of all paths, nearer with a smaller `arc_step`",
+        Measure::time},
+       with_options(least_time, least_time_many),
+       {},
+       true,
        true},
   };
 }
 
+#ifdef OUTRIDER_WITH_OMPL
+std::vector<PathPlanner> planners_that_sample() {
+  const Guarantee guarantee = {
+      false, PathClass::any_curve, unbounded,
+      "asymptotically complete and optimal; nothing is proven after finitely many points"};
+  const auto row = [&](std::string_view name, std::string_view sentence, std::string_view paper,
+                       Planner<SamplingOptions> planner) {
+    return PathPlanner{name, sentence, paper, guarantee, with_options(planner), {}, false, true};
+  };
+  const std::string_view karaman =
+      "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
+  return {
+      row("prm_star", "Joins random free points with their neighbours, then searches that roadmap (OMPL).",
+          karaman, prm_star),
+      row("rrt_star", "Grows a tree over random free points and rewires it where that is shorter (OMPL).",
+          karaman, rrt_star),
+      row("bit_star", "Tries the edges between batches of random points, the most promising first (OMPL).",
+          "Gammell, Srinivasa and Barfoot, Batch informed trees (BIT*), 2015", bit_star),
+  };
+}
+#else
+std::vector<PathPlanner> planners_that_sample() { return {}; }
+#endif
+
 }  // namespace
+
+std::string_view unit_of(Measure measure) { return measure == Measure::time ? "s" : "m"; }
+
+std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Problem& problem,
+                                     const std::vector<Vec2>& goals, const Budget& budget,
+                                     Workspace& workspace) {
+  if (planner.plan_many) return planner.plan_many(problem, goals, budget, workspace);
+  std::vector<Outcome<Plan>> plans;
+  for (const Vec2 goal : goals) {
+    Problem one = problem;
+    one.goal = goal;
+    plans.push_back(planner.plan(one, budget, workspace));
+  }
+  return plans;
+}
 
 const std::vector<PathPlanner>& path_planners() {
   static const std::vector<PathPlanner> planners = [] {
     std::vector<PathPlanner> all = planners_on_grids();
     for (PathPlanner& planner : planners_on_polygons()) all.push_back(std::move(planner));
+    for (PathPlanner& planner : planners_that_sample()) all.push_back(std::move(planner));
     return all;
   }();
   return planners;
+}
+
+Outcome<Plan> plan_path(const Problem& problem, std::string_view planner, const Budget& budget) {
+  auto row = find_path_planner(planner);
+  if (!row) return pass_on(row);
+  Workspace workspace;
+  return row->configure().plan(problem, budget, workspace);
 }
 
 Outcome<PathPlanner> find_path_planner(std::string_view name) {

@@ -110,24 +110,49 @@ bool stands_for(const GridGround& ground, Cell v, Vec2 p) {
 
 tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move(sentence), "plan"); }
 
-Status check_numbers(const Plan& plan, const Problem& problem) {
-  double sum = 0.0;
-  if (plan.pieces.empty()) {
-    for (std::size_t i = 1; i < plan.waypoints.size(); ++i)
-      sum += distance(plan.waypoints[i - 1], plan.waypoints[i]);
+struct Turning {
+  double sum_rad = 0.0;
+  double rounding_rad = 0.0;  ///< what rounded ends of short pieces may add or take
+};
+
+/// All turns of the path: in place between its pieces, before the first of them, and along arcs.
+Turning turning_of(const Plan& plan) {
+  std::vector<PathPiece> pieces = plan.pieces;
+  for (std::size_t i = 1; plan.pieces.empty() && i < plan.waypoints.size(); ++i) {
+    pieces.push_back({plan.waypoints[i - 1], plan.waypoints[i], {}, 0.0});
   }
-  for (const PathPiece& piece : plan.pieces) sum += length_of(piece);
+  Turning turning;
+  const auto turn = [&](const PathPiece& before, const PathPiece& after) {
+    turning.sum_rad += turn_between(before, after);
+    const double size = 1.0 + norm(after.from);
+    turning.rounding_rad += 1e-14 * size * (1.0 / length_of(before) + 1.0 / length_of(after));
+  };
+  if (plan.fare.heading_rad && !pieces.empty()) {
+    const Vec2 faced{std::cos(*plan.fare.heading_rad), std::sin(*plan.fare.heading_rad)};
+    turn({-1.0 * faced, {}, {}, 0.0}, pieces.front());
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    turning.sum_rad += std::abs(pieces[i].turn_rad);
+    if (i > 0) turn(pieces[i - 1], pieces[i]);
+  }
+  return turning;
+}
+
+Status check_numbers(const Plan& plan, const Problem& problem) {
+  const double length = length_of(plan);
+  const Turning turning = plan.fare.per_rad == 0.0 ? Turning{} : turning_of(plan);
+  const double sum = plan.fare.per_m * length + plan.fare.per_rad * turning.sum_rad;
   const double slack = relative * std::max(1.0, sum);
-  if (!(std::abs(plan.cost - sum) <= slack)) {
-    return refused(fmt::format("the cost is {} m, but its legs add up to {} m", plan.cost, sum));
+  if (!(std::abs(plan.cost - sum) <= slack + plan.fare.per_rad * turning.rounding_rad)) {
+    return refused(fmt::format("the cost is {}, but its legs add up to {}", plan.cost, sum));
   }
   const bool good_bound = plan.lower_bound >= 0.0 && plan.lower_bound <= plan.cost + slack;
   if (!good_bound) {
-    return refused(fmt::format("the lower bound {} m does not lie between 0 and the cost {} m",
-                               plan.lower_bound, plan.cost));
+    return refused(fmt::format("the lower bound {} does not lie between 0 and the cost {}", plan.lower_bound,
+                               plan.cost));
   }
   const double left = distance(plan.waypoints.back(), problem.goal);
-  if (!(std::abs(plan.reached_within - left) <= slack)) {
+  if (!(std::abs(plan.reached_within - left) <= relative * std::max(1.0, length))) {
     return refused(fmt::format("the path ends {} m from the goal, not {} m", left, plan.reached_within));
   }
   return {};

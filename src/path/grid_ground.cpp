@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace outrider {
 namespace {
@@ -31,6 +32,45 @@ std::uint8_t moves_between_corners(Free free) {
 template <class Free>
 bool pinched(Free free) {
   return free(0, 0) == free(-1, -1) && free(-1, 0) == free(0, -1) && free(0, 0) != free(-1, 0);
+}
+
+/// Moves and marks of a vertex, by the cells around it.
+void set_vertex(GridGround& ground, Cell v) {
+  const std::uint32_t at = ground.index(v);
+  const auto free = [&](int dx, int dy) {
+    return (ground.marks[ground.index({v.x + dx, v.y + dy})] & GridGround::blocked_bit) == 0;
+  };
+  const bool corners = ground.model == GridModel::corners;
+  ground.moves[at] = corners ? moves_between_corners(free) : moves_between_centres(free);
+  unsigned mark = ground.marks[at] & GridGround::blocked_bit;
+  if (corners ? ground.moves[at] != 0 : free(0, 0)) mark |= GridGround::place_bit;
+  if (corners && pinched(free)) mark |= GridGround::pinch_bit;
+  ground.marks[at] = static_cast<std::uint8_t>(mark);
+}
+
+/// The vertices from `low` to `high`, as far as the grid has them.
+void set_vertices(GridGround& ground, Cell low, Cell high) {
+  const int more = ground.model == GridModel::corners ? 1 : 0;
+  const Cell last{std::min(high.x, ground.frame.width - 1 + more),
+                  std::min(high.y, ground.frame.height - 1 + more)};
+  for (int y = std::max(low.y, 0); y <= last.y; ++y) {
+    for (int x = std::max(low.x, 0); x <= last.x; ++x) set_vertex(ground, {x, y});
+  }
+}
+
+Status check_change(const GridFrame& frame, const CellChange& change) {
+  const auto [x, y] = change.low;
+  if (change.width < 1 || change.height < 1) {
+    return bad_input(fmt::format("a change of {} x {} cells is no good; it has at least one cell",
+                                 change.width, change.height));
+  }
+  if (frame.contains(change.low) && change.width <= frame.width - x && change.height <= frame.height - y) {
+    return {};
+  }
+  return bad_input(
+      fmt::format("the change of {} x {} cells at cell ({}, {}) leaves the grid; it has x from 0 "
+                  "to {} and y from 0 to {}",
+                  change.width, change.height, x, y, frame.width - 1, frame.height - 1));
 }
 
 }  // namespace
@@ -71,19 +111,24 @@ Outcome<GridGround> GridGround::of(const Grid<std::uint8_t>& blocked, GridModel 
       if (blocked[{x, y}] == 0) ground.marks[ground.index({x, y})] = 0;
     }
   }
+  set_vertices(ground, {0, 0}, {blocked.frame.width, blocked.frame.height});
+  return ground;
+}
 
-  const int more = model == GridModel::corners ? 1 : 0;
-  for (int y = 0; y < blocked.frame.height + more; ++y) {
-    for (int x = 0; x < blocked.frame.width + more; ++x) {
-      const auto free = [&](int dx, int dy) {
-        return (ground.marks[ground.index({x + dx, y + dy})] & blocked_bit) == 0;
-      };
-      const std::uint32_t v = ground.index({x, y});
-      const bool corners = model == GridModel::corners;
-      ground.moves[v] = corners ? moves_between_corners(free) : moves_between_centres(free);
-      if (corners ? ground.moves[v] != 0 : free(0, 0)) ground.marks[v] |= place_bit;
-      if (corners && pinched(free)) ground.marks[v] |= pinch_bit;
+Outcome<GridGround> GridGround::with(const std::vector<CellChange>& changes) const {
+  for (const CellChange& change : changes) {
+    if (auto good = check_change(frame, change); !good) return pass_on(good);
+  }
+  GridGround ground = *this;
+  for (const CellChange& change : changes) {
+    for (int y = change.low.y; y < change.low.y + change.height; ++y) {
+      const auto row = ground.marks.begin() + ground.index({change.low.x, y});
+      std::fill(row, row + change.width, change.blocked ? blocked_bit : std::uint8_t{0});
     }
+  }
+  for (const CellChange& change : changes) {
+    const auto [x, y] = change.low;
+    set_vertices(ground, {x - 1, y - 1}, {x + change.width, y + change.height});
   }
   return ground;
 }
@@ -99,6 +144,23 @@ std::optional<Cell> GridGround::vertex_at(Vec2 p) const {
     return std::clamp(static_cast<int>(std::floor(corners ? t + 0.5 : t)), 0, corners ? cells : cells - 1);
   };
   return Cell{nearest(x, frame.width), nearest(y, frame.height)};
+}
+
+std::optional<std::vector<Cell>> cells_changed(const GridGround& before, const GridGround& now,
+                                               std::size_t most) {
+  if (before.frame != now.frame || before.model != now.model) return std::nullopt;
+  std::vector<Cell> changed;
+  const auto width = static_cast<std::size_t>(now.frame.width);
+  for (int y = 0; y < now.frame.height; ++y) {
+    const std::uint8_t* const was = before.marks.data() + before.index({0, y});
+    const std::uint8_t* const is = now.marks.data() + now.index({0, y});
+    if (std::memcmp(was, is, width) == 0) continue;
+    for (std::size_t x = 0; x < width; ++x) {
+      if (((was[x] ^ is[x]) & GridGround::blocked_bit) != 0) changed.push_back({static_cast<int>(x), y});
+    }
+    if (changed.size() > most) return std::nullopt;
+  }
+  return changed;
 }
 
 }  // namespace outrider

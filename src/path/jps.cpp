@@ -1,5 +1,6 @@
 #include "outrider/path/jps.hpp"
 
+#include "grid_follow.hpp"
 #include "jps_map.hpp"
 #include "jps_search.hpp"
 
@@ -8,7 +9,7 @@ namespace jump {
 namespace {
 
 struct Memory {
-  GroundTag ground;
+  std::shared_ptr<const GridGround> ground;  ///< of the map
   Map map;
   Frontier frontier;
 };
@@ -148,7 +149,9 @@ Outcome<Plan> jps(const Problem& problem, const JpsOptions& /*options*/, const B
     return bad_input("jps takes grids of the model 'cells', not 'corners'; take a_star instead", "planner");
   }
   auto& memory = workspace.get<jump::Memory>();
-  if (memory.ground.renew(problem.grid)) memory.map = jump::map_of(*problem.grid);
+  follow(
+      memory.ground, problem.grid, [&] { memory.map = jump::map_of(query->ground); },
+      [&](const auto& changed) { jump::rewrite(memory.map, query->ground, changed); });
   return jump::search(problem, *query, memory.frontier, budget, workspace.trace,
                       jump::Expansion(memory.map, memory.frontier));
 }

@@ -1,5 +1,7 @@
 #include "jps_index.hpp"
 
+#include <algorithm>
+
 #include "jps_map.hpp"
 
 namespace outrider::jump {
@@ -13,21 +15,83 @@ std::int16_t longer(bool stops, std::int16_t next) {
   return static_cast<std::int16_t>(next > 0 ? next + 1 : next - 1);
 }
 
+/// The straight moves of a diagonal one.
+constexpr std::array<unsigned, 2> parts_of(unsigned diagonal) {
+  return {diagonal == 4 || diagonal == 7 ? east : west, diagonal < 6 ? north : south};
+}
+
+/// Whether a run that arrives at v by that move has come to its end.
+bool stops_at(const GridGround& ground, const std::vector<Distances>& distances, unsigned move,
+              std::size_t v) {
+  if (move < 4) return forced_sides(ground.moves[v], move) != 0;
+  const auto [h, up] = parts_of(move);
+  return distances[v][h] > 0 || distances[v][up] > 0;
+}
+
+std::ptrdiff_t step_of(const GridGround& ground, unsigned move) {
+  return grid_moves[move].y * static_cast<std::ptrdiff_t>(ground.stride) + grid_moves[move].x;
+}
+
 /// Fills the distance of one move for all cells, from the far end of each run on.
-template <class Stops>
-void fill(const GridGround& ground, unsigned move, std::vector<Distances>& distances, Stops stops) {
+void fill(const GridGround& ground, unsigned move, std::vector<Distances>& distances) {
   const Cell d = grid_moves[move];
   const int width = ground.frame.width, height = ground.frame.height;
-  const std::ptrdiff_t step = d.y * static_cast<std::ptrdiff_t>(ground.stride) + d.x;
+  const std::ptrdiff_t step = step_of(ground, move);
   for (int i = 0; i < height; ++i) {
     const int y = d.y > 0 ? height - 1 - i : i;
     for (int j = 0; j < width; ++j) {
       const std::size_t v = ground.index({d.x > 0 ? width - 1 - j : j, y});
       if (((ground.moves[v] >> move) & 1U) == 0) continue;
       const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
-      distances[v][move] = longer(stops(next), distances[next][move]);
+      distances[v][move] = longer(stops_at(ground, distances, move, next), distances[next][move]);
     }
   }
+}
+
+using Vertices = std::vector<std::size_t>;
+
+void sort_once(Vertices& vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+/// The vertices whose moves depend on the cells.
+Vertices vertices_around(const GridGround& ground, const std::vector<Cell>& cells) {
+  Vertices around;
+  for (const Cell c : cells) {
+    for (int y = c.y - 1; y <= c.y + 1; ++y) {
+      for (int x = c.x - 1; x <= c.x + 1; ++x) {
+        if (ground.frame.contains({x, y})) around.push_back(ground.index({x, y}));
+      }
+    }
+  }
+  sort_once(around);
+  return around;
+}
+
+/// Corrects the distances of one move. They may be wrong at `causes` and at the vertex before each, and
+/// from there back as long as one changes. Says where a run that led to a turn no longer does, or now does.
+Vertices walk_back(const GridGround& ground, unsigned move, const Vertices& causes,
+                   std::vector<Distances>& distances) {
+  Vertices turned;
+  const std::ptrdiff_t step = step_of(ground, move);
+  const auto correct = [&](std::size_t v) {  // whether it was wrong
+    const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
+    const bool legal = ((ground.moves[v] >> move) & 1U) != 0;
+    const std::int16_t was = distances[v][move];
+    const std::int16_t is =
+        legal ? longer(stops_at(ground, distances, move, next), distances[next][move]) : std::int16_t{0};
+    distances[v][move] = is;
+    if ((was > 0) != (is > 0)) turned.push_back(v);
+    return was != is;
+  };
+  for (std::size_t i = 0; i < causes.size(); ++i) {
+    std::size_t v = causes[step > 0 ? causes.size() - 1 - i : i];  // the far end of each line first
+    correct(v);
+    do v = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) - step);
+    while (correct(v));
+  }
+  return turned;
 }
 
 }  // namespace
@@ -44,16 +108,23 @@ unsigned forced_sides(unsigned moves, unsigned direction) {
 
 std::vector<Distances> distances_of(const GridGround& ground) {
   std::vector<Distances> distances(ground.marks.size(), Distances{});
-  for (const unsigned d : {east, north, west, south}) {
-    fill(ground, d, distances, [&](std::size_t v) { return forced_sides(ground.moves[v], d) != 0; });
-  }
-  for (const unsigned h : {east, west}) {
-    for (const unsigned v : {north, south}) {
-      fill(ground, diagonal_of(h, v), distances,
-           [&](std::size_t next) { return distances[next][h] > 0 || distances[next][v] > 0; });
-    }
-  }
+  for (unsigned move = 0; move < 8; ++move) fill(ground, move, distances);
   return distances;
+}
+
+void walk_again(std::vector<Distances>& distances, const GridGround& ground,
+                const std::vector<Cell>& changed) {
+  const Vertices around = vertices_around(ground, changed);
+  std::array<Vertices, 4> turned;
+  for (unsigned move = 0; move < 4; ++move) turned[move] = walk_back(ground, move, around, distances);
+  for (unsigned move = 4; move < 8; ++move) {
+    Vertices causes = around;
+    for (const unsigned part : parts_of(move)) {
+      causes.insert(causes.end(), turned[part].begin(), turned[part].end());
+    }
+    sort_once(causes);
+    walk_back(ground, move, causes, distances);
+  }
 }
 
 }  // namespace outrider::jump

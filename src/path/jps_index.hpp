@@ -32,4 +32,10 @@ constexpr unsigned diagonal_of(unsigned horizontal, unsigned vertical) {
 
 std::vector<Distances> distances_of(const GridGround& ground);
 
+/// Makes the distances of a ground that differs in those cells into the distances of this one, which are
+/// then the same as made anew. Each run is walked backwards from where what it depends on has changed, until
+/// a distance stays as it was: O(distances that change, and the changed cells).
+void walk_again(std::vector<Distances>& distances, const GridGround& ground,
+                const std::vector<Cell>& changed);
+
 }  // namespace outrider::jump

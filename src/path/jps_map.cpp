@@ -1,6 +1,21 @@
 #include "jps_map.hpp"
 
 namespace outrider::jump {
+namespace {
+
+/// A cell counted from the border.
+void write(Map& map, Cell c, bool blocked) {
+  for (unsigned d = 0; d < 4; ++d) {
+    const std::int32_t p = map.position(d, c);
+    Lines& lines = map.lines[d];
+    const std::ptrdiff_t word = lines.stride * (horizontal(d) ? c.y : c.x) + (p >> 6);
+    const std::uint64_t bit = std::uint64_t{1} << static_cast<unsigned>(p & 63);
+    std::uint64_t& bits = lines.bits[static_cast<std::size_t>(word)];
+    bits = blocked ? bits | bit : bits & ~bit;
+  }
+}
+
+}  // namespace
 
 Map map_of(const GridGround& ground) {
   Map map;
@@ -16,16 +31,14 @@ Map map_of(const GridGround& ground) {
   for (int y = 1; y + 1 < map.height; ++y) {
     const std::uint8_t* marks = ground.marks.data() + ground.index({-1, y - 1});
     for (int x = 1; x + 1 < map.width; ++x) {
-      if ((marks[x] & GridGround::blocked_bit) != 0) continue;
-      for (unsigned d = 0; d < 4; ++d) {
-        const std::int32_t p = map.position(d, {x, y});
-        Lines& lines = map.lines[d];
-        const std::ptrdiff_t word = lines.stride * (horizontal(d) ? y : x) + (p >> 6);
-        lines.bits[static_cast<std::size_t>(word)] &= ~(std::uint64_t{1} << static_cast<unsigned>(p & 63));
-      }
+      if ((marks[x] & GridGround::blocked_bit) == 0) write(map, {x, y}, false);
     }
   }
   return map;
+}
+
+void rewrite(Map& map, const GridGround& ground, const std::vector<Cell>& changed) {
+  for (const Cell c : changed) write(map, {c.x + 1, c.y + 1}, ground.blocked(c));
 }
 
 }  // namespace outrider::jump

@@ -72,6 +72,9 @@ struct Map {
 /// O(cells).
 Map map_of(const GridGround& ground);
 
+/// Writes the changed cells of the ground down again. O(changed).
+void rewrite(Map& map, const GridGround& ground, const std::vector<Cell>& changed);
+
 /// The first cell behind `position` that is blocked or at which a turn is forced. O(cells / 64).
 inline Stop scan(const std::uint64_t* line, std::ptrdiff_t stride, std::int32_t position) {
   for (;; position += 63) {

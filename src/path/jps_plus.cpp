@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "grid_follow.hpp"
 #include "jps_index.hpp"
 #include "jps_search.hpp"
 
@@ -10,7 +11,7 @@ namespace jump {
 namespace {
 
 struct IndexedMemory {
-  GroundTag ground;
+  std::shared_ptr<const GridGround> ground;  ///< of the distances
   std::vector<Distances> distances;
   Frontier frontier;
 };
@@ -114,7 +115,9 @@ Outcome<Plan> jps_plus(const Problem& problem, const JpsPlusOptions& /*options*/
                      "planner");
   }
   auto& memory = workspace.get<jump::IndexedMemory>();
-  if (memory.ground.renew(problem.grid)) memory.distances = jump::distances_of(ground);
+  follow(
+      memory.ground, problem.grid, [&] { memory.distances = jump::distances_of(ground); },
+      [&](const auto& changed) { jump::walk_again(memory.distances, ground, changed); });
   return jump::search(problem, *query, memory.frontier, budget, workspace.trace,
                       jump::IndexedExpansion(ground, memory.distances, memory.frontier));
 }

@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 
 #include "jps_map.hpp"
 #include "jps_nodes.hpp"
@@ -49,21 +48,6 @@ struct Frontier {
             false};
     if (c == goal) most = f;
     queue.push(entry(f, length, id));
-  }
-};
-
-/// Tells one ground from a later one at the same place in memory.
-struct GroundTag {
-  std::weak_ptr<const GridGround> owner;
-  const GridGround* grid = nullptr;
-
-  /// True when `ground` is another one than last time.
-  bool renew(const std::shared_ptr<const GridGround>& ground) {
-    const bool same = grid == ground.get() && !owner.owner_before(ground) && !ground.owner_before(owner);
-    if (same) return false;
-    owner = ground;
-    grid = ground.get();
-    return true;
   }
 };
 

@@ -1,5 +1,6 @@
 #include "octile_search.hpp"
 
+#include <algorithm>
 #include <bit>
 
 #include "octile.hpp"
@@ -46,6 +47,26 @@ struct OctilePolicy {
   }
 };
 
+/// Without an estimate; done when all that is wanted is closed.
+struct ManyGoalsPolicy : OctilePolicy {
+  std::vector<std::uint8_t>& wanted;  // by state
+  std::size_t waiting;
+
+  [[nodiscard]] static Octile estimate(State /*s*/) { return {}; }
+  [[nodiscard]] bool is_goal(State s) { return wanted[s] != 0 && --waiting == 0; }
+};
+
+/// Kept between queries, all 0.
+struct WantedMemory {
+  std::vector<std::uint8_t> of_state;
+};
+
+std::vector<Cell> vertices_to(State last, const GridGround& ground, const Labels<Octile>& labels) {
+  std::vector<Cell> vertices;
+  for (const State s : path_to(last, labels)) vertices.push_back(ground.at(s));
+  return vertices;
+}
+
 }  // namespace
 
 Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget& budget,
@@ -58,13 +79,55 @@ Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget&
   auto found = best_first(policy, memory, meter, workspace.trace);
   if (!found) return pass_on(found);
 
-  std::vector<Cell> vertices;
-  for (const State s : path_to(*found, memory.labels)) vertices.push_back(query->ground.at(s));
   const double resolution = query->ground.frame.resolution_m;
   const double cost = resolution * memory.labels.g(*found).value();
   const double straight = resolution * octile_distance(query->start, query->goal).value();
   const double bound = weight <= 1.0 ? cost : std::max(cost / weight, straight);
-  return plan_along(problem, vertices, cost, bound, {meter.spent(), policy.generated, 0});
+  return plan_along(problem, vertices_to(*found, query->ground, memory.labels), cost, bound,
+                    {meter.spent(), policy.generated, 0});
+}
+
+std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std::vector<Vec2>& goals,
+                                              const Budget& budget, Workspace& workspace) {
+  std::vector<Outcome<GridQuery>> queries;
+  auto& wanted = workspace.get<WantedMemory>().of_state;
+  std::size_t waiting = 0, asked = goals.size();
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    queries.push_back(grid_query({problem.grid, problem.start, goals[i]}));
+    if (!queries[i]) continue;
+    asked = i;
+    wanted.resize(std::max(wanted.size(), queries[i]->ground.marks.size()));
+    std::uint8_t& mark = wanted[queries[i]->ground.index(queries[i]->goal)];
+    waiting += mark == 0 ? 1 : 0;
+    mark = 1;
+  }
+  std::vector<Outcome<Plan>> plans;
+  if (asked == goals.size()) {
+    for (auto& query : queries) plans.emplace_back(pass_on(query));
+    return plans;
+  }
+  auto& memory = workspace.get<SearchMemory<Octile>>();
+  ManyGoalsPolicy policy{{*queries[asked], 0.0, memory.labels}, wanted, waiting};
+  BudgetMeter meter(budget);
+  const auto found = best_first(policy, memory, meter, workspace.trace);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (!queries[i]) {
+      plans.emplace_back(pass_on(queries[i]));
+      continue;
+    }
+    const GridGround& ground = queries[i]->ground;
+    const State goal = ground.index(queries[i]->goal);
+    wanted[goal] = 0;
+    if (!memory.labels.closed(goal)) {
+      plans.emplace_back(tl::unexpected(found.error()));
+      continue;
+    }
+    const double cost = ground.frame.resolution_m * memory.labels.g(goal).value();
+    plans.emplace_back(plan_along({problem.grid, problem.start, goals[i]},
+                                  vertices_to(goal, ground, memory.labels), cost, cost,
+                                  {meter.spent(), policy.generated, 0}));
+  }
+  return plans;
 }
 
 }  // namespace outrider

@@ -11,4 +11,8 @@ namespace outrider {
 Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget& budget,
                             Workspace& workspace);
 
+/// From the start of the problem to each of the goals, in one search of weight 0.
+std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std::vector<Vec2>& goals,
+                                              const Budget& budget, Workspace& workspace);
+
 }  // namespace outrider

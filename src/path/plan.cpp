@@ -10,11 +10,30 @@ bool goes_straight(Cell a, Cell b, Cell c) {
   return ux * vy == uy * vx && ux * vx + uy * vy > 0;
 }
 
+Vec2 direction_at(const PathPiece& piece, Vec2 p) {
+  if (piece.turn_rad == 0.0) return piece.to - piece.from;
+  return piece.turn_rad > 0.0 ? perpendicular(p - piece.centre) : -1.0 * perpendicular(p - piece.centre);
+}
+
 }  // namespace
 
 double length_of(const PathPiece& piece) {
   if (piece.turn_rad == 0.0) return distance(piece.from, piece.to);
   return std::abs(piece.turn_rad) * distance(piece.centre, piece.from);
+}
+
+double turn_between(const PathPiece& piece, const PathPiece& next) {
+  const Vec2 ends = direction_at(piece, piece.to), begins = direction_at(next, next.from);
+  return std::abs(std::atan2(cross(ends, begins), dot(ends, begins)));
+}
+
+double length_of(const Plan& plan) {
+  double length = 0.0;
+  for (const PathPiece& piece : plan.pieces) length += length_of(piece);
+  for (std::size_t i = 1; plan.pieces.empty() && i < plan.waypoints.size(); ++i) {
+    length += distance(plan.waypoints[i - 1], plan.waypoints[i]);
+  }
+  return length;
 }
 
 Plan plan_along(const Problem& problem, const std::vector<Cell>& vertices, double cost, double lower_bound,

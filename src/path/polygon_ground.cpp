@@ -65,6 +65,16 @@ bool encloses(const std::vector<Vec2>& polygon, Vec2 p) {
   return inside;
 }
 
+Status check_count(const std::vector<Vec2>& boundary, const std::vector<std::vector<Vec2>>& obstacles) {
+  std::size_t count = boundary.size();
+  for (const auto& obstacle : obstacles) count += obstacle.size();
+  if (count <= most_polygon_corners && obstacles.size() <= most_polygon_corners) return {};
+  return bad_input(
+      fmt::format("{} corners are more than {}, the most that are taken; simplify the "
+                  "polygons",
+                  count, most_polygon_corners));
+}
+
 /// The first fault of any polygon, or of the numbers.
 Status check_all(const std::vector<Vec2>& boundary, const std::vector<std::vector<Vec2>>& obstacles,
                  double radius_m) {
@@ -73,19 +83,37 @@ Status check_all(const std::vector<Vec2>& boundary, const std::vector<std::vecto
     return bad_input(fmt::format("a robot radius of {} m is no good among polygons; it takes {} to {} m",
                                  radius_m, least_polygon_radius_m, most_polygon_radius_m));
   }
-  std::size_t count = boundary.size();
-  for (const auto& obstacle : obstacles) count += obstacle.size();
-  if (count > most_polygon_corners || obstacles.size() > most_polygon_corners) {
-    return bad_input(
-        fmt::format("{} corners are more than {}, the most that are taken; simplify the "
-                    "polygons",
-                    count, most_polygon_corners));
-  }
+  if (auto good = check_count(boundary, obstacles); !good) return good;
   if (auto good = check_polygon(boundary, "the boundary"); !good) return good;
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     if (auto good = check_polygon(obstacles[i], fmt::format("obstacle {}", i + 1)); !good) return good;
   }
   return {};
+}
+
+Box2 box_of(const std::vector<Vec2>& polygon) {
+  Box2 box;
+  for (const Vec2 p : polygon) box.include(p);
+  return box;
+}
+
+/// The ground of polygons that are known to be good; `before` may be null.
+PolygonGround ground_of(const std::vector<Vec2>& boundary, const std::vector<std::vector<Vec2>>& obstacles,
+                        double radius_m, const GroundBefore* before) {
+  PolygonGround ground;
+  ground.radius_m = radius_m;
+  const auto take = [&ground](const std::vector<Vec2>& corners, bool clockwise) {
+    std::vector<Vec2> polygon = distinct(corners);
+    if ((twice_area(polygon) < 0.0) != clockwise) std::reverse(polygon.begin(), polygon.end());
+    for (std::size_t i = 0; i < polygon.size(); ++i) ground.edges.push_back(edge_of(polygon, i));
+    return polygon;
+  };
+  ground.boundary = take(boundary, true);
+  for (const Vec2 p : ground.boundary) ground.bounds.include(p);
+  for (const auto& obstacle : obstacles) ground.obstacles.push_back(take(obstacle, false));
+  ground.index = index_of(ground);
+  find_free_boundary(ground, before);
+  return ground;
 }
 
 }  // namespace
@@ -114,20 +142,30 @@ Status check_polygon(const std::vector<Vec2>& corners, std::string_view name) {
 Outcome<PolygonGround> PolygonGround::of(std::vector<Vec2> boundary, std::vector<std::vector<Vec2>> obstacles,
                                          double radius_m) {
   if (auto good = check_all(boundary, obstacles, radius_m); !good) return pass_on(good);
-  PolygonGround ground;
-  ground.radius_m = radius_m;
-  const auto take = [&ground](const std::vector<Vec2>& corners, bool clockwise) {
-    std::vector<Vec2> polygon = distinct(corners);
-    if ((twice_area(polygon) < 0.0) != clockwise) std::reverse(polygon.begin(), polygon.end());
-    for (std::size_t i = 0; i < polygon.size(); ++i) ground.edges.push_back(edge_of(polygon, i));
-    return polygon;
-  };
-  ground.boundary = take(boundary, true);
-  for (const Vec2 p : ground.boundary) ground.bounds.include(p);
-  for (const auto& obstacle : obstacles) ground.obstacles.push_back(take(obstacle, false));
-  ground.index = index_of(ground);
-  find_free_boundary(ground);
-  return ground;
+  return ground_of(boundary, obstacles, radius_m, nullptr);
+}
+
+Outcome<PolygonGround> PolygonGround::with_obstacle(const std::vector<Vec2>& corners) const {
+  if (auto good = check_polygon(corners, "the new obstacle"); !good) return pass_on(good);
+  auto more = obstacles;
+  more.push_back(corners);
+  if (auto good = check_count(boundary, more); !good) return pass_on(good);
+  const GroundBefore before{*this, static_cast<std::uint32_t>(edges.size()), 0, box_of(corners)};
+  return ground_of(boundary, more, radius_m, &before);
+}
+
+Outcome<PolygonGround> PolygonGround::without_obstacle(std::size_t which) const {
+  if (which >= obstacles.size()) {
+    return bad_input(fmt::format("there is no obstacle {} to take away; there are {}, counted from 0", which,
+                                 obstacles.size()));
+  }
+  std::size_t gone_from = boundary.size();
+  for (std::size_t i = 0; i < which; ++i) gone_from += obstacles[i].size();
+  const GroundBefore before{*this, static_cast<std::uint32_t>(gone_from),
+                            static_cast<std::uint32_t>(obstacles[which].size()), box_of(obstacles[which])};
+  auto fewer = obstacles;
+  fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(which));
+  return ground_of(boundary, fewer, radius_m, &before);
 }
 
 bool PolygonGround::outside(Vec2 p) const { return !encloses(boundary, p); }

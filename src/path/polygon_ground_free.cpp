@@ -171,18 +171,49 @@ void add_walls(PolygonGround& ground, const Segment& edge, std::vector<std::uint
 
 }  // namespace
 
-void find_free_boundary(PolygonGround& ground) {
+std::optional<std::uint32_t> GroundBefore::unchanged(const PolygonGround& now, std::uint32_t edge) const {
+  const std::uint32_t same = edge < gone_from ? edge : edge + gone_count;
+  if (same >= ground.edges.size()) return std::nullopt;
+  Box2 box;
+  box.include(now.edges[edge].a);
+  box.include(now.edges[edge].b);
+  if (box.grown(2.0 * now.radius_m * (1.0 + 1e-6)).overlaps(changed)) return std::nullopt;
+  return same;
+}
+
+void find_free_boundary(PolygonGround& ground, const GroundBefore* before) {
   std::vector<std::uint32_t> near;
   std::vector<double> cuts;
+  const auto unchanged = [&](std::uint32_t edge) {
+    return before == nullptr ? std::nullopt : before->unchanged(ground, edge);
+  };
+  const auto copy = [](auto& to, const auto& from, const std::vector<std::uint32_t>& first, std::uint32_t i) {
+    to.insert(to.end(), from.begin() + first[i], from.begin() + first[i + 1]);
+  };
   const auto corners_of = [&](const std::vector<Vec2>& polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t i = 0; i < n; ++i) {
-      add_arcs(ground, polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], near, cuts);
+      const auto edge = static_cast<std::uint32_t>(ground.first_arc.size());
+      ground.first_arc.push_back(static_cast<std::uint32_t>(ground.arcs.size()));
+      if (const auto same = unchanged(edge)) {
+        copy(ground.arcs, before->ground.arcs, before->ground.first_arc, *same);
+      } else {
+        add_arcs(ground, polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n], near, cuts);
+      }
     }
   };
   corners_of(ground.boundary);
   for (const auto& obstacle : ground.obstacles) corners_of(obstacle);
-  for (const Segment& edge : ground.edges) add_walls(ground, edge, near, cuts);
+  ground.first_arc.push_back(static_cast<std::uint32_t>(ground.arcs.size()));
+  for (std::uint32_t edge = 0; edge < ground.edges.size(); ++edge) {
+    ground.first_wall.push_back(static_cast<std::uint32_t>(ground.walls.size()));
+    if (const auto same = unchanged(edge)) {
+      copy(ground.walls, before->ground.walls, before->ground.first_wall, *same);
+    } else {
+      add_walls(ground, ground.edges[edge], near, cuts);
+    }
+  }
+  ground.first_wall.push_back(static_cast<std::uint32_t>(ground.walls.size()));
 }
 
 }  // namespace outrider

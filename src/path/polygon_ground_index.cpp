@@ -85,6 +85,13 @@ std::size_t cell_of(const EdgeIndex& index, Vec2 p) {
          static_cast<std::size_t>(column_of(index, p.x));
 }
 
+bool clear_of(const PolygonGround& ground, const Segment& edge, Segment s) {
+  if (s.a.y > s.b.y) std::swap(s.a, s.b);
+  const double length = distance(s.a, s.b);
+  if (length == 0.0) return true;
+  return clear_of(edge, s, (1.0 / length) * (s.b - s.a), length, ground.radius_m - contact_m);
+}
+
 bool PolygonGround::point_free(Vec2 p) const {
   if (!bounds.contains(p)) return false;
   const std::size_t cell = cell_of(index, p);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "visibility_tangents.hpp"
 
@@ -13,8 +12,6 @@ constexpr double beside_m = 1e-6;      // pieces this near a point hide nothing 
 constexpr double no_span = 1e-12;
 constexpr double full_turn = 4.0;
 
-Vec2 right_of(Vec2 v) { return {v.y, -v.x}; }
-
 /// A measure of the angle from one unit vector to another, -2 to 2, which grows with it: 1 is a right angle.
 double turn_between(Vec2 from, Vec2 to) {
   const double x = dot(from, to), y = cross(from, to);
@@ -23,31 +20,34 @@ double turn_between(Vec2 from, Vec2 to) {
   return y >= 0.0 ? 2.0 - part : -2.0 - part;
 }
 
-/// A piece of the bounds of free space as the turning ray meets it from outside.
+/// A part of the bounds of free space, and the candidates that it may hide.
 struct Piece {
-  double low = 0.0;  ///< turned from the sweep's first heading
-  double high = 0.0;
-  Vec2 towards_low;  ///< unit vectors of both
-  Vec2 towards_high;
-  Vec2 a;  ///< of a wall; centre of an arc
-  Vec2 b;
-  bool is_arc = false;
+  Segment wall;
+  std::size_t first = 0;
+  std::size_t end = 0;
 };
 
-/// A ray tangent to a place, by how far it is turned from its first heading to the left.
+/// A leg that touches both its arcs, free or not.
+struct Candidate {
+  double turned = 0.0;
+  Node to = 0;
+  Tangent leg;
+};
+
+/// A ray tangent to a place, by how far it is turned from its first heading to the left. Only the
+/// directions of candidates count, so a piece of a wall that hides none of them is left out at once.
 struct Sweep {
   const PolygonGround& ground;
   Place place;
   Vec2 first{1.0, 0.0};
   Vec2 last{1.0, 0.0};
-  double width = full_turn;
+  std::vector<Candidate> legs{};  ///< by turn
   std::vector<Piece> pieces{};
 
   Sweep(const PolygonGround& on, const Place& round) : ground(on), place(round) {
     if (place.arc == nullptr) return;
     first = place.side * perpendicular(place.arc->first);
     last = place.side * perpendicular(place.arc->last);
-    width = turn_between(first, last);
   }
   [[nodiscard]] bool all_round() const { return place.arc == nullptr; }
 
@@ -63,48 +63,53 @@ struct Sweep {
     if (apart <= aside * aside) return (1.0 / norm(v)) * (place.side * perpendicular(v));
     return (1.0 / apart) * (std::sqrt(apart - aside * aside) * v + aside * perpendicular(v));
   }
-  /// How far along a ray in that direction the piece is met.
-  [[nodiscard]] double met_at(const Piece& piece, Vec2 along) const {
-    const Vec2 from = place.centre + place.radius_m * place.side * right_of(along);
-    if (!piece.is_arc) {
-      const Vec2 wall = piece.b - piece.a;
-      const double slope = cross(along, wall);
-      return slope == 0.0 ? 0.0 : cross(piece.a - from, wall) / slope;
-    }
-    const double h = cross(along, piece.a - from);
-    const double half = std::sqrt(std::max(0.0, ground.radius_m * ground.radius_m - h * h));
-    return dot(along, piece.a - from) - half;
+  /// How far along its way a leg meets the line of the piece.
+  [[nodiscard]] double met_at(const Piece& piece, const Tangent& leg) const {
+    const Vec2 wall = piece.wall.b - piece.wall.a;
+    const double slope = cross(leg.along, wall);
+    return slope == 0.0 ? 0.0 : cross(piece.wall.a - leg.from, wall) / slope;
   }
   /// Whether the ray meets none of what lies within `reach` of the two points.
   [[nodiscard]] bool passes_by(Vec2 a, Vec2 b, double reach) const {
     if (all_round()) return false;
     const double most = place.radius_m + reach;
     const Vec2 u = a - place.centre, v = b - place.centre;
-    return (cross(first, u) < -most && cross(first, v) < -most) ||
-           (cross(last, u) > most && cross(last, v) > most);
+    const bool right = std::max(cross(first, u), cross(first, v)) < -most;
+    const bool left = std::min(cross(last, u), cross(last, v)) > most;
+    return right | left;
+  }
+  void find_candidates();
+  /// Turns from now on only over the candidates: what is not between them hides none.
+  void narrow() {
+    if (all_round()) return;
+    first = legs.front().leg.along;
+    last = legs.back().leg.along;
+    for (Candidate& leg : legs) leg.turned = turned(leg.leg.along);
   }
 
   /// Takes in a piece that the ray meets from one direction to another, less than half a turn apart.
-  void add(Vec2 from, Vec2 to, Piece piece) {
+  void add(Vec2 from, Vec2 to, const Segment& wall) {
     if (cross(from, to) <= no_span) return;
     const double low = turned(from);
     double high = turned(to);
     if (high < low) high += full_turn;
-    const auto keep = [&](double begin, double end) {
-      piece.low = std::max(begin, 0.0);
-      piece.high = std::min(end, width);
-      piece.towards_low = begin < 0.0 ? first : from;
-      piece.towards_high = end > width ? last : to;
-      if (piece.high - piece.low > no_span) pieces.push_back(piece);
+    const auto take = [&](double begin, double end) {
+      const auto before = [](const Candidate& leg, double at) { return leg.turned < at; };
+      const auto one = std::lower_bound(legs.begin(), legs.end(), begin + margin_turn, before);
+      const auto other = std::lower_bound(one, legs.end(), end - margin_turn, before);
+      if (one != other) {
+        pieces.push_back({wall, static_cast<std::size_t>(one - legs.begin()),
+                          static_cast<std::size_t>(other - legs.begin())});
+      }
     };
-    keep(low, high);
-    if (all_round() && high > full_turn) keep(low - full_turn, high - full_turn);
+    take(low, high);
+    if (all_round() && high > full_turn) take(low - full_turn, high - full_turn);
   }
   void add_wall(const Segment& wall) {
-    const Vec2 along = wall.b - wall.a;
-    // Solid lies to the left of a wall: the ray meets it from outside when it crosses to the left.
-    if (!all_round() && cross(along, first) <= 0.0 && cross(along, last) <= 0.0) return;
     if (passes_by(wall.a, wall.b, 0.0)) return;
+    // Solid lies to the left of a wall: the ray meets it from outside when it crosses to the left.
+    const Vec2 along = wall.b - wall.a;
+    if (!all_round() && cross(along, first) <= 0.0 && cross(along, last) <= 0.0) return;
     if (all_round() && distance(place.centre, wall) < beside_m) return;
     const double left = cross(along, place.centre - wall.a);
     const bool cuts_circle = left * left < squared_norm(along) * place.radius_m * place.radius_m;
@@ -112,124 +117,63 @@ struct Sweep {
     if (cuts_circle && cross(along, towards(0.5 * (wall.a + wall.b))) <= 0.0) return;
     const Vec2 a = towards(wall.a), b = towards(wall.b);
     const bool swapped = cross(a, b) < 0.0;
-    add(swapped ? b : a, swapped ? a : b, {0.0, 0.0, {}, {}, wall.a, wall.b, false});
+    add(swapped ? b : a, swapped ? a : b, wall);
   }
-  void add_arc(const FreeArc& arc);
   void gather() {
     for (const Segment& wall : ground.walls) add_wall(wall);
+    const double r = ground.radius_m;
     for (const FreeArc& arc : ground.arcs) {
-      if (&arc != place.arc) add_arc(arc);
+      if (&arc == place.arc || passes_by(arc.centre, arc.centre, r)) continue;
+      // The chord of an arc hides less than it, and what is left over is tested.
+      add_wall({arc.centre + r * arc.first, arc.centre + r * arc.last});
     }
   }
 };
 
-/// Whether v lies from one unit vector counter-clockwise to another, less than half a turn apart.
-bool lies_between(Vec2 v, Vec2 from, Vec2 to) { return cross(from, v) >= 0.0 && cross(v, to) >= 0.0; }
-
-/// The part of an arc that faces the ray: between the points where the ray only touches its circle.
-void Sweep::add_arc(const FreeArc& arc) {
-  if (passes_by(arc.centre, arc.centre, ground.radius_m)) return;
-  const double beside = std::abs(distance(place.centre, arc.centre) - ground.radius_m);
-  if (all_round() && beside < beside_m) return;
-  const auto touch = [&](double side) {
-    return tangent(place, {arc.centre, ground.radius_m, side, nullptr});
-  };
-  const auto left = touch(1.0), right = touch(-1.0);  // the centre to the left or to the right of the ray
-  if (!left && !right) return;
-  const Vec2 apart = place.centre - arc.centre;
-  const Vec2 back = (1.0 / norm(apart)) * apart;
-  // Seen from the centre of the arc, what faces the ray begins and ends here.
-  const Vec2 begin = right ? perpendicular(right->along) : back;
-  const Vec2 end = left ? right_of(left->along) : back;
-  if (cross(begin, end) <= 0.0) return;
-  const bool begins_within = lies_between(arc.first, begin, end);
-  if (!begins_within && !lies_between(begin, arc.first, arc.last)) return;
-  const Vec2 low = begins_within ? arc.first : begin;
-  const Vec2 high = lies_between(arc.last, begin, end) ? arc.last : end;
-  if (cross(low, high) <= no_span) return;
-  add(towards(arc.centre + ground.radius_m * high), towards(arc.centre + ground.radius_m * low),
-      {0.0, 0.0, {}, {}, arc.centre, arc.centre, true});
-}
-
-/// Nearest first. Pieces do not cross, so one direction in which both are met tells.
-struct Nearer {
-  const Sweep* sweep;
-  bool operator()(std::uint32_t i, std::uint32_t j) const {
-    if (i == j) return false;
-    const Piece &p = sweep->pieces[i], &q = sweep->pieces[j];
-    const Vec2 sum = (p.low > q.low ? p : q).towards_low + (p.high < q.high ? p : q).towards_high;
-    const double length = norm(sum);
-    if (length < 1e-6) return i < j;
-    const Vec2 shared = (1.0 / length) * sum;
-    const double a = sweep->met_at(p, shared), b = sweep->met_at(q, shared);
-    return a != b ? a < b : i < j;
+void Sweep::find_candidates() {
+  const double reach = 1.001 * ground.radius_m;
+  for (std::size_t i = 0; i < ground.arcs.size(); ++i) {
+    const Vec2 centre = ground.arcs[i].centre;
+    if (passes_by(centre, centre, reach)) continue;
+    for (const Node to : {static_cast<Node>(2 * i), static_cast<Node>(2 * i + 1)}) {
+      const Sweep back(ground, place_of(ground, turned_round(to)));  // the way back reaches the place too
+      if (back.passes_by(place.centre, place.centre, reach)) continue;
+      const Place other = place_of(ground, to);
+      const auto leg = tangent(place, other);
+      if (!leg || !touches_arc(place, leg->along) || !touches_arc(other, leg->along)) continue;
+      legs.push_back({turned(leg->along), to, *leg});
+    }
   }
-};
-
-struct Candidate {
-  double turned = 0.0;
-  Node to = 0;
-  Tangent leg;
-};
-
-std::vector<Candidate> candidates(const Sweep& sweep) {
-  std::vector<Candidate> found;
-  const auto nodes = static_cast<Node>(2 * sweep.ground.arcs.size());
-  for (Node to = 0; to < nodes; ++to) {
-    const Place other = place_of(sweep.ground, to);
-    if (sweep.passes_by(other.centre, other.centre, 1.001 * other.radius_m)) continue;
-    const auto leg = tangent(sweep.place, other);
-    if (!leg || !touches_arc(sweep.place, leg->along) || !touches_arc(other, leg->along)) continue;
-    found.push_back({sweep.turned(leg->along), to, *leg});
-  }
-  std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(legs.begin(), legs.end(), [](const Candidate& a, const Candidate& b) {
     return a.turned != b.turned ? a.turned < b.turned : a.to < b.to;
   });
-  return found;
 }
 
-/// Whether the nearest piece plainly crosses the leg.
-bool hidden(const Sweep& sweep, const Piece& piece, const Candidate& leg) {
-  const double at = leg.turned;
-  if (at < piece.low + margin_turn || at > piece.high - margin_turn) return false;
-  return sweep.met_at(piece, leg.leg.along) < leg.leg.length - margin_ratio * (1.0 + leg.leg.length);
-}
-
-/// The pieces that the ray meets now, as it turns.
+/// The pieces that the ray meets now, nearest first, as it turns from candidate to candidate. They are
+/// few, and pieces do not cross, so the order in which one ray meets them is that of all.
 struct MetPieces {
-  using Order = std::set<std::uint32_t, Nearer>;
+  Sweep& sweep;
+  std::vector<Piece> order{};
+  std::size_t next = 0;
 
-  const std::vector<Piece>& pieces;
-  Order order;
-  std::vector<std::uint32_t> entering;  ///< by the turn at which they are met first
-  std::vector<std::uint32_t> leaving;   ///< and last
-  std::vector<Order::iterator> where;
-  std::size_t in = 0;
-  std::size_t out = 0;
-
-  explicit MetPieces(const Sweep& sweep) : pieces(sweep.pieces), order(Nearer{&sweep}) {
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) entering.push_back(i);
-    leaving = entering;
-    where.assign(pieces.size(), order.end());
-    const auto sort_by = [this](std::vector<std::uint32_t>& list, double Piece::* end) {
-      std::sort(list.begin(), list.end(), [this, end](std::uint32_t i, std::uint32_t j) {
-        return pieces[i].*end != pieces[j].*end ? pieces[i].*end < pieces[j].*end : i < j;
-      });
-    };
-    sort_by(entering, &Piece::low);
-    sort_by(leaving, &Piece::high);
+  explicit MetPieces(Sweep& of) : sweep(of) {
+    std::sort(sweep.pieces.begin(), sweep.pieces.end(),
+              [](const Piece& a, const Piece& b) { return a.first < b.first; });
   }
-  void leave_until(double turned) {
-    for (; out < leaving.size() && pieces[leaving[out]].high <= turned; ++out) {
-      if (where[leaving[out]] != order.end()) order.erase(where[leaving[out]]);
+  void turn_to(std::size_t candidate) {
+    std::erase_if(order, [=](const Piece& piece) { return piece.end <= candidate; });
+    const Tangent& leg = sweep.legs[candidate].leg;
+    for (; next < sweep.pieces.size() && sweep.pieces[next].first == candidate; ++next) {
+      const Piece& piece = sweep.pieces[next];
+      const double at = sweep.met_at(piece, leg);
+      const auto nearer = [&](const Piece& other, double than) { return sweep.met_at(other, leg) < than; };
+      order.insert(std::lower_bound(order.begin(), order.end(), at, nearer), piece);
     }
   }
-  void turn_to(double turned) {
-    for (; in < entering.size() && pieces[entering[in]].low < turned; ++in) {
-      leave_until(pieces[entering[in]].low);
-      where[entering[in]] = order.insert(entering[in]).first;
-    }
-    leave_until(turned);
+  /// Whether the nearest piece plainly crosses the leg.
+  [[nodiscard]] bool hide(const Tangent& leg) const {
+    return !order.empty() &&
+           sweep.met_at(order.front(), leg) < leg.length - margin_ratio * (1.0 + leg.length);
   }
 };
 
@@ -238,18 +182,19 @@ struct MetPieces {
 void departures_swept(const PolygonGround& ground, const Place& place, std::vector<Departure>& found,
                       std::uint64_t& tests) {
   Sweep sweep(ground, place);
-  const std::vector<Candidate> legs = candidates(sweep);
-  if (legs.empty()) return;
+  sweep.find_candidates();
+  if (sweep.legs.empty()) return;
+  sweep.narrow();
   sweep.gather();
   MetPieces met(sweep);
-  for (const Candidate& leg : legs) {
-    met.turn_to(leg.turned);
-    if (!met.order.empty() && hidden(sweep, sweep.pieces[*met.order.begin()], leg)) continue;
+  for (std::size_t i = 0; i < sweep.legs.size(); ++i) {
+    met.turn_to(i);
+    const auto& [turned, to, leg] = sweep.legs[i];
+    if (met.hide(leg)) continue;
     ++tests;
-    if (!ground.segment_free({leg.leg.from, leg.leg.to})) continue;
-    const Place other = place_of(ground, leg.to);
-    found.push_back(
-        {leg.to, progress(place, leg.leg.along), progress(other, leg.leg.along), leg.leg.length, leg.leg.to});
+    if (!ground.segment_free({leg.from, leg.to})) continue;
+    const Place other = place_of(ground, to);
+    found.push_back({to, progress(place, leg.along), progress(other, leg.along), leg.length, leg.to});
   }
   std::sort(found.begin(), found.end(), [](const Departure& a, const Departure& b) { return a.to < b.to; });
 }

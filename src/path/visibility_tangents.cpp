@@ -54,16 +54,21 @@ Vec2 point_at(const Place& place, double progress_rad) {
   return place.centre + place.radius_m * direction(begin + place.side * progress_rad);
 }
 
+std::optional<Departure> departure(const PolygonGround& ground, const Place& place, Node to,
+                                   std::uint64_t& tests) {
+  const Place other = place_of(ground, to);
+  const auto leg = tangent(place, other);
+  if (!leg || !touches_arc(place, leg->along) || !touches_arc(other, leg->along)) return std::nullopt;
+  ++tests;
+  if (!ground.segment_free({leg->from, leg->to})) return std::nullopt;
+  return Departure{to, progress(place, leg->along), progress(other, leg->along), leg->length, leg->to};
+}
+
 void departures_pairwise(const PolygonGround& ground, const Place& place, Node least,
                          std::vector<Departure>& found, std::uint64_t& tests) {
   const auto nodes = static_cast<Node>(2 * ground.arcs.size());
   for (Node to = least; to < nodes; ++to) {
-    const Place other = place_of(ground, to);
-    const auto leg = tangent(place, other);
-    if (!leg || !touches_arc(place, leg->along) || !touches_arc(other, leg->along)) continue;
-    ++tests;
-    if (!ground.segment_free({leg->from, leg->to})) continue;
-    found.push_back({to, progress(place, leg->along), progress(other, leg->along), leg->length, leg->to});
+    if (const auto leg = departure(ground, place, to, tests)) found.push_back(*leg);
   }
 }
 

@@ -54,6 +54,10 @@ struct Departure {
   Vec2 at;  ///< its end
 };
 
+/// The leg from a place to an arc, when there is one and it is free; a look for edges counts as a test.
+std::optional<Departure> departure(const PolygonGround& ground, const Place& place, Node to,
+                                   std::uint64_t& tests);
+
 /// All free legs from a place to arcs, by node. Both ways find the same legs.
 /// - pairwise: one test against the edges near the leg for each pair that supports or separates.
 /// - swept: by a ray that turns round the place over the pieces of the bounds of free space, which it

@@ -48,6 +48,12 @@ TEST(AnyAngleOptima, AreReachedOnEveryPublishedQuery) {
     for (const PathPlanner& row : path_planners()) {
       if (!claims_the_optimum(row)) continue;
       const ConfiguredPlanner planner = row.configure();
+      // Whole indices on the smaller maps, parts of them or none on the others.
+      for (const Option& option : planner.options) {
+        if (option.name == "index_mib") {
+          ASSERT_TRUE(assign(option, "48").has_value());
+        }
+      }
       Workspace workspace;
       for (const movingai::Query& q : queries) {
         const Problem problem{ground, ground->point({q.start.x, top - q.start.y}),

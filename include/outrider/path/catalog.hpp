@@ -22,19 +22,36 @@ enum class PathClass {
   any_curve,      ///< whatever way the disk can go over the ground
 };
 
+/// What a planner makes least, and counts as the cost of a plan.
+enum class Measure {
+  length,  ///< m
+  time,    ///< s
+};
+std::string_view unit_of(Measure measure);
+
 /// What a planner promises with its default options.
 struct Guarantee {
   bool complete = true;                        ///< finds a path whenever the grid has one
   PathClass among = PathClass::any_direction;  ///< the class of its paths and of its lower bound
   double most_ratio = 1.0;  ///< cost <= most_ratio * the shortest of the class; infinite: none claimed
   std::string_view sentence;
+  Measure measure = Measure::length;
 };
 
 /// A planner with an instance of its options, which `plan` reads at each call.
 struct ConfiguredPlanner {
   std::vector<Option> options;
   std::function<Outcome<Plan>(const Problem&, const Budget&, Workspace&)> plan;
+  /// From the start to each of the goals in one search; empty for planners that take one at a time.
+  std::function<std::vector<Outcome<Plan>>(const Problem&, const std::vector<Vec2>& goals, const Budget&,
+                                           Workspace&)>
+      plan_many = nullptr;
 };
+
+/// From the start of the problem to each of the goals: in one search, or one after another.
+std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Problem& problem,
+                                     const std::vector<Vec2>& goals, const Budget& budget,
+                                     Workspace& workspace);
 
 struct PathPlanner {
   std::string_view name;
@@ -56,5 +73,9 @@ const std::vector<PathPlanner>& path_planners();
 
 /// Fault: bad_input with the nearest known name.
 Outcome<PathPlanner> find_path_planner(std::string_view name);
+
+/// The path by the planner of that name, with its default options and fresh memory. For many questions keep
+/// a ConfiguredPlanner and a Workspace. Faults: those of the planner; bad_input on an unknown name.
+Outcome<Plan> plan_path(const Problem& problem, std::string_view planner, const Budget& budget = {});
 
 }  // namespace outrider

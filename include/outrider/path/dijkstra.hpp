@@ -19,4 +19,11 @@ std::vector<Option> describe(DijkstraOptions& options);
 Outcome<Plan> dijkstra(const Problem& problem, const DijkstraOptions& options, const Budget& budget,
                        Workspace& workspace);
 
+/// Many goals from one start: the answers of as many single queries, byte for byte but for the counters,
+/// which are those of the whole search, in one search that ends with the last goal. The goal of the problem
+/// is not used. When the budget ends the search, the goals reached before are answered.
+std::vector<Outcome<Plan>> dijkstra_many(const Problem& problem, const std::vector<Vec2>& goals,
+                                         const DijkstraOptions& options, const Budget& budget,
+                                         Workspace& workspace);
+
 }  // namespace outrider

@@ -6,11 +6,11 @@
 // length to the root and on, through the side, to the goal, mirrored in the side when it lies on this side
 // of it. Cones are bounded by corners, not by computed points, so all decisions are taken in whole numbers.
 //
-// Complete; optimal among all paths in the model, with lower_bound the cost. Takes the model `corners`
-// alone. The first query on a ground makes its mesh (mesh.hpp), which the workspace keeps for the next
-// ones on the same ground; a query takes O(n log n) for the n nodes whose f is not above the optimum, and
-// 64 bytes for each. Faults: those of grid_query(); bad_input on the model `cells`; no_path (proven at
-// this resolution); budget_exhausted; cancelled.
+// Complete; optimal among all paths in the model, with lower_bound the cost. Takes the model `corners` alone.
+// The first query on a ground makes its mesh (mesh.hpp), which the workspace keeps for the next ones on the
+// same ground; another ground, and be it one cell, gets a mesh of its own. A query takes O(n log n) for the n
+// nodes whose f is not above the optimum, and 64 bytes for each. Faults: those of grid_query(); bad_input on
+// the model `cells`; no_path (proven at this resolution); budget_exhausted; cancelled.
 // Sources: Cui, Harabor and Grastien, Compromise-free pathfinding on a navigation mesh (2017); turns by the
 // quadrant of the blocked cell, Oh and Leong, Edge N-level sparse visibility graphs (2017).
 #pragma once

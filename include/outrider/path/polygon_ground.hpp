@@ -56,11 +56,19 @@ struct PolygonGround {
   Box2 bounds;
   std::vector<Segment> edges;  ///< of all polygons, solid on the left
   std::vector<FreeArc> arcs;
-  std::vector<Segment> walls;  ///< free parts of the edges moved by the radius, solid on the left
+  std::vector<Segment> walls;             ///< free parts of the edges moved by the radius, solid on the left
+  std::vector<std::uint32_t> first_arc;   ///< by edge: those about its corner `a` begin here; one more
+  std::vector<std::uint32_t> first_wall;  ///< by edge: its walls begin here; one more
   EdgeIndex index;
 
   static Outcome<PolygonGround> of(std::vector<Vec2> boundary, std::vector<std::vector<Vec2>> obstacles,
                                    double radius_m);
+
+  /// This ground with one more obstacle, the last; the same as one made anew. Arcs and walls farther than
+  /// two radii from the box of the new obstacle are copied. Faults: those of of().
+  [[nodiscard]] Outcome<PolygonGround> with_obstacle(const std::vector<Vec2>& corners) const;
+  /// This ground without obstacles[which]; those after it move up. Fault: bad_input when there is none.
+  [[nodiscard]] Outcome<PolygonGround> without_obstacle(std::size_t which) const;
 
   /// Outside the boundary. O(n).
   [[nodiscard]] bool outside(Vec2 p) const;

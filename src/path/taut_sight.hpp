@@ -1,0 +1,50 @@
+// Which turns a corner of a grid sees, of those at which a taut path from it may bend.
+//
+// A straight way touches the blocked cell at a turn, and may bend round it there, when it does not enter the
+// quadrant of that cell nor come out of it; every leg of a shortest path between two turns does so at both.
+// The walk goes from polygon to polygon of the mesh, each with the cone in which the corner sees it. Cones
+// are bounded by corners and decided in whole numbers, so what is seen is exact. A turn straight behind
+// another is left out: the first is on the way. O(sides of the polygons seen). Thread rule: one instance for
+// each thread.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "winding.hpp"
+
+namespace outrider::hub_labelling {
+
+class TautSight {
+ public:
+  TautSight(const GridGround& ground, const NavigationMesh& mesh) : ground_(ground), mesh_(mesh) {}
+
+  /// Of mesh.turns, in increasing order, without the corner itself.
+  const std::vector<std::uint32_t>& from(Cell corner);
+
+ private:
+  struct Arrow {
+    std::int32_t x = 0, y = 0;
+  };
+  struct Cone {  ///< open: what lies on its edges is hidden or seen already
+    Arrow right, left;
+    std::uint32_t side = 0;  ///< through which it looks, as the polygon behind has it
+    std::uint32_t polygon = 0;
+  };
+  static std::int64_t turned(Arrow a, Arrow b) { return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x; }
+  [[nodiscard]] Arrow arrow(Cell v) const { return {v.x - corner_.x, v.y - corner_.y}; }
+  [[nodiscard]] std::uint32_t after(std::uint32_t side, std::uint32_t polygon) const {
+    return side + 1 == mesh_.first[polygon + 1] ? mesh_.first[polygon] : side + 1;
+  }
+  void see(const NavigationMesh::Side& side, Arrow way);
+  void look_everywhere(std::uint32_t polygon);
+  void look_through(const Cone& cone);
+
+  const GridGround& ground_;
+  const NavigationMesh& mesh_;
+  Cell corner_;
+  std::vector<std::uint32_t> around_, seen_;
+  std::vector<Cone> cones_;
+};
+
+}  // namespace outrider::hub_labelling

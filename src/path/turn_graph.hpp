@@ -1,0 +1,52 @@
+// The turns of a mesh as a graph: joined where a leg of a shortest path may run between them.
+//
+// Two turns are joined when they see each other, with none between, and the line touches the blocked cells of
+// both. The rows do not depend on one another: those of the turns that see a changed cell, and of no others,
+// would have to be made anew. Thread rule: read only once made.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "winding.hpp"
+
+namespace outrider::hub_labelling {
+
+struct TurnGraph {
+  struct Edge {
+    Cell way;
+    std::uint32_t to = 0;
+    double length = 0.0;  ///< cells
+  };
+  std::vector<Winding> windings;  ///< by turn
+  std::vector<Fan<Edge>> edges;   ///< by turn
+
+  [[nodiscard]] std::size_t turns() const { return edges.size(); }
+  [[nodiscard]] std::size_t degree(std::uint32_t turn) const {
+    return edges[turn].level.size() + edges[turn].upright.size();
+  }
+  /// visit() each edge by which a taut path may leave a turn; {0, 0} came from nowhere.
+  template <class Visit>
+  void onward(std::uint32_t turn, Cell came, Visit visit) const {
+    if (came != Cell{}) return edges[turn].onward(windings[turn], came, visit);
+    for (const Edge& edge : edges[turn].level) visit(edge);
+    for (const Edge& edge : edges[turn].upright) visit(edge);
+  }
+};
+
+/// Length of a leg, cells.
+double length_between(Cell a, Cell b);
+
+/// Nothing when there would be more than `most_edges`, or when `stop` asks for it. O(sides seen from all
+/// turns), in parallel.
+std::optional<TurnGraph> turn_graph(const GridGround& ground, const NavigationMesh& mesh,
+                                    std::size_t most_edges, const std::stop_token& stop);
+
+/// The turns, those that lie on most shortest paths first, judged by a sample of trees of shortest paths.
+/// O(samples * (edges + turns log turns)), in parallel. Cut short when `stop` asks for it.
+/// Source: Delling, Goldberg, Pajor and Werneck, Robust distance queries on massive networks (2014).
+std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop_token& stop);
+
+}  // namespace outrider::hub_labelling

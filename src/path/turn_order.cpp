@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include "outrider/core/parallel.hpp"
+#include "turn_graph.hpp"
+
+namespace outrider::hub_labelling {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t samples = 96;
+
+/// Shortest paths from one turn to all others.
+struct Tree {
+  std::vector<std::uint32_t> parent;          ///< none at the root and where no path leads
+  std::vector<std::uint32_t> below;           ///< turns of the subtree, itself counted; 0 once taken out
+  std::vector<std::uint32_t> child, sibling;  ///< the first of each, the next of each
+};
+
+Tree tree_from(const TurnGraph& graph, std::uint32_t root) {
+  const std::size_t count = graph.turns();
+  Tree tree{std::vector(count, none), std::vector(count, 0U), std::vector(count, none),
+            std::vector(count, none)};
+  std::vector<double> distance(count, std::numeric_limits<double>::infinity());
+  std::vector<Cell> came(count);
+  std::vector<std::uint32_t> settled;
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  distance[root] = 0.0;
+  open.emplace(0.0, root);
+  while (!open.empty()) {
+    const auto [g, at] = open.top();
+    open.pop();
+    if (tree.below[at] != 0) continue;
+    tree.below[at] = 1;
+    settled.push_back(at);
+    graph.onward(at, came[at], [&, from = at, so_far = g](const TurnGraph::Edge& edge) {
+      if (!(so_far + edge.length < distance[edge.to])) return;
+      distance[edge.to] = so_far + edge.length;
+      came[edge.to] = edge.way;
+      tree.parent[edge.to] = from;
+      open.emplace(distance[edge.to], edge.to);
+    });
+  }
+  for (auto at = settled.rbegin(); at != settled.rend(); ++at) {
+    const std::uint32_t up = tree.parent[*at];
+    if (up == none) continue;
+    tree.below[up] += tree.below[*at];
+    tree.sibling[*at] = tree.child[up];
+    tree.child[up] = *at;
+  }
+  return tree;
+}
+
+/// Takes the subtree of a turn out, and its paths from the counts of all that lie on them.
+void take_out(Tree& tree, std::uint32_t turn, std::vector<std::uint64_t>& paths,
+              std::vector<std::uint32_t>& stack) {
+  const std::uint32_t lost = tree.below[turn];
+  if (lost == 0) return;
+  for (std::uint32_t up = tree.parent[turn]; up != none; up = tree.parent[up]) {
+    tree.below[up] -= lost;
+    paths[up] -= lost;
+  }
+  stack.assign(1, turn);
+  while (!stack.empty()) {
+    const std::uint32_t at = stack.back();
+    stack.pop_back();
+    paths[at] -= tree.below[at];
+    tree.below[at] = 0;
+    for (std::uint32_t child = tree.child[at]; child != none; child = tree.sibling[child]) {
+      if (tree.below[child] != 0) stack.push_back(child);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop_token& stop) {
+  const std::size_t count = graph.turns(), trees_count = std::min(samples, count);
+  std::vector<Tree> trees(trees_count);
+  parallel_for(trees_count, [&](std::size_t k) {
+    if (!stop.stop_requested())
+      trees[k] = tree_from(graph, static_cast<std::uint32_t>((2 * k + 1) * count / (2 * trees_count)));
+  });
+  std::vector<std::uint32_t> order;
+  if (stop.stop_requested()) return order;
+  std::vector<std::uint64_t> paths(count, 0);
+  for (const Tree& tree : trees) {
+    for (std::size_t turn = 0; turn < count; ++turn) paths[turn] += tree.below[turn];
+  }
+  // The most paths first, then the most edges; what was counted before others were taken is counted again.
+  using Entry = std::tuple<std::uint64_t, std::size_t, std::uint32_t>;
+  const auto entry = [&](std::uint32_t turn) { return Entry{paths[turn], graph.degree(turn), ~turn}; };
+  std::priority_queue<Entry> open;
+  for (std::uint32_t turn = 0; turn < count; ++turn) open.push(entry(turn));
+  std::vector<std::uint32_t> stack;
+  while (!open.empty()) {
+    const auto [most, edges, name] = open.top();
+    const std::uint32_t turn = ~name;
+    open.pop();
+    if (paths[turn] != most) {
+      open.push(entry(turn));
+      continue;
+    }
+    order.push_back(turn);
+    for (Tree& tree : trees) take_out(tree, turn, paths, stack);
+  }
+  return order;
+}
+
+}  // namespace outrider::hub_labelling

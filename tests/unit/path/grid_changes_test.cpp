@@ -1,0 +1,156 @@
+// A ground that is changed, and what was made for it, against both made anew.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "../../../src/path/jps_index.hpp"
+#include "../../../src/path/jps_map.hpp"
+#include "outrider/path/catalog.hpp"
+#include "outrider/path/check.hpp"
+#include "support/random_cases.hpp"
+#include "support/random_grid.hpp"
+
+namespace outrider {
+namespace {
+
+CellChange random_change(Rng& rng, const GridFrame& frame) {
+  const auto below = [&rng](int n) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(n))); };
+  CellChange change{{below(frame.width), below(frame.height)}, 1, 1, rng.below(2) == 0};
+  if (rng.below(3) == 0) {
+    change.width = 1 + below(std::min(3, frame.width - change.low.x));
+    change.height = 1 + below(std::min(3, frame.height - change.low.y));
+  }
+  return change;
+}
+
+std::vector<CellChange> random_changes(Rng& rng, const GridFrame& frame) {
+  std::vector<CellChange> changes(1 + rng.below(3));
+  for (CellChange& change : changes) change = random_change(rng, frame);
+  return changes;
+}
+
+void apply(Grid<std::uint8_t>& grid, const std::vector<CellChange>& changes) {
+  for (const auto& [low, width, height, blocked] : changes) {
+    for (int y = low.y; y < low.y + height; ++y) {
+      for (int x = low.x; x < low.x + width; ++x) grid[{x, y}] = blocked ? 1 : 0;
+    }
+  }
+}
+
+std::shared_ptr<const GridGround> shared(const Outcome<GridGround>& ground) {
+  return std::make_shared<const GridGround>(ground.value());
+}
+
+class ChangesIn : public ::testing::TestWithParam<GridModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, ChangesIn, ::testing::Values(GridModel::cells, GridModel::corners),
+                         [](const auto& model) { return std::string(to_string(model.param)); });
+
+TEST_P(ChangesIn, AChangedGroundIsTheSameAsOneMadeAnew) {
+  Rng rng = Rng(21).child("ground");
+  for (int i = 0; i < testing::cases(300); ++i) {
+    auto grid = random_grid(rng, 14);
+    auto ground = GridGround::of(grid, GetParam()).value();
+    for (int step = 0; step < 8; ++step) {
+      const auto changes = random_changes(rng, grid.frame);
+      const auto before = grid;
+      apply(grid, changes);
+      auto changed = ground.with(changes).value();
+      const auto anew = GridGround::of(grid, GetParam()).value();
+      ASSERT_EQ(changed.marks, anew.marks) << "grid " << i << ", step " << step;
+      ASSERT_EQ(changed.moves, anew.moves) << "grid " << i << ", step " << step;
+      std::vector<Cell> differing;
+      for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+        if (grid.cells[c] != before.cells[c]) differing.push_back(grid.frame.cell(c));
+      }
+      ASSERT_EQ(cells_changed(ground, changed, grid.cells.size()), differing);
+      const std::size_t too_few = differing.size() - (differing.empty() ? 0 : 1);
+      ASSERT_EQ(cells_changed(ground, changed, too_few).has_value(), differing.empty());
+      ground = std::move(changed);
+    }
+  }
+}
+
+/// Status, path, cost and bound, and the work done: all of an answer.
+void expect_same(const Outcome<Plan>& followed, const Outcome<Plan>& anew) {
+  ASSERT_EQ(followed.has_value(), anew.has_value());
+  if (followed) {
+    ASSERT_EQ(*followed, *anew);
+  } else {
+    ASSERT_EQ(followed.error().code, anew.error().code);
+    ASSERT_EQ(followed.error().sentence, anew.error().sentence);
+  }
+}
+
+/// One workspace for each planner over all changes, against a new one after each.
+TEST_P(ChangesIn, EveryPlannerAnswersAsItDoesAnew) {
+  Rng rng = Rng(22).child("planners");
+  std::vector<std::pair<PathPlanner, ConfiguredPlanner>> planners;
+  for (const PathPlanner& row : path_planners()) {
+    if (!row.polygons && row.takes(GetParam())) planners.emplace_back(row, row.configure());
+  }
+  for (int i = 0; i < testing::cases(60); ++i) {
+    auto grid = random_grid(rng, i % 6 == 0 ? 48 : 16);
+    auto ground = shared(GridGround::of(grid, GetParam()));
+    std::vector<Workspace> kept(planners.size());
+    for (int step = 0; step < 6; ++step) {
+      if (step == 3) {  // a map of its own, of another size as a rule
+        grid = random_grid(rng, 16);
+        ground = shared(GridGround::of(grid, GetParam()));
+      }
+      const auto changes = random_changes(rng, grid.frame);
+      apply(grid, changes);
+      ground = shared(ground->with(changes));
+      const auto anew = shared(GridGround::of(grid, GetParam()));
+      const auto point = [&] {
+        return Vec2{rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)};
+      };
+      Problem on_changed{ground, point(), point()};
+      Problem on_new{anew, on_changed.start, on_changed.goal};
+      for (std::size_t p = 0; p < planners.size(); ++p) {
+        SCOPED_TRACE(::testing::Message() << planners[p].first.name << " on grid " << i << ", step " << step);
+        Workspace fresh;
+        const auto plan = planners[p].second.plan(on_changed, {}, kept[p]);
+        expect_same(plan, planners[p].second.plan(on_new, {}, fresh));
+        ASSERT_TRUE(!plan || check(*plan, on_new));
+      }
+    }
+  }
+}
+
+TEST(GridChanges, BitsAndDistancesAreThoseMadeAnew) {
+  Rng rng = Rng(23).child("indices");
+  for (int i = 0; i < testing::cases(400); ++i) {
+    auto grid = random_grid(rng, i % 4 == 0 ? 90 : 20);
+    auto ground = GridGround::of(grid, GridModel::cells).value();
+    jump::Map map = jump::map_of(ground);
+    auto distances = jump::distances_of(ground);
+    for (int step = 0; step < 8; ++step) {
+      const auto changed = ground.with(random_changes(rng, grid.frame)).value();
+      const auto cells = cells_changed(ground, changed, grid.cells.size()).value();
+      jump::rewrite(map, changed, cells);
+      jump::walk_again(distances, changed, cells);
+      ground = changed;
+      const jump::Map anew = jump::map_of(ground);
+      for (unsigned d = 0; d < 4; ++d) ASSERT_EQ(map.lines[d].bits, anew.lines[d].bits) << "grid " << i;
+      ASSERT_EQ(distances, jump::distances_of(ground)) << "grid " << i << ", step " << step;
+    }
+  }
+}
+
+TEST(GridChanges, WhatLeavesTheGridIsRefused) {
+  const auto ground = GridGround::of(drawn({"...", "..."}), GridModel::cells).value();
+  const int most = std::numeric_limits<int>::max();
+  for (const CellChange& change : {CellChange{{3, 0}}, CellChange{{0, -1}}, CellChange{{1, 0}, 3, 1},
+                                   CellChange{{0, 1}, 1, 2}, CellChange{{2, 1}, most, most}}) {
+    const auto changed = ground.with({change});
+    ASSERT_FALSE(changed);
+    EXPECT_EQ(changed.error().code, FaultCode::bad_input);
+    EXPECT_NE(changed.error().sentence.find("leaves the grid"), std::string::npos);
+  }
+  const auto empty = ground.with({{{0, 0}, 0, 1}});
+  ASSERT_FALSE(empty);
+  EXPECT_NE(empty.error().sentence.find("at least one cell"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace outrider
