@@ -124,6 +124,15 @@ Status scenario_from_text(std::string_view text, const std::string& name,
   return set;
 }
 
+Outcome<std::string> scenario_job(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return pass_on(text);
+  auto root = yaml_map(*text, path);
+  if (!root) return pass_on(root);
+  const YAML::Node job = (*root)["job"];
+  return job && job.IsScalar() ? job.Scalar() : std::string{};
+}
+
 Status load_scenario(const std::string& path, const std::vector<OptionGroup>& groups) {
   auto text = read_file(path);
   if (!text) return pass_on(text);

@@ -44,6 +44,12 @@ std::string filled(std::string_view page, std::initializer_list<Part> parts) {
 }  // namespace
 
 std::string to_html(const Report& report) {
+  if (report.chase) {
+    return filled(page::chase_html, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},
+                                     {"@STYLE@", std::string(page::replay_css)},
+                                     {"@REPORT@", script_data(to_json(report))},
+                                     {"@SCRIPT@", std::string(page::chase_js)}});
+  }
   std::string script;
   for (const std::string_view part : {page::model_js, page::camera_js, page::plan_js, page::side_js,
                                       page::table_js, page::transport_js, page::replay_js}) {

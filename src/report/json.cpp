@@ -44,6 +44,14 @@ void members(Io& io, T& piece) {
   io.drawn("polygon", piece.polygon);
 }
 
+template <class Io, Is<ReportVisit> T>
+void members(Io& io, T& visit) {
+  io("entrance", visit.entrance);
+  io("from", visit.from);
+  io("enters_s", visit.enters_s);
+  io("settles_s", visit.settles_s);
+}
+
 template <class Io, Is<ReportTarget> T>
 void members(Io& io, T& target) {
   io("name", target.name);
@@ -59,6 +67,7 @@ void members(Io& io, T& target) {
   io("centre", target.centre);
   io("size", target.size);
   io("box_yaw_rad", target.yaw_rad);
+  io.optional("visit", target.visit);
 }
 
 template <class Io, Is<ReportPath> T>
@@ -91,6 +100,18 @@ void members(Io& io, T& event) {
   io("text", event.text);
 }
 
+template <class Io, Is<ReportChase> T>
+void members(Io& io, T& chase) {
+  io("columns", chase.columns);
+  io("rows", chase.rows);
+  io("cell_m", chase.cell_m);
+  io("cost_runs", chase.cost_runs);
+  io("target", chase.target);
+  io("robots", chase.robots);
+  io("paid", chase.paid);
+  io("bounds", chase.bounds);
+}
+
 template <class Io, Is<Report> T>
 void members(Io& io, T& report) {
   io("status", report.status);
@@ -118,6 +139,7 @@ void members(Io& io, T& report) {
   io("shots", report.shots);
   io("events", report.events);
   io("track", report.track);
+  io.optional("chase", report.chase);
 }
 
 class Writer {
@@ -129,6 +151,10 @@ class Writer {
   template <class T>
   void drawn(const char* key, const T& value) {
     json_[key] = written(value, true);
+  }
+  template <class T>
+  void optional(const char* key, const std::optional<T>& value) {
+    if (value) json_[key] = written(*value, false);
   }
   template <class Fill>
   void object(const char* key, Fill fill) {
@@ -168,6 +194,10 @@ class Writer {
       row.push_back(written(value, true));
     }
     return row;
+  }
+  static Json written(const ReportBound& b, bool) {
+    return Json::array({written(b.time_s, false), written(b.expansions, false), written(b.cost, false),
+                        written(b.lower_bound, false)});
   }
   template <class T>
   static Json written(const std::vector<std::pair<std::string, T>>& entries, bool round) {
@@ -253,6 +283,10 @@ class Reader {
   void drawn(const char* key, T& value) {
     visit(key, [&](const Place& at) { read(at, value, true); });
   }
+  template <class T>
+  void optional(const char* key, std::optional<T>& value) {
+    if (place_.json.contains(key)) visit(key, [&](const Place& at) { read(at, value.emplace(), true); });
+  }
   template <class Fill>
   void object(const char* key, Fill fill) {
     visit(key, [&](const Place& at) {
@@ -335,6 +369,9 @@ class Reader {
          std::array{&s.time_s, &s.pose.position.x, &s.pose.position.y, &s.pose.heading_rad, &s.gun_yaw_rad,
                     &s.gun_pitch_rad},
          true);
+  }
+  static void read(const Place& place, ReportBound& b, bool) {
+    read(place, std::array{&b.time_s, &b.expansions, &b.cost, &b.lower_bound}, false);
   }
   template <class T>
   static void read(const Place& place, std::vector<std::pair<std::string, T>>& entries, bool drawn) {

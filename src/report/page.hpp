@@ -1,4 +1,4 @@
-// The source files of the replay page, as text; src/report/page/ holds them.
+// The source files of the replay pages, as text; src/report/page/ holds them.
 #pragma once
 
 #include <string_view>
@@ -14,5 +14,7 @@ extern const std::string_view side_js;
 extern const std::string_view table_js;
 extern const std::string_view transport_js;
 extern const std::string_view replay_js;
+extern const std::string_view chase_html;
+extern const std::string_view chase_js;
 
 }  // namespace outrider::page

@@ -27,6 +27,9 @@ Status load_scenario(const std::string& path, const std::vector<OptionGroup>& gr
 Status scenario_from_text(std::string_view text, const std::string& name,
                           const std::vector<OptionGroup>& groups);
 
+/// The value of the key `job` in a scenario file; empty when there is none.
+Outcome<std::string> scenario_job(const std::string& path);
+
 /// JSON schema (draft 2020-12) of the scenarios that load_scenario() accepts, with present values as
 /// defaults.
 std::string scenario_schema(const std::vector<OptionGroup>& groups, const std::string& title);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +55,14 @@ struct ReportShot {
   std::vector<ProfilePiece> profile;   ///< the side view, the target's box included under its name
 };
 
+/// The stay of an intruder.
+struct ReportVisit {
+  std::string entrance;
+  Vec2 from;               ///< where that is
+  double enters_s = 0.0;   ///< from then on it is known
+  double settles_s = 0.0;  ///< when it is in its place, after a straight way there
+};
+
 struct ReportTarget {
   std::string name;
   std::string status;  ///< reached, failed or unreachable
@@ -68,6 +77,7 @@ struct ReportTarget {
   double clearance_m = 0.0;
   double done_s = 0.0;  ///< when its status became final
   int shots = 0;
+  std::optional<ReportVisit> visit = {};  ///< of one that was not there from the start; it leaves when reached
 };
 
 struct ReportEvent {
@@ -80,6 +90,26 @@ struct ReportPath {
   double start_s = 0.0;
   double end_s = 0.0;
   std::vector<Vec2> waypoints;
+};
+
+/// What was known of a pursuit at one moment; costs are of the whole mission.
+struct ReportBound {
+  double time_s = 0.0;       ///< of the mission
+  double expansions = 0.0;   ///< of planning until then
+  double cost = 0.0;         ///< by the best catch known; NaN: none
+  double lower_bound = 0.0;  ///< proven; 0: nothing
+};
+
+/// A pursuit over a map of costs: who was where in each second, what it cost, what was known.
+struct ReportChase {
+  int columns = 0;  ///< of the map as it is drawn; coarser than the true one where that is large
+  int rows = 0;
+  double cell_m = 1.0;            ///< side of a drawn cell; the lowest corner is bounds.low
+  std::vector<double> cost_runs;  ///< cost, count, cost, count, ... row by row from the lowest; -1: wall
+  std::vector<Vec2> target;       ///< where it is at second 0, 1, ...
+  std::vector<std::vector<Vec2>> robots;  ///< the same of each robot, until the end of the mission
+  std::vector<double> paid;               ///< by all robots until second 0, 1, ...
+  std::vector<ReportBound> bounds;
 };
 
 struct Report {
@@ -106,6 +136,7 @@ struct Report {
   std::vector<ReportShot> shots;
   std::vector<ReportEvent> events;
   std::vector<TrackSample> track;
+  std::optional<ReportChase> chase;  ///< of the job pursue
 };
 
 }  // namespace outrider

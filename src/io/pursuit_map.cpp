@@ -1,0 +1,244 @@
+#include "outrider/io/pursuit_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "outrider/io/files.hpp"
+#include "text.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr int longest_side = 100'000;
+constexpr std::size_t most_cells = 100'000'000;
+constexpr std::size_t most_steps = 10'000'000;
+constexpr std::uint32_t most_cost = 1'000'000'000;
+
+/// Hands out lines and knows where they stand.
+struct Lines {
+  std::string_view rest;
+  const std::string& name;
+  std::size_t number = 0;
+
+  std::string_view next() {
+    ++number;
+    return take_line(rest);
+  }
+  [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
+};
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
+  return text.substr(0, text.find_last_not_of(white_space) + 1);
+}
+
+Status expect(Lines& lines, std::string_view letter) {
+  const std::string_view line = lines.next();
+  if (trimmed(line) == letter) return {};
+  return bad_input(
+      fmt::format("'{}' is no good; this line is '{}', and a map has N, C, R, T and M in this order",
+                  excerpt(line), letter),
+      lines.where());
+}
+
+/// Whole, however it is written: 25, 25.0, 2.5e1.
+std::optional<std::uint32_t> whole(std::string_view text, std::uint32_t low) {
+  const auto value = number<double>(trimmed(text));
+  if (!value || *value < low || *value > most_cost || *value != std::floor(*value)) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
+}
+
+/// "x,y", both whole and from 1.
+std::optional<Cell> pair_of(std::string_view line) {
+  const std::size_t comma = line.find(',');
+  if (comma == std::string_view::npos) return std::nullopt;
+  const auto x = whole(line.substr(0, comma), 1), y = whole(line.substr(comma + 1), 1);
+  if (!x || !y) return std::nullopt;
+  return Cell{static_cast<int>(*x), static_cast<int>(*y)};
+}
+
+Outcome<GridFrame> take_size(Lines& lines) {
+  if (auto letter = expect(lines, "N"); !letter) return pass_on(letter);
+  const std::string_view line = lines.next();
+  const auto size = pair_of(line);
+  if (!size || size->x > longest_side || size->y > longest_side) {
+    return bad_input(fmt::format("'{}' is no size; it takes width,height, whole numbers from 1 to {}",
+                                 excerpt(line), longest_side),
+                     lines.where());
+  }
+  const GridFrame frame{{0.0, 0.0}, 1.0, size->x, size->y};
+  if (frame.size() > most_cells) {
+    return bad_input(fmt::format("{} x {} cells are more than {}, the most that is read", frame.width,
+                                 frame.height, most_cells),
+                     lines.where());
+  }
+  if (2 * frame.size() > lines.rest.size() + 1) {  // a digit, and a comma or a line end, for each
+    return bad_input(
+        fmt::format("{} x {} costs do not fit in the rest of the file; it is cut short or the size is wrong",
+                    frame.width, frame.height),
+        lines.where());
+  }
+  return frame;
+}
+
+Outcome<std::uint32_t> take_threshold(Lines& lines) {
+  if (auto letter = expect(lines, "C"); !letter) return pass_on(letter);
+  const std::string_view line = lines.next();
+  const auto threshold = whole(line, 0);
+  if (threshold) return *threshold;
+  return bad_input(
+      fmt::format("'{}' is no threshold; it takes a whole number from 0 to {}", excerpt(line), most_cost),
+      lines.where());
+}
+
+Outcome<Cell> cell_of(std::string_view line, const Lines& lines, const GridFrame& frame,
+                      std::string_view whose) {
+  const auto cell = pair_of(line);
+  if (cell && cell->x <= frame.width && cell->y <= frame.height) return Cell{cell->x - 1, cell->y - 1};
+  return bad_input(fmt::format("'{}' {}; it takes x,y, whole numbers from 1,1 to {},{}", excerpt(line),
+                               cell ? fmt::format("puts the {} off the map", whose) : "is no cell",
+                               frame.width, frame.height),
+                   lines.where());
+}
+
+Outcome<Cell> take_robot(Lines& lines, const GridFrame& frame) {
+  if (auto letter = expect(lines, "R"); !letter) return pass_on(letter);
+  const std::string_view line = lines.next();
+  return cell_of(line, lines, frame, "robot");
+}
+
+/// Up to the line M.
+Outcome<std::vector<Cell>> take_target(Lines& lines, const GridFrame& frame) {
+  if (auto letter = expect(lines, "T"); !letter) return pass_on(letter);
+  std::vector<Cell> target;
+  for (;;) {
+    const bool over = lines.rest.empty();
+    const std::string_view line = lines.next();
+    if (trimmed(line) == "M") break;
+    if (over) return bad_input("the file ends before the line M and the costs", lines.where());
+    if (target.size() == most_steps) {
+      return bad_input(fmt::format("the target has more than {} cells; cut its trajectory short", most_steps),
+                       lines.where());
+    }
+    auto cell = cell_of(line, lines, frame, "target");
+    if (!cell) return pass_on(cell);
+    target.push_back(*cell);
+  }
+  if (!target.empty()) return target;
+  return bad_input("the target has no cells; write at least one between the lines T and M", lines.where());
+}
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Reads the usual forms, digits with ".000" or blanks around them, and moves behind; otherwise says no.
+bool take_usual(const char*& at, const char* end, std::uint32_t& value) {
+  constexpr int most_digits = 9;
+  const char* p = at;
+  while (p != end && is_blank(*p)) ++p;
+  const char* const first = p;
+  std::uint32_t sum = 0;
+  for (; p != end && *p >= '0' && *p <= '9' && p - first < most_digits; ++p) {
+    sum = 10 * sum + static_cast<std::uint32_t>(*p - '0');
+  }
+  if (p == first) return false;
+  if (p != end && *p == '.') p = std::find_if(p + 1, end, [](char c) { return c != '0'; });
+  while (p != end && is_blank(*p)) ++p;
+  if (p != end && *p != ',') return false;
+  at = p;
+  value = sum;
+  return true;
+}
+
+/// Row x of the file: column x of the grid, from the lowest cell up.
+Status take_row(std::string_view line, const Lines& lines, int x, std::vector<std::uint32_t>& row) {
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  for (std::size_t y = 0; y < row.size(); ++y) {
+    if (!take_usual(at, end, row[y])) {
+      const std::string_view word(at, static_cast<std::size_t>(std::find(at, end, ',') - at));
+      const auto value = whole(word, 0);
+      if (!value) {
+        return bad_input(
+            fmt::format("'{}' is no cost (value {} of this row); it takes a whole number from 0 to {}",
+                        excerpt(trimmed(word)), y + 1, most_cost),
+            lines.where());
+      }
+      row[y] = *value;
+      at += word.size();
+    }
+    const bool last = y + 1 == row.size();
+    if (last != (at == end)) {
+      return bad_input(fmt::format("row {} of the costs has {} values; the size says {}", x + 1,
+                                   std::count(line.begin(), line.end(), ',') + 1, row.size()),
+                       lines.where());
+    }
+    if (!last) ++at;
+  }
+  return {};
+}
+
+/// A block of rows at a time is turned into columns, so that both are gone through in order.
+Status take_costs(Lines& lines, CostGrid& costs) {
+  constexpr int block = 16;
+  const int width = costs.frame.width;
+  std::vector<std::vector<std::uint32_t>> rows(
+      block, std::vector<std::uint32_t>(static_cast<std::size_t>(costs.frame.height)));
+  for (int first = 0; first < width; first += block) {
+    const int count = std::min(block, width - first);
+    for (int i = 0; i < count; ++i) {
+      const bool over = lines.rest.empty();
+      const std::string_view line = lines.next();
+      if (over) {
+        return bad_input(
+            fmt::format("the file ends after {} rows of costs; the size says {}", first + i, width),
+            lines.where());
+      }
+      if (auto row = take_row(line, lines, first + i, rows[static_cast<std::size_t>(i)]); !row) return row;
+    }
+    for (int y = 0; y < costs.frame.height; ++y) {
+      std::uint32_t* const to = &costs[{first, y}];
+      for (int i = 0; i < count; ++i) {
+        to[i] = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(y)];
+      }
+    }
+  }
+  while (!lines.rest.empty()) {
+    const std::string_view line = lines.next();
+    if (trimmed(line).empty()) continue;
+    return bad_input(fmt::format("a row of costs too many; the size says {}", width), lines.where());
+  }
+  return {};
+}
+
+}  // namespace
+
+Outcome<PursuitProblem> pursuit_map_from_text(std::string_view text, const std::string& name) {
+  Lines lines{text, name};
+  auto frame = take_size(lines);
+  if (!frame) return pass_on(frame);
+  auto threshold = take_threshold(lines);
+  if (!threshold) return pass_on(threshold);
+  auto robot = take_robot(lines, *frame);
+  if (!robot) return pass_on(robot);
+  auto target = take_target(lines, *frame);
+  if (!target) return pass_on(target);
+  if (2 * frame->size() > lines.rest.size() + 1) {
+    return bad_input(
+        fmt::format("the file ends before its {} x {} costs; it is cut short", frame->width, frame->height),
+        lines.where());
+  }
+  auto costs = std::make_shared<CostGrid>(*frame);
+  if (auto taken = take_costs(lines, *costs); !taken) return pass_on(taken);
+  return PursuitProblem{std::move(costs), *threshold, *robot, std::move(*target)};
+}
+
+Outcome<PursuitProblem> load_pursuit_map(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return pass_on(text);
+  return pursuit_map_from_text(*text, path);
+}
+
+}  // namespace outrider
