@@ -313,6 +313,7 @@ void add_bench(CLI::App& app, int& status) {
   path->add_flag("--json", command->json, "print one JSON object on standard output");
   path->callback([command, &status] { status = execute(*command); });
   path->footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
+  add_bench_pursuit(*bench, status);
 }
 
 }  // namespace outrider::cli

@@ -8,9 +8,12 @@ namespace outrider::cli {
 
 void add_run(CLI::App& app, int& status);
 void add_guard(CLI::App& app, int& status);
+void add_pursue(CLI::App& app, int& status);
 void add_plan(CLI::App& app, int& status);
 void add_replay(CLI::App& app, int& status);
 void add_bench(CLI::App& app, int& status);
+/// Add themselves to `bench`.
+void add_bench_pursuit(CLI::App& bench, int& status);
 void add_list(CLI::App& app, int& status);
 void add_schema(CLI::App& app, int& status);
 

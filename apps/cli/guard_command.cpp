@@ -17,6 +17,7 @@
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/guard_run.hpp"
 #include "progress.hpp"
+#include "pursue_command.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -173,6 +174,11 @@ void add_run(CLI::App& app, int& status) {
       ->required()
       ->type_name("FILE");
   add_common(*run, command, status);
+  run->callback([command, run, &status] {
+    const auto job = scenario_job(command->scenario_path);
+    status = job && *job == "pursue" ? run_pursuit_scenario(command->scenario_path, *run)
+                                     : execute(*command, *run);
+  });
   run->footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
 }
 

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "output.hpp"
 #include "outrider/path/catalog.hpp"
+#include "outrider/pursuit/catalog.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -15,7 +16,8 @@ struct Job {
   const char* sentence;
 };
 constexpr Job jobs[] = {{"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
-                        {"plan", "Find a collision-free path for a disk robot."}};
+                        {"plan", "Find a collision-free path for a disk robot."},
+                        {"pursue", "Catch a moving target on a grid of costs, at the least cost."}};
 
 /// The grids that a planner takes: "cells", "corners".
 std::vector<std::string> models_of(const PathPlanner& planner) {
@@ -43,9 +45,20 @@ void list_json() {
                         {"complete", planner.guarantee.complete},
                         {"models", models_of(planner)},
                         {"polygons", planner.polygons},
-                        {"index", planner.index}});
+                        {"index", planner.index},
+                        {"many_goals", static_cast<bool>(planner.configure().plan_many)},
+                        {"cost_unit", unit_of(planner.guarantee.measure)}});
   }
-  print({{"jobs", job_list}, {"path_planners", planners}});
+  auto pursuers = nlohmann::ordered_json::array();
+  for (const PursuitPlanner& planner : pursuit_planners()) {
+    pursuers.push_back({{"name", planner.name},
+                        {"sentence", planner.sentence},
+                        {"paper", planner.paper},
+                        {"guarantee", planner.guarantee.sentence},
+                        {"complete", planner.guarantee.complete},
+                        {"optimal", planner.guarantee.optimal}});
+  }
+  print({{"jobs", job_list}, {"path_planners", planners}, {"pursuit_planners", pursuers}});
 }
 
 void list_text() {
@@ -57,6 +70,11 @@ void list_text() {
     fmt::print("      Guarantee: {}.\n      Ground: {}.\n", planner.guarantee.sentence,
                fmt::join(grounds_of(planner), ", "));
     fmt::print("      Source: {}.\n", planner.paper);
+  }
+  fmt::print("\nPursuit planners (outrider pursue FILE --planner NAME)\n");
+  for (const PursuitPlanner& planner : pursuit_planners()) {
+    fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
+    fmt::print("      Guarantee: {}.\n      Source: {}.\n", planner.guarantee.sentence, planner.paper);
   }
 }
 

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   int status = job_done;
   add_run(app, status);
   add_guard(app, status);
+  add_pursue(app, status);
   add_plan(app, status);
   add_replay(app, status);
   add_bench(app, status);

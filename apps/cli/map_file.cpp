@@ -42,12 +42,20 @@ Outcome<MapFile> from_cells(Grid<std::uint8_t> occupied, double yaw_rad, double 
 
 }  // namespace
 
+bool is_world(const std::string& path) {
+  std::string stem = path;
+  if (stem.ends_with(".gz")) stem.resize(stem.size() - 3);
+  return stem.ends_with(".sdf") || stem.ends_with(".world");
+}
+
 Vec2 MapFile::to_grid(Vec2 world) const {
+  if (yaw_rad == 0.0) return world;
   const Vec2 origin = blocked.frame.origin;
   return origin + turned(world - origin, -yaw_rad);
 }
 
 Vec2 MapFile::to_world(Vec2 grid) const {
+  if (yaw_rad == 0.0) return grid;
   const Vec2 origin = blocked.frame.origin;
   return origin + turned(grid - origin, yaw_rad);
 }
@@ -56,7 +64,7 @@ Outcome<MapFile> load_map(const std::string& path, std::optional<double> radius_
                           const GridOptions& grid) {
   std::string stem = path;
   if (stem.ends_with(".gz")) stem.resize(stem.size() - 3);
-  if (stem.ends_with(".sdf") || stem.ends_with(".world")) {
+  if (is_world(path)) {
     return from_world_file(path, radius_m.value_or(robot.radius_m), robot.height_m, grid);
   }
   if (stem.ends_with(".yaml") || stem.ends_with(".yml")) {

@@ -24,6 +24,9 @@ struct MapFile {
   [[nodiscard]] Vec2 to_world(Vec2 grid) const;
 };
 
+/// Whether the name of the file is that of an SDF world.
+bool is_world(const std::string& path);
+
 /// By the name of the file: .yaml and .yml map_server, .sdf and .world SDF, .map MovingAI; .gz after any.
 /// Without a radius it is that of the robot, and 0 for MovingAI. The rest of the robot and `grid` matter
 /// for SDF worlds only.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double map_px = 860.0;  // of the longer side of the map
 constexpr double edge_px = 20.0;
-constexpr double line_px = 24.0;  // of text
+constexpr double line_px = 24.0;         // of text
+constexpr double least_label_px = 56.0;  // a cell that holds the costs of an expansion
 // Colours that also differ for the colour-blind: Okabe and Ito, Color Universal Design, 2008.
 constexpr std::array<const char*, 6> colours = {"#0072b2", "#d55e00", "#009e73",
                                                 "#cc79a7", "#b8860b", "#56b4e9"};
@@ -78,10 +79,51 @@ void draw_path(std::string& svg, const View& view, const PathPicture& picture, s
   svg += "\"/>\n";
 }
 
-/// A ring at the start, a disk at the goal.
+/// The colour of a share of the search, from light to dark.
+std::string turn_colour(double share) {
+  return fmt::format("hsl({:.0f},75%,{:.0f}%)", 48.0 - 34.0 * share, 80.0 - 38.0 * share);
+}
+
+/// Dots where the search was, a path for each of some shares of it.
+void draw_dots(std::string& svg, const View& view, const PathPicture& picture) {
+  constexpr std::size_t shares = 16;
+  const auto& expansions = picture.trace.expansions;
+  const double dot_px = std::clamp(0.5 * view.cell_px, 1.0, 16.0);
+  for (std::size_t k = 0; k < shares; ++k) {
+    put(svg, "<path class=\"dot\" stroke=\"{}\" stroke-width=\"{:.2f}\" d=\"",
+        turn_colour(static_cast<double>(k) / (shares - 1)), dot_px);
+    for (std::size_t i = k * expansions.size() / shares; i < (k + 1) * expansions.size() / shares; ++i) {
+      const Vec2 at = view(picture.ground->point(picture.ground->at(expansions[i].state)));
+      put(svg, "M{:.1f} {:.1f}h0", at.x, at.y);
+    }
+    svg += "\"/>\n";
+  }
+}
+
+/// Each dot's parent, turn and costs, where there is room for them.
+void draw_labels(std::string& svg, const View& view, const PathPicture& picture) {
+  const auto point = [&](std::uint32_t state) {
+    return view(picture.ground->point(picture.ground->at(state)));
+  };
+  const auto& expansions = picture.trace.expansions;
+  for (const Expansion& expansion : expansions) {
+    const Vec2 at = point(expansion.state), parent = point(expansion.parent);
+    put(svg, "<path class=\"parent\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", at.x, at.y, parent.x, parent.y);
+  }
+  for (std::size_t i = 0; i < expansions.size(); ++i) {
+    const Vec2 at = point(expansions[i].state);
+    put(svg,
+        "<text class=\"label\" x=\"{0:.1f}\" y=\"{1:.1f}\"><tspan font-weight=\"700\">{2}</tspan> f {3:.2f}"
+        "<tspan x=\"{0:.1f}\" dy=\"11\">{4:.2f} + {5:.2f}</tspan></text>\n",
+        at.x, at.y + 17.0, i + 1, expansions[i].f, expansions[i].g, expansions[i].h);
+  }
+}
+
+/// A ring at the start, disks at the goals.
 void draw_ends(std::string& svg, const View& view, const PathPicture& picture) {
-  for (const auto& [point, kind, name] :
-       {std::tuple{picture.start, "from", "from"}, std::tuple{picture.goal, "goal", "to"}}) {
+  std::vector<std::tuple<Vec2, const char*, const char*>> ends{{picture.start, "from", "from"}};
+  for (const Vec2 goal : picture.goals) ends.emplace_back(goal, "goal", "to");
+  for (const auto& [point, kind, name] : ends) {
     const Vec2 at = view(point);
     const bool right = at.x > edge_px + 0.8 * view.width();
     put(svg,
@@ -137,9 +179,12 @@ std::string to_svg(const PathPicture& picture) {
       "stroke:none}"
       ".path{fill:none;stroke-linejoin:round;stroke-linecap:round}.scale{fill:none;stroke:#333}"
       "text{fill:#222}.halo{paint-order:stroke;stroke:#fff;stroke-width:4px;font-weight:600}"
+      ".dot{fill:none;stroke-linecap:round}.parent{stroke:#8a5a00;stroke-width:1}"
+      ".label{font-size:10px;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:3px}"
       ".from{fill:#fff;stroke:#222;stroke-width:3}.goal{fill:#222;stroke:#fff;stroke-width:2}\n"
       "@media(prefers-color-scheme:dark){svg{background:#16181b}.free{fill:#202327}.near{fill:#33383d}"
-      ".solid{fill:#8d949b;stroke:#8d949b}.scale{stroke:#ccc}text{fill:#e6e6e6}.halo{stroke:#202327}}\n"
+      ".solid{fill:#8d949b;stroke:#8d949b}.scale{stroke:#ccc}text{fill:#e6e6e6}.halo,.label{stroke:#202327}}"
+      "\n"
       "</style>\n";
   put(svg,
       "<clipPath id=\"map\"><rect x=\"{0}\" y=\"{0}\" width=\"{1:.2f}\" height=\"{2:.2f}\"/></clipPath>\n",
@@ -152,7 +197,10 @@ std::string to_svg(const PathPicture& picture) {
   draw_cells(svg, view, picture.occupied, "solid");
   for (const RoundedPolygon& shape : picture.obstacles) draw_obstacle(svg, view, shape);
   svg += "</g>\n";
+  if (picture.ground) draw_dots(svg, view, picture);
   for (std::size_t i = 0; i < picture.paths.size(); ++i) draw_path(svg, view, picture, i);
+  const bool room = view.cell_px >= least_label_px;
+  if (picture.ground && room) draw_labels(svg, view, picture);
   draw_ends(svg, view, picture);
   draw_legend(svg, view, picture);
   return svg + "</svg>\n";

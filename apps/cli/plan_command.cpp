@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "flags.hpp"
+#include "map_changes.hpp"
 #include "map_file.hpp"
 #include "output.hpp"
 #include "outrider/core/units.hpp"
@@ -22,6 +23,8 @@
 namespace outrider::cli {
 namespace {
 
+constexpr int most_goals = 10'000;
+
 /// A row of the catalogue, with the options that the flags set.
 struct Candidate {
   PathPlanner planner;
@@ -32,6 +35,7 @@ struct PlanCommand {
   std::string map;
   std::string from;
   std::string to;
+  std::vector<std::string> goals;  ///< all that was given as --to
   std::string query;
   std::string planner = "theta_star";
   bool compare = false;
@@ -40,14 +44,21 @@ struct PlanCommand {
   GridOptions grid;
   bool json = false;
   std::string svg;
+  bool trace = false;
   std::string out;
   std::vector<Candidate> catalogue;
 };
 
 struct Row {
   PathPlanner planner;
+  Vec2 goal;  ///< on the grid
   Outcome<Plan> plan;
-  double time_s = 0.0;
+  double time_s = 0.0;  ///< of the search, which may answer for several goals
+};
+
+struct Question {
+  Problem problem;
+  std::vector<Vec2> goals;
 };
 
 std::vector<OptionGroup> describe(PlanCommand& command) {
@@ -55,7 +66,7 @@ std::vector<OptionGroup> describe(PlanCommand& command) {
       "",
       "what is asked",
       {{"from", "", 0, 0, "x,y of the start, m (MovingAI: cells, y from the bottom)", &command.from},
-       {"to", "", 0, 0, "x,y of the goal, m", &command.to},
+       {"to", "", 0, 0, "x,y of the goal, m; several times for many goals from one start", &command.to},
        {"query", "", 0, 0, "instead, a query of a polygon environment: all, or a number from 1",
         &command.query},
        {"radius", "m", 0, 100, "radius of the robot; MovingAI 0 and polygons 0.18 unless given",
@@ -73,6 +84,8 @@ std::vector<OptionGroup> describe(PlanCommand& command) {
        "output",
        {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
         {"svg", "", 0, 0, "file to write, a picture of the map and the paths", &command.svg},
+        {"trace", "", 0, 0, "show what the search expands, in the picture and in JSON; on grids",
+         &command.trace},
         {"out", "", 0, 0, "folder for plan.json and pictures, for polygon environments", &command.out}}},
       std::move(question),
       std::move(answer)};
@@ -119,41 +132,54 @@ Outcome<Vec2> point(const std::string& text, const std::string& flag) {
   return Vec2{(*numbers)[0], (*numbers)[1]};
 }
 
-/// Refuses a start and a goal where no path can begin or end, under the name of the flag.
-Outcome<Problem> problem_on(const PlanCommand& command, const MapFile& map, GridModel model) {
+/// Refuses a start and a single goal where no path can begin or end, under the name of the flag.
+Outcome<Question> question_on(const PlanCommand& command, const MapFile& map, GridModel model) {
   auto from = point(command.from, "--from");
   if (!from) return pass_on(from);
-  auto to = point(command.to, "--to");
-  if (!to) return pass_on(to);
   auto ground = GridGround::of(map.blocked, model);
   if (!ground) return pass_on(ground);
-  Problem problem{std::make_shared<const GridGround>(std::move(*ground)), map.to_grid(*from),
-                  map.to_grid(*to)};
+  Question question{{std::make_shared<const GridGround>(std::move(*ground)), map.to_grid(*from), {}}, {}};
+  for (const std::string& goal : command.goals) {
+    auto to = point(goal, "--to");
+    if (!to) return pass_on(to);
+    question.goals.push_back(map.to_grid(*to));
+  }
+  Problem& problem = question.problem;
+  problem.goal = question.goals.front();
+  const std::optional<Cell> start = problem.grid->vertex_at(problem.start);
+  const bool bad_start = !start || !problem.grid->place(*start);
+  if (!bad_start && question.goals.size() > 1) return question;
   if (auto query = grid_query(problem); !query) {
-    const std::optional<Cell> start = problem.grid->vertex_at(problem.start);
-    const bool bad_start = !start || !problem.grid->place(*start);
     Fault fault = query.error();
     fault.where = bad_start ? "--from " + command.from : "--to " + command.to;
     if (map.yaw_rad != 0.0)
       fault.where += fmt::format(" in the map turned by {:.4g} degrees", degrees(map.yaw_rad));
     return tl::unexpected(std::move(fault));
   }
-  return problem;
+  return question;
 }
 
 /// Plans, and has every plan judged by the grid's own rules and by the exact shapes where there are any.
-Row solve(const Candidate& candidate, const Problem& problem, const MapFile& map) {
+std::vector<Row> solve(const Candidate& candidate, const Question& question, const MapFile& map,
+                       Trace* trace) {
   Workspace workspace;
+  workspace.trace = trace;
   const auto begin = std::chrono::steady_clock::now();
-  auto plan = candidate.configured.plan(problem, {}, workspace);
+  auto plans = plan_each(candidate.configured, question.problem, question.goals, {}, workspace);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  if (plan) {
-    auto verdict = check(*plan, problem);
-    if (verdict && map.ground) verdict = check(*plan, *map.ground, map.radius_m);
-    if (!verdict)
-      throw std::logic_error(fmt::format("{}: {}", candidate.planner.name, to_string(verdict.error())));
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    Problem problem = question.problem;
+    problem.goal = question.goals[i];
+    if (plans[i]) {
+      auto verdict = check(*plans[i], problem);
+      if (verdict && map.ground) verdict = check(*plans[i], *map.ground, map.radius_m);
+      if (!verdict)
+        throw std::logic_error(fmt::format("{}: {}", candidate.planner.name, to_string(verdict.error())));
+    }
+    rows.push_back({candidate.planner, problem.goal, std::move(plans[i]), time.count()});
   }
-  return {candidate.planner, std::move(plan), time.count()};
+  return rows;
 }
 
 nlohmann::ordered_json row_json(const Row& row, const MapFile& map) {
@@ -180,48 +206,73 @@ nlohmann::ordered_json row_json(const Row& row, const MapFile& map) {
           {"waypoints", std::move(waypoints)}};
 }
 
-void print_json(const PlanCommand& command, const MapFile& map, const std::vector<Row>& rows, bool all) {
+/// The vertices in the order in which the search expanded them; costs in cells.
+nlohmann::ordered_json trace_json(const Trace& trace, const GridGround& ground) {
+  auto expansions = nlohmann::ordered_json::array();
+  for (const Expansion& expansion : trace.expansions) {
+    const Cell v = ground.at(expansion.state), parent = ground.at(expansion.parent);
+    expansions.push_back({{"vertex", {v.x, v.y}},
+                          {"parent", {parent.x, parent.y}},
+                          {"f", expansion.f},
+                          {"g", expansion.g},
+                          {"h", expansion.h}});
+  }
+  return expansions;
+}
+
+struct Answer {
+  MapFile map;
+  Question question;
+  std::vector<Row> rows;
+  Trace trace;
+};
+
+void print_json(const PlanCommand& command, const Answer& answer, bool all) {
+  const auto& [map, question, rows, trace] = answer;
   nlohmann::ordered_json object = {
       {"status", all ? "done" : "not_done"}, {"job", "plan"}, {"radius_m", map.radius_m}};
-  if (command.compare) {
+  if (command.compare || rows.size() > 1) {
     object["plans"] = nlohmann::ordered_json::array();
-    for (const Row& row : rows) object["plans"].push_back(row_json(row, map));
+    for (const Row& row : rows) {
+      object["plans"].push_back(row_json(row, map));
+      const Vec2 goal = map.to_world(row.goal);
+      if (question.goals.size() > 1) object["plans"].back()["goal"] = {goal.x, goal.y};
+    }
   } else {
     object.update(row_json(rows.front(), map));
   }
+  if (command.trace) object["trace"] = trace_json(trace, *question.problem.grid);
   object["warnings"] = map.warnings;
   print(object);
 }
 
-void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<18} {:>11} {:>11} {:>5} {:>11} {:>10}\n", "planner", "length m", "bound m", "legs",
-             "expansions", "ms");
+void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
+  fmt::print("  {:<18} {:>11} {:>11} {:>5} {:>11} {:>10}{}\n", "planner", "length m", "bound m", "legs",
+             "expansions", "ms", many ? "  goal" : "");
   for (const Row& row : rows) {
+    const Vec2 at = map.to_world(row.goal);
+    const std::string goal = many ? fmt::format("  {:g},{:g}", at.x, at.y) : "";
     if (!row.plan) {
-      fmt::print("  {:<18} {}\n", row.planner.name, row.plan.error().sentence);
+      fmt::print("  {:<18} {}{}\n", row.planner.name, row.plan.error().sentence, goal);
       continue;
     }
-    fmt::print("  {:<18} {:>11.3f} {:>11.3f} {:>5} {:>11} {:>10.2f}\n", row.planner.name, row.plan->cost,
+    fmt::print("  {:<18} {:>11.3f} {:>11.3f} {:>5} {:>11} {:>10.2f}{}\n", row.planner.name, row.plan->cost,
                row.plan->lower_bound, row.plan->waypoints.empty() ? 0 : row.plan->waypoints.size() - 1,
-               row.plan->counters.expansions, 1e3 * row.time_s);
+               row.plan->counters.expansions, 1e3 * row.time_s, goal);
   }
 }
 
-Status draw(const PlanCommand& command, const MapFile& map, const Problem& problem,
-            const std::vector<Row>& rows) {
-  PathPicture picture{map.occupied, map.blocked, {}, problem.start, problem.goal, {}};
+Status draw(const PlanCommand& command, const Answer& answer) {
+  const auto& [map, question, rows, trace] = answer;
+  PathPicture picture{map.occupied, map.blocked, {}, question.problem.start, question.goals, {}};
   if (map.ground) picture.obstacles = map.ground->obstacles();
+  if (command.trace) picture.ground = question.problem.grid;
+  picture.trace = trace;
   for (const Row& row : rows) {
     if (row.plan) picture.paths.push_back({std::string(row.planner.name), *row.plan});
   }
   return write_file(command.svg, to_svg(picture));
 }
-
-struct Answer {
-  MapFile map;
-  Problem problem;
-  std::vector<Row> rows;
-};
 
 Outcome<Answer> answer(PlanCommand& command, const CLI::App& flags) {
   auto model = model_of(command);
@@ -234,14 +285,17 @@ Outcome<Answer> answer(PlanCommand& command, const CLI::App& flags) {
   auto map = load_map(command.map, radius_given ? std::optional(command.robot.radius_m) : std::nullopt,
                       command.robot, command.grid);
   if (!map) return pass_on(map);
-  auto problem = problem_on(command, *map, *model);
-  if (!problem) return pass_on(problem);
-  std::vector<Row> rows;
+  if (auto ok = change_cells(flags, *map); !ok) return pass_on(ok);
+  auto question = question_on(command, *map, *model);
+  if (!question) return pass_on(question);
+  Answer answer{std::move(*map), std::move(*question), {}, {}};
   for (const Candidate& candidate : *candidates) {
     progress.next(std::string(candidate.planner.name));
-    rows.push_back(solve(candidate, *problem, *map));
+    for (Row& row : solve(candidate, answer.question, answer.map, command.trace ? &answer.trace : nullptr)) {
+      answer.rows.push_back(std::move(row));
+    }
   }
-  return Answer{std::move(*map), std::move(*problem), std::move(rows)};
+  return answer;
 }
 
 int execute_on_polygons(const PlanCommand& command, const CLI::App& flags, GridModel model) {
@@ -249,13 +303,14 @@ int execute_on_polygons(const PlanCommand& command, const CLI::App& flags, GridM
   PolygonPlan request;
   request.map = command.map;
   request.from = command.from;
-  request.to = command.to;
+  request.to = command.goals;
   request.query = command.query;
   request.out = command.out;
   request.svg = command.svg;
   if (given("--planner")) request.planner = command.planner;
   if (given("--model")) request.model = model;
-  if (given("--radius")) request.radius_m = command.robot.radius_m;
+  if (given("--radius") || !is_polygon_map(command.map)) request.radius_m = command.robot.radius_m;
+  request.height_m = command.robot.height_m;
   if (given("--resolution")) request.resolution_m = command.grid.resolution_m;
   request.compare = command.compare;
   request.json = command.json;
@@ -263,6 +318,23 @@ int execute_on_polygons(const PlanCommand& command, const CLI::App& flags, GridM
     request.planners.emplace_back(candidate.planner, candidate.configured);
   }
   return plan_on_polygons(request);
+}
+
+/// A world of solids, asked of a planner on polygons.
+bool is_polygon_question(const PlanCommand& command) {
+  if (is_polygon_map(command.map)) return true;
+  const auto planner = find_path_planner(command.planner);
+  return !command.compare && is_world(command.map) && planner && planner->polygons;
+}
+
+/// What a trace needs to be shown.
+Status check_trace(const PlanCommand& command, bool on_polygons) {
+  if (!command.trace) return {};
+  if (on_polygons) return bad_input("it shows searches on grids; leave it out, or take a grid", "--trace");
+  if (command.compare || command.goals.size() > 1)
+    return bad_input("it shows one search; leave out --compare, and give one --to", "--trace");
+  if (!command.svg.empty() || command.json) return {};
+  return bad_input("it has nowhere to go; give --svg FILE to draw it, or --json", "--trace");
 }
 
 /// What only a polygon environment takes, and what only it may leave out.
@@ -281,29 +353,35 @@ Status check_grid_flags(const CLI::App& flags) {
 int execute(PlanCommand& command, const CLI::App& flags) {
   const bool json = flags.get_option("--json")->count() > 0;
   if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
-  if (is_polygon_map(command.map)) {
+  command.goals = flags.get_option("--to")->results();
+  const bool on_polygons = is_polygon_question(command);
+  if (auto ok = check_trace(command, on_polygons); !ok) return say(ok.error(), json);
+  if (on_polygons) {
+    if (auto ok = refuse_changes(flags); !ok) return say(ok.error(), json);
     const auto model = model_of(command);
     return model ? execute_on_polygons(command, flags, *model) : say(model.error(), json);
   }
   if (auto ok = check_grid_flags(flags); !ok) return say(ok.error(), json);
   const auto found = answer(command, flags);
   if (!found) return say(found.error(), command.json);
-  const auto& [map, problem, rows] = *found;
+  const auto& [map, question, rows, trace] = *found;
   for (const std::string& warning : map.warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
 
   const bool draws = flags.get_option("--svg")->count() > 0;
   if (draws) {
-    if (auto ok = draw(command, map, problem, rows); !ok) return say(ok.error(), command.json);
+    if (auto ok = draw(command, *found); !ok) return say(ok.error(), command.json);
   }
   const bool all = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plan.has_value(); });
   if (command.json) {
-    print_json(command, map, rows, all);
-  } else if (all || command.compare) {
-    print_table(rows);
+    print_json(command, *found, all);
+  } else if (all || rows.size() > 1) {
+    print_table(rows, map, question.goals.size() > 1);
     if (draws) fmt::print("\n  picture  {}\n", command.svg);
   }
   const auto failed = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.plan; });
-  return failed == rows.end() ? job_done : say(failed->plan.error(), false);
+  if (failed == rows.end()) return job_done;
+  const int status = say(failed->plan.error(), false);
+  return question.goals.size() > 1 ? job_not_done : status;
 }
 
 }  // namespace
@@ -318,6 +396,11 @@ void add_plan(CLI::App& app, int& status) {
       ->required()
       ->type_name("FILE");
   add_flags(*plan, describe(*command));
+  add_change_flags(*plan);
+  plan->get_option("--to")
+      ->expected(1, most_goals)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   plan->callback([command, plan, &status] { status = execute(*command, *plan); });
   plan->footer(
       "\nExample: outrider plan scenarios/yard/yard.sdf --from 0,-6 --to 4,4 --compare --svg paths.svg");

@@ -13,8 +13,10 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/polygons.hpp"
+#include "outrider/io/sdf.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/from_polygons.hpp"
+#include "outrider/path/polygons_from_world.hpp"
 #include "outrider/path/visibility_graph.hpp"
 #include "polygon_picture.hpp"
 #include "progress.hpp"
@@ -33,8 +35,15 @@ struct Grounds {
 };
 
 struct NumberedQuery {
-  std::size_t number = 0;  ///< in the file, from 1; 0 when the flags gave it
+  std::size_t number = 0;  ///< in the file or among several goals, from 1; 0 for one that the flags gave
   PointQuery points;
+};
+
+/// What the file holds.
+struct Ask {
+  std::vector<std::string> warnings;
+  std::shared_ptr<const PolygonGround> polygons;
+  std::vector<NumberedQuery> queries;
 };
 
 struct PolygonRow {
@@ -68,25 +77,34 @@ Outcome<Planners> chosen(const PolygonPlan& request) {
   return planners;
 }
 
-Outcome<std::vector<NumberedQuery>> queries_of(const PolygonPlan& request, const PolygonMap& map) {
+Outcome<Vec2> point(const std::string& text, const std::string& flag) {
+  if (text.empty()) return bad_input("it is missing; give x,y in m, or --query all", flag);
+  auto numbers = parse_numbers(text, 2, flag, "x,y in m, such as 1.5,-2");
+  if (!numbers) return pass_on(numbers);
+  return Vec2{(*numbers)[0], (*numbers)[1]};
+}
+
+/// From --from to each --to.
+Outcome<std::vector<NumberedQuery>> queries_of_flags(const PolygonPlan& request) {
+  auto from = point(request.from, "--from");
+  if (!from) return pass_on(from);
+  std::vector<NumberedQuery> queries;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, request.to.size()); ++i) {
+    auto to = point(request.to.empty() ? "" : request.to[i], "--to");
+    if (!to) return pass_on(to);
+    queries.push_back({request.to.size() > 1 ? i + 1 : 0, {*from, *to}});
+  }
+  return queries;
+}
+
+Outcome<std::vector<NumberedQuery>> queries_of(const PolygonPlan& request,
+                                               const std::vector<PointQuery>& of_map) {
   if (!request.query.empty() && (!request.from.empty() || !request.to.empty())) {
     return bad_input("it stands beside --from or --to; give one or the other", "--query");
   }
-  if (request.query.empty()) {
-    const auto point = [](const std::string& text, const std::string& flag) -> Outcome<Vec2> {
-      if (text.empty()) return bad_input("it is missing; give x,y in m, or --query all", flag);
-      auto numbers = parse_numbers(text, 2, flag, "x,y in m, such as 1.5,-2");
-      if (!numbers) return pass_on(numbers);
-      return Vec2{(*numbers)[0], (*numbers)[1]};
-    };
-    auto from = point(request.from, "--from");
-    if (!from) return pass_on(from);
-    auto to = point(request.to, "--to");
-    if (!to) return pass_on(to);
-    return std::vector<NumberedQuery>{{0, {*from, *to}}};
-  }
+  if (request.query.empty()) return queries_of_flags(request);
   std::vector<NumberedQuery> queries;
-  for (std::size_t i = 0; i < map.queries.size(); ++i) queries.push_back({i + 1, map.queries[i]});
+  for (std::size_t i = 0; i < of_map.size(); ++i) queries.push_back({i + 1, of_map[i]});
   if (request.query == "all" && !queries.empty()) return queries;
   std::size_t number = 0;
   const char* end = request.query.data() + request.query.size();
@@ -100,11 +118,32 @@ Outcome<std::vector<NumberedQuery>> queries_of(const PolygonPlan& request, const
   return std::vector<NumberedQuery>{queries[number - 1]};
 }
 
-Outcome<Grounds> grounds_of(const PolygonPlan& request, PolygonMap map, const Planners& planners) {
-  auto polygons = PolygonGround::of(std::move(map.boundary), std::move(map.obstacles), request.radius_m);
+Outcome<Ask> ask_of(const PolygonPlan& request) {
+  Ask ask;
+  std::vector<PointQuery> of_map;
+  Outcome<PolygonGround> polygons = bad_input("");
+  if (is_polygon_map(request.map)) {
+    auto map = load_polygon_map(request.map);
+    if (!map) return pass_on(map);
+    of_map = std::move(map->queries);
+    polygons = PolygonGround::of(std::move(map->boundary), std::move(map->obstacles), request.radius_m);
+  } else {
+    auto loaded = load_sdf(request.map);
+    if (!loaded) return pass_on(loaded);
+    ask.warnings = std::move(loaded->warnings);
+    polygons = polygons_from_world(Ground::of(loaded->world, request.height_m), request.radius_m);
+  }
+  auto queries = queries_of(request, of_map);
+  if (!queries) return pass_on(queries);
   if (!polygons) return pass_on(polygons);
+  ask.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));
+  ask.queries = std::move(*queries);
+  return ask;
+}
+
+Outcome<Grounds> grounds_of(const PolygonPlan& request, const Ask& ask, const Planners& planners) {
   Grounds grounds;
-  grounds.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));
+  grounds.polygons = ask.polygons;
   if (std::all_of(planners.begin(), planners.end(), [](const auto& p) { return p.first.polygons; })) {
     return grounds;
   }
@@ -117,25 +156,57 @@ Outcome<Grounds> grounds_of(const PolygonPlan& request, PolygonMap map, const Pl
   return grounds;
 }
 
-/// Plans and has the plan judged, by the rules of its ground and by exact distances to the polygons.
-PolygonRow solve(const std::pair<PathPlanner, ConfiguredPlanner>& planner, const Grounds& grounds,
-                 const NumberedQuery& query, Workspace& workspace) {
-  Problem problem{nullptr, query.points.start, query.points.goal};
+using Planner = std::pair<PathPlanner, ConfiguredPlanner>;
+
+Problem problem_of(const Planner& planner, const Grounds& grounds, const PointQuery& points) {
+  Problem problem{nullptr, points.start, points.goal};
   if (planner.first.polygons) problem.polygons = grounds.polygons;
   if (!planner.first.polygons) problem.grid = grounds.grid;
-  const auto begin = Clock::now();
-  auto plan = planner.second.plan(problem, {}, workspace);
-  const std::chrono::duration<double, std::micro> time = Clock::now() - begin;
-  PolygonRow row{planner.first, query, std::move(plan), time.count()};
+  return problem;
+}
+
+/// The plan judged by the rules of its ground and by exact distances to the polygons. A start or a goal that
+/// the polygons do not allow is refused in their words, with the distance, also to a planner on the grid.
+PolygonRow judged(const Planner& planner, const Grounds& grounds, const NumberedQuery& query,
+                  Outcome<Plan> plan, double time_us) {
+  PolygonRow row{planner.first, query, std::move(plan), time_us};
+  auto stands = polygon_query({nullptr, query.points.start, query.points.goal, grounds.polygons});
+  if (!stands) row.plan = pass_on(stands);
   if (!row.plan) return row;
   row.clearance_m = clearance_m(*row.plan, *grounds.polygons);
-  auto verdict = check(*row.plan, problem);
+  auto verdict = check(*row.plan, problem_of(planner, grounds, query.points));
   const bool clear = row.clearance_m >= grounds.polygons->radius_m - 2.0 * contact_m;
   if (!verdict || !clear) {
     throw std::logic_error(fmt::format("{} on query {}: {}", planner.first.name, query.number,
                                        verdict ? "the disk touches an edge" : to_string(verdict.error())));
   }
   return row;
+}
+
+PolygonRow solve(const Planner& planner, const Grounds& grounds, const NumberedQuery& query,
+                 Workspace& workspace) {
+  const Problem problem = problem_of(planner, grounds, query.points);
+  const auto begin = Clock::now();
+  auto plan = planner.second.plan(problem, {}, workspace);
+  const std::chrono::duration<double, std::micro> time = Clock::now() - begin;
+  return judged(planner, grounds, query, std::move(plan), time.count());
+}
+
+/// All goals from one start, in one search where the planner has one; each has its share of the time.
+std::vector<PolygonRow> solve_many(const Planner& planner, const Grounds& grounds,
+                                   const std::vector<NumberedQuery>& queries, Workspace& workspace) {
+  std::vector<Vec2> goals;
+  for (const NumberedQuery& query : queries) goals.push_back(query.points.goal);
+  const Problem problem = problem_of(planner, grounds, queries.front().points);
+  const auto begin = Clock::now();
+  auto plans = plan_each(planner.second, problem, goals, {}, workspace);
+  const std::chrono::duration<double, std::micro> time = Clock::now() - begin;
+  std::vector<PolygonRow> rows;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const double share_us = time.count() / static_cast<double>(queries.size());
+    rows.push_back(judged(planner, grounds, queries[i], std::move(plans[i]), share_us));
+  }
+  return rows;
 }
 
 std::vector<PolygonRow> solve_all(const Planners& planners, const Grounds& grounds,
@@ -149,9 +220,20 @@ std::vector<PolygonRow> solve_all(const Planners& planners, const Grounds& groun
       const double first = solve(planner, grounds, queries.front(), workspace).time_us;
       build_us = std::max(0.0, first - solve(planner, grounds, queries.front(), workspace).time_us);
     }
-    for (const NumberedQuery& query : queries) {
-      rows.push_back(solve(planner, grounds, query, workspace));
-      rows.back().build_us = build_us;
+    const bool one_start = std::all_of(queries.begin(), queries.end(), [&](const NumberedQuery& query) {
+      return query.points.start == queries.front().points.start;
+    });
+    std::vector<PolygonRow> of_planner;
+    if (one_start && queries.size() > 1) {
+      of_planner = solve_many(planner, grounds, queries, workspace);
+    } else {
+      for (const NumberedQuery& query : queries) {
+        of_planner.push_back(solve(planner, grounds, query, workspace));
+      }
+    }
+    for (PolygonRow& row : of_planner) {
+      row.build_us = build_us;
+      rows.push_back(std::move(row));
     }
   }
   std::vector<PolygonRow> by_query;
@@ -163,7 +245,8 @@ std::vector<PolygonRow> solve_all(const Planners& planners, const Grounds& groun
 
 /// Among what the path is promised to be shortest.
 std::string_view guarantee_of(const Guarantee& guarantee) {
-  if (guarantee.most_ratio != 1.0) return "none";
+  if (std::isinf(guarantee.most_ratio)) return "none";
+  if (guarantee.most_ratio != 1.0) return "bounded";
   switch (guarantee.among) {
     case PathClass::along_moves: return "grid_optimal";
     case PathClass::any_direction: return "any_angle_optimal";
@@ -176,6 +259,8 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
   nlohmann::ordered_json object = {{"planner", row.planner.name}};
   object["query"] =
       row.query.number == 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(row.query.number);
+  object["from"] = {row.query.points.start.x, row.query.points.start.y};
+  object["to"] = {row.query.points.goal.x, row.query.points.goal.y};
   if (!row.plan) {
     object.update(fault_json(row.plan.error()));
     object["time_us"] = row.time_us;
@@ -194,7 +279,8 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
   }
   object.update({{"status", "done"},
                  {"cost", plan.cost},
-                 {"length_m", plan.cost},
+                 {"cost_unit", unit_of(row.planner.guarantee.measure)},
+                 {"length_m", length_of(plan)},
                  {"lower_bound", plan.lower_bound},
                  {"optimal", row.planner.guarantee.most_ratio == 1.0 &&
                                  plan.cost <= plan.lower_bound * (1.0 + 1e-9) + 1e-12},
@@ -212,16 +298,17 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
 }
 
 void print_table(const std::vector<PolygonRow>& rows) {
-  fmt::print("  {:>5}  {:<26} {:>10} {:>10} {:>10} {:>10} {:>11}\n", "query", "planner", "length m",
-             "bound m", "expansions", "us", "clearance m");
+  fmt::print("  {:>5}  {:<26} {:>10} {:>12} {:>12} {:>10} {:>10} {:>11}\n", "query", "planner", "length m",
+             "cost", "bound", "expansions", "us", "clearance m");
   for (const PolygonRow& row : rows) {
     if (!row.plan) {
       fmt::print("  {:>5}  {:<26} {}\n", row.query.number, row.planner.name, row.plan.error().sentence);
       continue;
     }
-    fmt::print("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {:>10} {:>10.1f} {:>11.4f}\n", row.query.number,
-               row.planner.name, row.plan->cost, row.plan->lower_bound, row.plan->counters.expansions,
-               row.time_us, row.clearance_m);
+    const std::string_view unit = unit_of(row.planner.guarantee.measure);
+    fmt::print("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {} {:>10.4f} {} {:>10} {:>10.1f} {:>11.4f}\n",
+               row.query.number, row.planner.name, length_of(*row.plan), row.plan->cost, unit,
+               row.plan->lower_bound, unit, row.plan->counters.expansions, row.time_us, row.clearance_m);
   }
 }
 
@@ -249,7 +336,7 @@ std::vector<File> pictures(const std::string& folder, const Grounds& grounds,
       // The bound of the whole class of ways first: a start moved to a cell may look shorter.
       const bool better = shortest == nullptr || (rows[i].planner.polygons && !shortest->planner.polygons) ||
                           (rows[i].planner.polygons == shortest->planner.polygons &&
-                           rows[i].plan->cost < shortest->plan->cost - 1e-9);
+                           length_of(*rows[i].plan) < length_of(*shortest->plan) - 1e-9);
       if (better) shortest = &rows[i];
     }
     if (shortest != nullptr) best.ways.push_back({fmt::format("query {}", number), *shortest->plan});
@@ -275,6 +362,7 @@ Status write_all(const PolygonPlan& request, const Grounds& grounds, const std::
 }
 
 struct Answer {
+  std::vector<std::string> warnings;
   Grounds grounds;
   std::vector<PolygonRow> rows;
 };
@@ -287,20 +375,19 @@ Outcome<Answer> answer(const PolygonPlan& request) {
   if (!planners) return pass_on(planners);
   Progress progress(1 + static_cast<int>(planners->size()));
   progress.next("reading the map");
-  auto map = load_polygon_map(request.map);
-  if (!map) return pass_on(map);
-  auto queries = queries_of(request, *map);
-  if (!queries) return pass_on(queries);
-  auto grounds = grounds_of(request, std::move(*map), *planners);
+  auto ask = ask_of(request);
+  if (!ask) return pass_on(ask);
+  auto grounds = grounds_of(request, *ask, *planners);
   if (!grounds) return pass_on(grounds);
-  for (const NumberedQuery& query : *queries) {
+  if (ask->queries.size() == 1) {
+    const NumberedQuery& query = ask->queries.front();
     auto good = polygon_query({nullptr, query.points.start, query.points.goal, grounds->polygons});
-    if (good) continue;
-    if (query.number > 0) good.error().where = fmt::format("{}, query {}", request.map, query.number);
-    return pass_on(good);
+    if (!good && query.number > 0)
+      good.error().where = fmt::format("{}, query {}", request.map, query.number);
+    if (!good) return pass_on(good);
   }
-  auto rows = solve_all(*planners, *grounds, *queries, progress);
-  return Answer{std::move(*grounds), std::move(rows)};
+  auto rows = solve_all(*planners, *grounds, ask->queries, progress);
+  return Answer{std::move(ask->warnings), std::move(*grounds), std::move(rows)};
 }
 
 }  // namespace
@@ -310,6 +397,7 @@ bool is_polygon_map(const std::string& path) { return path.ends_with(".txt") || 
 int plan_on_polygons(const PolygonPlan& request) {
   const auto found = answer(request);
   if (!found) return say(found.error(), request.json);
+  for (const std::string& warning : found->warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
   const auto failed =
       std::find_if(found->rows.begin(), found->rows.end(), [](const PolygonRow& row) { return !row.plan; });
   const bool all = failed == found->rows.end();
@@ -330,7 +418,11 @@ int plan_on_polygons(const PolygonPlan& request) {
     if (!request.out.empty()) fmt::print("\n  pictures {}/plan.svg, query_K.svg\n", request.out);
     if (!request.svg.empty()) fmt::print("\n  picture  {}\n", request.svg);
   }
-  return all ? job_done : say(failed->plan.error(), false);
+  if (all) return job_done;
+  Fault first = failed->plan.error();
+  if (failed->query.number > 0) first.where = fmt::format("{}, query {}", request.map, failed->query.number);
+  const int status = say(first, false);
+  return found->rows.size() > 1 ? job_not_done : status;
 }
 
 }  // namespace outrider::cli

@@ -10,6 +10,7 @@
 #include "outrider/io/files.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
+#include "pursue_summary.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -56,10 +57,10 @@ int execute(ReplayCommand& command, const CLI::App& flags) {
     }
   }
   if (command.json) {
-    print(summary_json(*report, command.path));
+    print(report->chase ? pursuit_json(*report, command.path) : summary_json(*report, command.path));
     return job_done;
   }
-  fmt::print("{}", summary(*report));
+  fmt::print("{}", report->chase ? pursuit_summary(*report) : summary(*report));
   if (!command.html.empty()) fmt::print("\n  watch    {}\n", command.html);
   if (!command.svg.empty()) fmt::print("{}  picture  {}\n", command.html.empty() ? "\n" : "", command.svg);
   return job_done;

@@ -5,7 +5,7 @@ import unittest
 
 from tool import SOURCE, ToolTest, main
 
-COMMANDS = ["run", "guard", "plan", "replay", "list", "schema"]
+COMMANDS = ["run", "guard", "pursue", "plan", "replay", "list", "schema"]
 
 
 def refusals(schema, value, where=""):
@@ -75,7 +75,7 @@ class Manual(ToolTest):
 
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
-        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["guard", "plan"])
+        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["guard", "plan", "pursue"])
         text = self.text("list")
         for planner in catalogue["path_planners"]:
             self.assertLessEqual({"name", "sentence", "paper", "guarantee", "complete", "models"}, set(planner))
@@ -118,8 +118,9 @@ class Manual(ToolTest):
                 self.assertIn(f"  --{name.replace('_', '-')} ", help_text)
 
     def test_generated_pages_are_fresh(self):
-        for form, page in [("markdown", "options.md"), ("schema", "scenario.schema.json")]:
-            self.assertEqual(self.text("schema", "--as", form), (SOURCE / "docs" / page).read_text(),
+        for job, form, page in [("guard", "markdown", "options.md"), ("guard", "schema", "scenario.schema.json"),
+                                ("pursue", "markdown", "options-pursue.md")]:
+            self.assertEqual(self.text("schema", "--job", job, "--as", form), (SOURCE / "docs" / page).read_text(),
                              f"docs/{page} is stale: build the target docs")
 
     def test_commands_in_the_manual_exist(self):

@@ -40,6 +40,26 @@ class Plan(ToolTest):
         again = self.plan("small.map.gz", "--from", "0.5,3.5", "--to", "5.5,3.5", "--planner", "a_star")
         self.assertEqual(again["waypoints"], answer["waypoints"])
 
+    def test_cells_blocked_and_freed(self):
+        ends = ("small.map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--planner", "jps")
+        plain = self.plan(*ends)["metrics"]["cost_m"]
+        # The wall of column 3 gets a door on top: straight through.
+        opened = self.plan(*ends, "--free", "3,3")
+        self.check_answer(opened)
+        self.assertEqual(opened["metrics"]["cost_m"], 5)
+        self.assertEqual(self.plan(*ends, "--block", "3,0,1,4", "--free", "3,3")["waypoints"], opened["waypoints"])
+        self.assertEqual(self.plan(*ends, "--block", "3,0", status=1)["code"], "no_path")
+        detour = self.plan(*ends, "--block", "1,3", "--block", "1,2")
+        self.assertGreater(detour["metrics"]["cost_m"], plain)
+        ends = ("plan", *ends)
+        self.refused(*ends, "--block", "6,0", says=["--block 6,0", "leaves the grid", "x from 0 to 5"])
+        self.refused(*ends, "--free", "0,0,7,1", says=["--free 0,0,7,1", "leaves the grid"])
+        self.refused(*ends, "--free", "1.5,2", says=["--free 1.5,2", "1.5 is no good", "whole cells"])
+        self.refused(*ends, "--block", "1,2,3", says=["--block 1,2,3", "x,y,width,height"])
+        self.refused(*ends, "--block", "1,2,0,1", says=["--block 1,2,0,1", "at least one cell"])
+        self.refused("plan", "yard.sdf", "--from", "0,-2", "--to", "2,2", "--block", "1,1",
+                     says=["--block", "exact shapes"])
+
     def test_map_server_in_its_own_frame_and_turned(self):
         self.write("m.pgm", PGM)
         self.write("m.yaml", YAML.format(yaw=0))
@@ -84,7 +104,7 @@ class Plan(ToolTest):
             self.refused(*ask, flag, value, says=[flag, f"'{value}'"])
         self.refused(*ask, "--planner", "thetastar", says=["--planner", "'thetastar'", "'theta_star'"])
         for planner in CATALOGUE["path_planners"]:
-            if "corners" not in planner["models"]:
+            if "corners" not in planner["models"] and not planner["polygons"]:
                 self.refused(*ask, "--planner", planner["name"], "--model", "corners",
                              says=["--planner", planner["name"], "corners"])
         self.refused(*ask, "--resolution", "0.0001", says=["resolution", "coarser"])
@@ -137,6 +157,39 @@ class Plan(ToolTest):
                 self.assertTrue(any(word in t for t in texts), texts)
 
     @unittest.skipUnless((DATA / "guard" / "maps").is_dir(), "the published data is not here")
+    def test_many_goals_from_one_start(self):
+        goals = ["5,0", "0,3", "5,3"]
+        to = [word for goal in goals for word in ("--to", goal)]
+        for planner in ("dijkstra", "a_star"):
+            result = self.run_tool("plan", "small.map", "--from", "0,0", *to, "--planner", planner, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            plans = self.json_of(result)["plans"]
+            for plan, goal in zip(plans, goals):
+                single = self.run_tool("plan", "small.map", "--from", "0,0", "--to", goal, "--planner", planner, "--json")
+                self.assertEqual(plan["metrics"]["cost_m"], self.json_of(single)["metrics"]["cost_m"])
+                self.assertEqual(plan["waypoints"], self.json_of(single)["waypoints"])
+                self.assertEqual(",".join(f"{x:g}" for x in plan["goal"]), goal)
+        result = self.run_tool("plan", "small.map", "--from", "0,0", "--to", "5,0", "--to", "99,0", "--json")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual([plan["status"] for plan in self.json_of(result)["plans"]], ["done", "refused"])
+
+    def test_trace(self):
+        question = ("plan", "small.map", "--from", "0,0", "--to", "5,3", "--planner", "a_star", "--trace")
+        result = self.run_tool(*question, "--json", "--svg", "trace.svg")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = self.json_of(result)
+        self.assertEqual(len(answer["trace"]), answer["metrics"]["expansions"])
+        self.assertEqual(answer["trace"][0]["vertex"], answer["trace"][0]["parent"])
+        for expansion in answer["trace"]:
+            self.assertAlmostEqual(expansion["f"], expansion["g"] + expansion["h"], places=9)
+        svg = (self.folder / "trace.svg").read_text()
+        self.assertEqual(svg.count('class="label"'), len(answer["trace"]))
+        for more, words in {(): "--svg FILE", ("--json", "--compare"): "one search",
+                            ("--json", "--to", "1,1"): "one search"}.items():
+            refused = self.run_tool(*question, *more)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(words, refused.stderr)
+
     def test_published_map_turned_by_a_quarter(self):
         self.check_answer(self.plan(DATA / "guard/maps/by_small.yaml", "--from", "0,-9", "--to", "2,2"))
 

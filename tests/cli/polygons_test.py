@@ -3,7 +3,7 @@ import math
 import unittest
 import xml.etree.ElementTree
 
-from tool import DATA, ToolTest, main
+from tool import DATA, SOURCE, ToolTest, main
 
 # A room with a wall of two blocks that share an edge; the way is round its end.
 ROOM = """(0,0) (8,0)  (8,6) (0,6)
@@ -27,8 +27,10 @@ class Polygons(ToolTest):
         for row in rows:
             self.assertEqual((row["status"], row["checked"]), ("done", True))
             self.assertGreaterEqual(row["clearance_m"], radius - 3e-9)
-            self.assertLessEqual(row["lower_bound"], row["length_m"] + 1e-9)
-            self.assertEqual(row["cost"], row["length_m"])
+            self.assertLessEqual(row["lower_bound"], row["cost"] + 1e-9)
+            if row["cost_unit"] == "m":
+                self.assertAlmostEqual(row["cost"], row["length_m"], places=9)
+            self.assertEqual(row["cost_unit"], "s" if row["planner"] == "least_time" else "m")
         for query in {row["query"] for row in rows}:
             exact = [row for row in rows if row["query"] == query and row["guarantee"] == "disk_optimal"]
             self.assertEqual(len(exact), 3)
@@ -77,6 +79,57 @@ class Polygons(ToolTest):
         answer, sentence = self.plan("room.txt", "--from", "1.5,3", "--to", "6,3", "--radius", "1.01", status=1)
         self.assertEqual(answer["rows"][0]["code"], "no_path")
         self.assertIn("nothing joins", sentence)
+
+    def test_one_blocked_query_does_not_stop_the_others(self):
+        self.write("blocked.txt", ROOM.encode() + b"(2.9,1) (7,1)\n(1,1) (3.5,1)\n(1,1) (9,9)\n")
+        answer, sentence = self.plan("blocked.txt", "--query", "all", "--compare", status=1)
+        self.assertEqual(answer["status"], "not_done")
+        codes = {3: "start_blocked", 4: "goal_blocked", 5: "outside_map"}
+        for row in answer["rows"]:
+            if row["query"] < 3:
+                self.assertEqual(row["status"], "done")
+            else:
+                self.assertEqual((row["status"], row["code"]), ("refused", codes[row["query"]]))
+                if row["query"] == 3:
+                    self.assertIn("0.1 m from the nearest edge", row["reason"])
+        self.assertIn("query 3", sentence)
+        answer, sentence = self.plan("blocked.txt", "--query", "3", status=2)
+        self.assertIn("0.1 m from the nearest edge", sentence)
+
+    def test_many_goals_from_one_start(self):
+        goals = [(7, 1), (1, 5), (7, 5), (3.5, 1)]
+        to = [word for x, y in goals for word in ("--to", f"{x},{y}")]
+        for planner in ("visibility_graph", "visibility_graph_implicit", "least_time", "theta_star"):
+            many, _ = self.plan("room.txt", "--from", "1,1", *to, "--planner", planner, status=1)
+            self.assertEqual([row["query"] for row in many["rows"]], [1, 2, 3, 4])
+            self.assertEqual([tuple(row["to"]) for row in many["rows"]], goals)
+            self.assertEqual(many["rows"][3]["code"], "goal_blocked")
+            for row, (x, y) in zip(many["rows"][:3], goals):
+                one, _ = self.plan("room.txt", "--from", "1,1", "--to", f"{x},{y}", "--planner", planner)
+                self.assertAlmostEqual(row["cost"], one["rows"][0]["cost"], places=9)
+
+    def test_least_time(self):
+        arguments = ("--from", "1,1", "--to", "7,1", "--radius", "0.5", "--planner", "least_time")
+        price = ("--least-time-speed", "0.5", "--least-time-turn-price", "2", "--least-time-first-turn")
+        row = self.plan("room.txt", *arguments, *price, "--least-time-heading", "180")[0]["rows"][0]
+        points = row["waypoints"]
+        legs = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(points, points[1:])]
+        turned = lambda a, b: abs(math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]))
+        turns = sum(turned(a, b) for a, b in zip([(-1, 0)] + legs, legs))
+        self.assertAlmostEqual(row["cost"], sum(math.hypot(*leg) for leg in legs) / 0.5 + 2 * turns, places=6)
+        self.assertEqual((row["cost_unit"], row["guarantee"], row["optimal"]), ("s", "bounded", False))
+        self.assertTrue(row["lower_bound"] < row["cost"] < 1.0026 * row["lower_bound"])
+
+    def test_polygons_of_a_world_of_solids(self):
+        yard = SOURCE / "scenarios/yard/yard.sdf"
+        for planner in ("visibility_graph", "least_time"):
+            answer, _ = self.plan(yard, "--from", "0,-6", "--to", "4,4", "--planner", planner, "--radius", "0.3")
+            row = answer["rows"][0]
+            self.assertEqual((row["status"], answer["radius_m"]), ("done", 0.3))
+            self.assertGreaterEqual(row["clearance_m"], 0.3 - 3e-9)
+        grid, _ = self.plan(yard, "--from", "0,-6", "--to", "4,4", "--planner", "theta_star", "--radius", "0.3")
+        exact, _ = self.plan(yard, "--from", "0,-6", "--to", "4,4", "--planner", "visibility_graph", "--radius", "0.3")
+        self.assertLess(exact["rows"][0]["cost"], grid["metrics"]["cost_m"] + 0.15)
 
     def test_refusals(self):
         self.write("crossed.txt", b"(0,0) (4,0) (4,4) (0,4)\n---\n(1,1) (2,2) (2,1) (1,2)\n")

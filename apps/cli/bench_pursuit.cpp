@@ -1,0 +1,242 @@
+// bench pursuit: every pursuit planner on every map of a folder, each answer judged.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "outrider/io/pursuit_map.hpp"
+#include "outrider/pursuit/anytime.hpp"
+#include "outrider/pursuit/catalog.hpp"
+#include "outrider/pursuit/check.hpp"
+#include "progress.hpp"
+
+namespace outrider::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchCommand {
+  std::string data;
+  std::vector<std::string> maps;
+  std::vector<std::string> planners;
+  double limit_s = 60.0;
+  bool json = false;
+};
+
+struct Row {
+  std::string map;
+  std::string planner;
+  std::string status = "caught";  ///< or the code of the fault
+  std::optional<PursuitPlan> plan;
+  std::optional<double> ratio;    ///< of the cost to the optimum
+  std::optional<double> first_s;  ///< until the first catch was known
+  std::optional<double> proof_s;  ///< until it was proven to be the cheapest
+  double planning_s = 0.0;
+  std::string mismatch;  ///< what the judge or the optimum says against it
+};
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+Budget budget_of(const BenchCommand& command, double used_s) {
+  const std::chrono::duration<double> left(std::max(0.0, command.limit_s - used_s));
+  Budget budget;
+  budget.wall_time = std::chrono::duration_cast<std::chrono::nanoseconds>(left);
+  return budget;
+}
+
+/// The anytime search with the times of its first catch and of its proof.
+Row measure_search(const BenchCommand& command, const PursuitProblem& problem) {
+  Row row;
+  const auto begin = std::chrono::steady_clock::now();
+  AnytimePursuit search(problem);
+  while (!search.proven() && row.planning_s < command.limit_s) {
+    const auto worked = search.improve(budget_of(command, row.planning_s));
+    row.planning_s = seconds_since(begin);
+    if (!worked) {
+      row.status = to_string(worked.error().code);
+      return row;
+    }
+    if (search.best() && !row.first_s) row.first_s = row.planning_s;
+  }
+  row.plan = search.best();
+  if (search.proven()) row.proof_s = row.planning_s;
+  if (!row.plan) row.status = "budget_exhausted";
+  return row;
+}
+
+Row measure_planner(const BenchCommand& command, const PursuitPlanner& planner,
+                    const PursuitProblem& problem) {
+  Row row;
+  Workspace workspace;
+  const ConfiguredPursuitPlanner configured = planner.configure();
+  const auto begin = std::chrono::steady_clock::now();
+  auto plan = configured.plan(problem, budget_of(command, 0.0), workspace);
+  row.planning_s = seconds_since(begin);
+  if (!plan) {
+    row.status = to_string(plan.error().code);
+    return row;
+  }
+  row.first_s = row.planning_s;
+  if (plan->optimal()) row.proof_s = row.planning_s;
+  row.plan = std::move(*plan);
+  return row;
+}
+
+void judge(Row& row, const PursuitProblem& problem, const std::optional<std::uint64_t>& optimum) {
+  if (!row.plan) return;
+  if (const auto good = check(*row.plan, problem); !good) row.mismatch = to_string(good.error());
+  if (!optimum) return;
+  if (row.plan->cost < *optimum) row.mismatch = fmt::format("{} is below the optimum", row.plan->cost);
+  if (*optimum > 0) row.ratio = static_cast<double>(row.plan->cost) / static_cast<double>(*optimum);
+}
+
+Status measure_map(const BenchCommand& command, const fs::path& path,
+                   const std::vector<PursuitPlanner>& planners, Progress& progress, std::vector<Row>& rows) {
+  const auto problem = load_pursuit_map(path.string());
+  if (!problem) return tl::unexpected<Fault>(problem.error());
+  std::optional<std::uint64_t> optimum;
+  const std::string map = path.filename().string().substr(0, path.filename().string().find('.'));
+  for (const PursuitPlanner& planner : planners) {
+    progress.next(fmt::format("{} on {}", planner.name, map));
+    Row row = planner.name == "anytime" ? measure_search(command, *problem)
+                                        : measure_planner(command, planner, *problem);
+    row.map = map;
+    row.planner = planner.name;
+    if (row.plan && row.plan->optimal()) optimum = row.plan->cost;
+    judge(row, *problem, optimum);
+    rows.push_back(std::move(row));
+  }
+  return {};
+}
+
+/// Maps of the folder, to its depths, in the order of their numbers.
+Outcome<std::vector<fs::path>> find_maps(const BenchCommand& command) {
+  std::error_code error;
+  std::vector<fs::path> paths;
+  for (fs::recursive_directory_iterator it(command.data, error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (!name.ends_with(".txt") && !name.ends_with(".txt.gz")) continue;
+    const std::string stem = name.substr(0, name.find('.'));
+    const bool wanted = command.maps.empty() || std::ranges::find(command.maps, stem) != command.maps.end();
+    if (wanted) paths.push_back(it->path());
+  }
+  if (error) return bad_input(fmt::format("it cannot be searched: {}", error.message()), command.data);
+  if (paths.empty()) {
+    return bad_input("there is no such pursuit map in it; they end in .txt or .txt.gz", command.data);
+  }
+  std::ranges::sort(paths, {},
+                    [](const fs::path& p) { return std::pair(p.filename().string().size(), p.string()); });
+  return paths;
+}
+
+/// The optimum first, for the ratios of the others.
+Outcome<std::vector<PursuitPlanner>> chosen_planners(const BenchCommand& command) {
+  if (command.planners.empty()) return pursuit_planners();
+  std::vector<PursuitPlanner> planners;
+  for (const std::string& name : command.planners) {
+    auto planner = find_pursuit_planner(name);
+    if (!planner) return bad_input(planner.error().sentence, "--planners");
+    planners.push_back(std::move(*planner));
+  }
+  return planners;
+}
+
+nlohmann::ordered_json row_json(const Row& row) {
+  const auto known = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json object = {{"map", row.map}, {"planner", row.planner}, {"status", row.status}};
+  object["cost"] = row.plan ? nlohmann::ordered_json(row.plan->cost) : nullptr;
+  object["catch_time_s"] = row.plan ? nlohmann::ordered_json(row.plan->catch_time_s) : nullptr;
+  object["optimal"] = row.plan && row.plan->optimal();
+  object["ratio_to_optimum"] = known(row.ratio);
+  object["first_feasible_s"] = known(row.first_s);
+  object["proof_s"] = known(row.proof_s);
+  object["planning_s"] = row.planning_s;
+  object["expansions"] = row.plan ? nlohmann::ordered_json(row.plan->counters.expansions) : nullptr;
+  object["mismatch"] = row.mismatch;
+  return object;
+}
+
+void print_table(const std::vector<Row>& rows) {
+  fmt::print("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", "map", "planner", "cost", "catch s",
+             "ratio", "first ms", "proof ms", "expansions");
+  for (const Row& row : rows) {
+    const auto ms = [](const std::optional<double>& s) {
+      return s ? fmt::format("{:.2f}", 1e3 * *s) : std::string("-");
+    };
+    if (!row.plan) {
+      fmt::print("  {:<8} {:<18} {} after {:.2f} ms\n", row.map, row.planner, row.status,
+                 1e3 * row.planning_s);
+      continue;
+    }
+    fmt::print("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", row.map, row.planner,
+               row.plan->cost, row.plan->catch_time_s,
+               row.ratio ? fmt::format("{:.4f}", *row.ratio) : std::string("-"), ms(row.first_s),
+               ms(row.proof_s), row.plan->counters.expansions);
+  }
+}
+
+int execute(const BenchCommand& command) {
+  const auto maps = find_maps(command);
+  if (!maps) return say(maps.error(), command.json);
+  const auto planners = chosen_planners(command);
+  if (!planners) return say(planners.error(), command.json);
+  std::vector<Row> rows;
+  Progress progress(static_cast<int>(maps->size() * planners->size()));
+  for (const fs::path& path : *maps) {
+    if (auto ok = measure_map(command, path, *planners, progress, rows); !ok) {
+      progress.end();
+      return say(ok.error(), command.json);
+    }
+  }
+  progress.end();
+  const bool right = std::ranges::all_of(rows, [](const Row& row) { return row.mismatch.empty(); });
+  if (command.json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Row& row : rows) list.push_back(row_json(row));
+    print({{"status", right ? "done" : "not_done"}, {"job", "bench pursuit"}, {"rows", std::move(list)}});
+  } else {
+    print_table(rows);
+  }
+  for (const Row& row : rows) {
+    if (row.mismatch.empty()) continue;
+    fmt::print(stderr, "outrider: {} on {}: {}\n", row.planner, row.map, row.mismatch);
+  }
+  return right ? job_done : job_not_done;
+}
+
+}  // namespace
+
+void add_bench_pursuit(CLI::App& bench, int& status) {
+  CLI::App* pursuit =
+      bench.add_subcommand("pursuit", "pursuit planners: cost, time to the first catch, time to proof");
+  auto command = std::make_shared<BenchCommand>();
+  pursuit->add_option("--data", command->data, "folder with pursuit maps, searched to its depths")
+      ->required()
+      ->type_name("DIR");
+  pursuit->add_option("--maps", command->maps, "names of maps, such as map3,map1s; all unless given")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  pursuit->add_option("--planners", command->planners, "names from 'outrider list'; all unless given")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  pursuit->add_option("--limit", command->limit_s, "time of each planner on each map [60]")
+      ->check(CLI::Range(0.001, 86'400.0))
+      ->type_name("s");
+  pursuit->add_flag("--json", command->json, "print one JSON object on standard output");
+  pursuit->callback([command, &status] { status = execute(*command); });
+  pursuit->footer("\nExample: outrider bench pursuit --data DIR --maps map3,map4");
+}
+
+}  // namespace outrider::cli

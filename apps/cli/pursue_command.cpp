@@ -1,0 +1,211 @@
+#include "pursue_command.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/pursuit_scenario.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/pursuit/optimal.hpp"
+#include "outrider/report/json.hpp"
+#include "outrider/report/pictures.hpp"
+#include "outrider/sim/pursuit_report.hpp"
+#include "progress.hpp"
+#include "pursue_summary.hpp"
+
+namespace outrider::cli {
+namespace {
+
+struct PursueCommand {
+  std::string scenario_path;
+  bool json = false;
+  std::string out;
+  PursuitScenario scenario;
+};
+
+OptionGroup describe_output(PursueCommand& command) {
+  return {
+      "",
+      "output",
+      {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
+       {"out", "", 0, 0, "folder for the report, a moving picture and a page that plays it", &command.out}}};
+}
+
+class WallWatch : public StopWatch {
+ public:
+  double lap_s() override {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> lap = now - last_;
+    last_ = now;
+    return lap.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double peak_mib() {
+  struct rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+struct PursuitResult {
+  Report report;
+  PursuitTimes times;
+};
+
+/// The bound that somebody who knew the whole future could prove, where the run proved none itself.
+void look_back(PursuitRun& run, const PursuitTask& task) {
+  const bool certain = task.rules.known_s >= task.problem.last_s();
+  if (certain && !task.rules.ask) return;
+  run.lower_bound = 0;
+  for (const Cell robot : task.robots) {
+    PursuitProblem problem = task.problem;
+    problem.start = robot;
+    Workspace workspace;
+    const auto plan = optimal_pursuit(problem, {}, {}, workspace);
+    if (!plan) continue;
+    run.lower_bound = run.lower_bound == 0 ? plan->lower_bound : std::min(run.lower_bound, plan->lower_bound);
+    const int earliest = plan->earliest_catch_s;
+    run.earliest_catch_s = run.earliest_catch_s < 0 ? earliest : std::min(run.earliest_catch_s, earliest);
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(PursuitScenario& scenario) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const OptionGroup& group : describe(scenario)) {
+    for (const Option& option : group.options) {
+      settings.emplace_back(option.name, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
+    }
+  }
+  return settings;
+}
+
+Outcome<PursuitResult> carry_out(PursueCommand& command) {
+  Progress progress(3);
+  progress.next("reading the map");
+  auto task = load_task(command.scenario);
+  if (!task) return pass_on(task);
+  const std::string name = std::filesystem::path(command.scenario.map).filename().string();
+  progress.next("planning and going");
+  WallWatch watch;
+  auto run = pursue(task->problem, task->robots, task->rules, watch);
+  PursuitResult result;
+  if (!run && !is_answer(run.error())) return pass_on(run);
+  if (run) {
+    result.times = {run->first_feasible_s, run->planning_s, peak_mib()};
+    progress.next("looking back with the whole future known");
+    look_back(*run, *task);
+    result.report = pursuit_report(task->problem, *run, name);
+  } else {
+    result.times = {-1.0, watch.lap_s(), peak_mib()};
+    result.report = pursuit_report(task->problem, run.error(), name);
+  }
+  result.report.seed = static_cast<std::uint64_t>(command.scenario.seed);
+  result.report.settings = settings_of(command.scenario);
+  return result;
+}
+
+/// Report, picture and page; the latter two are made from the text of the report, as a replay makes them.
+Outcome<std::string> write_files(const PursueCommand& command, const Report& report) {
+  if (command.out.empty()) return std::string{};
+  const std::string stem = command.out + "/" + report.job;
+  const std::string text = to_json(report);
+  auto stored = report_from_json(text);
+  if (!stored) return pass_on(stored);
+  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
+  const std::pair<std::string, std::string> files[] = {{stem + ".json", text},
+                                                       {stem + ".html", to_html(*stored)},
+                                                       {stem + ".svg", to_animated_svg(*stored, 12.0)}};
+  for (const auto& [path, content] : files) {
+    if (auto ok = write_file(path, content); !ok) return pass_on(ok);
+  }
+  return stem + ".json";
+}
+
+int finish(PursueCommand& command) {
+  const auto result = carry_out(command);
+  if (!result) return say(result.error(), command.json);
+  const auto path = write_files(command, result->report);
+  if (!path) return say(path.error(), command.json);
+  if (command.json) {
+    auto object = pursuit_json(result->report, *path);
+    insert_times(object, result->times);
+    print(object);
+  } else {
+    fmt::print("{}{}", pursuit_summary(result->report), times_text(result->times));
+    if (!path->empty()) {
+      const std::string stem = command.out + "/" + result->report.job;
+      fmt::print("\n  report    {}\n  watch     {}.html\n  picture   {}.svg\n", *path, stem, stem);
+    }
+  }
+  return result->report.status == "done" ? job_done : job_not_done;
+}
+
+int execute(PursueCommand& command, const CLI::App& flags) {
+  const bool json = flags.get_option("--json")->count() > 0;
+  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
+  if (flags.get_option("--out")->count() > 0) {
+    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
+  }
+  const auto groups = describe(command.scenario);
+  if (!command.scenario_path.empty()) {
+    if (auto ok = load_scenario(command.scenario_path, groups); !ok) return say(ok.error(), json);
+    resolve_paths(command.scenario, command.scenario_path);
+  }
+  if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
+  if (flags.get_option("file")->count() > 0)
+    command.scenario.map = flags.get_option("file")->as<std::string>();
+  return finish(command);
+}
+
+}  // namespace
+
+int run_pursuit_scenario(const std::string& path, const CLI::App& flags) {
+  PursueCommand command;
+  const bool json = flags.get_option("--json")->count() > 0;
+  const auto groups = describe(command.scenario);
+  if (auto ok = load_scenario(path, groups); !ok) return say(ok.error(), json);
+  resolve_paths(command.scenario, path);
+  for (const CLI::Option* option : flags.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--json" || name == "--out" || !name.starts_with("--")) continue;
+    return say({FaultCode::bad_input,
+                fmt::format("it does not change a pursuit; change the scenario, or use 'outrider pursue "
+                            "--scenario {}' with its flags",
+                            path),
+                name},
+               json);
+  }
+  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
+  if (flags.get_option("--out")->count() > 0) {
+    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
+  }
+  return finish(command);
+}
+
+void add_pursue(CLI::App& app, int& status) {
+  CLI::App* pursue = app.add_subcommand("pursue", "catch a moving target at the least cost, proven");
+  auto command = std::make_shared<PursueCommand>();
+  pursue->add_option("file", "map of costs with the robot and the target; may be gzip-compressed")
+      ->type_name("FILE");
+  pursue->add_option("--scenario", command->scenario_path, "scenario file to start from; flags win over it")
+      ->type_name("FILE");
+  std::vector<OptionGroup> groups = describe(command->scenario);
+  groups.insert(groups.begin(), describe_output(*command));
+  add_flags(*pursue, groups);
+  pursue->callback([command, pursue, &status] { status = execute(*command, *pursue); });
+  pursue->footer("\nExample: outrider pursue scenarios/pursuit/park.txt --out out");
+}
+
+}  // namespace outrider::cli

@@ -1,0 +1,169 @@
+// What a change of the map costs each planner that keeps something: a block of 3 x 3 cells, or an obstacle,
+// comes and goes by turns, and a query whose start is its goal brings the index up to date. `followed` keeps
+// the workspace, `anew` takes a new one; `ground` is the making of the ground itself. Grids of MovingAI are
+// read from $OUTRIDER_DATA/grids where that is set.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "outrider/core/rng.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/io/movingai.hpp"
+#include "outrider/path/catalog.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr int block = 3;
+constexpr std::size_t places = 32;
+
+/// Grounds of which each even one is the map itself and each odd one has one change somewhere.
+struct Changing {
+  std::vector<Problem> problems;
+  std::size_t next = 0;
+
+  const Problem& turn() { return problems[next++ % problems.size()]; }
+};
+
+/// A problem whose answer takes no search.
+Problem at_rest(std::shared_ptr<const GridGround> ground) {
+  Cell v;
+  while (!ground->place(v)) v = v.x < ground->frame.width ? Cell{v.x + 1, v.y} : Cell{0, v.y + 1};
+  const Vec2 p = ground->point(v);
+  return {std::move(ground), p, p};
+}
+
+/// A block of cells of which most are free, far from the first free cell.
+CellChange some_block(Rng& rng, const GridGround& ground) {
+  for (;;) {
+    const auto below = [&](int n) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(n))); };
+    const CellChange change{
+        {below(ground.frame.width - block), block + below(ground.frame.height - 2 * block)},
+        block,
+        block,
+        true};
+    int free = 0;
+    for (int i = 0; i < block * block; ++i) {
+      free += ground.blocked({change.low.x + i % block, change.low.y + i / block}) ? 0 : 1;
+    }
+    if (2 * free > block * block) return change;
+  }
+}
+
+Changing changing_grid(const Grid<std::uint8_t>& blocked, GridModel model) {
+  Rng rng = Rng(3).child("blocks");
+  const auto base = std::make_shared<const GridGround>(GridGround::of(blocked, model).value());
+  Changing changing;
+  for (std::size_t i = 0; i < places; ++i) {
+    changing.problems.push_back(at_rest(base));
+    changing.problems.push_back(
+        at_rest(std::make_shared<const GridGround>(base->with({some_block(rng, *base)}).value())));
+  }
+  return changing;
+}
+
+/// Squares and triangles, `count` of them, strewn over a square of 100 m.
+PolygonGround strewn(int count) {
+  Rng rng = Rng(4).child("obstacles");
+  std::vector<std::vector<Vec2>> obstacles;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 centre{rng.uniform(0, 100), rng.uniform(0, 100)};
+    const double size = rng.uniform(1, 5), turn = rng.uniform(0, 2 * pi);
+    const int corners = 3 + i % 2;
+    std::vector<Vec2> polygon;
+    for (int k = 0; k < corners; ++k)
+      polygon.push_back(centre + size * direction(turn + 2 * pi * k / corners));
+    obstacles.push_back(polygon);
+  }
+  return PolygonGround::of({{-5, -5}, {105, -5}, {105, 105}, {-5, 105}}, obstacles, 0.18).value();
+}
+
+Changing changing_polygons(int count) {
+  const PolygonGround base = strewn(count);
+  const auto shared = std::make_shared<const PolygonGround>(base);
+  Changing changing;
+  const Vec2 rest{-4, -4};
+  for (std::size_t i = 0; i < std::min<std::size_t>(places, base.obstacles.size()); ++i) {
+    changing.problems.push_back({nullptr, rest, rest, shared});
+    const auto without = std::make_shared<const PolygonGround>(base.without_obstacle(i).value());
+    changing.problems.push_back({nullptr, rest, rest, without});
+  }
+  return changing;
+}
+
+void follow(benchmark::State& state, const ConfiguredPlanner& planner, Changing& changing) {
+  Workspace workspace;
+  benchmark::DoNotOptimize(planner.plan(changing.turn(), {}, workspace));
+  for ([[maybe_unused]] auto _ : state) {
+    benchmark::DoNotOptimize(planner.plan(changing.turn(), {}, workspace));
+  }
+}
+
+void make_anew(benchmark::State& state, const ConfiguredPlanner& planner, Changing& changing) {
+  for ([[maybe_unused]] auto _ : state) {
+    Workspace workspace;
+    benchmark::DoNotOptimize(planner.plan(changing.turn(), {}, workspace));
+  }
+}
+
+template <class Run>
+void add(const std::string& name, Run run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+}
+
+void add_planners(const std::string& map, const std::shared_ptr<Changing>& changing, bool polygons,
+                  GridModel model) {
+  for (const PathPlanner& row : path_planners()) {
+    const bool keeps = row.index || row.name == "jps" || row.name == "polyanya";
+    if (!keeps || row.polygons != polygons || (!polygons && !row.takes(model))) continue;
+    const std::string name = fmt::format("{}/{}", map, row.name);
+    const ConfiguredPlanner planner = row.configure();
+    add(name + "/followed", [planner, changing](benchmark::State& s) { follow(s, planner, *changing); });
+    add(name + "/anew", [planner, changing](benchmark::State& s) { make_anew(s, planner, *changing); });
+  }
+}
+
+void add_grid(const std::string& name, const std::string& file) {
+  const auto map = std::make_shared<Grid<std::uint8_t>>(load_movingai_map(file).value());
+  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
+    add_planners(name, std::make_shared<Changing>(changing_grid(*map, model)), false, model);
+  }
+  add(name + "/ground/with", [map](benchmark::State& state) {
+    Rng rng = Rng(3).child("with");
+    const GridGround base = GridGround::of(*map, GridModel::cells).value();
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(base.with({some_block(rng, base)}));
+  });
+  add(name + "/ground/anew", [map](benchmark::State& state) {
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(GridGround::of(*map, GridModel::cells));
+  });
+}
+
+void add_polygons(int count) {
+  const std::string name = fmt::format("strewn{}", count);
+  add_planners(name, std::make_shared<Changing>(changing_polygons(count)), true, GridModel::cells);
+  add(name + "/ground/without", [count](benchmark::State& state) {
+    const PolygonGround base = strewn(count);
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(base.without_obstacle(0));
+  });
+}
+
+const bool registered = [] {
+  if (const char* data = std::getenv("OUTRIDER_DATA")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(data) + "/grids")) {
+      const std::string file = entry.path().filename().string();
+      for (const std::string name : {"lak303d", "orz900d", "Aurora"}) {
+        if (file == name + ".map.gz" || file == name + ".map") add_grid(name, entry.path().string());
+      }
+    }
+  }
+  for (const int count : {30, 100, 300}) add_polygons(count);
+  return true;
+}();
+
+}  // namespace
+}  // namespace outrider

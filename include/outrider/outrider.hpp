@@ -1,0 +1,14 @@
+// The easy door: load a map, plan a path on it; load a scenario, run it. examples/ shows how.
+//
+// Paths: load_path_problem(), plan_path(), check(); path_planners() is the catalogue. Missions:
+// load_scenario(), load_problem() and run_guard(). The headers behind are the same that everything else
+// is made of, and may be included one by one.
+#pragma once
+
+#include "outrider/guard/plan.hpp"
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/path_problem.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/path/catalog.hpp"
+#include "outrider/path/check.hpp"
+#include "outrider/sim/guard_run.hpp"

@@ -1,0 +1,68 @@
+// The report of a pursuit: its text and back, its picture and its page.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "outrider/report/json.hpp"
+#include "outrider/report/pictures.hpp"
+
+namespace outrider {
+namespace {
+
+Report sample() {
+  Report report;
+  report.job = "pursue";
+  report.status = "done";
+  report.world_name = "a <small> map";
+  report.bounds = {{0.0, 0.0}, {3.0, 2.0}};
+  ReportChase& chase = report.chase.emplace();
+  chase.columns = 3;
+  chase.rows = 2;
+  chase.cost_runs = {1, 2, 7, 3, -1, 1};
+  chase.target = {{2.5, 0.5}, {1.5, 0.5}};
+  chase.robots = {{{0.5, 0.5}, {1.5, 0.5}}};
+  chase.paid = {0, 1};
+  chase.bounds = {{0, 10, std::numeric_limits<double>::quiet_NaN(), 1}, {0, 25, 1, 1}};
+  return report;
+}
+
+TEST(ChaseReport, ReadsBackByteEqual) {
+  const std::string text = to_json(sample());
+  const auto report = report_from_json(text);
+  ASSERT_TRUE(report) << to_string(report.error());
+  EXPECT_EQ(to_json(*report), text);
+  ASSERT_TRUE(report->chase);
+  EXPECT_TRUE(std::isnan(report->chase->bounds[0].cost));
+  EXPECT_EQ(report->chase->cost_runs, sample().chase->cost_runs);
+}
+
+TEST(ChaseReport, IsAbsentFromOtherJobs) {
+  Report report = sample();
+  report.chase.reset();
+  const auto back = report_from_json(to_json(report));
+  ASSERT_TRUE(back);
+  EXPECT_FALSE(back->chase);
+}
+
+TEST(ChaseReport, FaultsNameThePlace) {
+  std::string text = to_json(sample());
+  text.replace(text.find("\"rows\""), 6, "\"rwos\"");
+  const auto report = report_from_json(text);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().where, "chase.rows");
+}
+
+TEST(ChaseReport, PictureAndPageHoldEverybodyAndEscapeTheName) {
+  const Report report = sample();
+  const std::string picture = to_animated_svg(report, 12.0);
+  EXPECT_NE(picture.find("a &lt;small&gt; map"), std::string::npos);
+  EXPECT_NE(picture.find("<animate"), std::string::npos);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+  const std::string page = to_html(report);
+  EXPECT_NE(page.find("cost_runs"), std::string::npos);
+  EXPECT_EQ(page.find("@REPORT@"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace outrider
