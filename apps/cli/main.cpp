@@ -60,6 +60,7 @@ int guarded_run(int argc, char** argv) {
         {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
         json);
   } catch (const std::exception& broken) {
+    if (std::ferror(stdout) != 0) return job_done;  // main() says that nothing could be printed
     return say({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
   }
 }
@@ -70,7 +71,7 @@ int guarded_run(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace outrider;
   const int status = cli::guarded_run(argc, argv);
-  if (std::fflush(stdout) == 0) return status;
+  if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
   return cli::say({FaultCode::bad_input, "standard output cannot be written to; is the disk full?", {}},
                   false);
 }

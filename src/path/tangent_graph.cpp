@@ -11,25 +11,19 @@ struct SweptMemory : TangentGraph {};
 struct PairedMemory : TangentGraph {};
 struct ImplicitMemory : TangentGraph {};
 
-Status build_swept(TangentGraph& graph, BudgetMeter& meter) {
-  for (Node node = 0; node < graph.first.size(); ++node) {
-    if (!meter.spend()) return meter.refusal();
-    graph.look_round(node);
-  }
-  return {};
-}
+using Departures = void (*)(const PolygonGround&, const Place&, Node, std::vector<Departure>&,
+                            std::uint64_t&);
 
 /// Each pair once; the way back runs round the same arcs in the other direction.
-Status build_paired(TangentGraph& graph, BudgetMeter& meter) {
+Status build(TangentGraph& graph, Departures find, BudgetMeter& meter) {
   const PolygonGround& ground = *graph.ground;
   const auto nodes = static_cast<Node>(graph.first.size());
   std::vector<std::vector<Departure>> by_node(nodes);
   std::vector<Departure> found;
   for (Node node = 0; node < nodes; ++node) {
     if (!meter.spend()) return meter.refusal();
-    const Place place = place_of(ground, node);
     found.clear();
-    departures_pairwise(ground, place, (node | 1U) + 1, found, graph.tests);
+    find(ground, place_of(ground, node), (node | 1U) + 1, found, graph.tests);
     for (const Departure& leg : found) {
       by_node[node].push_back(leg);
       by_node[turned_round(leg.to)].push_back(way_back(ground, node, leg));
@@ -39,21 +33,19 @@ Status build_paired(TangentGraph& graph, BudgetMeter& meter) {
   return {};
 }
 
-using Build = Status (*)(TangentGraph&, BudgetMeter&);
-
 Outcome<TangentGraph*> built(TangentGraph& graph, const std::shared_ptr<const PolygonGround>& ground,
-                             Build build, const Budget& budget) {
+                             Departures find, const Budget& budget) {
   if (graph.ground == ground) return &graph;
   Budget unhurried = budget;
   unhurried.expansions = std::numeric_limits<std::uint64_t>::max();
   BudgetMeter meter(unhurried);
   if (graph.ground) {
-    auto updated = update_legs(graph, ground, build == build_paired, meter);
+    auto updated = update_legs(graph, ground, meter);
     if (!updated) return pass_on(updated);
     if (*updated) return &graph;
   }
   graph.begin(ground);
-  if (auto done = build(graph, meter); !done) {
+  if (auto done = build(graph, find, meter); !done) {
     graph.ground = nullptr;
     return pass_on(done);
   }
@@ -73,7 +65,7 @@ void TangentGraph::begin(const std::shared_ptr<const PolygonGround>& on) {
 void TangentGraph::look_round(Node node) {
   if (first[node] != unknown) return;
   std::vector<Departure> found;
-  departures_swept(*ground, place_of(*ground, node), found, tests);
+  departures_swept(*ground, place_of(*ground, node), 0, found, tests);
   first[node] = static_cast<std::uint32_t>(legs.size());
   count[node] = static_cast<std::uint32_t>(found.size());
   legs.insert(legs.end(), found.begin(), found.end());
@@ -92,8 +84,9 @@ void TangentGraph::take(std::vector<std::vector<Departure>> rows) {
 Outcome<TangentGraph*> tangent_graph(const std::shared_ptr<const PolygonGround>& ground, TangentForm form,
                                      const Budget& budget, Workspace& workspace) {
   switch (form) {
-    case TangentForm::swept: return built(workspace.get<SweptMemory>(), ground, build_swept, budget);
-    case TangentForm::paired: return built(workspace.get<PairedMemory>(), ground, build_paired, budget);
+    case TangentForm::swept: return built(workspace.get<SweptMemory>(), ground, departures_swept, budget);
+    case TangentForm::paired:
+      return built(workspace.get<PairedMemory>(), ground, departures_pairwise, budget);
     case TangentForm::implicit: break;
   }
   TangentGraph& graph = workspace.get<ImplicitMemory>();

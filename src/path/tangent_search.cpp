@@ -27,7 +27,7 @@ void look(const PolygonGround& ground, TangentForm form, Vec2 p, std::vector<Dep
   if (form == TangentForm::paired) {
     departures_pairwise(ground, point_place(p), 0, found, tests);
   } else {
-    departures_swept(ground, point_place(p), found, tests);
+    departures_swept(ground, point_place(p), 0, found, tests);
   }
 }
 

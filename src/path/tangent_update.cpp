@@ -136,7 +136,7 @@ class Update {
 
 }  // namespace
 
-Outcome<bool> update_legs(TangentGraph& graph, const std::shared_ptr<const PolygonGround>& now, bool mirrored,
+Outcome<bool> update_legs(TangentGraph& graph, const std::shared_ptr<const PolygonGround>& now,
                           BudgetMeter& meter) {
   const PolygonGround& before = *graph.ground;
   if (before.radius_m != now->radius_m) return false;
@@ -146,9 +146,9 @@ Outcome<bool> update_legs(TangentGraph& graph, const std::shared_ptr<const Polyg
   std::vector<std::vector<Departure>> rows(2 * now->arcs.size());
   for (Node node = 0; node < rows.size(); ++node) {
     if (!meter.spend()) return meter.refusal();
-    for (const Departure& leg : update.legs_from(node, mirrored ? (node | 1U) + 1 : 0)) {
+    for (const Departure& leg : update.legs_from(node, (node | 1U) + 1)) {
       rows[node].push_back(leg);
-      if (mirrored) rows[turned_round(leg.to)].push_back(way_back(*now, node, leg));
+      rows[turned_round(leg.to)].push_back(way_back(*now, node, leg));
     }
   }
   graph.begin(now);

@@ -78,7 +78,8 @@ struct Sweep {
     const bool left = std::min(cross(last, u), cross(last, v)) > most;
     return right | left;
   }
-  void find_candidates();
+  /// Of the nodes not below `least`.
+  void find_candidates(Node least);
   /// Turns from now on only over the candidates: what is not between them hides none.
   void narrow() {
     if (all_round()) return;
@@ -130,9 +131,9 @@ struct Sweep {
   }
 };
 
-void Sweep::find_candidates() {
+void Sweep::find_candidates(Node least) {
   const double reach = 1.001 * ground.radius_m;
-  for (std::size_t i = 0; i < ground.arcs.size(); ++i) {
+  for (std::size_t i = least / 2; i < ground.arcs.size(); ++i) {
     const Vec2 centre = ground.arcs[i].centre;
     if (passes_by(centre, centre, reach)) continue;
     for (const Node to : {static_cast<Node>(2 * i), static_cast<Node>(2 * i + 1)}) {
@@ -179,10 +180,10 @@ struct MetPieces {
 
 }  // namespace
 
-void departures_swept(const PolygonGround& ground, const Place& place, std::vector<Departure>& found,
-                      std::uint64_t& tests) {
+void departures_swept(const PolygonGround& ground, const Place& place, Node least,
+                      std::vector<Departure>& found, std::uint64_t& tests) {
   Sweep sweep(ground, place);
-  sweep.find_candidates();
+  sweep.find_candidates(least);
   if (sweep.legs.empty()) return;
   sweep.narrow();
   sweep.gather();

@@ -58,14 +58,15 @@ struct Departure {
 std::optional<Departure> departure(const PolygonGround& ground, const Place& place, Node to,
                                    std::uint64_t& tests);
 
-/// All free legs from a place to arcs, by node. Both ways find the same legs.
+/// All free legs from a place to the arcs of nodes not below `least`, an even one, by node. Both ways find
+/// the same legs.
 /// - pairwise: one test against the edges near the leg for each pair that supports or separates.
 /// - swept: by a ray that turns round the place over the pieces of the bounds of free space, which it
 ///   keeps in the order in which it meets them; what the nearest piece hides costs O(log n), and each
 ///   leg that is left the same test as above.
 void departures_pairwise(const PolygonGround& ground, const Place& place, Node least,
                          std::vector<Departure>& found, std::uint64_t& tests);
-void departures_swept(const PolygonGround& ground, const Place& place, std::vector<Departure>& found,
-                      std::uint64_t& tests);
+void departures_swept(const PolygonGround& ground, const Place& place, Node least,
+                      std::vector<Departure>& found, std::uint64_t& tests);
 
 }  // namespace outrider
