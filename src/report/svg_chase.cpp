@@ -116,13 +116,15 @@ struct Line {
   Points points;  ///< in the units of the axes
 };
 
+constexpr double headroom = 18.0;  // above the largest value, for its number
+
 /// Lines over an axis from 0; the legend stands above.
 std::string chart(Vec2 corner, Vec2 size, std::string_view unit, const std::vector<Line>& lines) {
   Vec2 most{1e-9, 1e-9};
   for (const Line& line : lines) {
     for (const Vec2 p : line.points) most = {std::max(most.x, p.x), std::max(most.y, p.y)};
   }
-  const Vec2 scale{size.x / most.x, size.y / (1.05 * most.y)};
+  const Vec2 scale{size.x / most.x, (size.y - headroom) / most.y};
   std::string svg = fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#fff\" "
       "stroke=\"#d5dce1\"/>\n",
@@ -144,7 +146,7 @@ std::string chart(Vec2 corner, Vec2 size, std::string_view unit, const std::vect
   svg += label({corner.x, corner.y + size.y + 15.0}, fmt::format("0 {}", unit));
   svg += label({corner.x + size.x, corner.y + size.y + 15.0}, fmt::format("{:.0f} {}", most.x, unit),
                " text-anchor=\"end\"");
-  return svg + label({corner.x + 4.0, corner.y + 14.0}, fmt::format("{:.0f}", 1.05 * most.y));
+  return svg + label({corner.x + 4.0, corner.y + 13.0}, fmt::format("{:.0f}", most.y));
 }
 
 /// A staircase: a value holds until the next.

@@ -97,8 +97,9 @@ function drawChart(canvas, lines, unit, now) {
   pen.font = "11px sans-serif";
   const points = lines.flatMap((line) => line.points);
   const mostX = Math.max(1e-9, ...points.map((p) => p[0]));
-  const mostY = 1.08 * Math.max(1e-9, ...points.map((p) => p[1]));
-  const at = ([x, y]) => [x / mostX * (width - 2) + 1, (height - 18) * (1 - y / mostY)];
+  const mostY = Math.max(1e-9, ...points.map((p) => p[1]));
+  const [top, bottom] = [16, height - 18];
+  const at = ([x, y]) => [x / mostX * (width - 2) + 1, bottom - (bottom - top) * y / mostY];
   for (const { points: corners, colour } of lines) {
     pen.strokeStyle = colour;
     pen.lineWidth = 2;
@@ -116,7 +117,7 @@ function drawChart(canvas, lines, unit, now) {
   pen.fillText(`${Math.round(mostX).toLocaleString("en")} ${unit}`, width - 2, height - 4);
   if (now === undefined) return;
   pen.globalAlpha = 0.5;
-  pen.fillRect(at([now, 0])[0] - 0.5, 0, 1, height - 18);
+  pen.fillRect(at([now, 0])[0] - 0.5, top, 1, bottom - top);
 }
 
 /** A staircase: each value holds until the next. */
