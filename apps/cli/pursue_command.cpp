@@ -85,7 +85,8 @@ std::vector<std::pair<std::string, std::string>> settings_of(PursuitScenario& sc
   std::vector<std::pair<std::string, std::string>> settings;
   for (const OptionGroup& group : describe(scenario)) {
     for (const Option& option : group.options) {
-      settings.emplace_back(option.name, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
+      const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
+      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
     }
   }
   return settings;

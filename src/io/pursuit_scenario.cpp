@@ -56,9 +56,11 @@ Outcome<std::vector<Cell>> robots_of(const PursuitScenario& scenario, const Purs
 }
 
 /// Nothing for the planners that the anytime search stands for.
-PursuitAsk asked_by(const PursuitPlanner& planner) {
-  if (planner.name == "optimal" || planner.name == "anytime") return {};
-  return [configured = planner.configure()](const PursuitProblem& problem, const Budget& budget) {
+PursuitAsk asked_by(const PursuitScenario& scenario) {
+  if (scenario.planner == "optimal" || scenario.planner == "anytime") return {};
+  std::size_t row = 0;
+  while (pursuit_planners()[row].name != scenario.planner) ++row;
+  return [configured = scenario.planners[row]](const PursuitProblem& problem, const Budget& budget) {
     Workspace workspace;
     return configured.plan(problem, budget, workspace);
   };
@@ -66,8 +68,14 @@ PursuitAsk asked_by(const PursuitPlanner& planner) {
 
 }  // namespace
 
+std::vector<ConfiguredPursuitPlanner> PursuitScenario::configured_planners() {
+  std::vector<ConfiguredPursuitPlanner> configured;
+  for (const PursuitPlanner& planner : pursuit_planners()) configured.push_back(planner.configure());
+  return configured;
+}
+
 std::vector<OptionGroup> describe(PursuitScenario& scenario) {
-  return {
+  std::vector<OptionGroup> groups = {
       {"",
        "the pursuit",
        {{"job", "", 0, 0, "what the robot does; pursue", &scenario.job},
@@ -82,6 +90,13 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
          &scenario.starts},
         {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},
         {"seed", "", 0, 1e15, "seed of every random number; a pursuit draws none", &scenario.seed}}}};
+  for (std::size_t i = 0; i < scenario.planners.size(); ++i) {
+    const std::string name(pursuit_planners()[i].name);
+    if (!scenario.planners[i].options.empty()) {
+      groups.push_back({name, "planner " + name, scenario.planners[i].options});
+    }
+  }
+  return groups;
 }
 
 void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path) {
@@ -91,8 +106,7 @@ void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path) 
 
 Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
   if (auto ok = check_names(scenario); !ok) return pass_on(ok);
-  auto planner = find_pursuit_planner(scenario.planner);
-  if (!planner) return pass_on(planner);
+  if (auto known = find_pursuit_planner(scenario.planner); !known) return pass_on(known);
   auto forecast = find_target_forecast(scenario.forecast);
   if (!forecast) return pass_on(forecast);
   auto problem = load_pursuit_map(scenario.map);
@@ -103,7 +117,7 @@ Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
   if (scenario.clock == "wall") rules.clock = PursuitClock::wall;
   if (scenario.known >= 0) rules.known_s = static_cast<int>(scenario.known);
   rules.forecast = std::move(*forecast);
-  rules.ask = asked_by(*planner);
+  rules.ask = asked_by(scenario);
   rules.call_s = scenario.call_s;
   return PursuitTask{std::move(*problem), std::move(*robots), std::move(rules)};
 }

@@ -6,6 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/execute/pursuit_run.hpp"
+#include "outrider/pursuit/catalog.hpp"
 
 namespace outrider {
 
@@ -20,8 +21,12 @@ struct PursuitScenario {
   std::string starts;  ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
   double call_s = 1.5;
   std::int64_t seed = 1;
+  std::vector<ConfiguredPursuitPlanner> planners = configured_planners();  ///< in the order of the catalogue
+
+  static std::vector<ConfiguredPursuitPlanner> configured_planners();
 };
 
+/// The top-level keys first, then a section for each planner that has options, under its name.
 std::vector<OptionGroup> describe(PursuitScenario& scenario);
 
 /// Makes the path of the map, which is relative to the scenario's file, relative to here.
