@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "hub_kept.hpp"
 #include "hub_lists.hpp"
 #include "outrider/path/line_of_sight.hpp"
 #include "outrider/path/polyanya.hpp"
@@ -15,16 +16,28 @@ struct Index {
   NavigationMesh mesh;
   HubTrees trees;
   std::vector<TileRow> rows;
+  std::uint64_t work = 0;  ///< of its making, in expansions of polyanya
 };
 
 constexpr std::size_t most_turns = 65535;  // that an entry of a list can name
+
+// Work in expansions of polyanya, from measured times; a side is one of the mesh that polyanya makes first.
+constexpr std::uint64_t looks_an_expansion = 16, expansions_a_node = 4, expansions_a_side = 2;
+
+/// About as many expansions as take the time of the index: of its graph and trees by their nodes, of its
+/// lists by what they looked at.
+std::uint64_t work_of(const Index& index) {
+  std::uint64_t looks = 0;
+  for (const TileRow& row : index.rows) looks += row.work;
+  return expansions_a_node * index.trees.nodes.size() + looks / looks_an_expansion;
+}
 
 /// Nothing when its hubs do not fit into half of `most_bytes`, or when `stop` asks for it.
 std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most_bytes,
                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
       sizeof(HubTrees::Node) + sizeof(HubTrees::Label) + sizeof(HubTrees::Departure);
-  Index index{navigation_mesh(ground), {}, {}};
+  Index index{navigation_mesh(ground), {}, {}, 0};
   if (index.mesh.turns.size() > most_turns) return nullptr;
   const auto graph = turn_graph(ground, index.mesh, most_bytes / sizeof(TurnGraph::Edge), stop);
   if (!graph) return nullptr;
@@ -34,6 +47,7 @@ std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most
   const std::size_t left = most_bytes - index.trees.nodes.size() * of_a_node;
   index.rows = hub_lists(ground, index.mesh, index.trees, left, stop);
   if (stop.stop_requested()) return nullptr;
+  index.work = work_of(index);
   if (!index.rows.back().tiles.empty()) index.trees.keep_paths_alone();
   return std::make_unique<const Index>(std::move(index));
 }
@@ -41,18 +55,44 @@ std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most
 struct Memory {
   std::shared_ptr<const GridGround> ground;  ///< of the index
   std::int64_t index_mib = 0;
-  std::unique_ptr<const Index> index;  ///< none when it would be too large
+  std::unique_ptr<const Index> index;       ///< none when it would be too large
+  std::shared_ptr<const GridGround> asked;  ///< the last one; as `ground` but for a few cells
+  bool changed = false;                     ///< a few differ
+  bool searched = false;                    ///< by polyanya, which has made a mesh of it
+  std::vector<CellBox> freed;               ///< blocked in `ground`, free in `asked`
+  std::uint64_t spent = 0;                  ///< by polyanya on changed grounds, in expansions
   std::unique_ptr<ListMaker> at_start, at_goal;
   std::vector<Cell> way;
 
   void renew(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
-    if (ground == now && index_mib == mib) return;
+    const bool made = ground != nullptr && index_mib == mib;
+    const bool near = made && (asked == now || compare(now));
+    if (near && (!changed || index == nullptr || spent <= index->work)) return;
+    make(now, mib, stop);
+  }
+
+  /// False when too many cells differ.
+  bool compare(const std::shared_ptr<const GridGround>& now) {
+    const auto cells = cells_changed(*ground, *now, now->frame.size() / 32);
+    if (!cells) return false;
+    changed = !cells->empty();
+    searched = false;
+    freed = freed_boxes(*now, *cells);
+    asked = now;
+    return true;
+  }
+
+  void make(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
     ground.reset();
+    asked.reset();
     at_start.reset();
     at_goal.reset();
+    freed.clear();
+    changed = searched = false;
+    spent = 0;
     index = index_of(*now, static_cast<std::size_t>(mib) << 20U, stop);
     if (stop.stop_requested()) return;
-    ground = now;
+    ground = asked = now;
     index_mib = mib;
   }
 
@@ -85,6 +125,12 @@ struct Reading {
   Cell corner;
   unsigned bit;
 };
+
+double length_of(const std::vector<Cell>& way) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += length_between(way[i - 1], way[i]);
+  return length;
+}
 
 /// Where the two halves of a way meet: nodes of the same hub.
 struct Meeting {
@@ -152,6 +198,35 @@ class Query {
   Cell start_, goal_;
 };
 
+enum class Answer { way, no_path, unknown };
+
+/// What the index proves on the ground that is asked about; the way in memory.way.
+Answer look_up(Memory& memory, Cell start, Cell goal) {
+  std::vector<Cell>& way = memory.way;
+  way.assign(1, start);
+  if (start == goal) return Answer::way;
+  way.push_back(goal);
+  if (visible(*memory.asked, start, goal)) return Answer::way;
+  way.clear();
+  if (!memory.changed) return Query(memory, start, goal).find_way() ? Answer::way : Answer::no_path;
+
+  const GridGround& before = *memory.ground;
+  if (!before.place(start) || !before.place(goal) || visible(before, start, goal)) return Answer::unknown;
+  if (!Query(memory, start, goal).find_way()) return memory.freed.empty() ? Answer::no_path : Answer::unknown;
+  const bool shortest = length_of(way) <= least_length_over(memory.freed, start, goal);
+  return shortest && legal_way(*memory.asked, way) ? Answer::way : Answer::unknown;
+}
+
+/// On a changed ground, by polyanya; its work counts towards the next index.
+Outcome<Plan> search_instead(const Problem& problem, const Budget& budget, Workspace& workspace,
+                             Memory& memory) {
+  if (!memory.searched) memory.spent += expansions_a_side * memory.index->mesh.sides.size();
+  memory.searched = true;
+  auto plan = polyanya(problem, {}, budget, workspace);
+  if (plan) memory.spent += plan->counters.expansions;
+  return plan;
+}
+
 }  // namespace
 }  // namespace hub_labelling
 
@@ -177,21 +252,16 @@ Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options
   if (memory.ground == nullptr) return meter.refusal();
   if (memory.index == nullptr) return polyanya(problem, {}, budget, workspace);
 
-  std::vector<Cell>& way = memory.way;
-  way.clear();
-  if (start == goal) {
-    way = {start};
-  } else if (visible(ground, start, goal)) {
-    way = {start, goal};
-  } else if (!hub_labelling::Query(memory, start, goal).find_way()) {
+  const auto answer = hub_labelling::look_up(memory, start, goal);
+  if (answer == hub_labelling::Answer::unknown)
+    return hub_labelling::search_instead(problem, budget, workspace, memory);
+  if (answer == hub_labelling::Answer::no_path)
     return fault(FaultCode::no_path, "nothing joins the start and the goal");
-  }
-  double cost = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) cost += hub_labelling::length_between(way[i - 1], way[i]);
+  double cost = hub_labelling::length_of(memory.way);  // cells
   if (workspace.trace != nullptr)
     workspace.trace->record({ground.index(start), ground.index(start), cost, 0.0, cost});
   cost *= ground.frame.resolution_m;
-  return plan_along(problem, way, cost, cost, {meter.spent(), 0, 0});
+  return plan_along(problem, memory.way, cost, cost, {meter.spent(), 0, 0});
 }
 
 }  // namespace outrider

@@ -24,7 +24,8 @@ std::uint32_t only_blocked(const GridGround& ground, Cell v) {
   return only;
 }
 
-/// Gives the cells whose centres lie in a polygon to it: row by row between its left and right border.
+/// Gives the cells whose centres lie in a polygon to it: row by row between its left and right border. Those
+/// of other cells are half a cell away from there.
 void fill(NavigationMesh& mesh, const GridFrame& frame, std::uint32_t polygon, std::vector<double>& left,
           std::vector<double>& right) {
   const std::uint32_t begin = mesh.first[polygon], end = mesh.first[polygon + 1];
@@ -45,9 +46,9 @@ void fill(NavigationMesh& mesh, const GridFrame& frame, std::uint32_t polygon, s
     const auto row = static_cast<std::size_t>(y);
     const int first = static_cast<int>(std::ceil(left[row] - 0.5 - 1e-9));
     const int last = static_cast<int>(std::floor(right[row] - 0.5 + 1e-9));
-    for (int x = std::max(first, 0); x <= std::min(last, frame.width - 1); ++x) {
-      mesh.polygon_of[frame.index({x, y})] = polygon;
-    }
+    if (first > last) continue;
+    std::fill_n(mesh.polygon_of.begin() + static_cast<std::ptrdiff_t>(frame.index({first, y})),
+                last - first + 1, polygon);
   }
 }
 
@@ -55,11 +56,6 @@ void locate(NavigationMesh& mesh, const GridGround& ground) {
   mesh.polygon_of.assign(ground.frame.size(), none);
   std::vector<double> left(static_cast<std::size_t>(ground.frame.height)), right(left);
   for (std::uint32_t p = 0; p + 1 < mesh.first.size(); ++p) fill(mesh, ground.frame, p, left, right);
-  for (int y = 0; y < ground.frame.height; ++y) {
-    for (int x = 0; x < ground.frame.width; ++x) {
-      if (ground.blocked({x, y})) mesh.polygon_of[ground.frame.index({x, y})] = none;
-    }
-  }
 }
 
 /// Turns, in the order of the corners, and the polygons around each.

@@ -1,6 +1,7 @@
 #include "mesh_triangles.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace outrider {
 namespace {
@@ -20,17 +21,44 @@ std::int64_t squared(Cell a, Cell b) {
   return x * x + y * y;
 }
 
+/// visit(x) for each x from 0 to `last` at which marked(x) is set, given for eight of them as the lowest bits
+/// of eight bytes. Most bytes of a row are like their neighbours, so most eights are passed at once.
+template <class Marked, class Visit>
+void each_marked(int last, Marked marked, Visit visit) {
+  for (int x = 0; x <= last; x += 8) {
+    const std::uint64_t eight = marked(x) & 0x0101010101010101U;
+    if (eight == 0) continue;
+    std::array<std::uint8_t, 8> each{};
+    std::memcpy(each.data(), &eight, sizeof eight);
+    for (int k = 0; k < 8 && x + k <= last; ++k) {
+      if (each[static_cast<std::size_t>(k)] != 0) visit(x + k);
+    }
+  }
+}
+/// Eight marks, as far as there are so many.
+std::uint64_t eight_marks(const GridGround& ground, std::size_t from) {
+  std::uint64_t eight = 0;
+  if (from + sizeof eight <= ground.marks.size()) {
+    std::memcpy(&eight, ground.marks.data() + from, sizeof eight);
+  } else {
+    std::memcpy(&eight, ground.marks.data() + from, ground.marks.size() - from);
+  }
+  return eight;
+}
+static_assert(GridGround::blocked_bit == 1, "the lowest bit of a mark");
+
 std::vector<Slab> slabs_of(const GridGround& ground) {
   std::vector<Slab> slabs;
   std::vector<std::size_t> below, here;  // slabs that reach the last row and this one
   for (int y = 0; y < ground.frame.height; ++y) {
     here.clear();
     std::size_t next = 0;
-    const std::uint8_t* marks = ground.marks.data() + ground.index({0, y});
-    for (int x = 0; x < ground.frame.width; ++x) {
-      if ((marks[x] & GridGround::blocked_bit) != 0) continue;
-      const int x0 = x;
-      while ((marks[x] & GridGround::blocked_bit) == 0) ++x;  // the border of the grid is blocked
+    int x0 = -1;
+    const auto end_or_begin = [&](int x) {
+      if (x0 < 0) {
+        x0 = x;
+        return;
+      }
       while (next < below.size() && slabs[below[next]].x0 < x0) ++next;
       if (next < below.size() && slabs[below[next]].x0 == x0 && slabs[below[next]].x1 == x) {
         slabs[below[next]].y1 = y + 1;
@@ -39,7 +67,14 @@ std::vector<Slab> slabs_of(const GridGround& ground) {
         slabs.push_back({x0, x, y, y + 1});
         here.push_back(slabs.size() - 1);
       }
-    }
+      x0 = -1;
+    };
+    const std::uint32_t row = ground.index({0, y});
+    const auto changes = [&](int x) {  // the borders of the grid are blocked
+      const std::size_t at = row + static_cast<std::uint32_t>(x);
+      return eight_marks(ground, at) ^ eight_marks(ground, at - 1);
+    };
+    each_marked(ground.frame.width, changes, end_or_begin);
     std::swap(below, here);
   }
   return slabs;
@@ -50,14 +85,14 @@ class Cutter {
   explicit Cutter(const GridGround& ground) : slabs_(slabs_of(ground)) {
     for (int y = 0; y <= ground.frame.height; ++y) {
       row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
-      for (int x = 0; x <= ground.frame.width; ++x) {
-        const std::uint32_t ne = ground.index({x, y}), se = ne - ground.stride;
-        const std::uint8_t* m = ground.marks.data();
-        constexpr unsigned bit = GridGround::blocked_bit;
-        const unsigned count = (m[ne] & bit) + (m[ne - 1] & bit) + (m[se] & bit) + (m[se - 1] & bit);
-        if (count % 2 == 1 || (count == 2 && (m[ne] & bit) == (m[se - 1] & bit)))
-          cut_.corners.push_back({x, y});
-      }
+      const std::uint32_t row = ground.index({0, y});
+      const auto corners = [&](int x) {  // where the marks differ both along the row and across it
+        const std::size_t above = row + static_cast<std::uint32_t>(x), below = above - ground.stride;
+        const std::uint64_t ne = eight_marks(ground, above), nw = eight_marks(ground, above - 1);
+        const std::uint64_t se = eight_marks(ground, below), sw = eight_marks(ground, below - 1);
+        return ((ne ^ nw) | (se ^ sw)) & ((ne ^ se) | (nw ^ sw));
+      };
+      each_marked(ground.frame.width, corners, [&](int x) { cut_.corners.push_back({x, y}); });
     }
     row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
   }

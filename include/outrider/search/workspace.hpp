@@ -1,7 +1,8 @@
 // Workspace: memory that planners keep between queries, so that a query allocates nothing.
 //
 // A planner asks for its own kind of memory by type and finds it as the last query left it; what a
-// query answers never depends on that. Thread rule: one workspace for each thread.
+// query answers never depends on that, unless the planner's header says how. Thread rule: one workspace for
+// each thread.
 #pragma once
 
 #include <memory>

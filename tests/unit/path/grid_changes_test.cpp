@@ -1,12 +1,18 @@
 // A ground that is changed, and what was made for it, against both made anew.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "../../../src/path/hub_kept.hpp"
 #include "../../../src/path/jps_index.hpp"
 #include "../../../src/path/jps_map.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "outrider/path/hub_labels.hpp"
+#include "outrider/path/polyanya.hpp"
+#include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
 
@@ -81,6 +87,13 @@ void expect_same(const Outcome<Plan>& followed, const Outcome<Plan>& anew) {
   }
 }
 
+/// Where a path may be another one of the same length: status, cost and bound.
+void expect_as_long(const Outcome<Plan>& followed, const Outcome<Plan>& anew) {
+  if (!followed || !anew) return expect_same(followed, anew);
+  ASSERT_NEAR(followed->cost, anew->cost, 1e-12 * anew->cost);
+  ASSERT_EQ(followed->lower_bound, followed->cost);
+}
+
 /// One workspace for each planner over all changes, against a new one after each.
 TEST_P(ChangesIn, EveryPlannerAnswersAsItDoesAnew) {
   Rng rng = Rng(22).child("planners");
@@ -110,7 +123,8 @@ TEST_P(ChangesIn, EveryPlannerAnswersAsItDoesAnew) {
         SCOPED_TRACE(::testing::Message() << planners[p].first.name << " on grid " << i << ", step " << step);
         Workspace fresh;
         const auto plan = planners[p].second.plan(on_changed, {}, kept[p]);
-        expect_same(plan, planners[p].second.plan(on_new, {}, fresh));
+        const auto truth = planners[p].second.plan(on_new, {}, fresh);
+        planners[p].first.name == "hub_labels" ? expect_as_long(plan, truth) : expect_same(plan, truth);
         ASSERT_TRUE(!plan || check(*plan, on_new));
       }
     }
@@ -135,6 +149,95 @@ TEST(GridChanges, BitsAndDistancesAreThoseMadeAnew) {
       ASSERT_EQ(distances, jump::distances_of(ground)) << "grid " << i << ", step " << step;
     }
   }
+}
+
+/// Queries over all pairs of some vertices after each change: the index is asked where it was never made.
+TEST(GridChanges, AnIndexThatIsKeptTellsTheShortestPathOverAllVertices) {
+  Rng rng = Rng(24).child("kept index");
+  int by_index = 0, by_search = 0, closed = 0;
+  for (int i = 0; i < testing::cases(400); ++i) {
+    auto grid = random_grid(rng, 14);
+    auto ground = shared(GridGround::of(grid, GridModel::corners));
+    Workspace workspace;
+    for (int step = 0; step < 6; ++step) {
+      for (int k = 0; k < 6; ++k) {
+        const Cell start{static_cast<int>(rng.below(15)), static_cast<int>(rng.below(15))};
+        const Cell goal{static_cast<int>(rng.below(15)), static_cast<int>(rng.below(15))};
+        if (!ground->place(start) || !ground->place(goal)) continue;
+        const Problem problem{ground, ground->point(start), ground->point(goal)};
+        const auto plan = hub_labels(problem, {}, {}, workspace);
+        const double least = oracle::shortest(grid, GridModel::corners, start, goal, true);
+        ASSERT_EQ(plan.has_value(), std::isfinite(least)) << "grid " << i << ", step " << step;
+        closed += plan ? 0 : 1;
+        if (!plan) continue;
+        ASSERT_NEAR(plan->cost, least, 1e-12 * std::max(1.0, least)) << "grid " << i << ", step " << step;
+        ASSERT_TRUE(check(*plan, problem));
+        if (plan->vertices.size() > 2) ++(plan->counters.generated == 0 ? by_index : by_search);
+      }
+      const std::vector<CellChange> changes{random_change(rng, grid.frame)};
+      apply(grid, changes);
+      ground = shared(ground->with(changes));
+    }
+  }
+  EXPECT_GT(by_index, 300);
+  EXPECT_GT(by_search, 30);
+  EXPECT_GT(closed, 300);
+}
+
+/// Larger grids, where most changes leave most paths alone.
+TEST(GridChanges, AnIndexThatIsKeptAgreesWithASearch) {
+  Rng rng = Rng(25).child("kept index of rooms");
+  int by_index = 0, by_search = 0;
+  for (int i = 0; i < testing::cases(40); ++i) {
+    auto grid = random_grid(rng, 48);
+    auto ground = shared(GridGround::of(grid, GridModel::corners));
+    Workspace workspace;
+    for (int step = 0; step < 25; ++step) {
+      for (int k = 0; k < 8; ++k) {
+        const auto point = [&] {
+          return Vec2{rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)};
+        };
+        const Problem problem{ground, point(), point()};
+        Workspace fresh;
+        const auto plan = hub_labels(problem, {}, {}, workspace);
+        expect_as_long(plan, polyanya(problem, {}, {}, fresh));
+        ASSERT_FALSE(HasFatalFailure()) << "grid " << i << ", step " << step;
+        ASSERT_TRUE(!plan || check(*plan, problem));
+        if (plan && plan->vertices.size() > 2) ++(plan->counters.generated == 0 ? by_index : by_search);
+      }
+      const auto changes = random_changes(rng, grid.frame);
+      apply(grid, changes);
+      ground = shared(ground->with(changes));
+    }
+  }
+  EXPECT_GT(by_index, 1000);
+  EXPECT_GT(by_search, 200);
+}
+
+TEST(GridChanges, BoxesOfFreedCellsAreThoseCellsAndNoOthers) {
+  Rng rng = Rng(26).child("boxes");
+  for (int i = 0; i < testing::cases(300); ++i) {
+    const auto grid = random_grid(rng, 12);
+    const auto ground = GridGround::of(grid, GridModel::corners).value();
+    std::vector<Cell> changed;
+    Grid<int> covered(grid.frame);
+    for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+      if (rng.below(2) == 0) changed.push_back(grid.frame.cell(c));
+      covered.cells[c] = 0;
+    }
+    for (const auto& [low, high] : hub_labelling::freed_boxes(ground, changed)) {
+      for (int y = low.y; y < high.y; ++y) {
+        for (int x = low.x; x < high.x; ++x) ++covered[{x, y}];
+      }
+    }
+    for (const Cell c : changed) covered[c] -= ground.blocked(c) ? 0 : 1;
+    ASSERT_EQ(std::count(covered.cells.begin(), covered.cells.end(), 0), std::ssize(covered.cells));
+  }
+  const auto open = GridGround::of(drawn({"....", "...."}), GridModel::corners).value();
+  using hub_labelling::CellBox;
+  EXPECT_EQ(hub_labelling::freed_boxes(open, {{1, 0}, {2, 0}, {1, 1}, {2, 1}}),
+            (std::vector<CellBox>{{{1, 0}, {3, 2}}}));
+  EXPECT_EQ(hub_labelling::least_length_over(std::vector<CellBox>{{{3, 4}, {5, 6}}}, {0, 0}, {5, 9}), 8.0);
 }
 
 TEST(GridChanges, WhatLeavesTheGridIsRefused) {
