@@ -80,6 +80,17 @@ std::optional<double> contact_time(const Flight& flight, double ball_radius_m, c
   return std::nullopt;
 }
 
+bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, double from_s, double until_s) {
+  if (from_s > until_s) return false;
+  const double middle = 0.5 * (from_s + until_s);
+  const double gap = distance(flight.position(middle), solid) - ball_radius_m;
+  if (gap <= contact_tolerance_m) return true;
+  // The bound holds backwards as well: the reversed flight has the same speed and the same gravity.
+  const double clear = safe_step(gap, norm(flight.velocity(middle)), flight.gravity_mps2);
+  return touches(flight, ball_radius_m, solid, from_s, middle - clear) ||
+         touches(flight, ball_radius_m, solid, middle + clear, until_s);
+}
+
 FlightSpace::FlightSpace(std::vector<Solid> solids) : solids_(std::move(solids)) {
   boxes_.reserve(solids_.size());
   for (const Solid& solid : solids_) boxes_.push_back(bounds(solid));

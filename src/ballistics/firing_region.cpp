@@ -29,6 +29,8 @@ Choice choose(Sight& sight, const std::vector<Elevation>& lattice, double aim_z)
   for (std::size_t i = 0; i < lattice.size(); ++i) {
     const auto arc = sight.arc(lattice[i], aim_z);
     if (!arc) continue;
+    const auto spread = [&] { return static_cast<float>(sight.spread(*arc)); };
+    if (choice.pitch != FiringRegion::no_shot && spread() >= choice.spread) continue;
     Window* stop = last != nullptr && sight.stops(*last, *arc) ? last : sight.stopped_by(*arc);
     if (!choice.in_range && stop != nullptr) choice.blocker = stop->blocker;
     choice.in_range = true;
@@ -36,11 +38,8 @@ Choice choose(Sight& sight, const std::vector<Elevation>& lattice, double aim_z)
       last = stop;
       continue;
     }
-    const auto spread = static_cast<float>(sight.spread(*arc));
-    if (spread < choice.spread) {
-      choice.spread = spread;
-      choice.pitch = static_cast<std::uint8_t>(i);
-    }
+    choice.spread = spread();
+    choice.pitch = static_cast<std::uint8_t>(i);
     if (choice.spread <= good_spread) break;
   }
   return choice;
@@ -83,52 +82,6 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
           return true;
         });
   return region;
-}
-
-Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                  const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  const auto lattice = elevations(rules);
-  const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
-  const Vec3 centre = target.centre();
-  const double half_diagonal = 0.5 * std::hypot(target.size.x, target.size.y);
-  const auto heights = offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m);
-  Exhausted result;
-  result.blocked_by.assign(space.solids().size(), 0);
-
-  Sight sight(rules, target);
-  const auto try_aim = [&](std::size_t cell, double aim_z) {
-    if (result.found) return false;
-    bool in_range = false;
-    for (const Elevation& at : lattice) {
-      const auto arc = sight.arc(at, aim_z);
-      if (!arc) continue;
-      in_range = true;
-      ++result.flights;
-      if (const Window* stop = sight.stopped_by(*arc)) {
-        ++result.blocked_by[stop->blocker->solid];
-      } else {
-        result.found = cell;
-        result.shot = sight.shot(*arc);
-        break;
-      }
-    }
-    return in_range;
-  };
-  sweep(all, xy(centre), longest_range(rules, target), half_diagonal, frame, standable,
-        [&](std::size_t cell, const std::vector<const Blocker*>& near) {
-          const Vec2 position = frame.centre(frame.cell(cell));
-          if (!clear_of(rules, target, position)) return true;
-          bool in_range = false;
-          for (const Vec2 aim : aim_points(target, position, rules.aim_step_m)) {
-            sight.look(position, aim, near);
-            for (const double up : heights) {
-              in_range = try_aim(cell, centre.z + up) || in_range;
-            }
-          }
-          result.places += in_range ? 1 : 0;
-          return !result.found.has_value();
-        });
-  return result;
 }
 
 }  // namespace outrider

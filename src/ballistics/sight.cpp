@@ -40,14 +40,23 @@ void Sight::look(Vec2 position, Vec2 aim, const std::vector<const Blocker*>& nea
   const auto near_it = cut(reach_, position, along_, 0.0, aim_m_);
   entry_m_ = inside ? inside->low : aim_m_;
   touch_m_ = near_it ? near_it->low : entry_m_;
+  near_ = &near;
+  looked_at_ = 0;
   windows_.clear();
-  for (const Blocker* blocker : near) {
+  windows_.reserve(near.size());
+}
+
+Window* Sight::window(std::size_t index) {
+  while (index >= windows_.size()) {
+    if (looked_at_ == near_->size()) return nullptr;
+    const Blocker* blocker = (*near_)[looked_at_++];
     if (blocker->hull.empty()) {
       windows_.push_back({blocker, {0.0, aim_m_}});
-    } else if (const auto hull = cut(blocker->hull, position, along_, 0.0, aim_m_)) {
+    } else if (const auto hull = cut(blocker->hull, position_, along_, 0.0, aim_m_)) {
       windows_.push_back({blocker, *hull});
     }
   }
+  return &windows_[index];
 }
 
 void Sight::look_inside(Window& window) const {
@@ -62,11 +71,51 @@ void Sight::look_inside(Window& window) const {
 
 std::optional<Arc> Sight::arc(const Elevation& at, double aim_z_m) const {
   const double s = aim_m_ - at.tip.x;
-  if (s <= 0.0) return std::nullopt;
-  const double height = rules_.floor_z_m + at.tip.y;
-  const double fall = height + s * at.tangent - aim_z_m;
-  if (fall <= 0.0 || fall < at.least_drop * (s * s)) return std::nullopt;
-  return Arc{&at, height, fall / (s * s)};
+  const double fallen = fall(at, s, aim_z_m);
+  if (s <= 0.0 || fallen <= 0.0 || fallen < at.least_drop * (s * s)) return std::nullopt;
+  Arc arc{&at, rules_.floor_z_m + at.tip.y, fallen / (s * s), aim_m_, 0.0};
+  double z = arc.z(entry_m_);
+  if (z >= target_.base.z && z <= target_.base.z + target_.size.z) {
+    arc.end_m = entry_m_;
+  } else {
+    z = aim_z_m;
+  }
+  arc.lowest_m = std::min(arc.height_m, z);
+  return arc;
+}
+
+std::size_t Sight::passes(const Elevation& at, const std::vector<double>& aim_z_m) const {
+  const double s = aim_m_ - at.tip.x;
+  if (s <= 0.0) return 0;
+  std::size_t count = aim_z_m.size();
+  for (; count > 0; --count) {
+    const double fallen = fall(at, s, aim_z_m[count - 1]);
+    if (fallen > 0.0 && fallen >= at.least_drop * (s * s)) break;
+  }
+  return count;
+}
+
+void Sight::trim(Window& window, const Elevation& at, const std::vector<double>& aim_z_m, std::size_t& first,
+                 std::size_t& last) {
+  if (!window.looked_inside) look_inside(window);
+  const double grow = rules_.gun.ball_radius_m + rules_.margin_m;
+  const double reach = aim_m_ - at.tip.x;
+  const auto trim_over = [&](Interval over, double low, double high) {
+    over.low = std::max(over.low, at.tip.x);
+    if (over.low > over.high) return;
+    for (const double distance : {over.low, 0.5 * (over.low + over.high), over.high}) {
+      if (distance >= touch_m_) return;
+      // z = h + s tan p - (s / reach)^2 fall, and the fall is linear in the aim.
+      const double s = distance - at.tip.x;
+      const double part = (s / reach) * (s / reach);
+      const double base = rules_.floor_z_m + at.tip.y + s * at.tangent - part * fall(at, reach, 0.0);
+      const auto inside = [&](double aim) { return base + part * aim >= low && base + part * aim <= high; };
+      while (first < last && inside(aim_z_m[first])) ++first;
+      while (first < last && inside(aim_z_m[last - 1])) --last;
+    }
+  };
+  trim_over(window.side, window.blocker->low_m, window.blocker->high_m);
+  if (first < last) trim_over(window.core, window.blocker->low_m - grow, window.blocker->high_m + grow);
 }
 
 Shot Sight::shot(const Arc& arc) const {
@@ -74,18 +123,18 @@ Shot Sight::shot(const Arc& arc) const {
 }
 
 Window* Sight::stopped_by(const Arc& arc) {
-  const auto first =
-      std::find_if(windows_.begin(), windows_.end(), [&](Window& window) { return stops(window, arc); });
-  return first == windows_.end() ? nullptr : &*first;
+  for (std::size_t i = 0; Window* const next = window(i); ++i) {
+    if (stops(*next, arc)) return next;
+  }
+  return nullptr;
 }
 
 bool Sight::stops(Window& window, const Arc& arc) {
   const Blocker& blocker = *window.blocker;
   const double grow = rules_.gun.ball_radius_m + rules_.margin_m;
-  const double z_entry = arc.z(entry_m_);
-  const bool by_the_side = z_entry >= target_.base.z && z_entry <= target_.base.z + target_.size.z;
+  if (arc.lowest_m > blocker.high_m + grow) return false;
   const double from = std::max(window.hull.low, arc.start_m());
-  const double to = std::min(window.hull.high, by_the_side ? entry_m_ : aim_m_);
+  const double to = std::min(window.hull.high, arc.end_m);
   if (from > to) return false;
   if (std::min(arc.z(from), arc.z(to)) > blocker.high_m + grow) return false;
   if (arc.highest(from, to) < blocker.low_m - grow) return false;
@@ -95,19 +144,16 @@ bool Sight::stops(Window& window, const Arc& arc) {
   return touches(window, arc, from, to);
 }
 
-/// Whether the arc is seen, at one of three places, between two heights over an interval that lies before
-/// the target.
+/// Whether the arc comes between two heights over the part of an interval that lies before the target.
 bool Sight::enters(const Arc& arc, Interval over, double low_m, double high_m) const {
   over.low = std::max(over.low, arc.start_m());
+  over.high = std::min(over.high, touch_m_ - contact_tolerance_m);
   if (over.low > over.high) return false;
-  for (const double at : {over.low, 0.5 * (over.low + over.high), over.high}) {
-    const double z = arc.z(at);
-    if (at < touch_m_ && z >= low_m && z <= high_m) return true;
-  }
-  return false;
+  // Its height is continuous and concave, so it takes all values from the lesser of its ends to its highest.
+  return std::min(arc.z(over.low), arc.z(over.high)) <= high_m && arc.highest(over.low, over.high) >= low_m;
 }
 
-/// Decided along the flight, by conservative advancement.
+/// Decided along the flight, by exact distances.
 bool Sight::touches(const Window& window, const Arc& arc, double from_m, double to_m) const {
   const double ball = rules_.gun.ball_radius_m;
   const double forward = arc.forward_mps(rules_.gravity_mps2);
@@ -116,12 +162,13 @@ bool Sight::touches(const Window& window, const Arc& arc, double from_m, double 
   const Flight flight{
       {tip.x, tip.y, arc.height_m}, {ahead.x, ahead.y, forward * arc.at->tangent}, rules_.gravity_mps2};
   const auto time = [&](double distance_m) { return (distance_m - arc.start_m()) / forward; };
+  const Solid& piece = window.blocker->piece;
+  const double open_s = time(std::min(to_m, touch_m_));  // until then the target is out of the question
+  if (outrider::touches(flight, ball + rules_.margin_m, piece, time(from_m), open_s)) return true;
+  if (to_m <= touch_m_) return false;
   const auto touch =
-      contact_time(flight, ball + rules_.margin_m, window.blocker->piece, time(from_m), time(to_m));
-  if (!touch) return false;
-  const bool target_first = arc.start_m() + *touch * forward >= touch_m_ &&
-                            contact_time(flight, ball, box_, 0.0, *touch).has_value();
-  return !target_first;
+      contact_time(flight, ball + rules_.margin_m, piece, std::max(time(from_m), open_s), time(to_m));
+  return touch && !outrider::touches(flight, ball, box_, open_s, *touch);
 }
 
 double Sight::spread(const Arc& arc) const {

@@ -114,9 +114,9 @@ double signed_distance(Segment s, const RoundedPolygon& shape) {
 
 std::optional<Interval> cut(const std::vector<Vec2>& polygon, Vec2 origin, Vec2 direction, double t_low,
                             double t_high) {
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i];
-    const Vec2 edge = polygon[(i + 1) % polygon.size()] - a;
+  for (std::size_t i = 0, before = polygon.size() - 1; i < polygon.size(); before = i++) {
+    const Vec2 a = polygon[before];
+    const Vec2 edge = polygon[i] - a;
     const double outside = cross(origin - a, edge);  // positive on the outer side
     const double rate = cross(direction, edge);
     if (rate == 0.0) {

@@ -20,6 +20,10 @@ inline constexpr double contact_tolerance_m = 1e-6;
 std::optional<double> contact_time(const Flight& flight, double ball_radius_m, const Solid& solid,
                                    double from_s, double until_s);
 
+/// Whether it touches it at any time in there, sooner told than when: each look at the middle of what is left
+/// settles the times around it that the ball's distance allows for.
+bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, double from_s, double until_s);
+
 struct Contact {
   double time_s = 0.0;
   std::size_t solid = 0;  ///< index in the FlightSpace

@@ -40,16 +40,19 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
 
 /// What was tried before a target is called unreachable.
 struct Exhausted {
-  std::size_t places = 0;                 ///< standable cells within reach
-  std::uint64_t flights = 0;              ///< decided, none of them a hit with the margin
-  std::vector<std::uint64_t> blocked_by;  ///< by solid: flights it stopped
-  std::optional<std::size_t> found;       ///< a cell with a hit, where the search ended
-  Shot shot;                              ///< from there
+  std::size_t places = 0;     ///< standable cells within reach
+  std::uint64_t flights = 0;  ///< decided; none is a hit with the margin, but for the one of `found`
+  std::vector<std::uint64_t>
+      blocked_by;                    ///< by solid: flights that it stops; one that several stop counts once
+  std::optional<std::size_t> found;  ///< a cell with a hit, where the search ended
+  Shot shot;                         ///< from there
 };
 
 /// As firing_region, with aim points at most `aim_step_m` apart: across the outline that the target shows
 /// to each place (sight.hpp, aim_points) and over its height; stops at the first hit. Without a hit it is
-/// the proof, at this resolution, that there is none. O(places in reach x pitches x aim points).
+/// the proof, at this resolution, that there is none. The flights over one place, bearing and pitch stand
+/// above one another, so a blocker settles a whole run of them at once; the rest is decided one by one.
+/// O(places in reach x pitches x bearings), times the heights at worst.
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable);
 

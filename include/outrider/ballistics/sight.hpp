@@ -32,6 +32,8 @@ struct Arc {
   const Elevation* at = nullptr;
   double height_m = 0.0;  ///< of the muzzle, world
   double drop = 0.0;      ///< k of flight.hpp
+  double end_m = 0.0;     ///< where it is in the target: at its near side, or else at the aim point
+  double lowest_m = 0.0;  ///< height that it does not fall below until there, world
 
   [[nodiscard]] double start_m() const { return at->tip.x; }
   [[nodiscard]] double z(double distance_m) const {
@@ -62,7 +64,8 @@ class Sight {
  public:
   Sight(const ShotRules& rules, const Target& target);
 
-  /// Turns to the aim point `aim` (world) from `position`, among the blockers `near` only.
+  /// Turns to the aim point `aim` (world) from `position`, among the blockers `near` only, which are asked in
+  /// their order and kept by reference.
   void look(Vec2 position, Vec2 aim, const std::vector<const Blocker*>& near);
 
   [[nodiscard]] Vec2 position() const { return position_; }
@@ -73,10 +76,24 @@ class Sight {
   /// The first window whose blocker stops the arc before the target; null when it hits.
   [[nodiscard]] Window* stopped_by(const Arc& arc);
   [[nodiscard]] bool stops(Window& window, const Arc& arc);
+  /// The window of that index among those on the line, in the order of `near`; null after the last. Stays
+  /// where it is until the next look().
+  [[nodiscard]] Window* window(std::size_t index);
+
+  /// Of ascending heights at the aim point, how many an arc at that elevation passes: the first ones.
+  [[nodiscard]] std::size_t passes(const Elevation& at, const std::vector<double>& aim_z_m) const;
+  /// Takes from both ends of the part [first, last) of these heights those whose arcs are seen inside what
+  /// the window forbids, before the target. At one distance the height of an arc is linear in that of its
+  /// aim, so what is in between two of them is seen there as well. Never says that an arc is not stopped.
+  void trim(Window& window, const Elevation& at, const std::vector<double>& aim_z_m, std::size_t& first,
+            std::size_t& last);
   /// spread() of an arc whose aim point is the target's centre.
   [[nodiscard]] double spread(const Arc& arc) const;
 
  private:
+  [[nodiscard]] double fall(const Elevation& at, double reach_m, double aim_z_m) const {
+    return rules_.floor_z_m + at.tip.y + reach_m * at.tangent - aim_z_m;
+  }
   void look_inside(Window& window) const;
   [[nodiscard]] bool enters(const Arc& arc, Interval over, double low_m, double high_m) const;
   [[nodiscard]] bool touches(const Window& window, const Arc& arc, double from_m, double to_m) const;
@@ -92,7 +109,9 @@ class Sight {
   double aim_m_ = 0.0;    ///< distance of the aim point
   double touch_m_ = 0.0;  ///< before this distance the ball cannot touch the target
   double entry_m_ = 0.0;  ///< distance at which the line enters the target's footprint
-  std::vector<Window> windows_;
+  const std::vector<const Blocker*>* near_ = nullptr;
+  std::size_t looked_at_ = 0;    ///< of `near_`, how many have their window if they have one
+  std::vector<Window> windows_;  ///< room for all of them
 };
 
 /// Half of the target's size along and across a direction of sight; both directions are unit vectors.

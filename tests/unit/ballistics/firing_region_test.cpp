@@ -207,6 +207,78 @@ TEST(Exhaust, TriesPlacesBesideALongTarget) {
   EXPECT_TRUE(best_shot({}, space, row, frame.centre({0, 0}), 0.0).has_value());
 }
 
+/// The same lattice, flight by flight.
+Exhausted exhaust_slowly(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                         const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+  const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
+  std::vector<const Blocker*> every;
+  for (const Blocker& blocker : all) every.push_back(&blocker);
+  Exhausted tried;
+  Sight sight(rules, target);
+  for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+    const Vec2 place = frame.centre(frame.cell(cell));
+    if (standable[cell] == 0 || !clear_of(rules, target, place)) continue;
+    const std::uint64_t before = tried.flights;
+    for (const Vec2 aim : aim_points(target, place, rules.aim_step_m)) {
+      for (const double up : offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m)) {
+        for (const double pitch : pitch_lattice(rules)) {
+          const Elevation at = elevation(rules, pitch);
+          sight.look(place, aim, every);
+          const auto arc = sight.arc(at, target.centre().z + up);
+          if (!arc) continue;
+          ++tried.flights;
+          if (sight.stopped_by(*arc) != nullptr) continue;
+          tried.found = cell;
+          tried.shot = sight.shot(*arc);
+          return tried;
+        }
+      }
+    }
+    tried.places += tried.flights > before ? 1 : 0;
+  }
+  return tried;
+}
+
+TEST(Exhaust, DecidesManyFlightsAtOnceAsOneByOne) {
+  Rng rng(43);
+  ShotRules rules;
+  rules.pitch_step_rad = radians(5.0);
+  rules.aim_step_m = 0.08;
+  const GridFrame frame = covering({{-1.8, -1.8}, {1.8, 1.8}}, 0.45);
+  std::size_t found = 0;
+  std::size_t proven = 0;
+  for (int i = 0; i < cases(60); ++i) {
+    SmallYard yard = random_small_yard(rng, 8, 1.2);
+    if (i % 3 != 0) {  // walls around it, some of them high enough
+      for (const Solid& wall : four_walls(0.5, rng.uniform(0.4, 2.5))) yard.solids.push_back(wall);
+      yard.target.base = {0.1 * rng.uniform(), 0.1 * rng.uniform(), 0.0};
+    }
+    const FlightSpace space(yard.solids);
+    std::vector<std::uint8_t> outside(frame.size(), 0);
+    for (std::size_t c = 0; c < frame.size(); ++c) {
+      const Vec2 p = frame.centre(frame.cell(c));
+      outside[c] = std::max(std::abs(p.x), std::abs(p.y)) > 0.9 ? 1 : 0;
+    }
+    const Exhausted fast = exhaust(rules, space, yard.target, frame, outside);
+    const Exhausted slow = exhaust_slowly(rules, space, yard.target, frame, outside);
+    ASSERT_EQ(fast.found, slow.found) << i;
+    (slow.found ? found : proven) += 1;
+    if (slow.found) {
+      EXPECT_EQ(fast.shot.yaw_rad, slow.shot.yaw_rad) << i;
+      EXPECT_EQ(fast.shot.pitch_rad, slow.shot.pitch_rad) << i;
+      EXPECT_EQ(fast.shot.speed_mps, slow.shot.speed_mps) << i;
+      continue;
+    }
+    EXPECT_EQ(fast.flights, slow.flights) << i;
+    EXPECT_EQ(fast.places, slow.places) << i;
+    std::uint64_t stopped = 0;
+    for (const std::uint64_t flights : fast.blocked_by) stopped += flights;
+    EXPECT_EQ(stopped, fast.flights) << i;
+  }
+  EXPECT_GT(found, 10U);
+  EXPECT_GT(proven, 10U);
+}
+
 /// Small random yards: what is called unreachable is refuted aim by aim and pitch by pitch; what is found
 /// flies; and best_shot finds a shot wherever exhaust does.
 TEST(Exhaust, AgreesWithBruteForceOnRandomYards) {

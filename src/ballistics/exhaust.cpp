@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/ballistics/firing_region.hpp"
+#include "outrider/ballistics/sight.hpp"
+
+namespace outrider {
+namespace {
+
+/// Aim heights of one pitch whose flights are not decided yet: [first, last).
+struct Open {
+  std::size_t pitch;
+  std::size_t first;
+  std::size_t last;
+};
+
+class Exhaustion {
+ public:
+  Exhaustion(const ShotRules& rules, const FlightSpace& space, const Target& target)
+      : rules_(rules),
+        target_(target),
+        all_(blockers(space, rules.gun.ball_radius_m + rules.margin_m)),
+        stopped_last_(all_.size(), 0),
+        sight_(rules, target) {
+    for (const double pitch : pitch_lattice(rules)) lattice_.push_back(elevation(rules, pitch));
+    for (const double up : offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m)) {
+      aim_z_.push_back(target.centre().z + up);
+    }
+    result.blocked_by.assign(space.solids().size(), 0);
+  }
+
+  [[nodiscard]] const std::vector<Blocker>& blockers_of_space() const { return all_; }
+
+  /// Tries a place; false at the first hit.
+  bool try_place(std::size_t cell, Vec2 position, const std::vector<const Blocker*>& near) {
+    if (!clear_of(rules_, target_, position)) return true;
+    ++visits_;
+    near_ = near;  // what stopped the flights from the places before first
+    std::stable_sort(near_.begin(), near_.end(), [this](const Blocker* a, const Blocker* b) {
+      return stopped_last_[index(a)] > stopped_last_[index(b)];
+    });
+    bool in_range = false;
+    for (const Vec2 aim : aim_points(target_, position, rules_.aim_step_m)) {
+      sight_.look(position, aim, near_);
+      open_.clear();
+      for (std::size_t i = 0; i < lattice_.size(); ++i) {
+        if (const std::size_t count = sight_.passes(lattice_[i], aim_z_)) open_.push_back({i, 0, count});
+      }
+      in_range = in_range || !open_.empty();
+      decide_together();
+      if (decide_one_by_one(cell)) break;
+    }
+    result.places += in_range ? 1 : 0;
+    return !result.found.has_value();
+  }
+
+  Exhausted result;
+
+ private:
+  [[nodiscard]] std::size_t index(const Blocker* blocker) const {
+    return static_cast<std::size_t>(blocker - all_.data());
+  }
+
+  void count(const Blocker& blocker, std::size_t flights) {
+    result.flights += flights;
+    result.blocked_by[blocker.solid] += flights;
+    stopped_last_[index(&blocker)] = visits_;
+  }
+
+  /// Window by window, the flights that are seen in what it forbids.
+  void decide_together() {
+    for (std::size_t w = 0; !open_.empty(); ++w) {
+      Window* const window = sight_.window(w);
+      if (window == nullptr) return;
+      std::size_t stopped = 0;
+      std::erase_if(open_, [&](Open& open) {
+        const std::size_t before = open.last - open.first;
+        sight_.trim(*window, lattice_[open.pitch], aim_z_, open.first, open.last);
+        stopped += before - (open.last - open.first);
+        return open.first == open.last;
+      });
+      if (stopped > 0) count(*window->blocker, stopped);
+    }
+  }
+
+  /// What is left, from the lowest aim and the flattest pitch on; true at the first hit.
+  bool decide_one_by_one(std::size_t cell) {
+    for (std::size_t z = 0; !open_.empty() && z < aim_z_.size(); ++z) {
+      for (const Open& open : open_) {
+        if (z < open.first || z >= open.last) continue;
+        const auto arc = sight_.arc(lattice_[open.pitch], aim_z_[z]);
+        if (const Window* stop = sight_.stopped_by(*arc)) {
+          count(*stop->blocker, 1);
+          continue;
+        }
+        ++result.flights;
+        result.found = cell;
+        result.shot = sight_.shot(*arc);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const ShotRules& rules_;
+  const Target& target_;
+  std::vector<Blocker> all_;
+  std::vector<std::uint64_t> stopped_last_;  ///< by blocker: the last place from which it stopped a flight
+  std::vector<Elevation> lattice_;
+  std::vector<double> aim_z_;  ///< heights of the aim points, world, ascending
+  Sight sight_;
+  std::uint64_t visits_ = 0;
+  std::vector<const Blocker*> near_;
+  std::vector<Open> open_;
+};
+
+}  // namespace
+
+Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                  const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+  Exhaustion exhaustion(rules, space, target);
+  sweep(exhaustion.blockers_of_space(), xy(target.base), longest_range(rules, target),
+        0.5 * std::hypot(target.size.x, target.size.y), frame, standable,
+        [&](std::size_t cell, const std::vector<const Blocker*>& near) {
+          return exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
+        });
+  return std::move(exhaustion.result);
+}
+
+}  // namespace outrider
