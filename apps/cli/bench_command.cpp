@@ -314,6 +314,7 @@ void add_bench(CLI::App& app, int& status) {
   path->callback([command, &status] { status = execute(*command); });
   path->footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
   add_bench_pursuit(*bench, status);
+  add_bench_guard(*bench, status);
 }
 
 }  // namespace outrider::cli

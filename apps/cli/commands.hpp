@@ -14,6 +14,7 @@ void add_replay(CLI::App& app, int& status);
 void add_bench(CLI::App& app, int& status);
 /// Add themselves to `bench`.
 void add_bench_pursuit(CLI::App& bench, int& status);
+void add_bench_guard(CLI::App& bench, int& status);
 void add_list(CLI::App& app, int& status);
 void add_schema(CLI::App& app, int& status);
 

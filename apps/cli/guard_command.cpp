@@ -10,14 +10,17 @@
 #include "flags.hpp"
 #include "guard_summary.hpp"
 #include "output.hpp"
+#include "outrider/guard/catalog.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "outrider/sim/watch_run.hpp"
 #include "progress.hpp"
 #include "pursue_command.hpp"
+#include "regions_picture.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -28,7 +31,10 @@ struct GuardCommand {
   std::string out;
   bool html = false;
   bool svg = false;
+  bool regions = false;
+  std::string planner;
   std::int64_t threads = 0;
+  bool prove = false;
   GuardScenario scenario;
 };
 
@@ -40,12 +46,17 @@ OptionGroup describe_output(GuardCommand& command) {
        {"out", "", 0, 0, "folder for the report and the pictures", &command.out},
        {"html", "", 0, 0, "write a page that plays the mission, in the folder", &command.html},
        {"svg", "", 0, 0, "write a moving picture of the mission, in the folder", &command.svg},
-       {"threads", "", 0, 1024, "threads to plan with; 0: all; the answer is the same", &command.threads}}};
+       {"regions", "", 0, 0, "write firing_regions.svg, heat maps of the firing regions, in the folder",
+        &command.regions},
+       {"planner", "", 0, 0, "a planner of 'outrider list'; the same as --plan-planner", &command.planner},
+       {"threads", "", 0, 1024, "threads to plan with; 0: all; the answer is the same", &command.threads},
+       {"prove", "", 0, 0, "as --plan-prove: a better lower bound, so a smaller gap", &command.prove}}};
 }
 
 struct GuardResult {
   Report report;
   double planning_s = 0.0;
+  std::string regions;  ///< the picture, where it was asked for
 };
 
 /// Scenario file, then flags, then the files that they name; returns what was repaired.
@@ -57,6 +68,8 @@ Outcome<std::vector<std::string>> read_input(GuardCommand& command, const CLI::A
     resolve_paths(scenario, command.scenario_path);
   }
   if (auto ok = apply_flags(flags, groups); !ok) return pass_on(ok);
+  scenario.options.prove = scenario.options.prove || command.prove;
+  if (!command.planner.empty()) scenario.options.planner = command.planner;
   return load_problem(scenario);
 }
 
@@ -77,19 +90,26 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
   auto warnings = read_input(command, flags);
   if (!warnings) return pass_on(warnings);
   const GuardScenario& scenario = command.scenario;
+  auto planner = find_guard_planner(scenario.options.planner);
+  if (!planner) return pass_on(planner);
 
   const auto begin = std::chrono::steady_clock::now();
   progress.next("surveying from where each target can be hit");
   auto site = survey(scenario.problem, scenario.options);
   if (!site) return pass_on(site);
   progress.next("planning the tour");
-  auto plan = plan_guard(scenario.problem, *site, scenario.options, {});
+  auto plan = planner->plan(scenario.problem, *site, scenario.options, {});
   if (!plan) return pass_on(plan);
   const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - begin;
 
   progress.next("driving and shooting");
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  GuardResult result{run_guard(scenario.problem, *site, *plan, scenario.options, seed), planning.count()};
+  auto report = scenario.arrivals.any() ? keep_watch(scenario.problem, *site, *plan, scenario.intruders,
+                                                     scenario.arrivals, scenario.options, seed)
+                                        : run_guard(scenario.problem, *site, *plan, scenario.options, seed);
+  if (!report) return pass_on(report);
+  GuardResult result{std::move(*report), planning.count(), {}};
+  if (command.regions) result.regions = regions_svg(scenario.problem, *site);
   result.report.warnings = std::move(*warnings);
   result.report.settings = settings_of(command.scenario);
   return result;
@@ -97,8 +117,9 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
 
 /// Writes what was asked for into the folder; returns the path of the report, or nothing without a folder.
 /// The pictures are made from the text of the report, so that a replay makes the same.
-Outcome<std::string> write_files(const GuardCommand& command, const Report& report) {
+Outcome<std::string> write_files(const GuardCommand& command, const GuardResult& result) {
   if (command.out.empty()) return std::string{};
+  const Report& report = result.report;
   const std::string stem = command.out + "/" + report.job;
   std::vector<std::pair<std::string, std::string>> files{{stem + ".json", to_json(report)}};
   if (command.html || command.svg) {
@@ -107,6 +128,7 @@ Outcome<std::string> write_files(const GuardCommand& command, const Report& repo
     if (command.html) files.emplace_back(stem + ".html", to_html(*stored));
     if (command.svg) files.emplace_back(stem + ".svg", to_animated_svg(*stored, 24.0));
   }
+  if (command.regions) files.emplace_back(command.out + "/firing_regions.svg", result.regions);
   if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
   for (const auto& [path, content] : files) {
     if (auto ok = write_file(path, content); !ok) return pass_on(ok);
@@ -116,8 +138,10 @@ Outcome<std::string> write_files(const GuardCommand& command, const Report& repo
 
 Status check_output(const GuardCommand& command, const CLI::App& flags) {
   if (flags.get_option("--out")->count() > 0) return check_folder(command.out);
-  if (!command.html && !command.svg) return {};
-  return bad_input("a page or a picture needs a folder; give --out DIR", command.html ? "--html" : "--svg");
+  if (!command.html && !command.svg && !command.regions) return {};
+  return bad_input("a page or a picture needs a folder; give --out DIR", command.html  ? "--html"
+                                                                         : command.svg ? "--svg"
+                                                                                       : "--regions");
 }
 
 void print_text(const GuardCommand& command, const GuardResult& result, const std::string& path) {
@@ -127,6 +151,7 @@ void print_text(const GuardCommand& command, const GuardResult& result, const st
   fmt::print("\n  report   {}\n", path);
   if (command.html) fmt::print("  watch    {}.html\n", stem);
   if (command.svg) fmt::print("  picture  {}.svg\n", stem);
+  if (command.regions) fmt::print("  regions  {}/firing_regions.svg\n", command.out);
 }
 
 int execute(GuardCommand& command, const CLI::App& flags) {
@@ -143,7 +168,7 @@ int execute(GuardCommand& command, const CLI::App& flags) {
   for (const std::string& warning : result->report.warnings) {
     fmt::print(stderr, "outrider: warning: {}\n", warning);
   }
-  const auto path = write_files(command, result->report);
+  const auto path = write_files(command, *result);
   if (!path) return say(path.error(), command.json);
 
   if (command.json) {

@@ -18,6 +18,22 @@ double metric(const Report& report, const std::string& name) {
   return found == report.metrics.end() ? 0.0 : found->second;
 }
 
+bool has_metric(const Report& report, const std::string& name) {
+  return std::any_of(report.metrics.begin(), report.metrics.end(),
+                     [&](const auto& entry) { return entry.first == name; });
+}
+
+std::string watch_summary(const Report& report) {
+  return fmt::format(
+      "\n  drove {:.1f} m, fired {:.0f} shots, planned {:.0f} times\n"
+      "  intruders were inside for {:.1f} s in all, {:.1f} s at most; no policy makes it less than {:.1f} s\n"
+      "  the last was hit after {}; no policy makes it less than {}\n",
+      metric(report, "driven_m"), metric(report, "shots"), metric(report, "plans"),
+      metric(report, "intruder_seconds"), metric(report, "longest_s"),
+      metric(report, "intruder_seconds_bound"), duration_text(metric(report, "makespan_s")),
+      duration_text(metric(report, "makespan_bound_s")));
+}
+
 std::string target_row(const ReportTarget& target, std::size_t width) {
   if (target.shots == 0) {
     return fmt::format("  {:<{}}  {:<11}  {}\n", target.name, width, target.status, target.reason);
@@ -61,12 +77,13 @@ std::string summary(const Report& report) {
   text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,
                       "status", "shots", "at s", "from m", "pitch", "m/s", "clear m");
   for (const ReportTarget& target : report.targets) text += target_row(target, width);
+  if (has_metric(report, "intruder_seconds")) return text + watch_summary(report);
   text += fmt::format(
       "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"
-      "  planned {}; at this resolution no mission is shorter than {}\n",
+      "  planned {}; at this resolution no mission is shorter than {}, a gap of {:.1f} %\n",
       metric(report, "driven_m"), degrees(metric(report, "turned_rad")), metric(report, "shots"),
       metric(report, "stops"), duration_text(metric(report, "planned_s")),
-      duration_text(metric(report, "lower_bound_s")));
+      duration_text(metric(report, "lower_bound_s")), 100.0 * metric(report, "gap"));
   return text;
 }
 

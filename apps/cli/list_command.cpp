@@ -5,6 +5,8 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "outrider/guard/catalog.hpp"
+#include "outrider/guard/policy.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"
 
@@ -33,6 +35,21 @@ std::vector<std::string> grounds_of(const PathPlanner& planner) {
   return grounds;
 }
 
+nlohmann::ordered_json policies_json() {
+  auto policies = nlohmann::ordered_json::array();
+  for (const WatchPolicy& policy : watch_policies()) {
+    policies.push_back({{"name", policy.name}, {"sentence", policy.sentence}, {"source", policy.source}});
+  }
+  return policies;
+}
+
+void list_policies() {
+  fmt::print("\nGuard policies, when intruders keep coming (outrider guard --arrivals-policy NAME)\n");
+  for (const WatchPolicy& policy : watch_policies()) {
+    fmt::print("  {}\n      {}\n      Source: {}.\n", policy.name, policy.sentence, policy.source);
+  }
+}
+
 void list_json() {
   auto job_list = nlohmann::ordered_json::array();
   for (const Job& job : jobs) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
@@ -49,6 +66,10 @@ void list_json() {
                         {"many_goals", static_cast<bool>(planner.configure().plan_many)},
                         {"cost_unit", unit_of(planner.guarantee.measure)}});
   }
+  auto guards = nlohmann::ordered_json::array();
+  for (const GuardPlanner& planner : guard_planners()) {
+    guards.push_back({{"name", planner.name}, {"sentence", planner.sentence}, {"source", planner.source}});
+  }
   auto pursuers = nlohmann::ordered_json::array();
   for (const PursuitPlanner& planner : pursuit_planners()) {
     pursuers.push_back({{"name", planner.name},
@@ -58,12 +79,20 @@ void list_json() {
                         {"complete", planner.guarantee.complete},
                         {"optimal", planner.guarantee.optimal}});
   }
-  print({{"jobs", job_list}, {"path_planners", planners}, {"pursuit_planners", pursuers}});
+  print({{"jobs", job_list},
+         {"guard_planners", guards},
+         {"path_planners", planners},
+         {"pursuit_planners", pursuers},
+         {"guard_policies", policies_json()}});
 }
 
 void list_text() {
   fmt::print("Jobs\n");
   for (const Job& job : jobs) fmt::print("  {}\n      {}\n", job.name, job.sentence);
+  fmt::print("\nGuard planners (outrider guard --planner NAME)\n");
+  for (const GuardPlanner& planner : guard_planners()) {
+    fmt::print("  {}\n      {}\n      Source: {}.\n", planner.name, planner.sentence, planner.source);
+  }
   fmt::print("\nPath planners (outrider plan --planner NAME)\n");
   for (const PathPlanner& planner : path_planners()) {
     fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
@@ -76,6 +105,7 @@ void list_text() {
     fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
     fmt::print("      Guarantee: {}.\n      Source: {}.\n", planner.guarantee.sentence, planner.paper);
   }
+  list_policies();
 }
 
 }  // namespace

@@ -142,12 +142,16 @@ GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
   return mission;
 }
 
+void hear(GuardMission& mission, const Observation& seen, const GuardProblem& problem) {
+  if (std::exchange(mission.fired, false)) note_result(mission, seen.hit.value_or(false), seen, problem);
+}
+
 std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
                             const Site& site) {
-  if (std::exchange(mission.fired, false)) note_result(mission, seen.hit.value_or(false), seen, problem);
+  hear(mission, seen, problem);
   for (;;) {
     if (mission.errands.empty()) {
-      if (mission.second_pass) return std::nullopt;
+      if (mission.second_pass || mission.keeps_watch) return std::nullopt;
       plan_second_pass(mission, problem, site);
       continue;
     }

@@ -14,6 +14,7 @@ std::vector<Option> describe(ExecutionErrors& errors) {
 
 std::vector<Option> describe(GuardOptions& options) {
   return {
+      {"planner", "", 0, 0, "how the mission is planned; a name of 'outrider list'", &options.planner},
       {"resolution", "m", 0.005, 10.0, "spacing of the places where the robot may stand",
        &options.resolution_m},
       {"margin", "m", 0.0, 1.0, "clearance that a planned flight keeps from every solid", &options.margin_m},
@@ -24,7 +25,10 @@ std::vector<Option> describe(GuardOptions& options) {
       {"refinements", "", 0, 20, "times that the places near the best tour are looked at closer",
        &options.refinements},
       {"iterations", "", 0, 1e7, "iterations of the tour solver each time", &options.iterations},
+      {"group", "", 1, 8, "targets that shrinking_circles puts in order at a time", &options.group},
       {"memory_cap", "MiB", 1, 1e6, "planning that would need more memory is refused", &options.memory_mib},
+      {"prove", "", 0, 0, "spend seconds to minutes and up to half of the memory on the lower bound",
+       &options.prove},
   };
 }
 

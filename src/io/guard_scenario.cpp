@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "outrider/io/arrivals.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/targets.hpp"
 
@@ -59,12 +60,13 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"gun", "the water gun", describe(problem.gun)},
       {"errors", "the largest errors of the execution", describe(problem.errors)},
       {"plan", "the planner", describe(scenario.options)},
+      {"arrivals", "intruders that keep coming", describe(scenario.arrivals)},
   };
 }
 
 void resolve_paths(GuardScenario& scenario, const std::string& scenario_path) {
   const auto folder = std::filesystem::path(scenario_path).parent_path();
-  for (std::string* path : {&scenario.world, &scenario.targets}) {
+  for (std::string* path : {&scenario.world, &scenario.targets, &scenario.arrivals.list}) {
     if (!path->empty()) *path = (folder / *path).lexically_normal().string();
   }
 }
@@ -92,6 +94,10 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.problem.world = std::move(loaded->world);
   scenario.problem.world.bounds = *bounds;
   scenario.problem.targets = std::move(*targets);
+  auto intruders =
+      load_arrivals(scenario.problem, scenario.arrivals, static_cast<std::uint64_t>(scenario.seed));
+  if (!intruders) return pass_on(intruders);
+  scenario.intruders = std::move(*intruders);
   return std::move(loaded->warnings);
 }
 

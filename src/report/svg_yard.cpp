@@ -116,6 +116,24 @@ std::string mark(std::string_view status, double r) {
          stroke(fmt::format("M-{0} 0H{0}", number(0.5 * r)));
 }
 
+/// The stay of an intruder: it comes from its entrance, and is gone a little after it was hit.
+std::string visit(const Scene& scene, const ReportTarget& target) {
+  const ReportVisit& stay = *target.visit;
+  constexpr double lingers = 0.015;  // of the loop
+  const auto when = [&](double time_s) { return std::isfinite(time_s) ? scene.share(time_s) : 0.0; };
+  const double enters = when(stay.enters_s);
+  const double settles = std::max(enters, when(stay.settles_s));
+  const bool leaves = target.status == "reached" && std::isfinite(target.done_s);
+  const double gone = leaves ? std::max(enters, when(target.done_s) + lingers) : 1.0;
+  const std::string from = point(stay.from - xy(target.centre));
+  Frames walk;
+  for (const auto& [share, at] : {std::pair{0.0, from}, {enters, from}, {settles, "0 0"}, {1.0, "0 0"}}) {
+    walk.add(share, at);
+  }
+  return fmt::format("<g{}>{}<g>{}", enters > 0.0 ? R"( opacity="0")" : "", scene.shown(enters, gone),
+                     scene.transform("translate", walk));
+}
+
 std::string targets(const Scene& scene) {
   std::string text;
   const double r = scene.pixels(6.5);
@@ -123,6 +141,7 @@ std::string targets(const Scene& scene) {
     const double done = std::isfinite(target.done_s) ? scene.share(target.done_s) : 1.0;
     text += fmt::format(R"svg(<g transform="translate({})"><title>{}</title>)svg", point(xy(target.centre)),
                         markup_text(target.name));
+    if (target.visit) text += visit(scene, target);
     text += fmt::format(
         R"svg(<rect x="{}" y="{}" width="{}" height="{}" transform="rotate({})" fill="{}" fill-opacity=".35"/>)svg",
         number(-0.5 * target.size.x), number(-0.5 * target.size.y), number(target.size.x),
@@ -132,8 +151,8 @@ std::string targets(const Scene& scene) {
           R"svg(<circle r="{}" fill="#101820" fill-opacity=".6" stroke="{}" stroke-width="{}">{}</circle>)svg",
           number(0.85 * r), waiting, number(0.28 * r), scene.shown(0.0, done));
     }
-    text += fmt::format("<g{}>{}{}</g></g>\n", done > 0.0 ? R"( opacity="0")" : "", scene.shown(done, 1.0),
-                        mark(target.status, r));
+    text += fmt::format("<g{}>{}{}</g>{}</g>\n", done > 0.0 ? R"( opacity="0")" : "", scene.shown(done, 1.0),
+                        mark(target.status, r), target.visit ? "</g></g>" : "");
   }
   return text;
 }

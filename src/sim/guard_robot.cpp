@@ -33,25 +33,35 @@ std::string name_of_contact(const Impact& impact, const FlightSpace& space, cons
 
 }  // namespace
 
-SimulatedGuard::SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed)
+SimulatedGuard::SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed,
+                               std::vector<Intruder> intruders, bool foreseen)
     : problem_(problem),
       site_(site),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
       pose_(problem.start),
-      attempts_(problem.targets.size(), 0) {
+      attempts_(problem.targets.size(), 0),
+      intruders_(std::move(intruders)),
+      foreseen_(foreseen) {
   sample();
+}
+
+bool SimulatedGuard::news() const {
+  return seen_ < intruders_.size() && (foreseen_ || intruders_[seen_].enters_s <= time_s_);
 }
 
 Observation SimulatedGuard::sense() {
   Observation seen{time_s_, pose_, gun_yaw_rad_, gun_pitch_rad_, hit_};
   hit_.reset();
+  for (; news(); ++seen_) seen.entered.push_back({seen_, intruders_[seen_].settles_s});
+  seen.nobody_comes = seen_ == intruders_.size();
   return seen;
 }
 
 void SimulatedGuard::act(const Command& command) {
-  std::visit(Overload{[this](const FollowWaypoints& c) { follow(c.waypoints); },
-                      [this](const AimGun& c) { aim(c); }, [this](const Fire& c) { fire(c); }},
+  std::visit(Overload{[this](const FollowWaypoints& c) { follow(c.waypoints, c.until_news); },
+                      [this](const AimGun& c) { aim(c); }, [this](const Fire& c) { fire(c); },
+                      [this](const Wait& c) { wait(c); }},
              command);
 }
 
@@ -100,7 +110,17 @@ void SimulatedGuard::drive_to(Vec2 goal) {
   sample();
 }
 
-void SimulatedGuard::follow(std::vector<Vec2> waypoints) {
+void SimulatedGuard::wait(const Wait& command) {
+  double until_s = command.until_s;
+  if (seen_ < intruders_.size()) until_s = std::min(until_s, intruders_[seen_].enters_s);
+  if (!std::isfinite(until_s) || until_s <= time_s_) return;
+  log("wait", fmt::format("waits until {:.1f} s", until_s));
+  sample();
+  time_s_ = until_s;
+  sample();
+}
+
+void SimulatedGuard::follow(std::vector<Vec2> waypoints, bool until_news) {
   if (waypoints.size() < 2) return;
   // The drive ends off its goal, but never inside an obstacle: contact would have stopped the robot.
   const Vec2 before = waypoints[waypoints.size() - 2];
@@ -115,7 +135,13 @@ void SimulatedGuard::follow(std::vector<Vec2> waypoints) {
   ReportPath path{time_s_, 0.0, waypoints};
   const Vec2 goal = waypoints.back();
   log("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
-  for (std::size_t i = 1; i < waypoints.size(); ++i) drive_to(waypoints[i]);
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    drive_to(waypoints[i]);
+    if (until_news && news()) {
+      path.waypoints.resize(i + 1);
+      break;
+    }
+  }
   pose_.heading_rad = wrap_angle(pose_.heading_rad + heading_error);
   path.end_s = time_s_;
   report.paths.push_back(std::move(path));

@@ -7,7 +7,7 @@ import unittest
 from tool import DATA, SOURCE, TARGETS, ToolTest, main
 
 METRICS = ["targets", "reached", "failed", "unreachable", "reached_by_reference_rule", "planning_s", "mission_s",
-           "driven_m", "turned_rad", "shots", "lower_bound_s"]
+           "driven_m", "turned_rad", "shots", "lower_bound_s", "gap"]
 TARGET_KEYS = ["name", "status", "reason", "pose", "pitch_rad", "yaw_rad", "speed_mps", "clearance_m"]
 YARD_WORLDS = DATA / "guard" / "worlds"
 
@@ -26,6 +26,7 @@ class Guard(ToolTest):
         self.assertEqual(metrics["targets"], len(summary["targets"]))
         self.assertEqual(metrics["targets"], metrics["reached"] + metrics["failed"] + metrics["unreachable"])
         self.assertLessEqual(metrics["lower_bound_s"], metrics["mission_s"])
+        self.assertAlmostEqual(metrics["gap"], 1 - metrics["lower_bound_s"] / metrics["planned_s"])
         for target in summary["targets"]:
             self.assertEqual(list(target)[:len(TARGET_KEYS)], TARGET_KEYS)
             self.assertIn(target["status"], ["reached", "failed", "unreachable"])
@@ -48,6 +49,13 @@ class Guard(ToolTest):
         report = json.loads((self.folder / summary["report"]).read_text())
         self.assertEqual(report["status"], "done")
         self.assertEqual(len(report["targets"]), 3)
+
+    def test_prove_makes_the_gap_no_larger(self):
+        gaps = [self.json_of(self.run_tool(*self.guard("--json", *flags)))["metrics"]["gap"]
+                for flags in [[], ["--prove"], ["--plan-prove"]]]
+        self.assertGreater(gaps[1], 0)
+        self.assertLessEqual(gaps[1], gaps[0])
+        self.assertEqual(gaps[1], gaps[2])
 
     def test_without_a_folder_nothing_is_written(self):
         before = self.tree()

@@ -42,11 +42,16 @@ struct GuardMission {
   bool aimed = false;                 ///< the gun has been told where to point
   bool fired = false;                 ///< the last command was a shot
   bool second_pass = false;
+  bool keeps_watch = false;      ///< more may come: no second pass yet when the errands are done
   Vec2 last_place;               ///< where the robot was last sent
   std::optional<Routes> routes;  ///< of the plan
 };
 
 GuardMission begin(const GuardProblem& problem, const GuardPlan& plan);
+
+/// Takes note of what the observation says of the last shot. step() does that too; whoever changes the
+/// errands in between does it first.
+void hear(GuardMission& mission, const Observation& seen, const GuardProblem& problem);
 
 /// The next command, or nothing when the mission is over. Changes `mission` only. The observation after a
 /// shot says whether it hit; where it does not, the shot counts as a miss. At most 2 `tries` shots are

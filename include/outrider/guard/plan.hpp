@@ -33,9 +33,12 @@ struct GuardPlan {
   std::vector<Unreachable> unreachable;
   std::optional<Routes> routes;  ///< between the start and the stops; nothing when there are none
   double cost_s = 0.0;           ///< mission time if nothing goes wrong
-  double lower_bound_s = 0.0;    ///< no plan that hits from cells of the regions takes less
+  double lower_bound_s = 0.0;    ///< no plan that hits from cells of the regions takes less (bound.hpp)
   bool tour_proven = false;      ///< no better tour of the stops last looked at exists
   std::size_t places = 0;        ///< cells that can be driven to
+
+  /// The part of the cost that the bound leaves open: at most this much of it could be saved.
+  [[nodiscard]] double gap() const { return cost_s > 0.0 ? 1.0 - lower_bound_s / cost_s : 0.0; }
 };
 
 /// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the

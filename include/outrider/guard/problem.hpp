@@ -1,6 +1,7 @@
 // The guard problem: hit every target in a yard with a ballistic water gun, soonest.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
@@ -30,6 +31,7 @@ struct GuardProblem {
 };
 
 struct GuardOptions {
+  std::string planner = "best_tour";     ///< a name of the catalogue (catalog.hpp)
   double resolution_m = 0.1;             ///< of the places where the robot may stand
   double margin_m = 0.03;                ///< from a planned flight to every solid
   double pitch_step_rad = radians(2.5);  ///< of the pitches tried
@@ -37,7 +39,9 @@ struct GuardOptions {
   std::int64_t stops = 300;              ///< places handed to the tour solver at a time
   std::int64_t refinements = 2;          ///< times that places near the best tour are looked at closer
   std::int64_t iterations = 1000;        ///< of the tour solver, each time
+  std::int64_t group = 4;                ///< targets in a group of shrinking_circles
   std::int64_t memory_mib = 2048;        ///< planning that would need more is refused
+  bool prove = false;                    ///< spend more time and memory on the lower bound
 };
 
 std::vector<Option> describe(ExecutionErrors& errors);

@@ -6,6 +6,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/guard/arrivals.hpp"
 #include "outrider/guard/problem.hpp"
 
 namespace outrider {
@@ -19,9 +20,11 @@ struct GuardScenario {
   std::int64_t seed = 1;
   GuardProblem problem;  ///< robot, gun and errors; world and targets once loaded
   GuardOptions options;
+  ArrivalOptions arrivals;
+  std::vector<Intruder> intruders;  ///< of `arrivals`, once loaded; none in a still yard
 };
 
-/// Top-level keys first, then the sections robot, gun, errors and plan.
+/// Top-level keys first, then the sections robot, gun, errors, plan and arrivals.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
 /// Makes the paths in a scenario, which are relative to its file, relative to here.

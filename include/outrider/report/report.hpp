@@ -77,7 +77,8 @@ struct ReportTarget {
   double clearance_m = 0.0;
   double done_s = 0.0;  ///< when its status became final
   int shots = 0;
-  std::optional<ReportVisit> visit = {};  ///< of one that was not there from the start; it leaves when reached
+  std::optional<ReportVisit> visit =
+      {};  ///< of one that was not there from the start; it leaves when reached
 };
 
 struct ReportEvent {

@@ -7,6 +7,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/execute/robot.hpp"
+#include "outrider/guard/arrivals.hpp"
 #include "outrider/guard/site.hpp"
 #include "outrider/report/report.hpp"
 
@@ -14,8 +15,10 @@ namespace outrider {
 
 class SimulatedGuard final : public Robot {
  public:
-  /// The references must outlive the robot.
-  SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed);
+  /// The references must outlive the robot. Where intruders come, they are the targets, in the order of
+  /// entering; `foreseen`: all are seen at the start.
+  SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed,
+                 std::vector<Intruder> intruders = {}, bool foreseen = false);
 
   Observation sense() override;
   void act(const Command& command) override;
@@ -25,12 +28,14 @@ class SimulatedGuard final : public Robot {
   double turned_rad = 0.0;
 
  private:
-  void follow(std::vector<Vec2> waypoints);
+  void follow(std::vector<Vec2> waypoints, bool until_news);
   void aim(const AimGun& command);
   void fire(const Fire& command);
+  void wait(const Wait& command);
   void turn_to(double heading_rad);
   void drive_to(Vec2 goal);
   void sample();
+  [[nodiscard]] bool news() const;
   void log(std::string kind, std::string text);
 
   const GuardProblem& problem_;
@@ -43,6 +48,9 @@ class SimulatedGuard final : public Robot {
   double gun_pitch_rad_ = 0.0;
   std::optional<bool> hit_;
   std::vector<int> attempts_;  // by target
+  std::vector<Intruder> intruders_;
+  bool foreseen_ = false;
+  std::size_t seen_ = 0;  // intruders that have been told of
 };
 
 }  // namespace outrider

@@ -78,7 +78,21 @@ targets.forEach((target) => {
   target.end_s = finite(target.done_s, duration);
   target.fired = shots.filter((shot) => shot.target === target.name);
 });
-const statusAt = (target, t) => (t >= target.end_s - 1e-9 ? target.status : "waiting");
+function statusAt(target, t) {
+  if (t >= target.end_s - 1e-9) return target.status;
+  return t < finite(target.visit?.enters_s) ? "outside" : "waiting";
+}
+
+/** How far from its place a target is at t; null when it is not in the yard: intruders come and go. */
+function offsetAt(target, t) {
+  const { visit } = target;
+  if (!visit) return [0, 0];
+  const gone = target.status === "reached" && t > target.end_s + 4;
+  if (t < visit.enters_s || gone) return null;
+  const walk = visit.settles_s - visit.enters_s;
+  const left = walk > 0 ? 1 - clamp((t - visit.enters_s) / walk, 0, 1) : 0;
+  return [0, 1].map((k) => left * (visit.from[k] - finite(target.centre[k])));
+}
 
 /** The last event that has happened at t. */
 function eventAt(t) {

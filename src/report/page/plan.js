@@ -380,8 +380,11 @@ class PlanView {
   drawTargets(ctx) {
     const { camera, now } = this;
     targets.forEach((target, i) => {
+      const offset = offsetAt(target, now.t);
+      if (!offset) return;
       const status = statusAt(target, now.t);
       camera.toPlane(ctx);
+      ctx.translate(...offset);
       ctx.fillStyle = ctx.strokeStyle = statusColour(status);
       ctx.globalAlpha = 0.35;
       ctx.fill(this.boxes[i]);
@@ -389,7 +392,7 @@ class PlanView {
       ctx.lineWidth = camera.px(1.2);
       ctx.stroke(this.boxes[i]);
       camera.toScreen(ctx);
-      const at = camera.screen(finite(target.centre[0]), finite(target.centre[1]));
+      const at = camera.screen(finite(target.centre[0]) + offset[0], finite(target.centre[1]) + offset[1]);
       drawSign(ctx, status, at.x, at.y, 6);
       if (target === now.target) {
         ctx.strokeStyle = theme.ink;
@@ -473,6 +476,8 @@ class PlanView {
     ctx.textBaseline = "middle";
     ctx.lineJoin = "round";
     for (const { text, x, y, target } of this.labels) {
+      const offset = offsetAt(target, this.now.t);
+      if (!offset || offset[0] !== 0 || offset[1] !== 0) continue;  // named once it is in its place
       ctx.font = `${target === this.now.target ? 650 : 450} 11.5px ${theme.sans}`;
       ctx.strokeStyle = theme.yard;
       ctx.lineWidth = 3.5;
@@ -491,7 +496,9 @@ class PlanView {
     let target = null;
     let least = 13;
     for (const one of targets) {
-      const sign = camera.screen(finite(one.centre[0]), finite(one.centre[1]));
+      const offset = offsetAt(one, now.t);
+      if (!offset) continue;
+      const sign = camera.screen(finite(one.centre[0]) + offset[0], finite(one.centre[1]) + offset[1]);
       const distance = Math.hypot(sign.x - at.x, sign.y - at.y);
       if (distance < least) [least, target] = [distance, one];
     }

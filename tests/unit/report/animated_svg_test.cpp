@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -131,6 +132,31 @@ TEST(AnimatedSvg, MovesTheRobotAlongTheTrack) {
     std::stringstream(places[next]) >> b.x >> b.y;
     const TrackSample truth = sample_at(report.track, clock.to_run(share * clock.loop_s()));
     EXPECT_LT(distance(a + part * (b - a), truth.pose.position), 0.02) << share;
+  }
+}
+
+TEST(AnimatedSvg, LetsIntrudersComeAndGo) {
+  Report report = test::sample_report();
+  ReportTarget& target = report.targets[0];
+  ASSERT_EQ(target.status, "reached");
+  target.visit = ReportVisit{"gate", {1.0, 2.0}, 0.25 * target.done_s, 0.5 * target.done_s};
+  const std::string svg = to_animated_svg(report, 24.0);
+  expect_sound(svg);
+  const std::string from = fmt::format("{:.3f}", 1.0 - target.centre.x);
+  const auto walk = [&](const std::string& tag) {
+    const auto places = split(attribute(tag, "values"));
+    return attribute(tag, "type") == "translate" && places.size() == 4 && places[0] == places[1] &&
+           std::stod(places[0]) == std::stod(from) && places[2] == "0 0";
+  };
+  const auto stay = [](const std::string& tag) { return attribute(tag, "values") == "0;1;0"; };
+  const auto all = tags(svg);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), walk), 1);
+  EXPECT_GE(std::count_if(all.begin(), all.end(), stay), 1);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const ReportVisit& odd : {ReportVisit{"", {none, none}, none, none}, ReportVisit{"", {}, 1e12, -1e12},
+                                 ReportVisit{"", {}, -1e12, 1e12}}) {
+    target.visit = odd;
+    expect_sound(to_animated_svg(report, 24.0));
   }
 }
 

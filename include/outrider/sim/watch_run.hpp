@@ -1,0 +1,22 @@
+// A whole watch, simulated: intruders come, the policy plans, the robot drives and shoots, a report tells.
+#pragma once
+
+#include "outrider/execute/watch_mission.hpp"
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+/// The report is a pure function of the arguments. Its targets are the intruders, with their visits.
+/// Metrics that a guard run has not: intruder_seconds, the time inside of all intruders that can be hit,
+/// summed, where who is not hit stays until the end; makespan_s, when the last of them was hit (the end
+/// when one was not); longest_s, the longest time inside; plans; the bounds of watch_bound.hpp.
+Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed);
+
+/// The same from a surveyed yard and the plan for all its targets: the outlook is made, the policy and the
+/// objective are those that `arrivals` names. Refused as find_watch_policy(), find_objective(),
+/// watch_over() and look_out().
+Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                           const std::vector<Intruder>& intruders, const ArrivalOptions& arrivals,
+                           const GuardOptions& options, std::uint64_t seed);
+
+}  // namespace outrider

@@ -1,0 +1,64 @@
+#include "assemble.hpp"
+
+#include "reason.hpp"
+
+namespace outrider {
+namespace {
+
+/// Time of the plan if nothing goes wrong: turns, drives, aims and flights in their order.
+double mission_time(const GuardProblem& problem, const GuardPlan& plan) {
+  double time = 0.0;
+  double heading = problem.start.heading_rad;
+  double yaw = 0.0;  // of the gun, relative to the body
+  double pitch = 0.0;
+  for (const PlannedStop& stop : plan.stops) {
+    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints);
+    time += drive.time_s;
+    heading = drive.heading_rad;
+    for (const PlannedHit& hit : stop.hits) {
+      const Shot& shot = hit.shot.shot;
+      const double relative = shot.yaw_rad - heading;
+      time += aim_time(problem.gun, relative - yaw, shot.pitch_rad - pitch) + hit.shot.flight_s;
+      yaw = relative;
+      pitch = shot.pitch_rad;
+    }
+  }
+  return time;
+}
+
+/// Joins the stops, from the start on, by the drives that are fastest with the turn before them.
+Status join(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
+  std::vector<Vec2> places{problem.start.position};
+  for (const PlannedStop& stop : plan.stops) places.push_back(stop.position);
+  auto routes = site_routes(problem, site, places, budget);
+  if (!routes) return pass_on(routes);
+  double heading = problem.start.heading_rad;
+  for (std::size_t i = 0; i < plan.stops.size(); ++i) {
+    auto route = routes->route({places[i], heading}, places[i + 1]);
+    auto& way = plan.stops[i].waypoints;
+    way = route ? std::move(route->waypoints) : routes->waypoints(i, i + 1);
+    heading = drive_cost(problem.robot, heading, way).heading_rad;
+  }
+  plan.routes = std::move(*routes);
+  return {};
+}
+
+}  // namespace
+
+GuardPlan begin_plan(const GuardProblem& problem, const Site& site, const GuardOptions& options) {
+  GuardPlan plan;
+  for (const std::uint8_t cell : site.reachable) plan.places += cell;
+  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+    if (site.regions[t].hits > 0) continue;
+    plan.unreachable.push_back({t, why_unreachable(problem, site, options, t)});
+  }
+  return plan;
+}
+
+Status finish_plan(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
+  if (auto ok = join(problem, site, budget, plan); !ok) return ok;
+  plan.cost_s = mission_time(problem, plan);
+  return {};
+}
+
+}  // namespace outrider

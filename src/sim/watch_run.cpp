@@ -1,0 +1,115 @@
+#include "outrider/sim/watch_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "guard_scene.hpp"
+#include "outrider/guard/watch_bound.hpp"
+#include "outrider/sim/guard_robot.hpp"
+
+namespace outrider {
+namespace {
+
+struct Tally {
+  double reached = 0.0;
+  double failed = 0.0;
+  double unreachable = 0.0;
+  double inside_s = 0.0;
+  double longest_s = 0.0;
+  double last_s = 0.0;
+};
+
+/// Who was not hit stays until the end, unless it cannot be hit at all.
+Tally tally_of(const std::vector<Intruder>& intruders, const std::vector<TargetRecord>& records,
+               double end_s) {
+  Tally tally;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const TargetStatus status = records[i].status;
+    if (status == TargetStatus::unreachable) {
+      tally.unreachable += 1.0;
+      continue;
+    }
+    const bool reached = status == TargetStatus::reached;
+    (reached ? tally.reached : tally.failed) += 1.0;
+    const double leaves_s = reached ? records[i].done_s : end_s;
+    tally.inside_s += leaves_s - intruders[i].enters_s;
+    tally.longest_s = std::max(tally.longest_s, leaves_s - intruders[i].enters_s);
+    tally.last_s = std::max(tally.last_s, leaves_s);
+  }
+  return tally;
+}
+
+void tell_of_arrivals(Report& report, const std::vector<Intruder>& intruders) {
+  for (const Intruder& one : intruders) {
+    report.events.push_back(
+        {one.enters_s, "enter", fmt::format("{} comes in by {}", one.name, one.entrance)});
+  }
+  std::stable_sort(report.events.begin(), report.events.end(),
+                   [](const ReportEvent& a, const ReportEvent& b) { return a.time_s < b.time_s; });
+}
+
+}  // namespace
+
+Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed) {
+  const auto& [problem, site, intruders] = plan.watch;
+  SimulatedGuard robot(problem, site, seed, intruders, plan.policy.foresees);
+  WatchMission mission = begin(plan);
+  while (const auto command = step(mission, robot.sense(), plan)) robot.act(*command);
+
+  Report report = std::move(robot.report);
+  const double end_s = report.track.back().time_s;
+  report.job = "guard";
+  report.seed = seed;
+  set_the_scene(report, problem, options);
+  tell_of_arrivals(report, intruders);
+  const auto& records = mission.guard.records;
+  for (std::size_t i = 0; i < intruders.size(); ++i) {
+    const Intruder& one = intruders[i];
+    report.targets.push_back(target_entry(problem.targets[i], records[i], report));
+    report.targets.back().visit = ReportVisit{one.entrance, one.from, one.enters_s, one.settles_s};
+  }
+  const auto targets = static_cast<double>(intruders.size());
+  const Tally tally = tally_of(intruders, records, end_s);
+  report.status = tally.failed == 0.0 ? "done" : "not_done";
+  if (tally.reached < targets) {
+    report.reason = fmt::format("{} of {} intruders reached, {} failed, {} out of reach", tally.reached,
+                                targets, tally.failed, tally.unreachable);
+  }
+  const WatchBound bound = watch_bound(plan.watch);
+  const bool makespan = plan.objective == WatchObjective::makespan;
+  report.metrics = {{"targets", targets},
+                    {"reached", tally.reached},
+                    {"failed", tally.failed},
+                    {"unreachable", tally.unreachable},
+                    {"mission_s", end_s},
+                    {"intruder_seconds", tally.inside_s},
+                    {"makespan_s", tally.last_s},
+                    {"longest_s", tally.longest_s},
+                    {"lower_bound_s", makespan ? bound.makespan_s : bound.time_inside_s},
+                    {"intruder_seconds_bound", bound.time_inside_s},
+                    {"makespan_bound_s", bound.makespan_s},
+                    {"plans", static_cast<double>(mission.plans)},
+                    {"driven_m", robot.driven_m},
+                    {"turned_rad", robot.turned_rad},
+                    {"shots", static_cast<double>(report.shots.size())}};
+  return report;
+}
+
+Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                           const std::vector<Intruder>& intruders, const ArrivalOptions& arrivals,
+                           const GuardOptions& options, std::uint64_t seed) {
+  auto policy = find_watch_policy(arrivals.policy);
+  if (!policy) return pass_on(policy);
+  auto objective = find_objective(arrivals.objective);
+  if (!objective) return pass_on(objective);
+  auto watch = watch_over(problem, site, intruders);
+  if (!watch) return pass_on(watch);
+  auto outlook = look_out(problem, site, plan, arrivals, {});
+  if (!outlook) return pass_on(outlook);
+  return run_watch({*watch, *outlook, *policy, *objective, static_cast<std::size_t>(arrivals.group),
+                    static_cast<std::size_t>(arrivals.beam)},
+                   options, seed);
+}
+
+}  // namespace outrider

@@ -1,0 +1,89 @@
+"""The catalogue of guard planners from outside: guard --planner, the picture of regions, bench guard."""
+import json
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from tool import COARSE, ToolTest, main
+
+PLANNERS = ["best_tour", "shrinking_circles", "circles_in_order", "source_target_table"]
+SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nplan:\n"
+            + "".join(f"  {flag[len('--plan-'):]}: {value}\n" for flag, value in zip(COARSE[::2], COARSE[1::2])))
+
+
+class GuardPlanners(ToolTest):
+    def test_list_has_them(self):
+        listed = json.loads(self.run_tool("list", "--json").stdout)["guard_planners"]
+        self.assertEqual([row["name"] for row in listed], PLANNERS)
+        text = self.run_tool("list").stdout
+        for row in listed:
+            for key in ["name", "sentence", "source"]:
+                self.assertIn(row[key], text)
+
+    def test_each_guards_the_yard_and_key_and_flags_agree(self):
+        for name in PLANNERS:
+            first = self.json_of(self.run_tool(*self.guard("--planner", name, "--json", "--out", f"{name}-a")))
+            self.assertEqual(first["metrics"]["reached"], 3, name)
+            self.run_tool(*self.guard("--plan-planner", name, "--out", f"{name}-b"))
+            self.assertEqual((self.folder / f"{name}-a/guard.json").read_bytes(),
+                             (self.folder / f"{name}-b/guard.json").read_bytes())
+        self.write("m.yaml", SCENARIO + "  planner: shrinking_circles\n")
+        self.run_tool("run", "m.yaml", "--out", "key")
+        settings = json.loads((self.folder / "key/guard.json").read_text())["settings"]
+        self.assertIn("shrinking_circles", json.dumps(settings))
+
+    def test_unknown_planners_and_groups(self):
+        self.refused(*self.guard("--planner", "best_tuor"), says=["best_tuor", "did you mean 'best_tour'?", "planner"])
+        self.refused(*self.guard("--plan-group", "9"), says=["--plan-group", "9"])
+        self.write("m.yaml", SCENARIO + "  planner: none\n")
+        self.refused("run", "m.yaml", says=["plan.planner", "none", "best_tour"])
+
+    def test_picture_of_the_regions(self):
+        result = self.run_tool(*self.guard("--regions", "--out", "out"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("out/firing_regions.svg", result.stdout)
+        picture = ElementTree.fromstring((self.folder / "out/firing_regions.svg").read_text())
+        words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertIn("fox", words)
+        self.refused(*self.guard("--regions"), says=["--regions", "--out"])
+
+
+class GuardBench(ToolTest):
+    def bench(self, *args):
+        self.write("m.yaml", SCENARIO)
+        return self.run_tool("bench", "guard", "--scenarios", "m.yaml", *args)
+
+    def test_every_planner_and_seed_is_measured(self):
+        answer = self.json_of(self.bench("--seeds", "2", "--json"))
+        self.assertEqual((answer["status"], answer["job"]), ("done", "bench guard"))
+        rows = answer["rows"]
+        self.assertEqual([(row["planner"], row["seed"]) for row in rows],
+                         [(name, seed) for name in PLANNERS for seed in (1, 2)])
+        for row in rows:
+            self.assertEqual(row["reached"] + row["failed"] + row["unreachable"], 3)
+            self.assertAlmostEqual(row["drive_s"] + row["turn_s"] + row["aim_s"] + row["flight_s"], row["mission_s"],
+                                   places=6)
+            base = next(r for r in rows if r["planner"] == "best_tour" and r["seed"] == row["seed"])
+            self.assertAlmostEqual(row["ratio_to_best_tour"], row["mission_s"] / base["mission_s"])
+            self.assertGreater(row["planning_s"], 0)
+
+    def test_table_for_people_and_a_choice(self):
+        result = self.bench("--seeds", "1", "--planners", "shrinking_circles")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        head, line = result.stdout.splitlines()
+        self.assertEqual(len(head), len(line))
+        self.assertEqual(line.split()[:3], ["yard", "shrinking_circles", "1"])
+        self.assertEqual(line.split()[-1], "-")
+
+    def test_refusals(self):
+        for args, words in [(["--scenarios", "nowhere.yaml"], ["nowhere.yaml"]),
+                            (["--data", "nowhere"], ["nowhere/worlds/by_small.sdf"]),
+                            (["--planners", "tuor"], ["--planners", "tuor"]), (["--seeds", "0"], ["--seeds"])]:
+            result = self.bench(*args) if args[0] != "--scenarios" else self.run_tool("bench", "guard", *args)
+            self.assertEqual(result.returncode, 2, args)
+            self.assertEqual(result.stdout, "")
+            for word in words:
+                self.assertIn(word, self.sentence(result))
+
+
+if __name__ == "__main__":
+    main()
