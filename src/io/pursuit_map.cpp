@@ -14,6 +14,8 @@ namespace {
 
 constexpr int longest_side = 100'000;
 constexpr std::size_t most_cells = 100'000'000;
+/// Up to here memory is taken before the costs are seen, so that the row that is short can be named.
+constexpr std::size_t small_size = 1'000'000;
 constexpr std::size_t most_steps = 10'000'000;
 constexpr std::uint32_t most_cost = 1'000'000'000;
 
@@ -75,7 +77,7 @@ Outcome<GridFrame> take_size(Lines& lines) {
                                  frame.height, most_cells),
                      lines.where());
   }
-  if (2 * frame.size() > lines.rest.size() + 1) {  // a digit, and a comma or a line end, for each
+  if (frame.size() > small_size && 2 * frame.size() > lines.rest.size() + 1) {  // a digit, and a comma or a line end, for each
     return bad_input(
         fmt::format("{} x {} costs do not fit in the rest of the file; it is cut short or the size is wrong",
                     frame.width, frame.height),
@@ -225,7 +227,7 @@ Outcome<PursuitProblem> pursuit_map_from_text(std::string_view text, const std::
   if (!robot) return pass_on(robot);
   auto target = take_target(lines, *frame);
   if (!target) return pass_on(target);
-  if (2 * frame->size() > lines.rest.size() + 1) {
+  if (frame->size() > small_size && 2 * frame->size() > lines.rest.size() + 1) {
     return bad_input(
         fmt::format("the file ends before its {} x {} costs; it is cut short", frame->width, frame->height),
         lines.where());

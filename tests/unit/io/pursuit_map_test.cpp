@@ -70,6 +70,8 @@ TEST(PursuitMap, FaultsNameTheLineAndTheRemedy) {
   EXPECT_TRUE(with("3 , 1\n2,1\n", "").starts_with("m:8: the target has no cells"));
   EXPECT_TRUE(with(" 7.00 ,100\n", "").find("ends") != std::string::npos);
   EXPECT_TRUE(with(" 7.00 ,100\n", " 7.00 ,100\n1,1\n").starts_with("m:14: a row of costs too many"));
+  EXPECT_EQ(fault("N\n3,3\nC\n9\nR\n1,1\nT\n1,1\nM\n1,1,1\n1,1\n1,1,1\n"),
+            "m:11: row 2 of the costs has 2 values; the size says 3");
   EXPECT_TRUE(fault("").starts_with("m:1: "));
   EXPECT_TRUE(fault("N\n1,1\nC\n5\nR\n1,1\nT\n1,1\n1,1").find("before the line M") != std::string::npos);
 }
