@@ -1,7 +1,8 @@
 // What a change of the map costs each planner that keeps something: a block of 3 x 3 cells, or an obstacle,
 // comes and goes by turns, and a query whose start is its goal brings the index up to date. `followed` keeps
-// the workspace, `anew` takes a new one; `ground` is the making of the ground itself. Grids of MovingAI are
-// read from $OUTRIDER_DATA/grids where that is set.
+// the workspace, `anew` takes a new one; `ground` is the making of the ground itself. `polyanya/query` is one
+// between random places once 64 blocks have come, one by one, on the mesh that followed or one made anew.
+// Grids of MovingAI are read from $OUTRIDER_DATA/grids where that is set.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -111,6 +112,30 @@ void make_anew(benchmark::State& state, const ConfiguredPlanner& planner, Changi
   }
 }
 
+/// Queries between random places on a grid to which blocks have come; the workspace has met all of them, or
+/// the last alone.
+void ask(benchmark::State& state, const ConfiguredPlanner& planner, const Grid<std::uint8_t>& blocked,
+         bool all) {
+  constexpr int blocks = 64, queries = 300;
+  Rng rng = Rng(5).child("queries");
+  auto ground = std::make_shared<const GridGround>(GridGround::of(blocked, GridModel::corners).value());
+  const auto point = [&] {
+    return Vec2{rng.uniform(0, blocked.frame.width), rng.uniform(0, blocked.frame.height)};
+  };
+  Workspace workspace;
+  for (int i = 0; i <= blocks; ++i) {
+    if (all || i == blocks) benchmark::DoNotOptimize(planner.plan(at_rest(ground), {}, workspace));
+    if (i < blocks)
+      ground = std::make_shared<const GridGround>(ground->with({some_block(rng, *ground)}).value());
+  }
+  Changing asked;
+  while (asked.problems.size() < queries) {
+    Problem problem{ground, point(), point()};
+    if (planner.plan(problem, {}, workspace)) asked.problems.push_back(std::move(problem));
+  }
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(planner.plan(asked.turn(), {}, workspace));
+}
+
 template <class Run>
 void add(const std::string& name, Run run) {
   benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
@@ -132,6 +157,11 @@ void add_grid(const std::string& name, const std::string& file) {
   const auto map = std::make_shared<Grid<std::uint8_t>>(load_movingai_map(file).value());
   for (const GridModel model : {GridModel::cells, GridModel::corners}) {
     add_planners(name, std::make_shared<Changing>(changing_grid(*map, model)), false, model);
+  }
+  const ConfiguredPlanner planner = find_path_planner("polyanya")->configure();
+  for (const bool all : {true, false}) {
+    add(fmt::format("{}/polyanya/query/{}", name, all ? "followed" : "anew"),
+        [planner, map, all](benchmark::State& s) { ask(s, planner, *map, all); });
   }
   add(name + "/ground/with", [map](benchmark::State& state) {
     Rng rng = Rng(3).child("with");

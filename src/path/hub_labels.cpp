@@ -13,10 +13,11 @@ namespace hub_labelling {
 namespace {
 
 struct Index {
-  NavigationMesh mesh;
+  std::vector<Cell> turns;
   HubTrees trees;
   std::vector<TileRow> rows;
-  std::uint64_t work = 0;  ///< of its making, in expansions of polyanya
+  std::uint64_t work = 0;          ///< of its making, in expansions of polyanya
+  std::uint64_t work_of_mesh = 0;  ///< of the mesh of polyanya
 };
 
 constexpr std::size_t most_turns = 65535;  // that an entry of a list can name
@@ -37,18 +38,21 @@ std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most
                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
       sizeof(HubTrees::Node) + sizeof(HubTrees::Label) + sizeof(HubTrees::Departure);
-  Index index{navigation_mesh(ground), {}, {}, 0};
-  if (index.mesh.turns.size() > most_turns) return nullptr;
-  const auto graph = turn_graph(ground, index.mesh, most_bytes / sizeof(TurnGraph::Edge), stop);
+  const NavigationMesh mesh = navigation_mesh(ground);
+  if (mesh.turns.size() > most_turns) return nullptr;
+  const auto graph = turn_graph(ground, mesh, most_bytes / sizeof(TurnGraph::Edge), stop);
   if (!graph) return nullptr;
-  auto trees = hub_trees(index.mesh, *graph, by_importance(*graph, stop), most_bytes / 2 / of_a_node, stop);
+  auto trees = hub_trees(mesh, *graph, by_importance(*graph, stop), most_bytes / 2 / of_a_node, stop);
   if (!trees) return nullptr;
+  Index index;
+  for (const NavigationMesh::Turn& turn : mesh.turns) index.turns.push_back(turn.at);
   index.trees = std::move(*trees);
   const std::size_t left = most_bytes - index.trees.nodes.size() * of_a_node;
-  index.rows = hub_lists(ground, index.mesh, index.trees, left, stop);
+  index.rows = hub_lists(ground, mesh, index.trees, left, stop);
   if (stop.stop_requested()) return nullptr;
   index.work = work_of(index);
-  if (!index.rows.back().tiles.empty()) index.trees.keep_paths_alone();
+  index.work_of_mesh = expansions_a_side * mesh.sides.size();
+  index.trees.keep_paths_alone();
   return std::make_unique<const Index>(std::move(index));
 }
 
@@ -61,7 +65,6 @@ struct Memory {
   bool searched = false;                    ///< by polyanya, which has made a mesh of it
   std::vector<CellBox> freed;               ///< blocked in `ground`, free in `asked`
   std::uint64_t spent = 0;                  ///< by polyanya on changed grounds, in expansions
-  std::unique_ptr<ListMaker> at_start, at_goal;
   std::vector<Cell> way;
 
   void renew(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
@@ -85,8 +88,6 @@ struct Memory {
   void make(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
     ground.reset();
     asked.reset();
-    at_start.reset();
-    at_goal.reset();
     freed.clear();
     changed = searched = false;
     spent = 0;
@@ -96,13 +97,10 @@ struct Memory {
     index_mib = mib;
   }
 
-  TileList list_of(Cell corner, std::unique_ptr<ListMaker>& maker) const {
-    const TileRow& row = index->rows[static_cast<std::size_t>(corner.y / tile_side)];
-    if (!row.tiles.empty()) return row.at(corner.x);
-    if (!maker) maker = std::make_unique<ListMaker>(*ground, index->mesh, index->trees);
-    maker->add(corner);
-    return maker->list();
+  [[nodiscard]] const TileRow& row_of(Cell corner) const {
+    return index->rows[static_cast<std::size_t>(corner.y / tile_side)];
   }
+  [[nodiscard]] bool lists(Cell corner) const { return !row_of(corner).tiles.empty(); }
 };
 
 /// The list of a tile as one of its corners reads it.
@@ -162,7 +160,7 @@ class Query {
   }
 
  private:
-  [[nodiscard]] Cell at(std::uint32_t node) const { return memory_.index->mesh.turns[nodes_[node].turn].at; }
+  [[nodiscard]] Cell at(std::uint32_t node) const { return memory_.index->turns[nodes_[node].turn]; }
   [[nodiscard]] Meeting exactly(Meeting meeting) const {
     meeting.length = length_between(start_, at(meeting.start_node)) + nodes_[meeting.start_node].distance +
                      nodes_[meeting.goal_node].distance + length_between(at(meeting.goal_node), goal_);
@@ -172,8 +170,8 @@ class Query {
   /// Distances in the lists are rounded: those that come near the least are reckoned anew.
   Meeting best_meeting() {
     constexpr double rounding = 1.0 + 4.0 * std::numeric_limits<float>::epsilon();
-    Reading from(memory_.list_of(start_, memory_.at_start), start_);
-    Reading to(memory_.list_of(goal_, memory_.at_goal), goal_);
+    Reading from(memory_.row_of(start_).at(start_.x), start_);
+    Reading to(memory_.row_of(goal_).at(goal_.x), goal_);
     Meeting best;
     double least = std::numeric_limits<double>::infinity();
     while (from.next != from.end && to.next != to.end) {
@@ -208,6 +206,7 @@ Answer look_up(Memory& memory, Cell start, Cell goal) {
   way.push_back(goal);
   if (visible(*memory.asked, start, goal)) return Answer::way;
   way.clear();
+  if (!memory.lists(start) || !memory.lists(goal)) return Answer::unknown;
   if (!memory.changed) return Query(memory, start, goal).find_way() ? Answer::way : Answer::no_path;
 
   const GridGround& before = *memory.ground;
@@ -217,12 +216,13 @@ Answer look_up(Memory& memory, Cell start, Cell goal) {
   return shortest && legal_way(*memory.asked, way) ? Answer::way : Answer::unknown;
 }
 
-/// On a changed ground, by polyanya; its work counts towards the next index.
+/// By polyanya; on a changed ground its work counts towards the next index.
 Outcome<Plan> search_instead(const Problem& problem, const Budget& budget, Workspace& workspace,
                              Memory& memory) {
-  if (!memory.searched) memory.spent += expansions_a_side * memory.index->mesh.sides.size();
-  memory.searched = true;
   auto plan = polyanya(problem, {}, budget, workspace);
+  if (!memory.changed) return plan;
+  if (!memory.searched) memory.spent += memory.index->work_of_mesh;
+  memory.searched = true;
   if (plan) memory.spent += plan->counters.expansions;
   return plan;
 }
@@ -232,8 +232,7 @@ Outcome<Plan> search_instead(const Problem& problem, const Budget& budget, Works
 
 std::vector<Option> describe(HubLabelsOptions& options) {
   return {{"index_mib", "MiB", 1.0, 65536.0,
-           "most memory for the index; what does not fit is reckoned anew at each query",
-           &options.index_mib}};
+           "most memory for the index; where it does not fit, polyanya answers", &options.index_mib}};
 }
 
 Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options, const Budget& budget,

@@ -6,39 +6,43 @@
 #include <tuple>
 
 #include "outrider/core/parallel.hpp"
+#include "taut_sight.hpp"
 
 namespace outrider::hub_labelling {
 namespace {
 
 constexpr double far = std::numeric_limits<double>::infinity();
 
-TileRow row_of(int low_y, const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees) {
-  TileRow row;
-  ListMaker maker(ground, mesh, trees);
-  const auto begin_tile = [&row] {
-    row.tiles.push_back(
-        {static_cast<std::uint32_t>(row.entries.size()), static_cast<std::uint32_t>(row.turns.size())});
-  };
-  for (int low_x = 0; low_x <= ground.frame.width; low_x += tile_side) {
-    begin_tile();
-    for (int y = low_y; y < low_y + tile_side; ++y) {
-      for (int x = low_x; x < low_x + tile_side; ++x) {
-        if (ground.place({x, y})) maker.add({x, y});
-      }
-    }
-    const TileList list = maker.list();
-    row.entries.insert(row.entries.end(), list.entries.begin(), list.entries.end());
-    row.turns.insert(row.turns.end(), list.turns.begin(), list.turns.end());
-  }
-  begin_tile();
-  row.work = maker.work();
-  row.entries.shrink_to_fit();
-  row.turns.shrink_to_fit();
-  row.tiles.shrink_to_fit();
-  return row;
-}
+/// Makes the list of some corners of a tile: O(labels of the turns seen) for each.
+class ListMaker {
+ public:
+  ListMaker(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees);
+  void add(Cell corner);
+  /// Of the corners added since the last list; valid until the next one.
+  TileList list();
+  /// Labels and turns looked at so far.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
 
-}  // namespace
+ private:
+  struct Way {
+    double distance = 0.0;
+    std::uint32_t node = 0;
+    bool kept = false;
+  };
+  void gather(Cell corner);
+  bool known(std::uint32_t hub);
+
+  const NavigationMesh& mesh_;
+  const HubTrees& trees_;
+  TautSight sight_;
+  std::vector<Way> ways_;  ///< by hub; infinite where there is none
+  std::uint64_t work_ = 0;
+  std::vector<std::uint64_t> met_;               ///< a bit for each hub
+  std::vector<const HubTrees::Label*> witness_;  ///< by hub: what made it known last
+  std::vector<Entry> found_, entries_;
+  std::vector<std::uint32_t> used_;  ///< turns of the list
+  std::vector<Cell> turns_;
+};
 
 ListMaker::ListMaker(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees)
     : mesh_(mesh),
@@ -125,6 +129,34 @@ TileList ListMaker::list() {
   }
   return {entries_, turns_};
 }
+
+TileRow row_of(int low_y, const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees) {
+  TileRow row;
+  ListMaker maker(ground, mesh, trees);
+  const auto begin_tile = [&row] {
+    row.tiles.push_back(
+        {static_cast<std::uint32_t>(row.entries.size()), static_cast<std::uint32_t>(row.turns.size())});
+  };
+  for (int low_x = 0; low_x <= ground.frame.width; low_x += tile_side) {
+    begin_tile();
+    for (int y = low_y; y < low_y + tile_side; ++y) {
+      for (int x = low_x; x < low_x + tile_side; ++x) {
+        if (ground.place({x, y})) maker.add({x, y});
+      }
+    }
+    const TileList list = maker.list();
+    row.entries.insert(row.entries.end(), list.entries.begin(), list.entries.end());
+    row.turns.insert(row.turns.end(), list.turns.begin(), list.turns.end());
+  }
+  begin_tile();
+  row.work = maker.work();
+  row.entries.shrink_to_fit();
+  row.turns.shrink_to_fit();
+  row.tiles.shrink_to_fit();
+  return row;
+}
+
+}  // namespace
 
 std::vector<TileRow> hub_lists(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees,
                                std::size_t most_bytes, const std::stop_token& stop) {

@@ -4,13 +4,12 @@
 // each hub the shortest way is kept, and only when no earlier hub lies on one as short. Two corners that do
 // not see each other share a hub on a shortest path between them, or nothing joins them. The 16 corners of a
 // tile have much in common, so they share a list, in which each entry tells whose it is. Tiles do not depend
-// on one another. Thread rule: lists are read only once made; one maker for each thread.
+// on one another. Thread rule: read only once made.
 #pragma once
 
 #include <span>
 
 #include "hub_trees.hpp"
-#include "taut_sight.hpp"
 
 namespace outrider::hub_labelling {
 
@@ -35,38 +34,6 @@ struct TileList {
   std::span<const Cell> turns;
 };
 
-/// Makes the list of some corners of a tile: O(labels of the turns seen) for each.
-class ListMaker {
- public:
-  ListMaker(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees);
-  void add(Cell corner);
-  /// Of the corners added since the last list; valid until the next one.
-  TileList list();
-  /// Labels and turns looked at so far.
-  [[nodiscard]] std::uint64_t work() const { return work_; }
-
- private:
-  struct Way {
-    double distance = 0.0;
-    std::uint32_t node = 0;
-    bool kept = false;
-  };
-  void gather(Cell corner);
-  bool known(std::uint32_t hub);
-  std::uint16_t place_of(std::uint32_t turn);
-
-  const NavigationMesh& mesh_;
-  const HubTrees& trees_;
-  TautSight sight_;
-  std::vector<Way> ways_;  ///< by hub; infinite where there is none
-  std::uint64_t work_ = 0;
-  std::vector<std::uint64_t> met_;               ///< a bit for each hub
-  std::vector<const HubTrees::Label*> witness_;  ///< by hub: what made it known last
-  std::vector<Entry> found_, entries_;
-  std::vector<std::uint32_t> used_;  ///< turns of the list
-  std::vector<Cell> turns_;
-};
-
 /// The lists of a row of tiles.
 struct TileRow {
   struct Tile {
@@ -75,7 +42,7 @@ struct TileRow {
   std::vector<Tile> tiles;  ///< from the left, one more at the end; none when the row was not made
   std::vector<Entry> entries;
   std::vector<Cell> turns;
-  std::uint64_t work = 0;  ///< of its making
+  std::uint64_t work = 0;  ///< of its making: labels and turns looked at
 
   [[nodiscard]] TileList at(int x) const {
     const Tile tile = tiles[static_cast<std::size_t>(x / tile_side)];
@@ -89,7 +56,7 @@ struct TileRow {
   }
 };
 
-/// ListMaker::work() after which no more rows are made.
+/// TileRow::work after which no more rows are made.
 inline constexpr std::uint64_t most_work = std::uint64_t{1} << 34U;
 
 /// Row by row from below, in parallel, as many as fit into `most_bytes` and are made with `most_work`. Cut

@@ -14,13 +14,13 @@ class BlockSearch {
   explicit BlockSearch(NavigationMesh& mesh)
       : mesh_(mesh), order_(mesh.polygons(), none), low_(order_.size()), next_(mesh.first) {}
 
-  void search(std::uint32_t root, std::uint32_t part) {
-    enter(root, none, part);
+  void search(std::uint32_t root) {
+    enter(root, none);
     while (!way_.empty()) {
       const Step here = way_.back();
       std::uint32_t& next = next_[here.polygon];
       if (next < mesh_.first[here.polygon + 1]) {
-        follow(here, next++, part);
+        follow(here, next++);
       } else {
         way_.pop_back();
         if (!way_.empty()) leave(way_.back().polygon, here);
@@ -38,18 +38,17 @@ class BlockSearch {
     std::size_t open_before;  // sides that were open when it was entered
   };
 
-  void enter(std::uint32_t polygon, std::uint32_t from, std::uint32_t part) {
+  void enter(std::uint32_t polygon, std::uint32_t from) {
     order_[polygon] = low_[polygon] = static_cast<std::uint32_t>(reached_.size());
     reached_.push_back(polygon);
-    mesh_.part[polygon] = part;
     way_.push_back({polygon, from, open_.size()});
   }
 
-  void follow(const Step& here, std::uint32_t side, std::uint32_t part) {
+  void follow(const Step& here, std::uint32_t side) {
     const std::uint32_t to = mesh_.sides[side].polygon;
     if (to == none || to == here.from) return;
     if (!reached(to)) {
-      enter(to, here.polygon, part);
+      enter(to, here.polygon);
       open_.push_back(side);
     } else if (order_[to] < order_[here.polygon]) {  // else it was followed from its other end
       open_.push_back(side);
@@ -79,16 +78,17 @@ class BlockSearch {
 }  // namespace
 
 void find_blocks(NavigationMesh& mesh) {
-  const auto count = static_cast<std::uint32_t>(mesh.first.size() - 1);
-  mesh.part.assign(count, none);
-  BlockSearch search(mesh);
-  std::uint32_t parts = 0;
-  for (std::uint32_t p = 0; p < count; ++p) {
-    if (!search.reached(p)) search.search(p, parts++);
-  }
-  mesh.up.assign(count, none);
+  const auto count = static_cast<std::uint32_t>(mesh.polygons());
+  mesh.up.resize(count, none);
   mesh.depth.assign(count, 0);
+  mesh.top.clear();
+  mesh.core.clear();
+  BlockSearch search(mesh);
+  for (std::uint32_t p = 0; p < count; ++p) {
+    if (!mesh.is_gone(p) && !search.reached(p)) search.search(p);
+  }
   for (const std::uint32_t p : search.reached()) {
+    mesh.up[p] = none;
     for (std::uint32_t s = mesh.first[p]; s < mesh.first[p + 1]; ++s) {
       const std::uint32_t block = mesh.sides[s].block;
       if (block == none || mesh.top[block] == p) continue;
@@ -96,6 +96,28 @@ void find_blocks(NavigationMesh& mesh) {
       mesh.depth[p] = mesh.depth[mesh.top[block]] + 1;
       break;
     }
+  }
+}
+
+std::uint32_t add_to_core(NavigationMesh& mesh) {
+  mesh.core.push_back(static_cast<std::uint32_t>(mesh.top.size()));
+  mesh.top.push_back(none);
+  return mesh.core.back();
+}
+
+void move_to_core(NavigationMesh& mesh, std::uint32_t polygon, std::uint32_t block) {
+  const auto move = [&mesh](std::uint32_t b) {
+    if (mesh.top[b] != none) mesh.core.push_back(b);
+    mesh.top[b] = none;
+  };
+  for (std::uint32_t p = polygon; p != none;) {
+    std::uint32_t& up = mesh.up[p];
+    if (up == none) up = block;  // the root
+    p = mesh.top[up];
+    move(up);
+  }
+  for (std::uint32_t s = mesh.first[polygon]; s < mesh.first[polygon + 1]; ++s) {
+    if (mesh.sides[s].block != none) move(mesh.sides[s].block);
   }
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid_follow.hpp"
+#include "mesh_blocks.hpp"
+#include "mesh_change.hpp"
 #include "outrider/path/mesh.hpp"
 #include "outrider/search/labels.hpp"
 #include "polyanya_frontier.hpp"
@@ -18,9 +21,14 @@ using polyanya_search::Frontier;
 using polyanya_search::Node;
 using polyanya_search::turned;
 
+/// Of which the blocks are found in the time of one expansion, measured.
+constexpr std::size_t sides_an_expansion = 16;
+
 struct Memory {
   std::shared_ptr<const GridGround> ground;  ///< of the mesh
   NavigationMesh mesh;
+  std::size_t most_sides = 0;         ///< with which a mesh that has changed is made anew
+  std::size_t spent = 0;              ///< expansions since the mesh has had its core
   Labels<double> roots;               ///< by turn; the start last
   std::vector<std::uint32_t> active;  ///< by block: the last query that crossed it
   std::vector<std::uint32_t> around_start, around_goal;
@@ -28,16 +36,33 @@ struct Memory {
   Frontier frontier;
 
   void renew(const std::shared_ptr<const GridGround>& now) {
-    if (ground != now) {
+    const auto make = [&] {
       mesh = navigation_mesh(*now);
-      ground = now;
-      query = 0;
-    }
-    if (query == 0 || query == none) {
-      active.assign(mesh.top.size(), 0);
-      query = 0;
-    }
-    ++query;
+      most_sides = mesh.sides.size() + mesh.sides.size() / 2 + 64;
+      active.clear();
+      spent = 0;
+    };
+    follow(ground, now, make, [&](const std::vector<Cell>& changed) {
+      if (!change_mesh(mesh, *now, changed, most_sides)) make();
+    });
+    begin_query();
+  }
+
+  /// At each expansion on a mesh with a core: finds its blocks when all of them have taken as long as that.
+  bool found_blocks() {
+    if (mesh.core.empty() || ++spent <= mesh.sides.size() / sides_an_expansion) return false;
+    find_blocks(mesh);
+    active.clear();
+    spent = 0;
+    begin_query();
+    return true;
+  }
+
+ private:
+  void begin_query() {
+    if (++query == none) active.clear();
+    if (active.empty()) query = 1;
+    active.resize(mesh.top.size(), 0);
   }
 };
 
@@ -53,8 +78,8 @@ class Search {
         ground_(query.ground),
         start_(query.start),
         goal_(query.goal),
-        first_(static_cast<std::uint32_t>(mesh_.turns.size() - 1)) {
-    roots_.begin(mesh_.turns.size());
+        first_(static_cast<std::uint32_t>(mesh_.turns.size())) {
+    roots_.begin(mesh_.turns.size() + 1);
     frontier_.begin();
   }
 
@@ -68,6 +93,7 @@ class Search {
     for (double f = 0.0; frontier_.pop(node, f);) {
       if (roots_.g(node.root) < node.g) continue;
       if (!meter.spend()) return meter.refusal();
+      if (memory_.found_blocks() && !join_ends()) break;
       if (trace != nullptr) {
         trace->record(
             {ground_.index(node.at), ground_.index(at(roots_.parent(node.root))), f, node.g, f - node.g});
@@ -106,14 +132,23 @@ class Search {
     return sets;
   }
 
-  /// Activates the blocks between two polygons; false when nothing joins them.
+  /// Activates the block towards the root, and goes there; not from the root, nor into the core.
+  bool climb(std::uint32_t& polygon) {
+    const std::uint32_t block = mesh_.up[polygon];
+    if (block == none || mesh_.top[block] == none) return false;
+    memory_.active[block] = memory_.query;
+    polygon = mesh_.top[block];
+    return true;
+  }
+  /// Activates the blocks between two polygons; false when nothing joins them. Two in the core may be apart.
   bool join(std::uint32_t a, std::uint32_t b) {
-    if (mesh_.part[a] != mesh_.part[b]) return false;
-    while (a != b) {
-      std::uint32_t& lower = mesh_.depth[a] >= mesh_.depth[b] ? a : b;
-      memory_.active[mesh_.up[lower]] = memory_.query;
-      lower = mesh_.top[mesh_.up[lower]];
+    while (a != b && climb(mesh_.depth[a] >= mesh_.depth[b] ? a : b)) {
     }
+    if (a == b) return true;
+    while (climb(a) || climb(b)) {
+    }
+    if (mesh_.up[a] == none || mesh_.up[b] == none) return false;
+    for (const std::uint32_t block : mesh_.core) memory_.active[block] = memory_.query;
     return true;
   }
 
@@ -161,7 +196,8 @@ class Search {
   using Wedges = std::pair<const NavigationMesh::Wedge*, const NavigationMesh::Wedge*>;
   [[nodiscard]] Wedges around(std::uint32_t root) const {
     const NavigationMesh::Wedge* const all = mesh_.around.data();
-    return {all + mesh_.turns[root].around, all + mesh_.turns[root + 1].around};
+    const NavigationMesh::Turn& turn = mesh_.turns[root];
+    return {all + turn.around, all + turn.around + turn.polygons};
   }
 
   void expand(const Node& node) {

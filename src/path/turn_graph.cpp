@@ -33,7 +33,7 @@ std::optional<TurnGraph> turn_graph(const GridGround& ground, const NavigationMe
                                     std::size_t most_edges, const std::stop_token& stop) {
   constexpr std::size_t block = 32,
                         blocks_at_once = 64;  // turns of a task; tasks between two looks at the limit
-  const std::size_t count = mesh.turns.size() - 1;
+  const std::size_t count = mesh.turns.size();
   TurnGraph graph{windings_of(mesh), std::vector<Fan<TurnGraph::Edge>>(count)};
   std::size_t edges = 0;
   for (std::size_t low = 0; low < count; low += block * blocks_at_once) {

@@ -38,7 +38,7 @@ class Winding {
   int x_, y_;
 };
 
-/// By turn; one more at the end, as in the mesh.
+/// By turn.
 inline std::vector<Winding> windings_of(const NavigationMesh& mesh) {
   std::vector<Winding> windings(mesh.turns.size());
   for (const NavigationMesh::Side& side : mesh.sides) {

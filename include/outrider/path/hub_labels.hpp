@@ -7,7 +7,8 @@
 // Complete; optimal among all paths in the model, to 1e-9 of the length, with lower_bound the cost. Takes the
 // model `corners` alone. The first query makes the index, which the workspace keeps; its trees and lists take
 // at most `index_mib`. Where the lists of all corners do not fit, or are too much work, those of the upper
-// rows are made when asked for; where the hubs themselves do not fit, polyanya answers.
+// rows are left out, and polyanya answers what starts or ends there; where the hubs themselves do not fit, it
+// answers all.
 //
 // On a changed ground the index of the old one answers where it is proven (hub_kept.hpp): its path is still
 // free, and no shorter one can touch a cell that has become free. Else polyanya answers. Another index is

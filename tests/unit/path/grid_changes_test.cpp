@@ -124,7 +124,8 @@ TEST_P(ChangesIn, EveryPlannerAnswersAsItDoesAnew) {
         Workspace fresh;
         const auto plan = planners[p].second.plan(on_changed, {}, kept[p]);
         const auto truth = planners[p].second.plan(on_new, {}, fresh);
-        planners[p].first.name == "hub_labels" ? expect_as_long(plan, truth) : expect_same(plan, truth);
+        const std::string_view name = planners[p].first.name;
+        name == "polyanya" || name == "hub_labels" ? expect_as_long(plan, truth) : expect_same(plan, truth);
         ASSERT_TRUE(!plan || check(*plan, on_new));
       }
     }
