@@ -5,7 +5,7 @@
 #include "construct.hpp"
 #include "exact.hpp"
 #include "improve.hpp"
-#include "lower_bound.hpp"
+#include "proof.hpp"
 
 namespace outrider {
 namespace {
@@ -21,9 +21,28 @@ std::vector<Visit> visits_of(const tour::Instance& instance, const std::vector<s
   return visits;
 }
 
+tour::Route route_of(const tour::Instance& instance, const std::vector<Visit>& visits) {
+  tour::Route route;
+  for (const Visit& visit : visits) {
+    const auto named = std::ranges::find(instance.stop_name, visit.stop);
+    const auto stop = static_cast<std::uint32_t>(named - instance.stop_name.begin());
+    for (const std::uint32_t goal : visit.goals) route.nodes.push_back(instance.node(stop, goal));
+  }
+  tour::refresh(instance, route);
+  return route;
+}
+
 Status check_options(TourOptions options) {
   for (const Option& option : describe(options)) {
-    const auto value = static_cast<double>(*std::get<std::int64_t*>(option.value));
+    const double value = std::visit(
+        [](const auto* number) {
+          if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(*number)>>) {
+            return static_cast<double>(*number);
+          } else {
+            return 0.0;
+          }
+        },
+        option.value);
     if (value >= option.low && value <= option.high) continue;
     return bad_input(
         fmt::format("{} is {}; it takes {:g} to {:g}", option.name, value, option.low, option.high));
@@ -61,13 +80,32 @@ std::vector<Option> describe(TourOptions& options) {
       {"expansions", "", 0, 1e9, "most labels that the exact search expands", &options.expansions},
       {"iterations", "", 0, 1e9, "rounds of ruin and recreate; an eighth of them before an exact search",
        &options.iterations},
-      {"bound_goals", "", 0, 16, "most goals that the lower bound tours where there is no proof",
-       &options.bound_goals},
+      {"gap", "", 0, 1,
+       "part of the tour's time that its lower bound may leave open; 0: prove the best, 1: nothing",
+       &options.gap},
+      {"operations", "", 0, 1e15, "most drives and visits tried for the lower bound before the exact end",
+       &options.operations},
       {"seed", "", 0, 9e15, "seed of the search", &options.seed},
   };
 }
 
-Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget) {
+namespace {
+
+/// Finds no more than a bound where the tour is as good as asked for.
+void prove(const tour::Instance& instance, const TourOptions& options, BudgetMeter& meter, tour::Route& route,
+           Tour& tour) {
+  const tour::Proof proof = tour::prove(instance, route, options, meter);
+  if (!proof.nodes.empty()) {
+    route.nodes = proof.nodes;
+    tour::refresh(instance, route);
+  }
+  tour.expansions += proof.labels;
+  tour.lower_bound_s = std::max(tour.lower_bound_s, proof.lower_bound);
+  tour.proven_optimal = proof.optimal;
+}
+
+Outcome<Tour> solve_with(const TourProblem& problem, const std::vector<Visit>* begun,
+                         const TourOptions& options, const Budget& budget) {
   if (Status status = check_options(options); !status) return pass_on(status);
   if (Status status = check(problem); !status) return pass_on(status);
   auto instance = tour::compile(problem);
@@ -79,14 +117,14 @@ Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, cons
     tour.proven_optimal = true;
     return tour;
   }
-  tour::Route route = tour::construct(*instance);
+  tour::Route route = begun == nullptr ? tour::construct(*instance) : route_of(*instance, *begun);
   if (instance->goals <= options.exact_goals && tour::exact_is_possible(*instance)) {
     improve(*instance, options, options.iterations / 8, meter, route, tour);  // enough to prune by
     solve_exactly(*instance, options, meter, route, tour);
   }
   if (!tour.proven_optimal) {
     improve(*instance, options, options.iterations, meter, route, tour);
-    tour.lower_bound_s = std::max(tour.lower_bound_s, tour::lower_bound(*instance, options, meter));
+    if (options.gap < 1.0) prove(*instance, options, meter, route, tour);
   }
   tour.visits = visits_of(*instance, route.nodes);
   tour.cost_s = cost(problem, tour.visits);
@@ -94,6 +132,18 @@ Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, cons
   tour.lower_bound_s = std::min(tour.lower_bound_s, tour.cost_s);
   tour.ended_early = !meter.spend();
   return tour;
+}
+
+}  // namespace
+
+Outcome<Tour> solve(const TourProblem& problem, const TourOptions& options, const Budget& budget) {
+  return solve_with(problem, nullptr, options, budget);
+}
+
+Outcome<Tour> solve_from(const TourProblem& problem, const Tour& begun, const TourOptions& options,
+                         const Budget& budget) {
+  if (Status status = check(problem, begun); !status) return pass_on(status);
+  return solve_with(problem, &begun.visits, options, budget);
 }
 
 }  // namespace outrider

@@ -78,7 +78,10 @@ TEST_P(Tsplib, IsSolvedWithinAFewPercentOfTheOptimum) {
   const auto path = data() / (std::string(name) + ".tsp");
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent; set OUTRIDER_DATA";
   const TourProblem problem = round_trip(read_cities(path));
-  const auto tour = solve(problem, {}, {});
+  TourOptions options;
+  options.operations = 10'000'000;
+  options.expansions = 20'000;
+  const auto tour = solve(problem, options, {});
   ASSERT_TRUE(tour.has_value()) << tour.error().sentence;
   const Status judged = check(problem, *tour);
   ASSERT_TRUE(judged) << judged.error().sentence;

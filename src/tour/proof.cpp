@@ -1,0 +1,103 @@
+#include "proof.hpp"
+
+#include "finish.hpp"
+
+namespace outrider::tour {
+namespace {
+
+constexpr std::size_t first_goals = 8;  // of the first sweep
+constexpr std::size_t more_goals = 2;   // of each further one
+constexpr std::size_t most_goals = 64;  // of all, in one set
+constexpr std::uint32_t most_sectors = 32;
+constexpr double most_turns = 3.2e7;  // table entries
+
+std::uint32_t choose_sectors(const Instance& instance) {
+  const double drives = static_cast<double>(instance.stops) * instance.stops;
+  std::uint32_t sectors = most_sectors;
+  while (sectors > 1 && drives * sectors > most_turns) sectors /= 2;
+  return sectors;
+}
+
+std::vector<double> least_durations(const Instance& instance) {
+  std::vector<double> least(instance.goals, infinity);
+  for (const Node& node : instance.nodes) least[node.goal] = std::min(least[node.goal], node.duration);
+  return least;
+}
+
+/// Each goal as far as can be from those before it and from the start, by the drives between the stops where
+/// the known tour serves them; among equals, that with the fewest services.
+std::vector<std::uint32_t> spread(const Instance& instance, const Route& known) {
+  std::vector<std::uint32_t> stop_of(instance.goals, 0);
+  for (const std::uint32_t node : known.nodes) stop_of[instance.nodes[node].goal] = instance.nodes[node].stop;
+  const auto far = [&](std::uint32_t from, std::uint32_t to) {
+    return from == to ? 0.0 : instance.time[instance.arc(from, to)];
+  };
+  std::vector<double> away(instance.goals);
+  for (std::uint32_t goal = 0; goal < instance.goals; ++goal) away[goal] = far(0, stop_of[goal]);
+  std::vector<std::uint32_t> order;
+  std::vector<bool> taken(instance.goals, false);
+  while (order.size() < instance.goals) {
+    std::uint32_t best = none;
+    for (std::uint32_t goal = 0; goal < instance.goals; ++goal) {
+      if (taken[goal]) continue;
+      const auto fewer = [&] { return instance.nodes_of[goal].size() < instance.nodes_of[best].size(); };
+      if (best == none || away[goal] > away[best] || (away[goal] == away[best] && fewer())) best = goal;
+    }
+    order.push_back(best);
+    taken[best] = true;
+    for (std::uint32_t goal = 0; goal < instance.goals; ++goal) {
+      away[goal] =
+          std::min({away[goal], far(stop_of[best], stop_of[goal]), far(stop_of[goal], stop_of[best])});
+    }
+  }
+  return order;
+}
+
+/// How many goals each sweep looks at. The exact end takes in the last sixth at once.
+std::vector<std::size_t> plan_sweeps(std::size_t goals) {
+  const std::size_t most = std::min(goals - goals / 6, most_goals);
+  std::vector<std::size_t> sizes;
+  for (std::size_t size = std::min(first_goals, most); size < most; size += more_goals) sizes.push_back(size);
+  sizes.push_back(most);
+  return sizes;
+}
+
+/// A sweep with the bundles that it marked.
+struct Stage {
+  Sweep sweep;
+  Bundles bundles;
+};
+
+}  // namespace
+
+Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter) {
+  Hunt hunt{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
+            known.cost * (1.0 - options.gap), static_cast<std::uint64_t>(options.operations)};
+  const VisitTimes times(instance);
+  const std::vector<std::uint32_t> order = spread(instance, known);
+  const std::vector<std::size_t> sizes = plan_sweeps(order.size());
+  Proof proof;
+  Stage last{nothing_swept(hunt, sizes.size() % 2 == 1), {}};  // so that the last goes backward
+  Stage back;
+  for (const std::size_t size : sizes) {
+    std::vector<std::uint32_t> goals(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size));
+    Stage next{{}, extended(instance, times, last.bundles, goals, last.sweep.goals.size())};
+    next.sweep = sweep(hunt, last.sweep, std::move(goals), next.bundles, meter);
+    if (!next.sweep.finished) break;
+    proof.lower_bound = std::max(proof.lower_bound, next.sweep.bound);
+    if (!last.sweep.forward) back = std::move(last);
+    last = std::move(next);
+  }
+  if (!last.sweep.forward) back = std::move(last);
+  if (!back.sweep.finished || order.size() > most_goals) return proof;
+  const Bundles all = extended(instance, times, back.bundles, order, back.sweep.goals.size());
+  Finish end = finish(hunt, back.sweep, order, all, static_cast<std::uint64_t>(options.expansions), meter);
+  proof.labels = end.labels;
+  if (end.cost < known.cost) proof.nodes = std::move(end.nodes);
+  if (!end.finished) return proof;
+  proof.lower_bound = std::min(hunt.limit, end.cost);
+  proof.optimal = options.gap == 0.0 || end.cost < hunt.limit;
+  return proof;
+}
+
+}  // namespace outrider::tour

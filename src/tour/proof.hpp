@@ -1,0 +1,21 @@
+// Proof: a lower bound on every tour of the given stops, for any number of goals, or the best tour.
+#pragma once
+
+#include "outrider/tour/solve.hpp"
+#include "route.hpp"
+
+namespace outrider::tour {
+
+struct Proof {
+  std::vector<std::uint32_t> nodes;  ///< a faster tour; empty when none was found
+  double lower_bound = 0.0;
+  bool optimal = false;  ///< the best tour known is the fastest
+  std::uint64_t labels = 0;
+};
+
+/// Shows, when it can, that no tour takes less than (1 - options.gap) times the known one: sweeps (sweep.hpp)
+/// over ever more of the goals, then the exact end (finish.hpp). Where the operations end before, the bound
+/// is that of the last sweep. Deterministic. Memory: about 2 KB for each label and row.
+Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter);
+
+}  // namespace outrider::tour
