@@ -28,14 +28,14 @@ build:  ## build the tool, build/outrider
 	@ninja -C build -j $(JOBS) outrider
 
 test:  ## build everything and run every test
-	$(INSTALL) build test
+	$(INSTALL) build test physics cbc
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
 
 asan:  ## run the tests under the address and undefined-behaviour sanitizers
-	$(INSTALL) build test
+	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build-asan -j $(JOBS)
 	@ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
@@ -47,7 +47,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	@ninja -C build -j $(JOBS) docs
 
 soak:  ## run the random tests on 100 times as many cases, under the sanitizers
-	$(INSTALL) build test
+	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset asan -j $(JOBS) --timeout 3600
