@@ -11,13 +11,18 @@
 #include "guard_summary.hpp"
 #include "output.hpp"
 #include "outrider/guard/catalog.hpp"
+#include "outrider/guard/passing_plan.hpp"
+#include "outrider/guard/supply_plan.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "outrider/sim/hunt_run.hpp"
+#include "outrider/sim/physics_run.hpp"
 #include "outrider/sim/watch_run.hpp"
+#include "pddl.hpp"
 #include "progress.hpp"
 #include "pursue_command.hpp"
 #include "regions_picture.hpp"
@@ -35,11 +40,12 @@ struct GuardCommand {
   std::string planner;
   std::int64_t threads = 0;
   bool prove = false;
+  PddlRequest pddl;
   GuardScenario scenario;
 };
 
 OptionGroup describe_output(GuardCommand& command) {
-  return {
+  OptionGroup group{
       "",
       "output",
       {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
@@ -51,12 +57,15 @@ OptionGroup describe_output(GuardCommand& command) {
        {"planner", "", 0, 0, "a planner of 'outrider list'; the same as --plan-planner", &command.planner},
        {"threads", "", 0, 1024, "threads to plan with; 0: all; the answer is the same", &command.threads},
        {"prove", "", 0, 0, "as --plan-prove: a better lower bound, so a smaller gap", &command.prove}}};
+  for (Option& option : describe(command.pddl)) group.options.push_back(std::move(option));
+  return group;
 }
 
 struct GuardResult {
   Report report;
   double planning_s = 0.0;
-  std::string regions;  ///< the picture, where it was asked for
+  double physics_s = 0.0;  ///< on the clock on the wall; 0 without rigid bodies
+  std::string regions;     ///< the picture, where it was asked for
 };
 
 /// Scenario file, then flags, then the files that they name; returns what was repaired.
@@ -84,6 +93,46 @@ std::vector<std::pair<std::string, std::string>> settings_of(GuardScenario& scen
   return settings;
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Whether the simulator that the scenario names is one that can carry it out.
+Status check_sim(const GuardScenario& scenario) {
+  if (scenario.sim == "kinematic") return {};
+  if (scenario.sim != "physics") {
+    return bad_input(fmt::format("'{}' is no good; it takes kinematic or physics", scenario.sim), "sim");
+  }
+  if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0 || scenario.wander.any()) {
+    return bad_input("physics guards a still yard; take kinematic where intruders come, walk or survive",
+                     "sim");
+  }
+  return check_physics(scenario.problem);
+}
+
+/// The yard is still, or intruders come, or walk about, or those who are hit may survive.
+Outcome<Report> carried_out(const GuardScenario& scenario, const Site& site, const GuardPlan& plan,
+                            std::uint64_t seed, Progress& progress) {
+  if (scenario.sim == "physics") {
+    return run_guard_in_physics(scenario.problem, site, plan, scenario.options, seed,
+                                [&progress](double part) { progress.part(part); });
+  }
+  if (scenario.wander.any()) {
+    return hunt(scenario.problem, site, scenario.preferences, scenario.history, scenario.wander,
+                scenario.options, seed);
+  }
+  const ArrivalOptions& arrivals = scenario.arrivals;
+  if (arrivals.any()) {
+    return keep_watch(scenario.problem, site, plan, scenario.intruders, arrivals, scenario.options, seed);
+  }
+  if (arrivals.leave < 1.0) {
+    return wear_down(scenario.problem, site, plan, arrivals, scenario.options, seed);
+  }
+  return run_guard(scenario.problem, site, plan, scenario.options, seed);
+}
+
 Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
   Progress progress(4);
   progress.next("reading the yard");
@@ -92,23 +141,27 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
   const GuardScenario& scenario = command.scenario;
   auto planner = find_guard_planner(scenario.options.planner);
   if (!planner) return pass_on(planner);
+  if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
 
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   progress.next("surveying from where each target can be hit");
   auto site = survey(scenario.problem, scenario.options);
   if (!site) return pass_on(site);
   progress.next("planning the tour");
-  auto plan = planner->plan(scenario.problem, *site, scenario.options, {});
+  auto plan = scenario.wander.any() ? Outcome<GuardPlan>(GuardPlan{})
+                                    : planner->plan(scenario.problem, *site, scenario.options, {});
+  if (plan) plan = supply_plan(scenario.problem, *site, std::move(*plan), {});
   if (!plan) return pass_on(plan);
-  const std::chrono::duration<double> planning = std::chrono::steady_clock::now() - begin;
+  if (scenario.options.shoot_on_the_move) plan = shoot_in_passing(scenario.problem, *site, *plan);
+  const double planning_s = seconds_since(begin);
 
   progress.next("driving and shooting");
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  auto report = scenario.arrivals.any() ? keep_watch(scenario.problem, *site, *plan, scenario.intruders,
-                                                     scenario.arrivals, scenario.options, seed)
-                                        : run_guard(scenario.problem, *site, *plan, scenario.options, seed);
+  const auto launched = Clock::now();
+  auto report = carried_out(scenario, *site, *plan, seed, progress);
   if (!report) return pass_on(report);
-  GuardResult result{std::move(*report), planning.count(), {}};
+  GuardResult result{std::move(*report), planning_s, 0.0, {}};
+  if (result.report.sim) result.physics_s = seconds_since(launched);
   if (command.regions) result.regions = regions_svg(scenario.problem, *site);
   result.report.warnings = std::move(*warnings);
   result.report.settings = settings_of(command.scenario);
@@ -137,11 +190,18 @@ Outcome<std::string> write_files(const GuardCommand& command, const GuardResult&
 }
 
 Status check_output(const GuardCommand& command, const CLI::App& flags) {
+  if (auto ok = check(command.pddl, flags); !ok) return ok;
   if (flags.get_option("--out")->count() > 0) return check_folder(command.out);
   if (!command.html && !command.svg && !command.regions) return {};
   return bad_input("a page or a picture needs a folder; give --out DIR", command.html  ? "--html"
                                                                          : command.svg ? "--svg"
                                                                                        : "--regions");
+}
+
+void print_real_time(const GuardResult& result) {
+  const double mission_s = result.report.track.back().time_s;
+  fmt::print(stderr, "outrider: physics: {:.1f} s of the mission in {:.1f} s, {:.1f} times real time\n",
+             mission_s, result.physics_s, mission_s / result.physics_s);
 }
 
 void print_text(const GuardCommand& command, const GuardResult& result, const std::string& path) {
@@ -154,6 +214,17 @@ void print_text(const GuardCommand& command, const GuardResult& result, const st
   if (command.regions) fmt::print("  regions  {}/firing_regions.svg\n", command.out);
 }
 
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
+}
+
+int carry_out_pddl(GuardCommand& command, const CLI::App& flags) {
+  const auto warnings = read_input(command, flags);
+  if (!warnings) return say(warnings.error(), command.json);
+  warn(*warnings);
+  return carry_out(command.pddl, command.scenario, *warnings, command.json);
+}
+
 int execute(GuardCommand& command, const CLI::App& flags) {
   const bool json = flags.get_option("--json")->count() > 0;
   if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
@@ -163,11 +234,11 @@ int execute(GuardCommand& command, const CLI::App& flags) {
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                   static_cast<std::size_t>(command.threads));
   }
+  if (command.pddl.any()) return carry_out_pddl(command, flags);
   const auto result = carry_out(command, flags);
   if (!result) return say(result.error(), command.json);
-  for (const std::string& warning : result->report.warnings) {
-    fmt::print(stderr, "outrider: warning: {}\n", warning);
-  }
+  warn(result->report.warnings);
+  if (result->report.sim) print_real_time(*result);
   const auto path = write_files(command, *result);
   if (!path) return say(path.error(), command.json);
 

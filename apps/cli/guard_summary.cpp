@@ -34,6 +34,28 @@ std::string watch_summary(const Report& report) {
       duration_text(metric(report, "makespan_bound_s")));
 }
 
+std::string supply_line(const Report& report) {
+  std::string text = fmt::format("  filled up {:.0f} times, {:.0f} of them not as planned",
+                                 metric(report, "fills"), metric(report, "unplanned_fills"));
+  if (has_metric(report, "least_water"))
+    text += fmt::format("; water at least {:g}", metric(report, "least_water"));
+  if (has_metric(report, "least_charge_j")) {
+    text += fmt::format("; charge at least {:.0f} J", metric(report, "least_charge_j"));
+  }
+  return text + "\n";
+}
+
+std::string passing_lines(const Report& report) {
+  std::string text = fmt::format("  {:.0f} of the shots left while the robot drove, {:.0f} of these hit\n",
+                                 metric(report, "shots_in_passing"), metric(report, "hits_in_passing"));
+  const double bound_s = metric(report, "lower_bound_s");
+  if (bound_s > 0.0) {
+    text += fmt::format("  no mission, shooting from rest or on the move, takes less than {}\n",
+                        duration_text(bound_s));
+  }
+  return text;
+}
+
 std::string target_row(const ReportTarget& target, std::size_t width) {
   if (target.shots == 0) {
     return fmt::format("  {:<{}}  {:<11}  {}\n", target.name, width, target.status, target.reason);
@@ -66,6 +88,16 @@ nlohmann::ordered_json target_json(const ReportTarget& t) {
   return object;
 }
 
+/// How far the plan may be from the best, among the stops offered and from anywhere.
+std::string bounds_lines(const Report& report) {
+  return fmt::format(
+      "  no tour of the {:.0f} stops offered takes less than {}: a gap of {:.1f} %{}\n"
+      "  no mission from any place of the grid takes less than {}: a gap of {:.1f} %\n",
+      metric(report, "stops_offered"), duration_text(metric(report, "lower_bound_s")),
+      100.0 * metric(report, "gap"), metric(report, "tour_proven") > 0.0 ? ", the tour is the best" : "",
+      duration_text(metric(report, "anywhere_lower_bound_s")), 100.0 * metric(report, "anywhere_gap"));
+}
+
 }  // namespace
 
 std::string summary(const Report& report) {
@@ -80,10 +112,13 @@ std::string summary(const Report& report) {
   if (has_metric(report, "intruder_seconds")) return text + watch_summary(report);
   text += fmt::format(
       "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"
-      "  planned {}; at this resolution no mission is shorter than {}, a gap of {:.1f} %\n",
+      "  planned {}\n",
       metric(report, "driven_m"), degrees(metric(report, "turned_rad")), metric(report, "shots"),
-      metric(report, "stops"), duration_text(metric(report, "planned_s")),
-      duration_text(metric(report, "lower_bound_s")), 100.0 * metric(report, "gap"));
+      metric(report, "stops"), duration_text(metric(report, "planned_s")));
+  if (has_metric(report, "stops_offered") && metric(report, "stops_offered") > 0.0)
+    text += bounds_lines(report);
+  if (has_metric(report, "fills")) text += supply_line(report);
+  if (has_metric(report, "shots_in_passing")) text += passing_lines(report);
   return text;
 }
 
@@ -94,8 +129,11 @@ nlohmann::ordered_json summary_json(const Report& report, const std::string& rep
   for (const ReportTarget& target : report.targets) targets.push_back(target_json(target));
   nlohmann::ordered_json path = nullptr;
   if (!report_path.empty()) path = report_path;
-  return {{"status", report.status}, {"job", report.job}, {"reason", report.reason},    {"metrics", metrics},
-          {"targets", targets},      {"report", path},    {"warnings", report.warnings}};
+  nlohmann::ordered_json object = {
+      {"status", report.status}, {"job", report.job}, {"reason", report.reason},    {"metrics", metrics},
+      {"targets", targets},      {"report", path},    {"warnings", report.warnings}};
+  if (report.sim) object["sim"] = *report.sim;
+  return object;
 }
 
 void insert_planning(nlohmann::ordered_json& summary, double planning_s) {

@@ -20,6 +20,12 @@ void Progress::next(const std::string& step) {
   const std::lock_guard lock(mutex_);
   step_ = step;
   ++done_;
+  part_ = 0.0;
+}
+
+void Progress::part(double done) {
+  const std::lock_guard lock(mutex_);
+  part_ = done;
 }
 
 void Progress::end() {
@@ -38,7 +44,7 @@ void Progress::watch() {
   bool shown = false;
   std::unique_lock lock(mutex_);
   while (!ended_.wait_until(lock, wake, [this] { return over_; })) {
-    const auto full = static_cast<std::size_t>(bar_width * done_ / steps_);
+    const auto full = static_cast<std::size_t>(bar_width * (done_ + part_) / steps_);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count();
     fmt::print(stderr, "\r\x1b[K[{:.<{}}] {}, {} s", std::string(full, '#'), bar_width, step_, seconds);
     std::fflush(stderr);

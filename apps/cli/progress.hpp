@@ -19,6 +19,8 @@ class Progress {
 
   /// The next step begins.
   void next(const std::string& step);
+  /// That part of the present step is done, from 0 to 1.
+  void part(double done);
   /// Clears the line, for good.
   void end();
 
@@ -30,6 +32,7 @@ class Progress {
   std::condition_variable ended_;
   bool over_ = false;
   int done_ = -1;
+  double part_ = 0.0;
   std::string step_;
   std::thread watcher_;
 };

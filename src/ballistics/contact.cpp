@@ -9,8 +9,13 @@ namespace {
 
 constexpr double clearance_tolerance_m = 1e-4;
 
-/// The part of [from, until] in which a flight's ground track is inside the box grown by `by`.
+/// A part of [from, until] outside of which the flight is not inside the box grown by `by`.
 std::optional<Interval> passage(const Flight& flight, const Box3& box, double by, double from, double until) {
+  if (flight.in_air) {
+    const Vec3 reach{by, by, by};
+    const auto part = flight.in_air->passage({box.low - reach, box.high + reach}, from, until);
+    return part ? std::optional(Interval{part->first, part->second}) : std::nullopt;
+  }
   const auto slab = [&](double p, double v, double low, double high) {
     if (v == 0.0) return p >= low && p <= high;
     const double t0 = (low - p) / v;
@@ -29,9 +34,10 @@ std::optional<Interval> passage(const Flight& flight, const Box3& box, double by
   return Interval{from, until};
 }
 
-/// Longest time in which a ball of speed v under gravity g surely travels less than `distance`.
-double safe_step(double distance, double speed, double gravity) {
-  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * gravity * distance));
+/// Longest time in which a ball of that speed and at most that acceleration surely travels less than
+/// `distance`.
+double safe_step(double distance, double speed, double acceleration) {
+  return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));
 }
 
 struct Approach {
@@ -49,7 +55,8 @@ struct Approach {
   }
   /// Refines [t0, t1] while it may hold a smaller distance than the best known.
   void search(double t0, double t1) {
-    const double speed = std::max(norm(flight.velocity(t0)), norm(flight.velocity(t1)));
+    double speed = std::max(norm(flight.velocity(t0)), norm(flight.velocity(t1)));
+    if (flight.in_air) speed += 0.5 * flight.most_acceleration() * (t1 - t0);  // no convex function of time
     const double middle = 0.5 * (t0 + t1);
     visit(middle);
     const double reach = 0.5 * speed * (t1 - t0);
@@ -62,6 +69,7 @@ struct Approach {
 }  // namespace
 
 double fall_time(const Flight& flight, double height_m) {
+  if (flight.in_air) return flight.in_air->fall_time(height_m);
   const double rise = flight.velocity_mps.z;
   const double above = flight.muzzle.z - height_m;
   const double discriminant = rise * rise + 2.0 * flight.gravity_mps2 * above;
@@ -75,7 +83,7 @@ std::optional<double> contact_time(const Flight& flight, double ball_radius_m, c
   while (t <= until_s) {
     const double gap = distance(flight.position(t), solid) - ball_radius_m;
     if (gap <= contact_tolerance_m) return t;
-    t += safe_step(gap, norm(flight.velocity(t)), flight.gravity_mps2);
+    t += safe_step(gap, norm(flight.velocity(t)), flight.most_acceleration());
   }
   return std::nullopt;
 }
@@ -85,8 +93,8 @@ bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, dou
   const double middle = 0.5 * (from_s + until_s);
   const double gap = distance(flight.position(middle), solid) - ball_radius_m;
   if (gap <= contact_tolerance_m) return true;
-  // The bound holds backwards as well: the reversed flight has the same speed and the same gravity.
-  const double clear = safe_step(gap, norm(flight.velocity(middle)), flight.gravity_mps2);
+  // The bound holds backwards as well: the reversed flight has the same speed and the same acceleration.
+  const double clear = safe_step(gap, norm(flight.velocity(middle)), flight.most_acceleration());
   return touches(flight, ball_radius_m, solid, from_s, middle - clear) ||
          touches(flight, ball_radius_m, solid, middle + clear, until_s);
 }

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "in_air.hpp"
 #include "outrider/ballistics/firing_region.hpp"
 #include "outrider/ballistics/sight.hpp"
+#include "outrider/ballistics/stance.hpp"
 
 namespace outrider {
 namespace {
@@ -21,8 +23,9 @@ class Exhaustion {
         target_(target),
         all_(blockers(space, rules.gun.ball_radius_m + rules.margin_m)),
         stopped_last_(all_.size(), 0),
-        sight_(rules, target) {
-    for (const double pitch : pitch_lattice(rules)) lattice_.push_back(elevation(rules, pitch));
+        sight_(rules_, target) {
+    for (const double pitch : pitch_lattice(rules)) level_.push_back(elevation(rules, pitch));
+    lattice_ = level_;
     for (const double up : offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m)) {
       aim_z_.push_back(target.centre().z + up);
     }
@@ -39,16 +42,14 @@ class Exhaustion {
     std::stable_sort(near_.begin(), near_.end(), [this](const Blocker* a, const Blocker* b) {
       return stopped_last_[index(a)] > stopped_last_[index(b)];
     });
+    const Stance stance = stance_at(rules_, position);
+    rules_.floor_z_m = stance.ground_z_m;
     bool in_range = false;
     for (const Vec2 aim : aim_points(target_, position, rules_.aim_step_m)) {
-      sight_.look(position, aim, near_);
-      open_.clear();
-      for (std::size_t i = 0; i < lattice_.size(); ++i) {
-        if (const std::size_t count = sight_.passes(lattice_[i], aim_z_)) open_.push_back({i, 0, count});
+      if (stance.level() ? try_level(cell, position, aim, in_range)
+                         : try_leaning(cell, stance, position, aim, in_range)) {
+        break;
       }
-      in_range = in_range || !open_.empty();
-      decide_together();
-      if (decide_one_by_one(cell)) break;
     }
     result.places += in_range ? 1 : 0;
     return !result.found.has_value();
@@ -59,6 +60,37 @@ class Exhaustion {
  private:
   [[nodiscard]] std::size_t index(const Blocker* blocker) const {
     return static_cast<std::size_t>(blocker - all_.data());
+  }
+
+  void open(std::size_t pitch) {
+    if (const std::size_t count = sight_.passes(lattice_[pitch], aim_z_)) open_.push_back({pitch, 0, count});
+  }
+
+  /// The flights at all pitches lie in one plane; true at the first hit.
+  bool try_level(std::size_t cell, Vec2 position, Vec2 aim, bool& in_range) {
+    sight_.look(position, aim, near_);
+    lattice_ = level_;
+    open_.clear();
+    for (std::size_t i = 0; i < lattice_.size(); ++i) open(i);
+    in_range = in_range || !open_.empty();
+    decide_together();
+    return decide_one_by_one(cell);
+  }
+
+  /// Each pitch has a plane of its own.
+  bool try_leaning(std::size_t cell, const Stance& stance, Vec2 position, Vec2 aim, bool& in_range) {
+    for (std::size_t i = 0; i < level_.size(); ++i) {
+      const auto line = line_of_fire(rules_, stance, position, aim, level_[i].pitch_rad);
+      if (!line) continue;
+      sight_.look(line->from, aim, near_);
+      lattice_[i] = line->at;
+      open_.clear();
+      open(i);
+      in_range = in_range || !open_.empty();
+      decide_together();
+      if (decide_one_by_one(cell)) return true;
+    }
+    return false;
   }
 
   void count(const Blocker& blocker, std::size_t flights) {
@@ -102,12 +134,13 @@ class Exhaustion {
     return false;
   }
 
-  const ShotRules& rules_;
+  ShotRules rules_;  ///< with the height of the ground at the present place
   const Target& target_;
   std::vector<Blocker> all_;
   std::vector<std::uint64_t> stopped_last_;  ///< by blocker: the last place from which it stopped a flight
-  std::vector<Elevation> lattice_;
-  std::vector<double> aim_z_;  ///< heights of the aim points, world, ascending
+  std::vector<Elevation> level_;             ///< by pitch, on level ground
+  std::vector<Elevation> lattice_;           ///< at the present place
+  std::vector<double> aim_z_;                ///< heights of the aim points, world, ascending
   Sight sight_;
   std::uint64_t visits_ = 0;
   std::vector<const Blocker*> near_;
@@ -118,9 +151,10 @@ class Exhaustion {
 
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+  if (!rules.air.none()) return exhaust_in_air(rules, space, target, frame, standable);
   Exhaustion exhaustion(rules, space, target);
   sweep(exhaustion.blockers_of_space(), xy(target.base), longest_range(rules, target),
-        0.5 * std::hypot(target.size.x, target.size.y), frame, standable,
+        0.5 * std::hypot(target.size.x, target.size.y) + largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           return exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
         });

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "in_air.hpp"
 #include "outrider/ballistics/sight.hpp"
+#include "outrider/ballistics/stance.hpp"
 
 namespace outrider {
 namespace {
@@ -23,11 +25,35 @@ struct Choice {
   const Blocker* blocker = nullptr;  ///< of the flattest arc
 };
 
-Choice choose(Sight& sight, const std::vector<Elevation>& lattice, double aim_z) {
+/// Where the robot is, and what may stand on the way.
+struct Post {
+  Stance stance;
+  Vec2 position;
+  const std::vector<const Blocker*>& near;
+};
+
+/// Turns to the target's centre at one pitch of the gun; the elevation of the flights there.
+std::optional<Elevation> look(const ShotRules& rules, Sight& sight, const Post& from, Vec2 aim,
+                              double pitch) {
+  const auto line = line_of_fire(rules, from.stance, from.position, aim, pitch);
+  if (!line) return std::nullopt;
+  sight.look(line->from, aim, from.near);
+  return line->at;
+}
+
+Choice choose(const ShotRules& rules, Sight& sight, const std::vector<Elevation>& lattice, const Post& from,
+              Vec3 aim) {
   Choice choice;
   Window* last = nullptr;  // what stopped one arc often stops the next
+  if (from.stance.level()) sight.look(from.position, xy(aim), from.near);
   for (std::size_t i = 0; i < lattice.size(); ++i) {
-    const auto arc = sight.arc(lattice[i], aim_z);
+    std::optional<Elevation> leaning;
+    if (!from.stance.level()) {
+      leaning = look(rules, sight, from, xy(aim), lattice[i].pitch_rad);
+      if (!leaning) continue;
+      last = nullptr;
+    }
+    const auto arc = sight.arc(leaning ? *leaning : lattice[i], aim.z);
     if (!arc) continue;
     const auto spread = [&] { return static_cast<float>(sight.spread(*arc)); };
     if (choice.pitch != FiringRegion::no_shot && spread() >= choice.spread) continue;
@@ -58,6 +84,7 @@ std::vector<double> pitch_lattice(const ShotRules& rules) {
 
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
                            const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+  if (!rules.air.none()) return firing_region_in_air(rules, space, target, frame, standable);
   const auto lattice = elevations(rules);
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
@@ -67,13 +94,15 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
   region.blocked_by.assign(space.solids().size(), 0);
   for (const std::uint8_t cell : standable) region.places += cell;
 
-  Sight sight(rules, target);
-  sweep(all, xy(centre), longest_range(rules, target), 0.0, frame, standable,
+  ShotRules here = rules;  // with the height of the ground at each place
+  Sight sight(here, target);
+  sweep(all, xy(centre), longest_range(rules, target), largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           const Vec2 position = frame.centre(frame.cell(cell));
           if (!clear_of(rules, target, position)) return true;
-          sight.look(position, xy(centre), near);
-          const Choice choice = choose(sight, lattice, centre.z);
+          const Stance stance = stance_at(rules, position);
+          here.floor_z_m = stance.ground_z_m;
+          const Choice choice = choose(here, sight, lattice, {stance, position, near}, centre);
           region.pitch[cell] = choice.pitch;
           region.spread[cell] = choice.spread;
           region.in_range += choice.in_range ? 1 : 0;

@@ -6,8 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "outrider/ballistics/aim.hpp"
 #include "outrider/ballistics/firing_region.hpp"
 #include "outrider/ballistics/sight.hpp"
+#include "outrider/ballistics/stance.hpp"
 
 namespace outrider {
 namespace {
@@ -75,20 +77,61 @@ std::vector<Aim> all_aims(const ShotRules& rules, const Target& target, Vec2 pos
   return aims;
 }
 
+/// The shot at a pitch that passes the aim point.
+std::optional<Candidate> candidate(const ShotRules& rules, const Target& target, Vec2 position, double pitch,
+                                   const Aim& aim) {
+  const double range = norm(aim.sight);
+  const auto speed = speed_through(rules.gun, pitch, range, aim.height_m, rules.gravity_mps2);
+  if (!speed) return std::nullopt;
+  const Shot shot{heading_of(aim.sight), pitch, *speed};
+  const double flight = (range - muzzle(rules.gun, pitch).x) / (*speed * std::cos(pitch));
+  return Candidate{shot, spread(rules, target, position, shot), flight};
+}
+
+/// The same on a slope.
+std::optional<Candidate> candidate_leaning(const ShotRules& rules, const Stance& stance, const Target& target,
+                                           Vec2 position, double pitch, const Aim& aim) {
+  const auto line = line_of_fire(rules, stance, position, position + aim.sight, pitch);
+  if (!line) return std::nullopt;
+  const Elevation& at = line->at;
+  const Vec2 sight = position + aim.sight - line->from;
+  const double s = norm(sight) - at.tip.x;
+  const double drop = (at.tip.y + s * at.tangent - aim.height_m) / (s * s);
+  if (drop <= 0.0 || drop < at.least_drop) return std::nullopt;
+  const double forward = std::sqrt(rules.gravity_mps2 / (2.0 * drop));
+  const Vec2 along = 1.0 / norm(sight) * sight;
+  return Candidate{
+      {heading_of(sight), at.pitch_rad, forward / at.cosine},
+      spread(rules, target, outline(target, direction(target.yaw_rad), along), norm(sight), at, drop),
+      s / forward};
+}
+
+/// The same in air; `last` is the one at the pitch before.
+std::optional<Candidate> candidate_in_air(const ShotRules& rules, const Target& target, Vec2 position,
+                                          double pitch, const Aim& aim, std::optional<Aimed>& last) {
+  const Vec2 ground = position + aim.sight;
+  last = aim_through(rules, {position, {}}, pitch, {ground.x, ground.y, aim.height_m + rules.floor_z_m},
+                     last ? &*last : nullptr);
+  if (!last) return std::nullopt;
+  return Candidate{last->shot, spread(rules, target, *last), last->flight_s};
+}
+
 /// Every shot at one of the pitches that passes one of the aim points, the best first.
 std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, Vec2 position,
                                   double pitch_rad, const std::vector<Aim>& aims) {
   const auto pitches = pitch_lattice(rules);
+  const Stance stance = stance_at(rules, position);
   std::vector<Candidate> result;
   for (const Aim& aim : aims) {
+    std::optional<Aimed> last;
     for (const double pitch : pitches) {
-      const double range = norm(aim.sight);
-      const auto speed = speed_through(rules.gun, pitch, range, aim.height_m, rules.gravity_mps2);
-      if (!speed) continue;
-      const Shot shot{heading_of(aim.sight), pitch, *speed};
-      const double flight = (range - muzzle(rules.gun, pitch).x) / (*speed * std::cos(pitch));
-      result.push_back({shot, spread(rules, target, position, shot) + aim.off_centre,
-                        flight + aim_time(rules.gun, 0.0, pitch - pitch_rad)});
+      auto found = !rules.air.none() ? candidate_in_air(rules, target, position, pitch, aim, last)
+                   : !stance.level() ? candidate_leaning(rules, stance, target, position, pitch, aim)
+                                     : candidate(rules, target, position, pitch, aim);
+      if (!found) continue;
+      found->spread += aim.off_centre;
+      found->time_s += aim_time(rules.gun, 0.0, pitch - pitch_rad);
+      result.push_back(*found);
     }
   }
   std::stable_sort(result.begin(), result.end(), better);
@@ -98,10 +141,10 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
 /// Whether the shot hits with errors of these parts of the largest.
 bool hits_with_errors(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
                       const Shot& shot, double yaw_part, double pitch_part, double speed_part) {
-  const Shot off{shot.yaw_rad + yaw_part * rules.errors.gun_rad,
-                 shot.pitch_rad + pitch_part * rules.errors.gun_rad,
-                 shot.speed_mps * (1.0 + speed_part * rules.errors.speed_ratio)};
-  const Flight flight = launch(rules.gun, position, rules.floor_z_m, off, rules.gravity_mps2);
+  Shot off = off_by(stance_at(rules, position), shot, yaw_part * rules.errors.gun_rad,
+                    pitch_part * rules.errors.gun_rad);
+  off.speed_mps = shot.speed_mps * (1.0 + speed_part * rules.errors.speed_ratio);
+  const Flight flight = launch(rules, {position, {}}, target, off);
   return fly(flight, rules.gun.ball_radius_m, space, target, rules.floor_z_m).hit;
 }
 
@@ -131,12 +174,19 @@ double hit_rate(const ShotRules& rules, const FlightSpace& space, const Target& 
 /// The flight flown exactly: nothing when it misses or does not keep the margin.
 std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                  Vec2 position, const Candidate& candidate) {
-  const Flight flight = launch(rules.gun, position, rules.floor_z_m, candidate.shot, rules.gravity_mps2);
+  const Flight flight = launch(rules, {position, {}}, target, candidate.shot);
   const double radius = rules.gun.ball_radius_m;
   const double end = fall_time(flight, target.base.z - 1.0);
   const auto touch = contact_time(flight, radius, solid_of(target), 0.0, end);
   if (!touch || space.first_contact(flight, radius + rules.margin_m, *touch)) return {};
-  return PlannedShot{candidate.shot, *touch, flight.position(*touch), 0.0, candidate.spread, false, 0.0};
+  return PlannedShot{candidate.shot,
+                     angles_of(stance_at(rules, position), candidate.shot),
+                     *touch,
+                     flight.position(*touch),
+                     0.0,
+                     candidate.spread,
+                     false,
+                     0.0};
 }
 
 /// The first that survives all extreme errors; else, of the first few that fly, the one that hits most.
@@ -156,13 +206,24 @@ std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpac
     if (shot->survives || ++tried == most_flown) break;
   }
   if (best) {
-    const Flight flight = launch(rules.gun, position, rules.floor_z_m, best->shot, rules.gravity_mps2);
+    const Flight flight = launch(rules, {position, {}}, target, best->shot);
     best->clearance_m = space.clearance(flight, rules.gun.ball_radius_m, best->flight_s, 1.0).distance_m;
   }
   return best;
 }
 
 }  // namespace
+
+Flight launch(const ShotRules& rules, const Platform& from, const Target& target, const Shot& shot,
+              double accuracy) {
+  Flight flight = launch(rules.gun, stance_at(rules, from.position), from.position, shot, rules.gravity_mps2);
+  flight.velocity_mps = flight.velocity_mps + Vec3{from.velocity_mps.x, from.velocity_mps.y, 0.0};
+  if (rules.air.none()) return flight;
+  const double lowest = std::min(rules.floor_z_m, target.base.z) - 1.0;
+  flight.in_air = std::make_shared<const AirTrack>(rules.air, flight.muzzle, flight.velocity_mps,
+                                                   flight.gravity_mps2, lowest, accuracy);
+  return flight;
+}
 
 bool clear_of(const ShotRules& rules, const Target& target, Vec2 position) {
   const Vec2 offset = position - xy(target.base);
@@ -192,9 +253,11 @@ double spread(const ShotRules& rules, const Target& target, Vec2 position, const
                 distance(position, xy(target.base)), at, rules.gravity_mps2 / (2.0 * forward * forward));
 }
 
-std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
+std::optional<PlannedShot> best_shot(const ShotRules& given, const FlightSpace& space, const Target& target,
                                      Vec2 position, double pitch_rad) {
-  if (!clear_of(rules, target, position) || position == xy(target.base)) return std::nullopt;
+  if (!clear_of(given, target, position) || position == xy(target.base)) return std::nullopt;
+  ShotRules rules = given;
+  rules.floor_z_m = stance_at(given, position).ground_z_m;
   ShotRules fine = rules;
   fine.pitch_step_rad = fine_pitch_rad;
   const auto best_at = [&](const ShotRules& lattice, const std::vector<Aim>& aims, std::size_t most_tried) {

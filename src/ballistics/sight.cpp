@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "in_air.hpp"
+#include "outrider/ballistics/stance.hpp"
+
 namespace outrider {
 namespace {
 
@@ -234,13 +237,15 @@ std::vector<Vec2> aim_points(const Target& target, Vec2 position, double step_m)
 }
 
 double longest_range(const ShotRules& rules, const Target& target) {
+  if (!rules.air.none()) return longest_range_in_air(rules, target);
   const double speed2 = rules.gun.muzzle_speed_mps * rules.gun.muzzle_speed_mps;
   const double g = rules.gravity_mps2;
   const double tip = std::hypot(rules.gun.tip_forward_m, rules.gun.tip_up_m);
-  const double rise = target.base.z - rules.floor_z_m - rules.gun.pivot_height_m - tip;
+  const double ground = rules.terrain ? rules.terrain->highest_m() : rules.floor_z_m;
+  const double rise = target.base.z - ground - rules.gun.pivot_height_m - tip;
   const double reach2 = speed2 * (speed2 - 2.0 * g * rise);  // (g x farthest range)^2
   if (reach2 < 0.0) return 0.0;
-  return std::sqrt(reach2) / g + tip + 0.5 * std::hypot(target.size.x, target.size.y);
+  return std::sqrt(reach2) / g + tip + largest_lean_m(rules) + 0.5 * std::hypot(target.size.x, target.size.y);
 }
 
 }  // namespace outrider

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -75,9 +76,61 @@ void look_elsewhere(GuardMission& mission, const Observation& seen, const GuardP
   note_failure(mission, target, problem, "no shot from the places that the robot got to", seen.time_s);
   if (mission.errands.front().targets.size() < left) return;  // it was the last try
   drop_target(mission);
-  const auto place = another_place(problem, site, target, seen.pose.position, problem.errors.position_m);
+  const auto place =
+      another_place(problem, site, target_of(mission, target), seen.pose.position, problem.errors.position_m);
   // Behind the rest of this stop, before the next one.
   mission.errands.insert(mission.errands.begin() + 1, Errand{place.value_or(mission.last_place), {target}});
+}
+
+/// Goes to the nearest place to shoot at a target from, after the present errand.
+void stop_for(GuardMission& mission, std::size_t target, const GuardProblem& problem, const Site& site) {
+  const Vec2 end = mission.errands.front().place;
+  const auto place = another_place(problem, site, target, end, 0.0);
+  mission.errands.insert(mission.errands.begin() + 1, Errand{place.value_or(end), {target}});
+}
+
+/// The shots of the present errand in passing on that way. Who cannot be hit from it gets a stop.
+std::vector<FireInPassing> shots_in_passing(GuardMission& mission, const std::vector<Vec2>& way,
+                                            const Observation& seen, const GuardProblem& problem,
+                                            const Site& site) {
+  const auto targets = std::exchange(mission.errands.front().passing, {});
+  std::vector<FireInPassing> shots;
+  if (targets.empty()) return shots;
+  PassingShots solver(problem, site);
+  const auto hits = solver.along(seen.pose.heading_rad, way, {seen.gun_yaw_rad, seen.gun_pitch_rad}, targets);
+  for (const PassingHit& hit : hits) {
+    const Vec2 from = way[hit.leg - 1];
+    const Vec2 to = way[hit.leg];
+    TargetRecord& record = mission.records[hit.target];
+    ++record.shots;
+    record.shot = hit.shot;
+    record.pose = {platform_on(problem.robot, from, to, hit.after_s).position, heading_of(to - from)};
+    mission.passing.push_back(hit.target);
+    shots.push_back({hit.target, hit.leg, hit.after_s, hit.shot.shot});
+  }
+  for (const std::size_t target : targets) {
+    if (std::ranges::count(mission.passing, target) == 0) stop_for(mission, target, problem, site);
+  }
+  return shots;
+}
+
+/// What has become of the shots in passing.
+void note_passing(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
+                  const Site& site) {
+  for (const std::size_t target : std::exchange(mission.passing, {})) {
+    TargetRecord& record = mission.records[target];
+    const auto result = std::ranges::find(seen.passed, target, &PassingResult::target);
+    if (result != seen.passed.end() && result->hit) {
+      settle(record, TargetStatus::reached,
+             fmt::format("hit by shot {} in passing from ({:.2f}, {:.2f})", record.shots,
+                         record.pose.position.x, record.pose.position.y),
+             result->landed_s);
+    } else if (++record.tries < problem.tries) {
+      stop_for(mission, target, problem, site);
+    } else {
+      settle(record, TargetStatus::failed, fmt::format("missed {} times", record.tries), seen.time_s);
+    }
+  }
 }
 
 /// The second pass: what failed is tried from another place, what had no shot without the margin.
@@ -87,16 +140,26 @@ void plan_second_pass(GuardMission& mission, const GuardProblem& problem, const 
   bold.margin_m = 0.0;
   for (std::size_t t = 0; t < mission.records.size(); ++t) {
     TargetRecord& record = mission.records[t];
+    const std::size_t at = target_of(mission, t);
     record.tries = 0;
     if (record.status == TargetStatus::failed) {
-      const auto place = another_place(problem, site, t, record.pose.position, problem.errors.position_m);
+      const auto place = another_place(problem, site, at, record.pose.position, problem.errors.position_m);
       mission.errands.push_back({place.value_or(record.pose.position), {t}});
     } else if (record.status == TargetStatus::unreachable && site.rules.margin_m > 0.0) {
-      const Exhausted tried = exhaust(bold, site.space(t), problem.targets[t], site.frame, site.reachable);
+      const Exhausted tried = exhaust(bold, site.space(at), problem.targets[at], site.frame, site.reachable);
       if (!tried.found) continue;
       mission.errands.push_back({site.frame.centre(site.frame.cell(*tried.found)), {t}});
     }
   }
+}
+
+/// The end of an errand to a station, where the gun is at rest.
+Fill fill(GuardMission& mission) {
+  const StationCall call = *mission.errands.front().call;
+  mission.errands.pop_front();
+  mission.arrived = false;
+  mission.aimed = false;
+  return {call};
 }
 
 /// Waypoints from where the robot stands to the place of the present errand.
@@ -126,6 +189,10 @@ std::string_view to_string(TargetStatus status) {
   return "unknown";
 }
 
+std::size_t target_of(const GuardMission& mission, std::size_t record) {
+  return mission.at.empty() ? record : mission.at[record];
+}
+
 GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
   GuardMission mission;
   mission.records.resize(problem.targets.size());
@@ -134,8 +201,12 @@ GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
   for (const Unreachable& lost : plan.unreachable) {
     settle(mission.records[lost.target], TargetStatus::unreachable, lost.reason, 0.0);
   }
+  for (const Unreachable& lost : plan.unsupplied) {
+    settle(mission.records[lost.target], TargetStatus::failed, lost.reason, 0.0);
+  }
   for (const PlannedStop& stop : plan.stops) {
-    Errand errand{stop.position, {}};
+    Errand errand{stop.position, {}, stop.call};
+    for (const PassingHit& hit : stop.passing) errand.passing.push_back(hit.target);
     for (const PlannedHit& hit : stop.hits) errand.targets.push_back(hit.target);
     mission.errands.push_back(std::move(errand));
   }
@@ -149,6 +220,7 @@ void hear(GuardMission& mission, const Observation& seen, const GuardProblem& pr
 std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
                             const Site& site) {
   hear(mission, seen, problem);
+  note_passing(mission, seen, problem, site);
   for (;;) {
     if (mission.errands.empty()) {
       if (mission.second_pass || mission.keeps_watch) return std::nullopt;
@@ -156,7 +228,7 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       continue;
     }
     const Errand& errand = mission.errands.front();
-    if (errand.targets.empty()) {
+    if (errand.targets.empty() && errand.passing.empty() && !errand.call) {
       mission.errands.pop_front();
       mission.arrived = false;
       continue;
@@ -165,16 +237,23 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       mission.arrived = true;
       auto way = way_to(mission, seen, problem, site);
       mission.last_place = errand.place;
-      if (distance(seen.pose.position, errand.place) > there_m) return FollowWaypoints{std::move(way)};
+      const bool drives = distance(seen.pose.position, errand.place) > there_m;
+      auto shots = shots_in_passing(mission, way, seen, problem, site);
+      if (drives) return FollowWaypoints{std::move(way), false, std::move(shots)};
       continue;
+    }
+    if (errand.call) {
+      if (!std::exchange(mission.aimed, true)) return AimGun{seen.pose.heading_rad, 0.0};
+      return fill(mission);
     }
     const std::size_t target = errand.targets.front();
     TargetRecord& record = mission.records[target];
     if (!mission.aimed) {
       ShotRules rules = site.rules;
       if (mission.second_pass) rules.margin_m = 0.0;
-      const auto shot = best_shot(rules, site.space(target), problem.targets[target], seen.pose.position,
-                                  seen.gun_pitch_rad);
+      const std::size_t at = target_of(mission, target);
+      const auto shot =
+          best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, seen.gun_pitch_rad);
       record.pose = seen.pose;
       if (!shot) {
         look_elsewhere(mission, seen, problem, site);

@@ -19,17 +19,31 @@ void forget_the_done(WatchMission& mission) {
   });
 }
 
+/// Somebody was hit and goes elsewhere: all begins again for it, with the shots it has had.
+void go_on(WatchMission& mission, const Sighting& sighting, const Watch& watch) {
+  GuardMission& guard = mission.guard;
+  for (std::size_t i = guard.at.size(); i < guard.records.size(); ++i) guard.at.push_back(i);
+  ++mission.survived;
+  std::erase_if(mission.inside, [&](const Sighting& s) { return s.target == sighting.target; });
+  guard.at[sighting.target] = watch.at_place(sighting.place);
+  TargetRecord& record = guard.records[sighting.target];
+  record = {TargetStatus::waiting, {}, record.shots, 0, record.shot, record.pose, 0.0};
+  guard.keeps_watch = true;
+  guard.second_pass = false;  // there will be another, for all who have failed
+}
+
 /// Those who have just entered are inside now; those who are done are not.
 void look_around(WatchMission& mission, const Observation& seen, const WatchPlan& plan) {
-  auto& records = mission.guard.records;
   for (const Sighting& sighting : seen.entered) {
-    if (plan.outlook.reachable[plan.watch.intruders[sighting.target].place] != 0) {
+    TargetRecord& record = mission.guard.records[sighting.target];
+    if (record.status == TargetStatus::reached) go_on(mission, sighting, plan.watch);
+    if (plan.outlook.reachable[sighting.place] != 0) {
       mission.inside.push_back(sighting);
       ++mission.entered;
     } else {
-      records[sighting.target].status = TargetStatus::unreachable;
-      records[sighting.target].reason = "its place cannot be hit from anywhere";
-      records[sighting.target].done_s = seen.time_s;
+      record.status = TargetStatus::unreachable;
+      record.reason = "its place cannot be hit from anywhere";
+      record.done_s = seen.time_s;
     }
   }
   forget_the_done(mission);
@@ -58,7 +72,7 @@ std::optional<std::size_t> stop_here(const WatchMission& mission, const Observat
 }
 
 /// From where the robot is; from the nearest stop where no corner is seen from there.
-Drive drive_from(const Pose2& pose, std::size_t stop, const RobotModel& robot, const Outlook& outlook) {
+Drive drive_from(const Pose2& pose, std::size_t stop, const Watch& watch, const Outlook& outlook) {
   const auto& stops = outlook.stops;
   const auto route = outlook.routes.route(pose, stops[stop]);
   if (!route) {
@@ -70,7 +84,7 @@ Drive drive_from(const Pose2& pose, std::size_t stop, const RobotModel& robot, c
   if (route->waypoints.size() < 2) return {0.0, pose.heading_rad, pose.heading_rad};
   const auto& way = route->waypoints;
   const double departure = heading_of(way[1] - way[0]);
-  const DriveCost cost = drive_cost(robot, departure, way);
+  const DriveCost cost = drive_cost(watch.problem.robot, departure, way, watch.site.ground.terrain());
   return {cost.time_s, departure, cost.heading_rad};
 }
 
@@ -90,26 +104,11 @@ Standing standing(const WatchMission& mission, const Observation& seen, const Wa
       drive = outlook.routes.between(*here, stop);
       if (*here == stop) drive.time_s = 0.0;
     } else if (useful) {
-      drive = drive_from(seen.pose, stop, plan.watch.problem.robot, outlook);
+      drive = drive_from(seen.pose, stop, plan.watch, outlook);
     }
     from.drives.push_back(drive);
   }
   return from;
-}
-
-/// The tour of the still yard, as far as it is about those wanted.
-std::vector<Visit> part_of_tour(const std::vector<Visit>& tour, const std::vector<Wanted>& wanted) {
-  std::vector<Visit> part;
-  for (const Visit& visit : tour) {
-    Visit kept{visit.stop, {}};
-    for (const std::uint32_t goal : visit.goals) {
-      for (std::uint32_t who = 0; who < wanted.size(); ++who) {
-        if (wanted[who].goal == goal) kept.goals.push_back(who);
-      }
-    }
-    if (!kept.goals.empty()) part.push_back(std::move(kept));
-  }
-  return part;
 }
 
 /// The tour answers this very question: all its targets there at the start, and the makespan.
@@ -127,16 +126,12 @@ void plan_anew(WatchMission& mission, const Observation& seen, const WatchPlan& 
   count = std::min({count, mission.inside.size(), most_planned});
   for (std::size_t i = 0; i < count; ++i) {
     const Sighting& sighting = mission.inside[i];
-    const auto goal = static_cast<std::uint32_t>(plan.watch.intruders[sighting.target].place);
-    wanted.push_back({goal, sighting.settles_s});
+    wanted.push_back({static_cast<std::uint32_t>(sighting.place), sighting.settles_s});
   }
   const TourProblem& table = plan.outlook.table;
   const Standing from = standing(mission, seen, plan, wanted);
-  Sequence best = best_sequence(table, wanted, from, plan.objective, plan.beam);
-  auto part = part_of_tour(plan.outlook.tour, wanted);
-  const double part_value = value_of(table, wanted, from, plan.objective, part);
-  const bool still = is_the_still_yard(mission, plan, wanted, seen.time_s) && std::isfinite(part_value);
-  if (still || part_value < best.value) best.visits = std::move(part);
+  const Sequence best = sequence_beside(plan.outlook.tour, table, wanted, from, plan.objective, plan.beam,
+                                        is_the_still_yard(mission, plan, wanted, seen.time_s));
 
   GuardMission& guard = mission.guard;
   if (best.visits.empty()) {
@@ -170,7 +165,7 @@ std::optional<double> to_wait_for(const WatchMission& mission, const Observation
 
 WatchMission begin(const WatchPlan& plan) {
   WatchMission mission;
-  mission.guard.records.resize(plan.watch.problem.targets.size());
+  mission.guard.records.resize(plan.watch.intruders.size());
   mission.guard.last_place = plan.watch.problem.start.position;
   mission.guard.routes = plan.outlook.routes;
   mission.guard.keeps_watch = true;

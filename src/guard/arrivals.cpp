@@ -24,6 +24,8 @@ std::vector<Option> describe(ArrivalOptions& options) {
        &options.list},
       {"walk", "m/s", 0.0, 100.0, "their speed from the entrance to their place; 0: they are there at once",
        &options.walk_mps},
+      {"leave", "", 0.0, 1.0,
+       "probability that one who is hit leaves; else it walks to another target's place", &options.leave},
       {"policy", "", 0, 0, "when to plan anew; a guard policy of 'outrider list'", &options.policy},
       {"group", "", 1, 64, "intruders in a group, of the policy groups", &options.group},
       {"objective", "", 0, 0, "what is made least: time_inside (of all intruders, summed) or makespan",
@@ -90,6 +92,19 @@ void put_in_order(const GuardProblem& problem, std::vector<Intruder>& intruders)
   }
 }
 
+std::vector<Intruder> settled_intruders(const GuardProblem& problem) {
+  std::vector<Intruder> intruders;
+  for (std::size_t place = 0; place < problem.targets.size(); ++place) {
+    intruders.push_back({problem.targets[place].name, place, {}, xy(problem.targets[place].base), 0.0, 0.0});
+  }
+  return intruders;
+}
+
+std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng) {
+  const std::size_t other = rng.below(places - 1);
+  return other < place ? other : other + 1;
+}
+
 Outcome<Watch> watch_over(const GuardProblem& problem, const Site& site, std::vector<Intruder> intruders) {
   if (problem.targets_block) {
     return bad_input("targets that come and go cannot block; leave one of targets_block and arrivals out",
@@ -99,11 +114,15 @@ Outcome<Watch> watch_over(const GuardProblem& problem, const Site& site, std::ve
   watch.problem.targets.clear();
   watch.site.regions.clear();
   watch.site.proofs.clear();
-  for (const Intruder& intruder : watch.intruders) {
-    watch.problem.targets.push_back(problem.targets[intruder.place]);
-    watch.problem.targets.back().name = intruder.name;
-    watch.site.regions.push_back(site.regions[intruder.place]);
-    watch.site.proofs.push_back(site.proofs[intruder.place]);
+  const auto add = [&](std::size_t place, const std::string& name) {
+    watch.problem.targets.push_back(problem.targets[place]);
+    watch.problem.targets.back().name = name;
+    watch.site.regions.push_back(site.regions[place]);
+    watch.site.proofs.push_back(site.proofs[place]);
+  };
+  for (const Intruder& intruder : watch.intruders) add(intruder.place, intruder.name);
+  for (std::size_t place = 0; place < problem.targets.size(); ++place) {
+    add(place, problem.targets[place].name);
   }
   return watch;
 }

@@ -1,30 +1,12 @@
 #include "assemble.hpp"
 
+#include <algorithm>
+
+#include "outrider/ballistics/stance.hpp"
 #include "reason.hpp"
 
 namespace outrider {
 namespace {
-
-/// Time of the plan if nothing goes wrong: turns, drives, aims and flights in their order.
-double mission_time(const GuardProblem& problem, const GuardPlan& plan) {
-  double time = 0.0;
-  double heading = problem.start.heading_rad;
-  double yaw = 0.0;  // of the gun, relative to the body
-  double pitch = 0.0;
-  for (const PlannedStop& stop : plan.stops) {
-    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints);
-    time += drive.time_s;
-    heading = drive.heading_rad;
-    for (const PlannedHit& hit : stop.hits) {
-      const Shot& shot = hit.shot.shot;
-      const double relative = shot.yaw_rad - heading;
-      time += aim_time(problem.gun, relative - yaw, shot.pitch_rad - pitch) + hit.shot.flight_s;
-      yaw = relative;
-      pitch = shot.pitch_rad;
-    }
-  }
-  return time;
-}
 
 /// Joins the stops, from the start on, by the drives that are fastest with the turn before them.
 Status join(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
@@ -55,9 +37,30 @@ GuardPlan begin_plan(const GuardProblem& problem, const Site& site, const GuardO
   return plan;
 }
 
+double mission_time(const GuardProblem& problem, const Site& site, const GuardPlan& plan) {
+  double time = 0.0;
+  double heading = problem.start.heading_rad;
+  GunRest rest;
+  for (const PlannedStop& stop : plan.stops) {
+    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, site.ground.terrain());
+    time += std::max(drive.time_s, last_landing_s(stop.passing));
+    rest = gun_after(stop.waypoints, stop.passing, rest);
+    heading = drive.heading_rad;
+    const double forward = heading_on(stance_at(site.rules, stop.position), heading);
+    for (const PlannedHit& hit : stop.hits) {
+      const GunAngles& gun = hit.shot.gun;
+      const double relative = gun.yaw_rad - forward;
+      time +=
+          aim_time(problem.gun, relative - rest.yaw_rad, gun.pitch_rad - rest.pitch_rad) + hit.shot.flight_s;
+      rest = {relative, gun.pitch_rad};
+    }
+  }
+  return time;
+}
+
 Status finish_plan(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
   if (auto ok = join(problem, site, budget, plan); !ok) return ok;
-  plan.cost_s = mission_time(problem, plan);
+  plan.cost_s = mission_time(problem, site, plan);
   return {};
 }
 

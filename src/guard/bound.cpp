@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lattice.hpp"
+#include "outrider/ballistics/stance.hpp"
 #include "outrider/core/parallel.hpp"
 
 namespace outrider {
@@ -36,8 +37,13 @@ double least_flight(const ShotRules& rules, const Target& target, Vec2 place) {
   const double gap = std::hypot(std::max(0.0, std::abs(dot(ahead, away)) - 0.5 * target.size.x),
                                 std::max(0.0, std::abs(cross(ahead, away)) - 0.5 * target.size.y));
   const double tip = std::hypot(gun.tip_forward_m, gun.tip_up_m);
-  const double near = tip + gun.ball_radius_m;
-  const double low = target.base.z - rules.floor_z_m - gun.pivot_height_m - near;
+  const Stance stance = stance_at(rules, place);
+  // On a slope the joint is not above the place.
+  const double lean = gun.pivot_height_m * norm(stance.up - Vec3{0.0, 0.0, 1.0});
+  const double near = tip + gun.ball_radius_m + lean;
+  // In air the velocity over the ground is always between that at the muzzle and the slower wind.
+  if (!rules.air.none()) return std::max(0.0, gap - near) / gun.muzzle_speed_mps;
+  const double low = target.base.z - stance.ground_z_m - gun.pivot_height_m - near;
   return least_time(std::max(0.0, gap - near), low, low + target.size.z + 2.0 * near, gun.muzzle_speed_mps,
                     rules.gravity_mps2);
 }

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double near_m = 1.2;  // how far from a stop of the tour a better one is looked for
 constexpr double coarse_tile_m = 0.8;
-constexpr double good_rate = 0.85;  // least hit rate of a shot that is planned while there is a choice
+constexpr std::size_t most_settled = 40;  // targets, beyond which a tight bound is out of reach
+constexpr double good_rate = 0.85;        // least hit rate of a shot that is planned while there is a choice
 
 /// Everything that solving over one set of cells after another has in common.
 struct Drafting {
@@ -96,8 +97,8 @@ std::vector<std::vector<Service>> services(const Drafting& drafting, const std::
         if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
           continue;
         const PlannedShot& shot = *entry->second;
-        offered[i].push_back({static_cast<std::uint32_t>(goal), shot.shot.yaw_rad, shot.shot.pitch_rad,
-                              expected_flight(shot)});
+        offered[i].push_back(
+            {static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad, expected_flight(shot)});
         found = true;
       }
       return found;
@@ -110,7 +111,7 @@ std::vector<std::vector<Service>> services(const Drafting& drafting, const std::
 Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   const GuardProblem& problem = drafting.problem;
   fill(drafting, cells);
-  Draft draft{{0}, drafting.targets, {}};
+  Draft draft{{0}, drafting.targets, {}, {}};
   std::vector<Vec2> places{problem.start.position};
   for (const std::size_t cell : cells) {
     draft.cells.push_back(cell);
@@ -119,7 +120,7 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   const auto routes = site_routes(problem, drafting.site, places, drafting.budget);
   if (!routes) return tl::unexpected(routes.error());
 
-  TourProblem tour;
+  TourProblem& tour = draft.offered;
   tour.goals = drafting.targets.size();
   tour.heading_rad = problem.start.heading_rad;
   tour.turning = problem.robot.turning();
@@ -132,10 +133,29 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   }
   TourOptions tour_options;
   tour_options.iterations = drafting.options.iterations;
+  tour_options.gap = 1.0;
   auto solved = solve(tour, tour_options, drafting.budget);
   if (!solved) return pass_on(solved);
   draft.tour = std::move(*solved);
   return draft;
+}
+
+/// Improves the tour once more over the same stops, and bounds or proves it.
+Status settle(const Drafting& drafting, Draft& draft) {
+  TourOptions options;
+  options.iterations = 4 * drafting.options.iterations;
+  options.gap = drafting.options.gap;
+  options.expansions = 300'000;
+  if (draft.targets.size() > most_settled) options.operations = 20'000'000;
+  if (drafting.options.prove) {
+    options.gap = 0.0;
+    options.operations = 1'000'000'000'000;
+    options.expansions = 2 * drafting.options.memory_mib * 1024;  // of some 250 bytes: half of the cap
+  }
+  auto solved = solve_from(draft.offered, draft.tour, options, drafting.budget);
+  if (!solved) return pass_on(solved);
+  draft.tour = std::move(*solved);
+  return {};
 }
 
 /// The stops of a tour and the cells around them.
@@ -174,6 +194,8 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const G
     if (closer->tour.cost_s >= best->tour.cost_s) break;
     best = std::move(closer);
   }
+  if (!best) return best;
+  if (auto settled = settle(drafting, *best); !settled) return pass_on(settled);
   return best;
 }
 

@@ -20,11 +20,13 @@ using ShotBook = std::map<std::pair<std::size_t, std::size_t>, std::optional<Pla
 struct Draft {
   std::vector<std::size_t> cells;    ///< by stop of the tour; entry 0 stands for the start
   std::vector<std::size_t> targets;  ///< by goal of the tour
+  TourProblem offered;               ///< the stops, shots and drives that the tour was chosen from
   Tour tour;
 };
 
 /// The best tour found by looking at a spread of stops first, then closer around the stops of the best
-/// tour, again and again until that no longer helps. `book` then holds the shot of each hit.
+/// tour, again and again until that no longer helps. Over the stops looked at last the tour then gets its
+/// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit.
 Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
                           const Budget& budget, ShotBook& book);
 

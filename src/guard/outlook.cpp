@@ -69,8 +69,8 @@ void take(const std::vector<Offer>& offers, Outlook& outlook) {
     if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
     if (!std::isfinite(outlook.table.drives[offer.stop].time_s)) continue;  // from the start
     const PlannedShot& shot = *offer.shot;
-    outlook.table.services[offer.stop].push_back({static_cast<std::uint32_t>(offer.target), shot.shot.yaw_rad,
-                                                  shot.shot.pitch_rad,
+    outlook.table.services[offer.stop].push_back({static_cast<std::uint32_t>(offer.target), shot.gun.yaw_rad,
+                                                  shot.gun.pitch_rad,
                                                   shot.flight_s / std::max(shot.hit_rate, least_rate)});
     outlook.reachable[offer.target] = 1;
   }

@@ -24,7 +24,7 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site,
       const auto shot =
           best_shot(site.rules, site.space(target), problem.targets[target], stop.position, pitch);
       stop.hits.push_back({target, shot ? *shot : *book.at({cell, target})});
-      pitch = stop.hits.back().shot.shot.pitch_rad;
+      pitch = stop.hits.back().shot.gun.pitch_rad;
     }
     stops.push_back(std::move(stop));
   }
@@ -48,8 +48,11 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, con
   }
   plan.stops = stops_of(problem, site, *draft, book);
   plan.tour_proven = draft->tour.proven_optimal;
+  plan.stops_offered = draft->cells.size() - 1;
   if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
-  plan.lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
+  plan.anywhere_lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
+  const double bound = std::max(draft->tour.lower_bound_s, plan.anywhere_lower_bound_s);
+  plan.lower_bound_s = std::min(bound, plan.cost_s);
   return plan;
 }
 

@@ -9,6 +9,8 @@ std::vector<Option> describe(ExecutionErrors& errors) {
       {"heading", "rad", 0.0, 1.0, "largest error of the heading there", &errors.heading_rad},
       {"gun", "rad", 0.0, 1.0, "largest error of the barrel's yaw and pitch", &errors.aim.gun_rad},
       {"speed", "", 0.0, 0.5, "largest error of the muzzle speed, as a part of it", &errors.aim.speed_ratio},
+      {"timing", "s", 0.0, 1.0, "largest error of the moment of a shot from a robot that drives",
+       &errors.timing_s},
   };
 }
 
@@ -27,8 +29,13 @@ std::vector<Option> describe(GuardOptions& options) {
       {"iterations", "", 0, 1e7, "iterations of the tour solver each time", &options.iterations},
       {"group", "", 1, 8, "targets that shrinking_circles puts in order at a time", &options.group},
       {"memory_cap", "MiB", 1, 1e6, "planning that would need more memory is refused", &options.memory_mib},
-      {"prove", "", 0, 0, "spend seconds to minutes and up to half of the memory on the lower bound",
+      {"gap", "", 0, 1, "part of the tour's time that its lower bound may leave open; 1: no such bound",
+       &options.gap},
+      {"prove", "", 0, 0,
+       "prove the best tour of the stops; take minutes and half of the memory for the bounds",
        &options.prove},
+      {"shoot_on_the_move", "", 0, 0, "shoot while driving where that makes the mission shorter",
+       &options.shoot_on_the_move},
   };
 }
 

@@ -109,7 +109,7 @@ Outcome<std::vector<std::size_t>> order_by_tour(const GuardProblem& problem, con
   for (std::size_t i = 0; i < posts.size(); ++i) {
     const PlannedShot& shot = posts[i].hit.shot;
     tour.services.push_back(
-        {{static_cast<std::uint32_t>(i), shot.shot.yaw_rad, shot.shot.pitch_rad, shot.flight_s}});
+        {{static_cast<std::uint32_t>(i), shot.gun.yaw_rad, shot.gun.pitch_rad, shot.flight_s}});
   }
   for (std::size_t i = 0; i <= posts.size(); ++i) {
     for (std::size_t j = 0; j <= posts.size(); ++j) tour.drives.push_back(routes.between(i, j));
@@ -193,7 +193,7 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Site& 
     };
     const auto next = std::ranges::min_element(table, {}, away);
     const std::size_t t = next->target;
-    const double pitch = posts.empty() ? 0.0 : posts.back().hit.shot.shot.pitch_rad;
+    const double pitch = posts.empty() ? 0.0 : posts.back().hit.shot.gun.pitch_rad;
     auto post = post_at(problem, site, t, next->cell, pitch);
     if (!post) {
       table.erase(next);

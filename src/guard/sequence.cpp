@@ -125,6 +125,21 @@ std::vector<Node> next_layer(const Asked& asked, const Offers& offers, const std
   return next;
 }
 
+/// A tour as far as it is about those wanted.
+std::vector<Visit> part_of_tour(const std::vector<Visit>& tour, const std::vector<Wanted>& wanted) {
+  std::vector<Visit> part;
+  for (const Visit& visit : tour) {
+    Visit kept{visit.stop, {}};
+    for (const std::uint32_t goal : visit.goals) {
+      for (std::uint32_t who = 0; who < wanted.size(); ++who) {
+        if (wanted[who].goal == goal) kept.goals.push_back(who);
+      }
+    }
+    if (!kept.goals.empty()) part.push_back(std::move(kept));
+  }
+  return part;
+}
+
 }  // namespace
 
 Sequence best_sequence(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
@@ -170,6 +185,35 @@ double value_of(const TourProblem& table, const std::vector<Wanted>& wanted, con
   const bool whole = hits == wanted.size() && std::popcount(node.hit) == static_cast<int>(hits);
   if (!whole) return inf;
   return objective == WatchObjective::makespan ? node.time_s : node.sum_s;
+}
+
+Sequence sequence_beside(const std::vector<Visit>& tour, const TourProblem& table,
+                         const std::vector<Wanted>& wanted, const Standing& from, WatchObjective objective,
+                         std::size_t beam, bool as_toured) {
+  Sequence part{part_of_tour(tour, wanted), 0.0};
+  part.value = value_of(table, wanted, from, objective, part.visits);
+  if (as_toured && std::isfinite(part.value)) return part;
+  Sequence best = best_sequence(table, wanted, from, objective, beam);
+  return part.value < best.value ? part : best;
+}
+
+Standing after_hit(const TourProblem& table, const Wanted& whom, const Standing& from, std::size_t stop) {
+  const std::vector<Wanted> wanted{whom};
+  const auto& services = table.services[stop];
+  const auto service =
+      std::find_if(services.begin(), services.end(), [&](const Service& s) { return s.goal == whom.goal; });
+  Standing after = from;
+  after.time_s = inf;
+  if (service == services.end()) return after;
+  const Node node = extended({table, wanted, from, WatchObjective::makespan}, first(from), stop, 0, *service);
+  const auto row = table.drives.begin() + static_cast<std::ptrdiff_t>(stop * table.services.size());
+  after = {node.time_s,
+           node.heading_rad,
+           node.yaw_rad,
+           node.pitch_rad,
+           {row, row + static_cast<std::ptrdiff_t>(table.services.size())}};
+  after.drives[stop] = {0.0, node.heading_rad, node.heading_rad};
+  return after;
 }
 
 }  // namespace outrider

@@ -7,6 +7,7 @@
 #include <limits>
 #include <queue>
 
+#include "outrider/ballistics/stance.hpp"
 #include "outrider/core/parallel.hpp"
 
 namespace outrider {
@@ -22,7 +23,9 @@ ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
           problem.robot.radius_m,
           options.margin_m,
           options.pitch_step_rad,
-          options.aim_step_m};
+          options.aim_step_m,
+          problem.air,
+          problem.world.terrain};
 }
 
 Status check_ranges(const std::vector<Option>& options, const std::string& section) {
@@ -33,9 +36,45 @@ Status check_ranges(const std::vector<Option>& options, const std::string& secti
   return {};
 }
 
+Status check_air(const GuardProblem& problem) {
+  const double wind = problem.air.wind_mps;
+  if (wind >= problem.gun.muzzle_speed_mps) {
+    return bad_input(fmt::format("a wind of {:g} m/s carries off every ball, as none leaves the gun faster "
+                                 "than {:g} m/s; give less wind or a larger gun.muzzle_speed",
+                                 wind, problem.gun.muzzle_speed_mps),
+                     "air.wind");
+  }
+  if (wind > 0.0 && problem.air.none()) {
+    return bad_input(fmt::format("a wind of {:g} m/s acts by drag alone; give air.drag, such as 0.02 for a "
+                                 "ball of water of 1 cm",
+                                 wind),
+                     "air.wind");
+  }
+  return {};
+}
+
+Status check_terrain(const GuardProblem& problem) {
+  if (!problem.world.terrain) return {};
+  const Box2 has = problem.world.terrain->bounds();
+  const Box2& yard = problem.world.bounds;
+  if (!yard.empty() && !(has.grown(1e-9).contains(yard.low) && has.grown(1e-9).contains(yard.high))) {
+    return bad_input(fmt::format("it spans ({:g}, {:g}) to ({:g}, {:g}), and the yard ({:g}, {:g}) to ({:g}, "
+                                 "{:g}); make it larger, or give bounds within it",
+                                 has.low.x, has.low.y, has.high.x, has.high.y, yard.low.x, yard.low.y,
+                                 yard.high.x, yard.high.y),
+                     "terrain");
+  }
+  if (problem.air.none()) return {};
+  return bad_input("drag is modelled on level ground only; set air.drag to 0 or leave the terrain out",
+                   "air.drag");
+}
+
 Status check_numbers(GuardProblem problem, GuardOptions options) {
   if (auto ok = check_ranges(describe(problem.robot), "robot"); !ok) return ok;
   if (auto ok = check_ranges(describe(problem.gun), "gun"); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.air), "air"); !ok) return ok;
+  if (auto ok = check_air(problem); !ok) return ok;
+  if (auto ok = check_terrain(problem); !ok) return ok;
   if (auto ok = check_ranges(describe(problem.errors), "errors"); !ok) return ok;
   if (auto ok = check_ranges(describe(options), "plan"); !ok) return ok;
   const Pose2& start = problem.start;
@@ -99,6 +138,18 @@ Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& op
   return frame;
 }
 
+/// Tangent of the steepest slope in the cells that a disk may touch.
+double steepest_under(const HeightField& field, Vec2 p, double radius_m) {
+  const Vec2 reach{radius_m, radius_m};
+  const Cell low = field.cell_at(p - reach);
+  const Cell high = field.cell_at(p + reach);
+  double slope = 0.0;
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) slope = std::max(slope, field.steepest_in({x, y}));
+  }
+  return slope;
+}
+
 Status check_start(const GuardProblem& problem, const Ground& ground) {
   const Vec2 p = problem.start.position;
   const double radius = problem.robot.radius_m;
@@ -111,6 +162,15 @@ Status check_start(const GuardProblem& problem, const Ground& ground) {
   }
   const double clearance = ground.clearance(p, radius);
   if (clearance < radius) {
+    const double slope = problem.world.terrain ? steepest_under(*problem.world.terrain, p, radius) : 0.0;
+    if (slope > std::tan(problem.robot.max_slope_rad)) {
+      return fault(
+          FaultCode::start_blocked,
+          fmt::format("the ground under the robot at ({:g}, {:g}) is as steep as {:.1f} degrees, and "
+                      "it holds on {:g}; start elsewhere or raise robot.max_slope",
+                      p.x, p.y, degrees(std::atan(slope)), degrees(problem.robot.max_slope_rad)),
+          "start");
+    }
     return fault(FaultCode::start_blocked,
                  fmt::format("({:g}, {:g}) is {:.3g} m from an obstacle or the edge of the yard, and the "
                              "robot's radius is {:g} m; start elsewhere",
@@ -178,8 +238,11 @@ void prove(Site& site, const Target& target, std::size_t t) {
   if (tried.found) {
     FiringRegion& region = site.regions[t];
     const auto pitches = pitch_lattice(site.rules);
-    const auto index = std::find(pitches.begin(), pitches.end(), tried.shot.pitch_rad) - pitches.begin();
     const Vec2 place = site.frame.centre(site.frame.cell(*tried.found));
+    const double pitch = angles_of(stance_at(site.rules, place), tried.shot).pitch_rad;
+    const auto index =
+        std::ranges::min_element(pitches, {}, [pitch](double p) { return std::abs(p - pitch); }) -
+        pitches.begin();
     region.pitch[*tried.found] = static_cast<std::uint8_t>(index);
     region.spread[*tried.found] = static_cast<float>(spread(site.rules, target, place, tried.shot));
     region.hits = 1;
@@ -211,7 +274,7 @@ Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
 
   Site site{rules_of(problem, options),
             flight_spaces(problem),
-            Ground::of(driving_world(problem), problem.robot.height_m),
+            Ground::of(driving_world(problem), problem.robot.height_m, 1e-3, problem.robot.max_slope_rad),
             *frame,
             std::vector<std::uint8_t>(frame->size(), 0),
             std::vector<std::uint8_t>(frame->size(), 0),

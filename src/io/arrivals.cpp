@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "outrider/guard/policy.hpp"
+#include "outrider/guard/survivors.hpp"
 #include "outrider/io/files.hpp"
 #include "text.hpp"
 
@@ -128,6 +129,7 @@ Outcome<std::vector<Intruder>> load_arrivals(const GuardProblem& problem, const 
                                              std::uint64_t seed) {
   if (auto policy = find_watch_policy(options.policy); !policy) return pass_on(policy);
   if (auto objective = find_objective(options.objective); !objective) return pass_on(objective);
+  if (auto ok = check_survivors(problem, options); !ok) return pass_on(ok);
   auto entrances = entrances_from_text(options.entrances, problem.world.bounds);
   if (!entrances) return pass_on(entrances);
   if (!options.any()) return std::vector<Intruder>{};

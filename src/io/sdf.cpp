@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <sdf/sdf.hh>
 #include <set>
 #include <sstream>
@@ -139,10 +140,22 @@ std::string unique(std::string name, std::set<std::string>& taken) {
 Status add_solids(World& world, const std::vector<Found>& found, std::vector<FloorPlane>& floors,
                   const std::string& file) {
   SdfMeshes meshes;
+  std::shared_ptr<const HeightField> terrain;
   std::set<std::string> taken;
   const std::vector<std::string> names = solid_names(found);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const sdf::Geometry& geometry = *found[i].collision->Geom();
+    if (geometry.Type() == sdf::GeometryType::HEIGHTMAP) {
+      auto field = sdf_terrain(*geometry.HeightmapShape(), found[i].world_T_collision);
+      if (!field || terrain) {
+        return bad_input(
+            fmt::format("collision '{}': {}", names[i],
+                        !field ? field.error().sentence : "a world has one heightmap; leave one"),
+            file);
+      }
+      terrain = std::make_shared<const HeightField>(std::move(*field));
+      continue;
+    }
     auto pieces = sdf_pieces(geometry, meshes);
     if (!pieces) {
       const std::string& where = pieces.error().where;
@@ -171,6 +184,7 @@ Status add_solids(World& world, const std::vector<Found>& found, std::vector<Flo
       }
     }
   }
+  if (terrain) world = world.on(std::move(terrain));
   return {};
 }
 

@@ -10,7 +10,10 @@ namespace {
 constexpr double default_side_m = 20.0;
 constexpr double least_side_m = 1.0;
 
-bool bounded(const Solid& solid) { return !std::holds_alternative<HalfSpaceShape>(solid.shape); }
+bool bounded(const Solid& solid) {
+  return !std::holds_alternative<HalfSpaceShape>(solid.shape) &&
+         !std::holds_alternative<HeightFieldShape>(solid.shape);
+}
 
 /// A box that lies flat: no thicker than a tenth of its shorter side.
 bool is_slab(const Solid& solid) {
@@ -58,7 +61,9 @@ Status set_floor_and_bounds(World& world, const std::vector<FloorPlane>& planes,
   Box2 floor_box;
   const auto highest =
       std::ranges::max_element(planes, {}, [](const FloorPlane& plane) { return plane.point.z; });
-  if (highest != planes.end()) {
+  if (world.terrain) {
+    floor_box = world.terrain->bounds();
+  } else if (highest != planes.end()) {
     world.floor_z_m = highest->point.z;
     floor_box = around(xy(highest->point), highest->size);
   } else if (const auto slab = slab_floor(world)) {

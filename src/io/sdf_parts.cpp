@@ -89,7 +89,8 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
     return false;
   }
   SdfElement* kept = nullptr;  // sdformat's own order of preference
-  for (const char* kind : {"box", "capsule", "cylinder", "ellipsoid", "plane", "sphere", "mesh", "empty"}) {
+  for (const char* kind :
+       {"box", "capsule", "cylinder", "ellipsoid", "plane", "sphere", "mesh", "heightmap", "empty"}) {
     if (kept == nullptr) kept = geometry->FirstChildElement(kind);
   }
   if (kept == nullptr) {
@@ -105,13 +106,12 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
       if (shape != kept) geometry->DeleteChild(shape);
     }
   }
-  if (kept->Name() != std::string_view("mesh")) return true;
+  if (!one_of(kept->Name(), {"mesh", "heightmap"})) return true;
   const std::string uri(xml_text(*kept, "uri"));
   const auto found = find_uri(uri, file.folders);
   if (!found) {
-    file.warn(*kept,
-              fmt::format("the mesh '{}' of collision '{}' was not found, so the collision was left out",
-                          excerpt(uri, 200), path));
+    file.warn(*kept, fmt::format("the {} '{}' of collision '{}' was not found, so the collision was left out",
+                                 kept->Name(), excerpt(uri, 200), path));
     return false;
   }
   if (kept->FirstChildElement("submesh") != nullptr) {

@@ -13,6 +13,9 @@
 #include <sdf/Sphere.hh>
 #include <utility>
 
+#include "outrider/io/files.hpp"
+#include "outrider/io/terrain.hpp"
+
 namespace outrider {
 namespace {
 
@@ -101,6 +104,17 @@ Outcome<MeshShape> mesh_shape(const sdf::Mesh& mesh, SdfMeshes& meshes) {
 }
 
 }  // namespace
+
+Outcome<HeightField> sdf_terrain(const sdf::Heightmap& heightmap, const Pose3& world_T_collision) {
+  const auto& axes = world_T_collision.rotation.axes;
+  if (axes[0].x < 1.0 - 1e-9 || axes[2].z < 1.0 - 1e-9) {
+    return bad_input("a heightmap that is turned is not modelled; take the rotation out of its <pose>");
+  }
+  auto bytes = read_file(heightmap.Uri());
+  if (!bytes) return pass_on(bytes);
+  return terrain_from_png(*bytes, heightmap.Uri(), world_T_collision.position + vec(heightmap.Position()),
+                          vec(heightmap.Size()));
+}
 
 Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMeshes& meshes) {
   switch (geometry.Type()) {

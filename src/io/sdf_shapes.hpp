@@ -3,6 +3,7 @@
 
 #include <map>
 #include <sdf/Geometry.hh>
+#include <sdf/Heightmap.hh>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,9 @@ struct SdfMeshes {
 /// Refuses sizes that are not above 0 and at most 1e6 m, planes without a direction, meshes that do not
 /// load and more than 2 million triangles in one world.
 Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMeshes& meshes);
+
+/// A heightmap where it stands: black lies at its position, white as high above as its size says. Refuses a
+/// pose with a rotation, and what terrain.hpp refuses.
+Outcome<HeightField> sdf_terrain(const sdf::Heightmap& heightmap, const Pose3& world_T_collision);
 
 }  // namespace outrider

@@ -113,7 +113,8 @@ Outcome<Target> target_of(const Words& keys, std::optional<std::size_t> type, co
 
 }  // namespace
 
-Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name) {
+Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name,
+                                               const HeightField* terrain) {
   std::vector<Target> targets;
   std::map<std::string, std::size_t> count_by_type;
   std::set<std::string> names;
@@ -130,6 +131,7 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
     if (!type) return pass_on(type);
     auto target = target_of(*keys, *type, where);
     if (!target) return pass_on(target);
+    if (terrain != nullptr && !keys->contains("z")) target->base.z = terrain->height(xy(target->base));
     const std::optional<std::size_t> number_of_type = *type;
     const std::string kind = number_of_type ? std::to_string(*number_of_type) : "target";
     target->name = fmt::format("{}_{}", kind, count_by_type[kind]++);
@@ -145,10 +147,10 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
   return targets;
 }
 
-Outcome<std::vector<Target>> load_targets(const std::string& path) {
+Outcome<std::vector<Target>> load_targets(const std::string& path, const HeightField* terrain) {
   auto text = read_file(path);
   if (!text) return pass_on(text);
-  return targets_from_text(*text, path);
+  return targets_from_text(*text, path, terrain);
 }
 
 }  // namespace outrider

@@ -31,4 +31,11 @@ double covered(double distance, const Limits& limits, double time_s) {
   return peak * (time_s - 0.5 * ramp);
 }
 
+double speed_after(double distance, const Limits& limits, double time_s) {
+  const double left = duration(distance, limits) - time_s;
+  if (time_s <= 0.0 || left <= 0.0) return 0.0;
+  // min() last: an infinite acceleration is at full speed at once.
+  return std::min(peak_speed(distance, limits), limits.acceleration * std::min(time_s, left));
+}
+
 }  // namespace outrider

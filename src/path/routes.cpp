@@ -151,7 +151,7 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
   }
   Route route;
   route.waypoints = points_of(tree, t.nodes, start.position, 1, goal);
-  route.cost = drive_cost(t.robot, start.heading_rad, route.waypoints);
+  route.cost = drive_cost(t.robot, start.heading_rad, route.waypoints, t.ground.terrain());
   return route;
 }
 

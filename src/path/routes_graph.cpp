@@ -15,15 +15,15 @@ bool free_at(const Ground& ground, double radius_m, Vec2 p) {
   return ground.clearance(p, radius_m) >= radius_m - same_place_m;
 }
 
-SightLines lines_of(const Rows& rows, const std::vector<Vec2>& from, const std::vector<Vec2>& to,
-                    const Limits& limits) {
+SightLines lines_of(const Ground& ground, const Rows& rows, const std::vector<Vec2>& from,
+                    const std::vector<Vec2>& to, const Limits& limits) {
   SightLines result;
   for (std::size_t i = 0; i < rows.size(); ++i) result.first.push_back(result.first[i] + rows[i].size());
   result.lines.reserve(result.first.back());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const std::uint32_t k : rows[i]) {
       const Vec2 leg = to[k] - from[i];
-      result.lines.push_back({k, heading_of(leg), duration(norm(leg), limits)});
+      result.lines.push_back({k, heading_of(leg), duration(ground.length({from[i], to[k]}), limits)});
     }
   }
   return result;
@@ -81,7 +81,7 @@ Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot, c
   const auto all = [](std::size_t) { return std::size_t{0}; };
   Outcome<Rows> rows = visible(ground, robot.radius_m, from, to, all, budget);
   if (!rows) return pass_on(rows);
-  return lines_of(*rows, from, to, robot.straight());
+  return lines_of(ground, *rows, from, to, robot.straight());
 }
 
 Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot,
@@ -94,7 +94,7 @@ Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot,
     for (const std::uint32_t k : (*upper)[i]) rows[k].push_back(i);
     rows[i].insert(rows[i].end(), (*upper)[i].begin(), (*upper)[i].end());
   }
-  return lines_of(rows, points, points, robot.straight());
+  return lines_of(ground, rows, points, points, robot.straight());
 }
 
 SightLines reversed(const SightLines& lines, const std::vector<Vec2>& from, const std::vector<Vec2>& to) {

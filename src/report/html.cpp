@@ -52,7 +52,7 @@ std::string to_html(const Report& report) {
   }
   std::string script;
   for (const std::string_view part : {page::model_js, page::camera_js, page::plan_js, page::side_js,
-                                      page::table_js, page::transport_js, page::replay_js}) {
+                                      page::levels_js, page::table_js, page::transport_js, page::replay_js}) {
     script += part;
   }
   return filled(page::replay_html, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},

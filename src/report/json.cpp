@@ -38,6 +38,18 @@ void members(Io& io, T& solid) {
   io("footprint", solid.footprint);
 }
 
+template <class Io, Is<ReportContour> T>
+void members(Io& io, T& contour) {
+  io.drawn("height_m", contour.height_m);
+  io.drawn("points", contour.points);
+}
+
+template <class Io, Is<ReportTerrain> T>
+void members(Io& io, T& terrain) {
+  io("contours", terrain.contours);
+  io("steep", terrain.steep);
+}
+
 template <class Io, Is<ProfilePiece> T>
 void members(Io& io, T& piece) {
   io("name", piece.name);
@@ -50,6 +62,13 @@ void members(Io& io, T& visit) {
   io("from", visit.from);
   io("enters_s", visit.enters_s);
   io("settles_s", visit.settles_s);
+}
+
+template <class Io, Is<ReportMove> T>
+void members(Io& io, T& move) {
+  io("time_s", move.time_s);
+  io("position", move.position);
+  io("believed", move.believed);
 }
 
 template <class Io, Is<ReportTarget> T>
@@ -68,6 +87,7 @@ void members(Io& io, T& target) {
   io("size", target.size);
   io("box_yaw_rad", target.yaw_rad);
   io.optional("visit", target.visit);
+  io.optional("moves", target.moves);
 }
 
 template <class Io, Is<ReportPath> T>
@@ -91,6 +111,8 @@ void members(Io& io, T& shot) {
   io("hit_by_reference_rule", shot.hit_by_reference_rule);
   io("clearance_m", shot.clearance_m);
   io("profile", shot.profile);
+  io.optional("path", shot.path);
+  io.optional("platform_velocity_mps", shot.platform_velocity_mps);
 }
 
 template <class Io, Is<ReportEvent> T>
@@ -98,6 +120,22 @@ void members(Io& io, T& event) {
   io("time_s", event.time_s);
   io("kind", event.kind);
   io("text", event.text);
+}
+
+template <class Io, Is<ReportStation> T>
+void members(Io& io, T& station) {
+  io("name", station.name);
+  io("position", station.position);
+  io("gives_water", station.gives_water);
+  io("gives_charge", station.gives_charge);
+}
+
+template <class Io, Is<ReportSupplies> T>
+void members(Io& io, T& supplies) {
+  io("tank", supplies.tank);
+  io("battery_j", supplies.battery_j);
+  io("stations", supplies.stations);
+  io("levels", supplies.levels);
 }
 
 template <class Io, Is<ReportChase> T>
@@ -117,6 +155,7 @@ void members(Io& io, T& report) {
   io("status", report.status);
   io("job", report.job);
   io("reason", report.reason);
+  io.optional("sim", report.sim);
   io("seed", report.seed);
   io("metrics", report.metrics);
   io("targets", report.targets);
@@ -127,6 +166,7 @@ void members(Io& io, T& report) {
     world("bounds", report.bounds);
     world("gravity_mps2", report.gravity_mps2);
     world("solids", report.solids);
+    world.optional("terrain", report.terrain);
   });
   io.object("robot", [&](auto& robot) {
     robot("radius_m", report.robot_radius_m);
@@ -139,6 +179,7 @@ void members(Io& io, T& report) {
   io("shots", report.shots);
   io("events", report.events);
   io("track", report.track);
+  io.optional("supplies", report.supplies);
   io.optional("chase", report.chase);
 }
 
@@ -194,6 +235,9 @@ class Writer {
       row.push_back(written(value, true));
     }
     return row;
+  }
+  static Json written(const ReportLevel& l, bool) {
+    return Json::array({written(l.time_s, true), written(l.water, true), written(l.charge_j, true)});
   }
   static Json written(const ReportBound& b, bool) {
     return Json::array({written(b.time_s, false), written(b.expansions, false), written(b.cost, false),
@@ -369,6 +413,9 @@ class Reader {
          std::array{&s.time_s, &s.pose.position.x, &s.pose.position.y, &s.pose.heading_rad, &s.gun_yaw_rad,
                     &s.gun_pitch_rad},
          true);
+  }
+  static void read(const Place& place, ReportLevel& l, bool) {
+    read(place, std::array{&l.time_s, &l.water, &l.charge_j}, false);
   }
   static void read(const Place& place, ReportBound& b, bool) {
     read(place, std::array{&b.time_s, &b.expansions, &b.cost, &b.lower_bound}, false);

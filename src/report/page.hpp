@@ -11,6 +11,7 @@ extern const std::string_view model_js;
 extern const std::string_view camera_js;
 extern const std::string_view plan_js;
 extern const std::string_view side_js;
+extern const std::string_view levels_js;
 extern const std::string_view table_js;
 extern const std::string_view transport_js;
 extern const std::string_view replay_js;

@@ -98,6 +98,20 @@ std::string robot_on_its_way(const Scene& scene) {
                                           scene.transform("rotate", gun), scene.transform("translate", move));
 }
 
+Vec3 ball_position(const Scene& scene, const ReportShot& shot, double after_s) {
+  const double share = shot.flight_s > 0.0 ? after_s / shot.flight_s : 1.0;
+  if (shot.path && shot.path->size() > 1) {
+    const double step = share * static_cast<double>(shot.path->size() - 1);
+    const auto i = std::min(static_cast<std::size_t>(step), shot.path->size() - 2);
+    const Vec3 a = (*shot.path)[i];
+    return a + (step - static_cast<double>(i)) * ((*shot.path)[i + 1] - a);
+  }
+  const Vec2 muzzle = xy(shot.muzzle);
+  const Vec2 at = muzzle + share * (xy(shot.contact_point) - muzzle);
+  const double fallen = 0.5 * scene.report.gravity_mps2 * after_s * after_s;
+  return {at.x, at.y, shot.muzzle.z + shot.velocity_mps.z * after_s - fallen};
+}
+
 // The ball grows as it rises; its shadow runs beside it.
 std::string flight(const Scene& scene, const ReportShot& shot) {
   const double from = scene.share(shot.time_s);
@@ -135,9 +149,9 @@ std::string flight(const Scene& scene, const ReportShot& shot) {
   radius.add(0.0, number(scene.pixels(3.0)));
   for (int i = 0; i <= steps; ++i) {
     const double t = shot.flight_s * i / steps;
-    const double z =
-        std::max(0.0, shot.muzzle.z + shot.velocity_mps.z * t - 0.5 * scene.report.gravity_mps2 * t * t);
-    const Vec2 at = muzzle + (static_cast<double>(i) / steps) * (end - muzzle);
+    const Vec3 ball_at = ball_position(scene, shot, t);
+    const double z = std::max(0.0, ball_at.z);
+    const Vec2 at = xy(ball_at);
     const double share = from + (to - from) * i / steps;
     ball.add(share, point(at));
     shadow.add(share, point(at + 0.3 * z * Vec2{1.0, -1.0}));

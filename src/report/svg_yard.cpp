@@ -1,3 +1,4 @@
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,32 @@ std::string grid(const Scene& scene) {
                      number(scene.pixels(1.0)));
 }
 
+/// Ground too steep to drive on, and lines of equal height, the higher the brighter.
+std::string terrain(const Scene& scene) {
+  if (!scene.report.terrain) return {};
+  const ReportTerrain& ground = *scene.report.terrain;
+  std::string steep;
+  for (const RoundedPolygon& patch : ground.steep) steep += outline(patch);
+  std::string text;
+  if (!steep.empty()) text += fmt::format(R"svg(<path d="{}" fill="#5a3a3a" fill-opacity=".55"/>)svg", steep);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const ReportContour& line : ground.contours) {
+    low = std::min(low, line.height_m);
+    high = std::max(high, line.height_m);
+  }
+  for (const ReportContour& line : ground.contours) {
+    std::string path;
+    for (const Vec2 p : line.points) path += fmt::format("{}{}", path.empty() ? 'M' : 'L', point(p));
+    const double share = high > low ? (line.height_m - low) / (high - low) : 1.0;
+    text += fmt::format(
+        R"svg(<path d="{}" fill="none" stroke="#7d9a6a" stroke-opacity="{}" stroke-width="{}"><title>{} m</title></path>)svg",
+        path, number(0.35 + 0.5 * share), number(scene.pixels(1.2)), number(line.height_m));
+    text += '\n';
+  }
+  return text;
+}
+
 std::string solids(const Scene& scene) {
   std::vector<std::pair<double, std::size_t>> order;  // from low to high, ties as in the report
   double highest = 1e-3;
@@ -116,20 +143,65 @@ std::string mark(std::string_view status, double r) {
          stroke(fmt::format("M-{0} 0H{0}", number(0.5 * r)));
 }
 
-/// The stay of an intruder: it comes from its entrance, and is gone a little after it was hit.
-std::string visit(const Scene& scene, const ReportTarget& target) {
-  const ReportVisit& stay = *target.visit;
+/// The moves of a target in the loop's time, simplified.
+std::vector<Key> keys_of(const Scene& scene, const std::vector<ReportMove>& moves, Vec2 ReportMove::* what) {
+  std::vector<Key> keys;
+  for (const ReportMove& move : moves) {
+    if (std::isfinite(move.time_s)) keys.push_back({scene.share(move.time_s), move.*what});
+  }
+  return simplified(keys, scene.tolerance);
+}
+
+/// A ring where the robot believed somebody to be, while that was not where it was.
+std::string belief(const Scene& scene, const ReportTarget& target) {
+  const auto& moves = *target.moves;
+  const auto right = [](const ReportMove& move) { return move.position == move.believed; };
+  if (std::ranges::all_of(moves, right)) return {};
+  Frames way;
+  double last = 0.0;
+  for (const Key& key : keys_of(scene, moves, &ReportMove::believed)) {
+    if (way.times.empty()) way.add(0.0, point(key.value));
+    last = std::max(last, key.time);
+    way.add(last, point(key.value));
+  }
+  if (way.times.empty()) return {};
+  way.add(1.0, point(moves.back().believed));
+  const double end = std::isfinite(target.done_s) ? scene.share(target.done_s) : 1.0;
+  return fmt::format(
+      R"svg(<g>{}<circle r="{}" fill="none" stroke="{}" stroke-opacity=".8" stroke-width="{}" stroke-dasharray="{d} {d}">{}</circle></g>)svg",
+      scene.transform("translate", way), number(scene.pixels(10.0)), waiting, number(scene.pixels(1.2)),
+      scene.shown(0.0, end), fmt::arg("d", number(scene.pixels(3.0))));
+}
+
+/// The stay of an intruder: it comes from its entrance, moves about, and is gone a little after it was hit.
+/// One that was there from the start is not gone.
+std::string stay(const Scene& scene, const ReportTarget& target) {
   constexpr double lingers = 0.015;  // of the loop
   const auto when = [&](double time_s) { return std::isfinite(time_s) ? scene.share(time_s) : 0.0; };
-  const double enters = when(stay.enters_s);
-  const double settles = std::max(enters, when(stay.settles_s));
-  const bool leaves = target.status == "reached" && std::isfinite(target.done_s);
-  const double gone = leaves ? std::max(enters, when(target.done_s) + lingers) : 1.0;
-  const std::string from = point(stay.from - xy(target.centre));
   Frames walk;
-  for (const auto& [share, at] : {std::pair{0.0, from}, {enters, from}, {settles, "0 0"}, {1.0, "0 0"}}) {
-    walk.add(share, at);
+  double last = 0.0;
+  const auto add = [&](double share, Vec2 at) {
+    last = std::max(last, share);
+    walk.add(last, point(at - xy(target.centre)));
+  };
+  double enters = 0.0;
+  double gone = 1.0;
+  const Vec2 first =
+      target.moves && !target.moves->empty() ? target.moves->front().position : xy(target.centre);
+  if (target.visit) {
+    enters = when(target.visit->enters_s);
+    const bool leaves = target.status == "reached" && std::isfinite(target.done_s);
+    gone = leaves ? std::max(enters, when(target.done_s) + lingers) : 1.0;
+    add(0.0, target.visit->from);
+    add(enters, target.visit->from);
+    add(when(target.visit->settles_s), first);
+  } else {
+    add(0.0, first);
   }
+  if (target.moves) {
+    for (const Key& key : keys_of(scene, *target.moves, &ReportMove::position)) add(key.time, key.value);
+  }
+  add(1.0, xy(target.centre));
   return fmt::format("<g{}>{}<g>{}", enters > 0.0 ? R"( opacity="0")" : "", scene.shown(enters, gone),
                      scene.transform("translate", walk));
 }
@@ -141,7 +213,8 @@ std::string targets(const Scene& scene) {
     const double done = std::isfinite(target.done_s) ? scene.share(target.done_s) : 1.0;
     text += fmt::format(R"svg(<g transform="translate({})"><title>{}</title>)svg", point(xy(target.centre)),
                         markup_text(target.name));
-    if (target.visit) text += visit(scene, target);
+    const bool moves = target.visit || target.moves;
+    if (moves) text += stay(scene, target);
     text += fmt::format(
         R"svg(<rect x="{}" y="{}" width="{}" height="{}" transform="rotate({})" fill="{}" fill-opacity=".35"/>)svg",
         number(-0.5 * target.size.x), number(-0.5 * target.size.y), number(target.size.x),
@@ -152,13 +225,35 @@ std::string targets(const Scene& scene) {
           number(0.85 * r), waiting, number(0.28 * r), scene.shown(0.0, done));
     }
     text += fmt::format("<g{}>{}{}</g>{}</g>\n", done > 0.0 ? R"( opacity="0")" : "", scene.shown(done, 1.0),
-                        mark(target.status, r), target.visit ? "</g></g>" : "");
+                        mark(target.status, r), moves ? "</g></g>" : "");
+    if (target.moves) text += belief(scene, target) + "\n";
+  }
+  return text;
+}
+
+/// Water is blue, charge amber, a station that gives both half and half.
+std::string stations(const Scene& scene) {
+  if (!scene.report.supplies) return {};
+  std::string text;
+  const double half = scene.pixels(7.0);
+  for (const ReportStation& station : scene.report.supplies->stations) {
+    text += fmt::format(
+        R"svg(<g transform="translate({0})"><title>{1}</title><rect x="-{2}" y="-{2}" width="{3}" height="{3}" fill="{4}"/>)svg",
+        point(station.position), markup_text(station.name), number(half), number(2.0 * half),
+        station.gives_water ? water : robot_colour);
+    if (station.gives_water && station.gives_charge) {
+      text += fmt::format(R"svg(<rect y="-{0}" width="{0}" height="{1}" fill="{2}"/>)svg", number(half),
+                          number(2.0 * half), robot_colour);
+    }
+    text += "</g>\n";
   }
   return text;
 }
 
 }  // namespace
 
-std::string yard(const Scene& scene) { return grid(scene) + solids(scene) + targets(scene); }
+std::string yard(const Scene& scene) {
+  return grid(scene) + terrain(scene) + solids(scene) + stations(scene) + targets(scene);
+}
 
 }  // namespace outrider

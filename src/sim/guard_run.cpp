@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "guard_scene.hpp"
-#include "outrider/execute/guard_mission.hpp"
+#include "outrider/execute/supply_mission.hpp"
 #include "outrider/sim/guard_robot.hpp"
 
 namespace outrider {
@@ -26,19 +27,38 @@ double reached_by_reference_rule(const Report& report) {
       }));
 }
 
+/// How often a store was filled, and how low it was at least.
+void add_supply_metrics(Report& report, const SupplyMission& mission) {
+  const auto fills = std::count_if(report.events.begin(), report.events.end(),
+                                   [](const ReportEvent& event) { return event.kind == "fill"; });
+  report.metrics.emplace_back("fills", static_cast<double>(fills));
+  report.metrics.emplace_back("unplanned_fills", static_cast<double>(mission.detours));
+  double water = report.supplies->tank;
+  double charge_j = report.supplies->battery_j;
+  for (const ReportLevel& level : report.supplies->levels) {
+    water = std::min(water, level.water);
+    charge_j = std::min(charge_j, level.charge_j);
+  }
+  if (std::isfinite(water)) report.metrics.emplace_back("least_water", water);
+  if (std::isfinite(charge_j)) report.metrics.emplace_back("least_charge_j", charge_j);
+}
+
+/// How many shots left while the robot drove, and how many of them hit.
+void add_passing_metrics(Report& report) {
+  const auto passing = [](const ReportShot& shot) { return shot.platform_velocity_mps.has_value(); };
+  const auto hits = [&](const ReportShot& shot) { return passing(shot) && shot.hit; };
+  report.metrics.emplace_back("shots_in_passing",
+                              static_cast<double>(std::ranges::count_if(report.shots, passing)));
+  report.metrics.emplace_back("hits_in_passing",
+                              static_cast<double>(std::ranges::count_if(report.shots, hits)));
+}
+
 }  // namespace
 
-Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                 const GuardOptions& options, std::uint64_t seed) {
-  SimulatedGuard robot(problem, site, seed);
-  GuardMission mission = begin(problem, plan);
-  double mission_s = 0.0;
-  while (const auto command = step(mission, robot.sense(), problem, site)) {
-    robot.act(*command);
-    mission_s = robot.report.track.back().time_s;
-  }
-
-  Report report = std::move(robot.report);
+Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardProblem& problem,
+                    const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed) {
+  Report report = std::move(deeds.report);
+  const double mission_s = report.track.empty() ? 0.0 : report.track.back().time_s;
   report.job = "guard";
   report.seed = seed;
   set_the_scene(report, problem, options);
@@ -62,11 +82,27 @@ Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan&
                     {"planned_s", plan.cost_s},
                     {"lower_bound_s", plan.lower_bound_s},
                     {"gap", plan.gap()},
-                    {"driven_m", robot.driven_m},
-                    {"turned_rad", robot.turned_rad},
+                    {"anywhere_lower_bound_s", plan.anywhere_lower_bound_s},
+                    {"anywhere_gap", plan.anywhere_gap()},
+                    {"tour_proven", plan.tour_proven ? 1.0 : 0.0},
+                    {"stops_offered", static_cast<double>(plan.stops_offered)},
+                    {"driven_m", deeds.driven_m},
+                    {"turned_rad", deeds.turned_rad},
                     {"shots", static_cast<double>(report.shots.size())},
                     {"stops", static_cast<double>(plan.stops.size())},
                     {"places", static_cast<double>(plan.places)}};
+  return report;
+}
+
+Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                 const GuardOptions& options, std::uint64_t seed) {
+  SimulatedGuard robot(problem, site, seed);
+  SupplyMission mission = begin_supplied(problem, plan);
+  while (const auto command = step(mission, robot.sense(), problem, site)) robot.act(*command);
+  Report report = guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission.guard,
+                               problem, plan, options, seed);
+  if (problem.supplies.any()) add_supply_metrics(report, mission);
+  if (options.shoot_on_the_move) add_passing_metrics(report);
   return report;
 }
 

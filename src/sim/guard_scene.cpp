@@ -1,7 +1,12 @@
 #include "guard_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "outrider/world/contours.hpp"
+#include "outrider/world/steep_ground.hpp"
 
 namespace outrider {
 namespace {
@@ -10,14 +15,40 @@ ReportSolid solid_entry(const Solid& solid, const World& world, const RobotModel
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Box3 box = bounds(solid);
   const double floor = world.floor_z_m;
+  const Interval under = world.terrain ? world.terrain->heights_over(box.ground()) : Interval{floor, floor};
   ReportSolid entry{solid.name,
                     std::string(kind(solid.shape)),
                     footprint(solid, -inf, inf),
                     box.low.z,
                     box.high.z,
-                    !footprint(solid, floor + 1e-3, floor + robot.height_m).empty()};
+                    !footprint(solid, under.low + 1e-3, under.high + robot.height_m).empty()};
   if (!std::isfinite(entry.low_z_m)) entry.low_z_m = floor;  // the ground
   if (!std::isfinite(entry.high_z_m)) entry.high_z_m = floor;
+  return entry;
+}
+
+/// Every so many-th post of a field with more of them than a picture shows.
+HeightField for_drawing(const HeightField& field) {
+  constexpr double most_posts = 40'000.0;
+  const int step = static_cast<int>(std::ceil(std::sqrt(1.0 * field.columns() * field.rows() / most_posts)));
+  const int columns = std::max(2, (field.columns() - 1) / step + 1);
+  const int rows = std::max(2, (field.rows() - 1) / step + 1);
+  if (step == 1 || (columns - 1) * step >= field.columns() || (rows - 1) * step >= field.rows()) return field;
+  std::vector<double> heights;
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) heights.push_back(field.post(x * step, y * step).z);
+  }
+  return HeightField::make(field.bounds().low, static_cast<double>(step) * field.spacing_m(), columns, rows,
+                           std::move(heights))
+      .value();
+}
+
+ReportTerrain terrain_entry(const HeightField& field, const RobotModel& robot) {
+  ReportTerrain entry{{}, steep_ground(field, robot.max_slope_rad)};
+  const HeightField drawn = for_drawing(field);
+  for (Contour& line : contours(drawn, contour_step(drawn))) {
+    entry.contours.push_back({line.height_m, std::move(line.points)});
+  }
   return entry;
 }
 
@@ -46,6 +77,14 @@ ReportTarget target_entry(const Target& target, const TargetRecord& record, cons
   return entry;
 }
 
+ReportSupplies supplies_entry(const Supplies& supplies) {
+  ReportSupplies entry{supplies.full(Store::water), supplies.full(Store::charge), {}, {}};
+  for (const Station& station : supplies.stations) {
+    entry.stations.push_back({station.name, station.position, station.gives_water, station.gives_charge});
+  }
+  return entry;
+}
+
 void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptions& options) {
   report.world_name = problem.world.name;
   report.bounds = problem.world.bounds;
@@ -58,6 +97,7 @@ void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptio
   for (const Solid& solid : problem.world.solids) {
     report.solids.push_back(solid_entry(solid, problem.world, problem.robot));
   }
+  if (problem.world.terrain) report.terrain = terrain_entry(*problem.world.terrain, problem.robot);
 }
 
 }  // namespace outrider

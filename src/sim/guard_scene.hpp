@@ -12,4 +12,18 @@ void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptio
 /// `report` holds the shots already.
 ReportTarget target_entry(const Target& target, const TargetRecord& record, const Report& report);
 
+/// The stores that end, and the stations that fill them up; no levels yet.
+ReportSupplies supplies_entry(const Supplies& supplies);
+
+/// What a robot has written down by the end of a mission.
+struct GuardDeeds {
+  Report report;  ///< its track, paths, shots and events
+  double driven_m = 0.0;
+  double turned_rad = 0.0;
+};
+
+/// The report of a still yard.
+Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardProblem& problem,
+                    const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed);
+
 }  // namespace outrider

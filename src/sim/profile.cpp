@@ -8,8 +8,9 @@ std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
                                      const Target& target) {
   constexpr double spare_m = 0.6;
   const Vec2 origin = xy(flight.muzzle);
-  const Vec2 ground_speed = xy(flight.velocity_mps);
-  const Vec2 along = 1.0 / norm(ground_speed) * ground_speed;
+  // In air a flight is not in one plane; it is seen from the side of its end.
+  const Vec2 way = flight.in_air ? xy(impact.position) - origin : xy(flight.velocity_mps);
+  const Vec2 along = norm(way) > 0.0 ? 1.0 / norm(way) * way : Vec2{1.0, 0.0};
   const Vec3 centre = target.centre();
   const double end = std::max(dot(along, xy(impact.position) - origin), dot(along, xy(centre) - origin));
   const double bottom = std::min({flight.muzzle.z, impact.position.z, target.base.z}) - 0.3;
@@ -25,6 +26,14 @@ std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
   for (const Solid& solid : space.solids()) add(solid);
   add(solid_of(target));
   return pieces;
+}
+
+std::optional<std::vector<Vec3>> path_of(const Flight& flight, const Impact& impact) {
+  if (!flight.in_air) return std::nullopt;
+  constexpr int parts = 32;
+  std::vector<Vec3> path;
+  for (int i = 0; i <= parts; ++i) path.push_back(flight.position(impact.time_s * i / parts));
+  return path;
 }
 
 }  // namespace outrider

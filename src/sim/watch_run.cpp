@@ -11,6 +11,9 @@
 namespace outrider {
 namespace {
 
+constexpr std::size_t missions_played = 40;  // of each manner
+constexpr std::int64_t played_beam = 4;      // of their plans, and of those that are carried out
+
 struct Tally {
   double reached = 0.0;
   double failed = 0.0;
@@ -42,6 +45,7 @@ Tally tally_of(const std::vector<Intruder>& intruders, const std::vector<TargetR
 
 void tell_of_arrivals(Report& report, const std::vector<Intruder>& intruders) {
   for (const Intruder& one : intruders) {
+    if (one.entrance.empty()) continue;  // it was there from the start
     report.events.push_back(
         {one.enters_s, "enter", fmt::format("{} comes in by {}", one.name, one.entrance)});
   }
@@ -49,11 +53,28 @@ void tell_of_arrivals(Report& report, const std::vector<Intruder>& intruders) {
                    [](const ReportEvent& a, const ReportEvent& b) { return a.time_s < b.time_s; });
 }
 
+/// The intruders as they ended, where they ended.
+std::vector<ReportTarget> entries(const Watch& watch, const GuardMission& mission,
+                                  const SimulatedGuard& robot, const Report& report) {
+  std::vector<ReportTarget> targets;
+  for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
+    const Intruder& one = watch.intruders[i];
+    Target last = watch.problem.targets[target_of(mission, i)];
+    last.name = one.name;
+    ReportTarget entry = target_entry(last, mission.records[i], report);
+    if (!one.entrance.empty()) entry.visit = ReportVisit{one.entrance, one.from, one.enters_s, one.settles_s};
+    if (!robot.moves[i].empty()) entry.moves = robot.moves[i];
+    targets.push_back(std::move(entry));
+  }
+  return targets;
+}
+
 }  // namespace
 
-Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed) {
+Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                 const Survival& survival) {
   const auto& [problem, site, intruders] = plan.watch;
-  SimulatedGuard robot(problem, site, seed, intruders, plan.policy.foresees);
+  SimulatedGuard robot(problem, site, seed, intruders, plan.policy.foresees, survival);
   WatchMission mission = begin(plan);
   while (const auto command = step(mission, robot.sense(), plan)) robot.act(*command);
 
@@ -64,11 +85,7 @@ Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64
   set_the_scene(report, problem, options);
   tell_of_arrivals(report, intruders);
   const auto& records = mission.guard.records;
-  for (std::size_t i = 0; i < intruders.size(); ++i) {
-    const Intruder& one = intruders[i];
-    report.targets.push_back(target_entry(problem.targets[i], records[i], report));
-    report.targets.back().visit = ReportVisit{one.entrance, one.from, one.enters_s, one.settles_s};
-  }
+  report.targets = entries(plan.watch, mission.guard, robot, report);
   const auto targets = static_cast<double>(intruders.size());
   const Tally tally = tally_of(intruders, records, end_s);
   report.status = tally.failed == 0.0 ? "done" : "not_done";
@@ -93,6 +110,7 @@ Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64
                     {"driven_m", robot.driven_m},
                     {"turned_rad", robot.turned_rad},
                     {"shots", static_cast<double>(report.shots.size())}};
+  if (survival.leave < 1.0) report.metrics.emplace_back("survived", static_cast<double>(mission.survived));
   return report;
 }
 
@@ -109,7 +127,30 @@ Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const 
   if (!outlook) return pass_on(outlook);
   return run_watch({*watch, *outlook, *policy, *objective, static_cast<std::size_t>(arrivals.group),
                     static_cast<std::size_t>(arrivals.beam)},
-                   options, seed);
+                   options, seed, {arrivals.leave, arrivals.walk_mps});
+}
+
+Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                          const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed) {
+  auto watch = watch_over(problem, site, settled_intruders(problem));
+  if (!watch) return pass_on(watch);
+  auto outlook = look_out(problem, site, plan, arrivals, {});
+  if (!outlook) return pass_on(outlook);
+  ArrivalOptions quick = arrivals;
+  quick.beam = std::min(arrivals.beam, played_beam);
+  const auto [manner, expected] = best_manner(problem, *outlook, quick, missions_played);
+  Report report = run_watch({*watch, *outlook, manner.policy, manner.objective,
+                             static_cast<std::size_t>(arrivals.group), static_cast<std::size_t>(quick.beam)},
+                            options, seed, {arrivals.leave, arrivals.walk_mps});
+  report.metrics.emplace_back("expected_s", expected.mean_s);
+  report.metrics.emplace_back("expected_error_s", expected.error_s);
+  report.events.insert(
+      report.events.begin(),
+      {0.0, "plan",
+       fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",
+                   expected.mean_s, expected.error_s, manner.policy.name,
+                   manner.objective == WatchObjective::makespan ? "makespan" : "time inside")});
+  return report;
 }
 
 }  // namespace outrider

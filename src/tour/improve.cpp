@@ -116,25 +116,38 @@ void recreate(const Instance& instance, Route& route, std::vector<std::uint32_t>
 }  // namespace
 
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter) {
-  polish(instance, route);
+                    BudgetMeter& meter, const Price& price) {
+  double present = price(route);
+  const auto polish_if_better = [&](Route& candidate, double& worth) {
+    Route polished = candidate;
+    polish(instance, polished);
+    const double polished_worth = price(polished);
+    if (polished_worth > worth) return;
+    candidate = std::move(polished);
+    worth = polished_worth;
+  };
+  polish_if_better(route, present);
   Improvement result{route, 0};
+  double least = present;
   Rng rng = Rng(static_cast<std::uint64_t>(seed)).child("tour");
   const auto related = related_goals(instance);
   const auto total = static_cast<double>(iterations);
-  Route& best = result.best;
   for (; result.iterations < static_cast<std::uint64_t>(iterations) && meter.spend(); ++result.iterations) {
     const double temperature =
-        best.cost * hot * std::pow(cold / hot, static_cast<double>(result.iterations) / total);
+        least * hot * std::pow(cold / hot, static_cast<double>(result.iterations) / total);
     Route candidate = route;
     recreate(instance, candidate, ruin(instance, candidate, related, rng), rng);
     restop(instance, candidate, draw(rng, candidate.size()));
-    if (candidate.cost < best.cost - 1e-9) {
-      polish(instance, candidate);
-      best = candidate;
+    double worth = price(candidate);
+    if (worth < least - 1e-9) {
+      polish_if_better(candidate, worth);
+      result.best = candidate;
+      least = worth;
     }
-    if (candidate.cost < route.cost - temperature * std::log(1.0 - rng.uniform()))
+    if (worth < present - temperature * std::log(1.0 - rng.uniform())) {
       route = std::move(candidate);
+      present = worth;
+    }
   }
   return result;
 }

@@ -1,6 +1,8 @@
 // Ruin and recreate under simulated annealing: the search for a fast tour of many goals.
 #pragma once
 
+#include <functional>
+
 #include "outrider/core/budget.hpp"
 #include "route.hpp"
 
@@ -11,9 +13,14 @@ struct Improvement {
   std::uint64_t iterations = 0;
 };
 
-/// Starts from `route` and never ends worse. One expansion of the budget an iteration.
+inline double cost_of(const Route& route) { return route.cost; }
+
+/// What a route is worth, when that is not its cost.
+using Price = std::function<double(const Route&)>;
+
+/// Starts from `route` and never ends worse, by its price. One expansion of the budget an iteration.
 /// Sources: Shaw (1998), large neighbourhood search; Schrimpf et al. (2000), ruin and recreate.
 Improvement improve(const Instance& instance, Route route, std::int64_t seed, std::int64_t iterations,
-                    BudgetMeter& meter);
+                    BudgetMeter& meter, const Price& price = &cost_of);
 
 }  // namespace outrider::tour

@@ -5,9 +5,10 @@
 namespace outrider::tour {
 namespace {
 
-void keep_useful_stops(const TourProblem& problem, Instance& instance) {
+void keep_useful_stops(const TourProblem& problem, const std::vector<std::size_t>& kept, Instance& instance) {
   for (std::size_t s = 0; s < problem.services.size(); ++s) {
-    const bool useful = std::isfinite(problem.drives[s].time_s) && !problem.services[s].empty();
+    const bool wanted = !problem.services[s].empty() || std::ranges::find(kept, s) != kept.end();
+    const bool useful = std::isfinite(problem.drives[s].time_s) && wanted;
     if (s == 0 || useful) instance.stop_name.push_back(s);
   }
   instance.stops = static_cast<std::uint32_t>(instance.stop_name.size());
@@ -52,14 +53,14 @@ void fill_nodes(const TourProblem& problem, Instance& instance) {
 
 }  // namespace
 
-Outcome<Instance> compile(const TourProblem& problem) {
+Outcome<Instance> compile(const TourProblem& problem, const std::vector<std::size_t>& kept) {
   Instance instance;
   instance.goals = static_cast<std::uint32_t>(problem.goals);
   instance.heading = wrap_angle(problem.heading_rad);
   instance.turning = problem.turning;
   instance.yaw_rate = problem.yaw_rate_radps;
   instance.pitch_rate = problem.pitch_rate_radps;
-  keep_useful_stops(problem, instance);
+  keep_useful_stops(problem, kept, instance);
   fill_drives(problem, instance);
   fill_nodes(problem, instance);
   for (std::uint32_t goal = 0; goal < instance.goals; ++goal) {

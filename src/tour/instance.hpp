@@ -48,8 +48,9 @@ struct Instance {
   }
 };
 
-/// The problem has passed check(). Fault no_path when a goal cannot be served.
-Outcome<Instance> compile(const TourProblem& problem);
+/// The problem has passed check(). The stops of `kept` stay though they serve nothing, unless the start does
+/// not reach them. Fault no_path when a goal cannot be served.
+Outcome<Instance> compile(const TourProblem& problem, const std::vector<std::size_t>& kept = {});
 
 /// Least angle between two directions that differ by less than 4 pi as numbers.
 inline double angle_between(double a, double b) {

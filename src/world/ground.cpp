@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "outrider/world/steep_ground.hpp"
+
 namespace outrider {
 namespace {
 
@@ -91,8 +93,9 @@ bool collides(Segment s, const RoundedPolygon& obstacle, double radius_m) {
 
 }  // namespace
 
-Ground::Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles)
-    : bounds_(bounds), obstacles_(std::move(obstacles)) {
+Ground::Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
+               std::shared_ptr<const HeightField> terrain)
+    : bounds_(bounds), terrain_(std::move(terrain)), obstacles_(std::move(obstacles)) {
   const double side = std::max({bounds_.size().x, bounds_.size().y, 1e-6});
   tile_m_ = std::max(0.5, side / most_tiles);
   columns_ = static_cast<int>(std::max(1.0, std::ceil(bounds_.size().x / tile_m_)));
@@ -117,15 +120,21 @@ Ground::Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles)
   }
 }
 
-Ground Ground::of(const World& world, double robot_height_m, double step_m) {
+Ground Ground::of(const World& world, double robot_height_m, double step_m, double max_slope_rad) {
   std::vector<RoundedPolygon> obstacles;
   for (const Solid& solid : world.solids) {
-    for (RoundedPolygon& piece :
-         footprint(solid, world.floor_z_m + step_m, world.floor_z_m + robot_height_m)) {
+    const Interval under = world.terrain ? world.terrain->heights_over(outrider::bounds(solid).ground())
+                                         : Interval{world.floor_z_m, world.floor_z_m};
+    for (RoundedPolygon& piece : footprint(solid, under.low + step_m, under.high + robot_height_m)) {
       obstacles.push_back(std::move(piece));
     }
   }
-  return {world.bounds, std::move(obstacles)};
+  if (world.terrain) {
+    for (RoundedPolygon& patch : steep_ground(*world.terrain, max_slope_rad)) {
+      obstacles.push_back(std::move(patch));
+    }
+  }
+  return {world.bounds, std::move(obstacles), world.terrain};
 }
 
 Ground::TileRange Ground::tiles_of(const Box2& box) const {

@@ -7,6 +7,7 @@
 
 #include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/geometry/triangle.hpp"
 
 namespace outrider {
 namespace {
@@ -30,31 +31,7 @@ double distance_local(Vec3 p, const SphereShape& sphere) { return std::max(norm(
 
 double distance_local(Vec3 p, const HalfSpaceShape&) { return std::max(p.z, 0.0); }
 
-/// Ericson, Real-Time Collision Detection, section 5.1.5: closest point by Voronoi region.
-double distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& t) {
-  const Vec3 ab = t[1] - t[0];
-  const Vec3 ac = t[2] - t[0];
-  const double d1 = dot(ab, p - t[0]);
-  const double d2 = dot(ac, p - t[0]);
-  if (d1 <= 0.0 && d2 <= 0.0) return norm(p - t[0]);
-  const double d3 = dot(ab, p - t[1]);
-  const double d4 = dot(ac, p - t[1]);
-  if (d3 >= 0.0 && d4 <= d3) return norm(p - t[1]);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return norm(p - (t[0] + d1 / (d1 - d3) * ab));
-  const double d5 = dot(ab, p - t[2]);
-  const double d6 = dot(ac, p - t[2]);
-  if (d6 >= 0.0 && d5 <= d6) return norm(p - t[2]);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return norm(p - (t[0] + d2 / (d2 - d6) * ac));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return norm(p - (t[1] + w * (t[2] - t[1])));
-  }
-  const double scale = 1.0 / (va + vb + vc);
-  return norm(p - (t[0] + vb * scale * ab + vc * scale * ac));
-}
+double distance_local(Vec3 p, const HeightFieldShape& ground) { return ground.field->distance(p); }
 
 double distance_local(Vec3 p, const MeshShape& mesh) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -140,6 +117,27 @@ std::vector<std::vector<Vec2>> cut_polytope(const Polytope& piece, Vec2 origin, 
   return {convex_hull(std::move(points))};
 }
 
+/// Columns under the ground along the line, down to a depth of 1e3; neighbours of one slope are one.
+std::vector<std::vector<Vec2>> cut_ground(const HeightField& field, Vec2 origin, Vec2 along) {
+  const Box2 box = field.bounds();
+  const Vec2 corners[] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+  const auto inside = cut({std::begin(corners), std::end(corners)}, origin, along, -1e7, 1e7);
+  if (!inside) return {};
+  const double bottom = field.lowest_m() - 1e3;
+  std::vector<std::vector<Vec2>> columns;
+  std::vector<Vec2> top;
+  for (const Vec3 p : field.drape({origin + inside->low * along, origin + inside->high * along})) {
+    const Vec2 here{dot(along, xy(p) - origin), p.z};
+    const std::size_t n = top.size();
+    if (n >= 2 && std::abs(cross(top[n - 1] - top[n - 2], here - top[n - 2])) < 1e-12) top.pop_back();
+    top.push_back(here);
+  }
+  for (std::size_t i = 1; i < top.size(); ++i) {
+    columns.push_back({{top[i - 1].x, bottom}, {top[i].x, bottom}, top[i], top[i - 1]});
+  }
+  return columns;
+}
+
 bool is_upright(const Pose3& pose) { return std::abs(pose.rotation.axes[2].z) >= upright; }
 
 std::vector<Vec2> circle(Vec2 centre, double radius) {
@@ -152,7 +150,7 @@ std::vector<Vec2> circle(Vec2 centre, double radius) {
 }  // namespace
 
 std::string_view kind(const Shape& shape) {
-  constexpr std::string_view names[] = {"box", "cylinder", "sphere", "half_space", "mesh"};
+  constexpr std::string_view names[] = {"box", "cylinder", "sphere", "half_space", "mesh", "height_field"};
   return names[shape.index()];
 }
 
@@ -191,6 +189,12 @@ Box3 bounds(const Solid& solid) {
                         box = {{-inf, -inf, up <= -upright ? pose.position.z : -inf},
                                {inf, inf, up >= upright ? pose.position.z : inf}};
                       },
+                      [&](const HeightFieldShape& ground) {
+                        const Box2 ground_box = ground.field->bounds();
+                        constexpr double inf = std::numeric_limits<double>::infinity();
+                        box = {{ground_box.low.x, ground_box.low.y, -inf},
+                               {ground_box.high.x, ground_box.high.y, ground.field->highest_m()}};
+                      },
                       [&](const MeshShape& m) {
                         for (const auto& triangle : m.triangles) {
                           for (const Vec3 corner : triangle) box.include(pose * corner);
@@ -219,6 +223,7 @@ std::vector<RoundedPolygon> footprint(const Solid& solid, double z_low_m, double
                  return {RoundedPolygon{{xy(centre)}, std::sqrt(s.radius_m * s.radius_m - dz * dz)}};
                },
                [](const HalfSpaceShape&) -> Pieces { return {}; },
+               [](const HeightFieldShape&) -> Pieces { return {}; },
                [&](const MeshShape& mesh) {
                  Pieces pieces;
                  for (const auto& triangle : mesh.triangles) {
@@ -253,6 +258,7 @@ std::vector<std::vector<Vec2>> slice(const Solid& solid, Vec2 origin, Vec2 along
                  auto piece = clip({{-1e3, deep}, {1e3, deep}, {1e3, high}, {-1e3, high}}, normal, offset);
                  return piece.empty() ? Pieces{} : Pieces{std::move(piece)};
                },
+               [&](const HeightFieldShape& ground) { return cut_ground(*ground.field, origin, along); },
                [&](const MeshShape& mesh) {
                  Pieces pieces;
                  for (const auto& triangle : mesh.triangles) {

@@ -9,6 +9,18 @@
 
 namespace outrider::testing {
 
+/// Targets at free places until there are so many, away from the start.
+inline void add_targets(Rng& rng, GuardProblem& problem, std::size_t targets, double half_side) {
+  while (problem.targets.size() < targets) {
+    Target target = random_small_yard(rng, 0, 1.0).target;
+    target.base = {rng.uniform(-0.8, 0.8) * half_side, rng.uniform(-0.8, 0.8) * half_side, target.base.z};
+    target.name = fmt::format("cat_{}", problem.targets.size());
+    bool free = distance(xy(target.base), problem.start.position) > 1.2;
+    for (const Solid& solid : problem.world.solids) free = free && distance(target.centre(), solid) > 0.05;
+    if (free) problem.targets.push_back(std::move(target));
+  }
+}
+
 /// A walled yard of 2 x half_side with some solids and targets; the start is at its south.
 inline GuardProblem random_guard_problem(Rng& rng, std::size_t solids, std::size_t targets,
                                          double half_side) {
@@ -24,14 +36,7 @@ inline GuardProblem random_guard_problem(Rng& rng, std::size_t solids, std::size
     solid.name += fmt::format("_{}", problem.world.solids.size());
     problem.world.solids.push_back(std::move(solid));
   }
-  while (problem.targets.size() < targets) {
-    Target target = random_small_yard(rng, 0, 1.0).target;
-    target.base = {rng.uniform(-0.8, 0.8) * half_side, rng.uniform(-0.8, 0.8) * half_side, target.base.z};
-    target.name = fmt::format("cat_{}", problem.targets.size());
-    bool free = far_from_start(target.base);
-    for (const Solid& solid : problem.world.solids) free = free && distance(target.centre(), solid) > 0.05;
-    if (free) problem.targets.push_back(std::move(target));
-  }
+  add_targets(rng, problem, targets, half_side);
   return problem;
 }
 

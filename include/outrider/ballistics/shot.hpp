@@ -1,10 +1,12 @@
 // Shots: what one does, how much error it forgives, and the best one from a place.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "outrider/ballistics/contact.hpp"
 #include "outrider/ballistics/target.hpp"
+#include "outrider/world/height_field.hpp"
 
 namespace outrider {
 
@@ -24,7 +26,14 @@ struct ShotRules {
   double margin_m = 0.03;                ///< from the ball to every solid before the contact
   double pitch_step_rad = radians(2.5);  ///< of the pitches tried
   double aim_step_m = 0.05;              ///< of the points on a target tried before it is given up
+  Air air;
+  std::shared_ptr<const HeightField> terrain;  ///< ground that is not flat (stance.hpp), instead of the floor
 };
+
+/// The flight of a shot under these rules, in air until it is 1 m below the floor and the target. `accuracy`
+/// is AirTrack's (air.hpp).
+Flight launch(const ShotRules& rules, const Platform& from, const Target& target, const Shot& shot,
+              double accuracy = 5e-8);
 
 /// True when the robot at `position` is clear of the target: standing on it is no way to hit it.
 bool clear_of(const ShotRules& rules, const Target& target, Vec2 position);
@@ -45,8 +54,15 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
 /// forgives; below 1 a shot aimed at the centre still touches the box, to first order in each error alone.
 double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot);
 
+/// The angles that the joints of the gun make.
+struct GunAngles {
+  double yaw_rad = 0.0;    ///< in the frame of the ground (stance.hpp)
+  double pitch_rad = 0.0;  ///< between the barrel and the tangent plane
+};
+
 struct PlannedShot {
   Shot shot;
+  GunAngles gun;             ///< of the joints for it (stance.hpp); on level ground the shot's own
   double flight_s = 0.0;     ///< until the ball touches the target
   Vec3 contact;              ///< centre of the ball then
   double clearance_m = 0.0;  ///< of the flight until then, cut off at 1 m

@@ -3,6 +3,9 @@
 // At each stop the shot is solved again from the pose actually reached. A target that is missed
 // `tries` times has failed. When all stops are done, targets that failed are tried once more from
 // another place, and targets without a firing region once more with the clearance margin given up.
+//
+// Shots in passing (guard/passing.hpp) are solved again when their way begins, for that way. Who cannot be
+// hit from it, or was missed, is shot at next from the nearest place to the end of the way.
 #pragma once
 
 #include <deque>
@@ -29,23 +32,31 @@ struct TargetRecord {
   double done_s = 0.0;              ///< when the status became what it is
 };
 
-/// A place to go to and what to shoot from there, in order.
+/// A place to go to, and what to shoot from there, in order, or the store to fill there.
 struct Errand {
   Vec2 place;
   std::vector<std::size_t> targets;
+  std::optional<StationCall> call = {};
+  std::vector<std::size_t> passing = {};  ///< to shoot at on the way there
 };
 
 struct GuardMission {
-  std::vector<TargetRecord> records;  ///< by target
-  std::deque<Errand> errands;         ///< still to do; the first is the present one
-  bool arrived = false;               ///< at the place of the present errand
-  bool aimed = false;                 ///< the gun has been told where to point
-  bool fired = false;                 ///< the last command was a shot
+  std::vector<TargetRecord> records;      ///< by target
+  std::deque<Errand> errands;             ///< still to do; the first is the present one
+  bool arrived = false;                   ///< at the place of the present errand
+  bool aimed = false;                     ///< the gun has been told where to point
+  bool fired = false;                     ///< the last command was a shot
+  std::vector<std::size_t> passing = {};  ///< shot at in passing by the last command
   bool second_pass = false;
   bool keeps_watch = false;      ///< more may come: no second pass yet when the errands are done
   Vec2 last_place;               ///< where the robot was last sent
+  std::vector<std::size_t> at;   ///< by record: the target of the problem that stands for it now, where that
+                                 ///< is not the one of its own index; empty: none has moved
   std::optional<Routes> routes;  ///< of the plan
 };
+
+/// The target of the problem that stands for a record.
+std::size_t target_of(const GuardMission& mission, std::size_t record);
 
 GuardMission begin(const GuardProblem& problem, const GuardPlan& plan);
 

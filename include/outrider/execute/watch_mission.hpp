@@ -32,6 +32,7 @@ struct WatchMission {
   std::vector<Sighting> inside;  ///< seen and not done, in the order of entering
   std::size_t entered = 0;       ///< of these, since the last plan
   std::int64_t plans = 0;        ///< made so far
+  std::int64_t survived = 0;     ///< hits after which somebody went elsewhere
 };
 
 WatchMission begin(const WatchPlan& plan);

@@ -1,7 +1,9 @@
 // Arrivals: intruders that enter a yard one after another.
 //
 // An intruder enters at an entrance, walks in a straight line to the place of one of the targets, stays
-// there, and leaves when it is hit. On its way it cannot be hit. It is known from the moment it enters.
+// there, and is hit there; on its way it cannot be. It is known from the moment it enters. Once hit it
+// leaves, with a probability; else it survives: it walks straight to the place of another target, and is hit
+// there.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +40,7 @@ struct ArrivalOptions {
   std::string entrances;   ///< name=x,y, with blanks between
   std::string list;        ///< path of a schedule (io/arrivals.hpp) instead of the process
   double walk_mps = 1.0;   ///< from the entrance to the place; 0: they are there at once
+  double leave = 1.0;      ///< probability that one who is hit leaves
   std::string policy = "each_arrival";
   std::int64_t group = 3;
   std::string objective = "time_inside";
@@ -66,12 +69,22 @@ Outcome<std::vector<Intruder>> draw_arrivals(const GuardProblem& problem,
 /// Puts intruders in the order of entering (ties as given) and names them after their places.
 void put_in_order(const GuardProblem& problem, std::vector<Intruder>& intruders);
 
-/// The yard with one target for each intruder, in their order, in place of its own targets.
+/// The yard with one target for each intruder, in their order, and behind them its own targets, the places.
 struct Watch {
   GuardProblem problem;
   Site site;
   std::vector<Intruder> intruders;
+
+  [[nodiscard]] std::size_t places() const { return problem.targets.size() - intruders.size(); }
+  /// The index of the target for somebody at a place.
+  [[nodiscard]] std::size_t at_place(std::size_t place) const { return intruders.size() + place; }
 };
+
+/// One intruder at each target, from the start.
+std::vector<Intruder> settled_intruders(const GuardProblem& problem);
+
+/// Where one who is hit at `place` goes, if it does not leave: another place, drawn uniformly; there is one.
+std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng);
 
 /// Refused when targets block: who is inside changes, and with it what stands in the way. The regions
 /// are those of the places: nothing is surveyed again. O(intruders x cells).

@@ -10,7 +10,8 @@
 // search from many sources over the ground (Held and Karp, 1962, with fields for places). Drives are as
 // long as the shortest chains of moves on the lattice of cells, which are never above the shortest way
 // (lattice.hpp), and take the time from rest to rest. Flights take the least time in which a ball of full
-// speed can touch the target, whatever stands between.
+// speed can touch the target, whatever stands between; in air, in which that would be hard to bound, what
+// crossing the gap at full speed takes.
 //
 // Some targets are treated so; the others add their least flights. They are chosen one by one: the one for
 // which the mission that attains the bound so far would have to do most (Righini and Salani, Networks

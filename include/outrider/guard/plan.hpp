@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
+#include "outrider/guard/passing.hpp"
 #include "outrider/guard/site.hpp"
 #include "outrider/path/routes.hpp"
 
@@ -21,6 +22,8 @@ struct PlannedStop {
   Vec2 position;
   std::vector<Vec2> waypoints;  ///< from the stop before, both included
   std::vector<PlannedHit> hits;
+  std::optional<StationCall> call = {};  ///< a store is filled here, and nothing is shot at
+  std::vector<PassingHit> passing = {};  ///< shots on the way to here (passing_plan.hpp)
 };
 
 struct Unreachable {
@@ -31,19 +34,28 @@ struct Unreachable {
 struct GuardPlan {
   std::vector<PlannedStop> stops;
   std::vector<Unreachable> unreachable;
-  std::optional<Routes> routes;  ///< between the start and the stops; nothing when there are none
-  double cost_s = 0.0;           ///< mission time if nothing goes wrong
-  double lower_bound_s = 0.0;    ///< no plan that hits from cells of the regions takes less (bound.hpp)
-  bool tour_proven = false;      ///< no better tour of the stops last looked at exists
-  std::size_t places = 0;        ///< cells that can be driven to
+  std::vector<Unreachable> unsupplied = {};  ///< those that the supplies do not suffice for (supply_plan.hpp)
+  std::optional<Routes> routes;              ///< between the start and the stops; nothing when there are none
+  double cost_s = 0.0;                       ///< mission time if nothing goes wrong
+  /// No tour of the stops, shots and drives last offered takes less (solve.hpp); where the robot may shoot in
+  /// passing, no mission at all (passing_plan.hpp).
+  double lower_bound_s = 0.0;
+  double anywhere_lower_bound_s = 0.0;  ///< no plan that hits from cells of the regions does (bound.hpp)
+  bool tour_proven = false;             ///< no better tour of the stops last offered exists
+  std::size_t stops_offered = 0;        ///< to the tour solver in the end
+  std::size_t places = 0;               ///< cells that can be driven to
 
-  /// The part of the cost that the bound leaves open: at most this much of it could be saved.
-  [[nodiscard]] double gap() const { return cost_s > 0.0 ? 1.0 - lower_bound_s / cost_s : 0.0; }
+  /// The parts of the cost that the bounds leave open: at most so much of it could be saved.
+  [[nodiscard]] double gap() const { return left_open(lower_bound_s); }
+  [[nodiscard]] double anywhere_gap() const { return left_open(anywhere_lower_bound_s); }
+
+  [[nodiscard]] double left_open(double bound_s) const { return cost_s > 0.0 ? 1.0 - bound_s / cost_s : 0.0; }
 };
 
 /// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the
 /// tour, looks closer around the best one, and makes sure of each shot. Every target of the problem is
-/// in exactly one stop or in `unreachable`. Deterministic. The lower bound is bound.hpp's.
+/// in exactly one stop or in `unreachable`. Deterministic. The shots are solved again for their order, so
+/// the plan may be faster than its tour; the bounds are at most its cost.
 Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, const GuardOptions& options,
                               const Budget& budget);
 

@@ -7,6 +7,7 @@
 #include "outrider/ballistics/shot.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/guard/supplies.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/world/world.hpp"
 
@@ -17,6 +18,7 @@ struct ExecutionErrors {
   double position_m = 0.1;     ///< of the place where a drive ends
   double heading_rad = 0.005;  ///< of the heading there
   AimErrors aim;
+  double timing_s = 0.02;  ///< of the moment at which a shot leaves a robot that drives
 };
 
 struct GuardProblem {
@@ -25,7 +27,9 @@ struct GuardProblem {
   Pose2 start{{0.0, -9.5}, radians(90.0)};
   RobotModel robot;
   GunModel gun;
+  Air air;
   ExecutionErrors errors;
+  Supplies supplies;
   bool targets_block = false;  ///< targets stop the robot and the shots at other targets
   std::int64_t tries = 3;      ///< shots at a target before it has failed
 };
@@ -41,7 +45,9 @@ struct GuardOptions {
   std::int64_t iterations = 1000;        ///< of the tour solver, each time
   std::int64_t group = 4;                ///< targets in a group of shrinking_circles
   std::int64_t memory_mib = 2048;        ///< planning that would need more is refused
-  bool prove = false;                    ///< spend more time and memory on the lower bound
+  double gap = 0.02;                     ///< part of the tour's time that its lower bound may leave open
+  bool prove = false;                    ///< find the best tour of the stops; spend more on both bounds
+  bool shoot_on_the_move = false;  ///< hit from the way what makes the mission shorter (passing_plan.hpp)
 };
 
 std::vector<Option> describe(ExecutionErrors& errors);

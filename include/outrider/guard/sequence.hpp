@@ -50,4 +50,13 @@ Sequence best_sequence(const TourProblem& table, const std::vector<Wanted>& want
 double value_of(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
                 WatchObjective objective, const std::vector<Visit>& visits);
 
+/// The better of the beam's sequence and the part of a tour over the same stops, its goals those of the
+/// table, that is about those wanted; the latter whenever it can be driven if `as_toured`.
+Sequence sequence_beside(const std::vector<Visit>& tour, const TourProblem& table,
+                         const std::vector<Wanted>& wanted, const Standing& from, WatchObjective objective,
+                         std::size_t beam, bool as_toured);
+
+/// The robot once it has gone to a stop and hit someone from there; its time is infinite when it cannot.
+Standing after_hit(const TourProblem& table, const Wanted& whom, const Standing& from, std::size_t stop);
+
 }  // namespace outrider

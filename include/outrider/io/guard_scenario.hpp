@@ -8,23 +8,31 @@
 #include "outrider/core/outcome.hpp"
 #include "outrider/guard/arrivals.hpp"
 #include "outrider/guard/problem.hpp"
+#include "outrider/guard/wander.hpp"
 
 namespace outrider {
 
 struct GuardScenario {
   std::string job = "guard";
   std::string world;                ///< path of an SDF file
+  std::string terrain;              ///< path of a height field (terrain.hpp); empty: the ground of the world
+  std::string terrain_size;         ///< of an image: length, width, height in m
+  std::string terrain_position;     ///< of its middle, at black
   std::string targets;              ///< path of a list of targets
   std::string start = "0,-9.5,90";  ///< x, y in m, heading in degrees
   std::string bounds;               ///< low x, low y, high x, high y; empty: the box of the walls
   std::int64_t seed = 1;
-  GuardProblem problem;  ///< robot, gun and errors; world and targets once loaded
+  std::string sim = "kinematic";  ///< or "physics": what carries the plan out
+  GuardProblem problem;           ///< robot, gun and errors; world and targets once loaded
   GuardOptions options;
   ArrivalOptions arrivals;
   std::vector<Intruder> intruders;  ///< of `arrivals`, once loaded; none in a still yard
+  WanderOptions wander;
+  std::vector<double> preferences;  ///< of `wander`, once loaded
+  std::vector<Track> history;       ///< of `wander`, once loaded
 };
 
-/// Top-level keys first, then the sections robot, gun, errors, plan and arrivals.
+/// Top-level keys first, then the sections robot, gun, air, errors, supplies, plan, arrivals and wander.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
 /// Makes the paths in a scenario, which are relative to its file, relative to here.

@@ -8,8 +8,11 @@
 //
 // Repaired, each with a warning that names the file and the line (docs/formats.md lists them all):
 // poses of three numbers, times of <state> that are no pair, several shapes in one <geometry>, equal
-// names, a missing <world>. Left out with a warning: includes and meshes that are not found,
-// heightmaps, polylines, populations. sdformat's own messages never reach the console.
+// names, a missing <world>. Left out with a warning: includes, meshes and heightmaps that are not found,
+// polylines, populations. sdformat's own messages never reach the console.
+//
+// A <heightmap> of a PNG is the terrain of the world (terrain.hpp) instead of a floor; there is one at most,
+// and its pose has no rotation.
 //
 // World: gravity from the file (straight down, else refused). floor_z_m is the top of the highest
 // upright half-space, or of a flat box under everything; without either the file is refused. bounds is

@@ -3,7 +3,7 @@
 // One target a line, words key=value in any order; '#' starts a comment, blank lines are skipped:
 //     type=1 x=-6.5 y=6.5 z=1.5 rz=3.1416      # a type has a size and a name
 //     size=0.4,0.3,0.2 name=fox x=2 y=1        # or give them
-// x, y, z (default 0) are the centre of the base in m, rz (default 0) the heading in rad.
+// x, y, z (default 0, or on the terrain) are the centre of the base in m, rz (default 0) the heading in rad.
 // Sizes by type, length x width x height in m: 1 0.5 x 0.205 x 0.372; 2 0.46 x 0.36 x 0.178;
 // 3 0.51 x 0.1372 x 0.526; 4 0.2576 x 0.164 x 0.3712. An explicit size wins over the type's.
 // The k-th target of type T is named "T_k", counted from 0; without a type, "target_k".
@@ -18,12 +18,15 @@
 
 #include "outrider/ballistics/target.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/world/height_field.hpp"
 
 namespace outrider {
 
-Outcome<std::vector<Target>> load_targets(const std::string& path);
+/// Without a z a target stands on the terrain under its centre, where there is one.
+Outcome<std::vector<Target>> load_targets(const std::string& path, const HeightField* terrain = nullptr);
 
 /// The same from text; `name` stands for the file in faults.
-Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name);
+Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name,
+                                               const HeightField* terrain = nullptr);
 
 }  // namespace outrider

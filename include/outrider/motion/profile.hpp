@@ -16,4 +16,7 @@ double duration(double distance, const Limits& limits);
 /// Distance covered `time_s` after the start of that motion; clamped to [0, distance]. O(1).
 double covered(double distance, const Limits& limits, double time_s);
 
+/// Speed `time_s` after the start of that motion; 0 before it and from its end on. O(1).
+double speed_after(double distance, const Limits& limits, double time_s);
+
 }  // namespace outrider

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/profile.hpp"
+#include "outrider/world/height_field.hpp"
 
 namespace outrider {
 
@@ -16,6 +18,7 @@ struct RobotModel {
   double acceleration_mps2 = 0.8;
   double turn_rate_radps = 0.8;
   double turn_acceleration_radps2 = 6.0;
+  double max_slope_rad = radians(20.0);  ///< it neither drives nor stands on ground that is steeper
 
   [[nodiscard]] Limits straight() const { return {speed_mps, acceleration_mps2}; }
   [[nodiscard]] Limits turning() const { return {turn_rate_radps, turn_acceleration_radps2}; }
@@ -23,13 +26,15 @@ struct RobotModel {
 
 std::vector<Option> describe(RobotModel& robot);
 
-/// Time and sums of following waypoints by turning in place before each straight.
+/// Time and sums of following waypoints by turning in place before each straight. On terrain a straight is
+/// as long as it is on the surface, and headings and turns are as seen from above.
 struct DriveCost {
   double time_s = 0.0;
   double driven_m = 0.0;
   double turned_rad = 0.0;
   double heading_rad = 0.0;  ///< at the end
 };
-DriveCost drive_cost(const RobotModel& robot, double heading_rad, const std::vector<Vec2>& waypoints);
+DriveCost drive_cost(const RobotModel& robot, double heading_rad, const std::vector<Vec2>& waypoints,
+                     const HeightField* terrain = nullptr);
 
 }  // namespace outrider

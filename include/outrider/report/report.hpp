@@ -53,6 +53,9 @@ struct ReportShot {
   bool hit_by_reference_rule = false;  ///< ball centre came within 0.5 m of the target's base
   double clearance_m = 0.0;            ///< least distance from the ball to any solid before the contact
   std::vector<ProfilePiece> profile;   ///< the side view, the target's box included under its name
+  std::optional<std::vector<Vec3>> path =
+      {};  ///< of the ball's centre at equal times from the muzzle to the contact, where it is no parabola
+  std::optional<Vec2> platform_velocity_mps = {};  ///< of the robot, where it drove; in the velocity above
 };
 
 /// The stay of an intruder.
@@ -61,6 +64,13 @@ struct ReportVisit {
   Vec2 from;               ///< where that is
   double enters_s = 0.0;   ///< from then on it is known
   double settles_s = 0.0;  ///< when it is in its place, after a straight way there
+};
+
+/// Where a target that moves was at an instant; between two of them it went straight.
+struct ReportMove {
+  double time_s = 0.0;
+  Vec2 position;  ///< in truth
+  Vec2 believed;  ///< as the robot had it
 };
 
 struct ReportTarget {
@@ -79,6 +89,8 @@ struct ReportTarget {
   int shots = 0;
   std::optional<ReportVisit> visit =
       {};  ///< of one that was not there from the start; it leaves when reached
+  std::optional<std::vector<ReportMove>> moves =
+      {};  ///< of one that moved after it was in its place; `centre` and `size` are of the last place
 };
 
 struct ReportEvent {
@@ -113,10 +125,45 @@ struct ReportChase {
   std::vector<ReportBound> bounds;
 };
 
+/// A place that fills the tank or the battery.
+struct ReportStation {
+  std::string name;
+  Vec2 position;
+  bool gives_water = false;
+  bool gives_charge = false;
+};
+
+/// What was in the stores at one instant; between two of them the levels are interpolated linearly.
+struct ReportLevel {
+  double time_s = 0.0;
+  double water = 0.0;
+  double charge_j = 0.0;
+};
+
+/// A tank and a battery that end. What has no end is infinite, and NaN once read back.
+struct ReportSupplies {
+  double tank = 0.0;
+  double battery_j = 0.0;
+  std::vector<ReportStation> stations;
+  std::vector<ReportLevel> levels;
+};
+
+struct ReportContour {
+  double height_m = 0.0;
+  std::vector<Vec2> points;  ///< the first again at the end of a closed one
+};
+
+/// Ground that is not flat.
+struct ReportTerrain {
+  std::vector<ReportContour> contours;
+  std::vector<RoundedPolygon> steep;  ///< too steep for the robot
+};
+
 struct Report {
-  std::string status;  ///< "done" or "not_done"
-  std::string job;     ///< "guard", ...
-  std::string reason;  ///< why it was not done; empty when it was
+  std::string status;                   ///< "done" or "not_done"
+  std::string job;                      ///< "guard", ...
+  std::string reason;                   ///< why it was not done; empty when it was
+  std::optional<std::string> sim = {};  ///< "physics" when rigid bodies carried it out
   std::uint64_t seed = 0;
   std::vector<std::pair<std::string, std::string>> settings;  ///< option name -> value with unit
   std::vector<std::string> warnings;                          ///< what was repaired in the input
@@ -130,6 +177,7 @@ struct Report {
   double margin_m = 0.0;  ///< clearance that planned flights keep
   Pose2 start;
   std::vector<ReportSolid> solids;
+  std::optional<ReportTerrain> terrain;
 
   std::vector<std::pair<std::string, double>> metrics;  ///< in the order of showing
   std::vector<ReportTarget> targets;
@@ -137,7 +185,8 @@ struct Report {
   std::vector<ReportShot> shots;
   std::vector<ReportEvent> events;
   std::vector<TrackSample> track;
-  std::optional<ReportChase> chase;  ///< of the job pursue
+  std::optional<ReportSupplies> supplies;  ///< where they end
+  std::optional<ReportChase> chase;        ///< of the job pursue
 };
 
 }  // namespace outrider

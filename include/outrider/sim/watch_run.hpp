@@ -2,7 +2,9 @@
 #pragma once
 
 #include "outrider/execute/watch_mission.hpp"
+#include "outrider/guard/survivors.hpp"
 #include "outrider/report/report.hpp"
+#include "outrider/sim/guard_robot.hpp"
 
 namespace outrider {
 
@@ -10,7 +12,8 @@ namespace outrider {
 /// Metrics that a guard run has not: intruder_seconds, the time inside of all intruders that can be hit,
 /// summed, where who is not hit stays until the end; makespan_s, when the last of them was hit (the end
 /// when one was not); longest_s, the longest time inside; plans; the bounds of watch_bound.hpp.
-Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed);
+Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                 const Survival& survival = {});
 
 /// The same from a surveyed yard and the plan for all its targets: the outlook is made, the policy and the
 /// objective are those that `arrivals` names. Refused as find_watch_policy(), find_objective(),
@@ -18,5 +21,11 @@ Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64
 Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                            const std::vector<Intruder>& intruders, const ArrivalOptions& arrivals,
                            const GuardOptions& options, std::uint64_t seed);
+
+/// The still yard when who is hit may survive: everybody is there from the start, and the manner is the one
+/// with the least expected time (survivors.hpp, over 40 missions, with a beam of at most 4). Two more
+/// metrics: expected_s, and expected_error_s, its standard error. Refused as watch_over() and look_out().
+Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                          const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed);
 
 }  // namespace outrider

@@ -7,8 +7,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/box.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/world/world.hpp"
@@ -17,13 +19,20 @@ namespace outrider {
 
 class Ground {
  public:
-  Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles);
+  Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
+         std::shared_ptr<const HeightField> terrain = {});
   /// The obstacles of a world for a robot of that height; what rises less than `step_m` above the
-  /// floor is driven over.
-  static Ground of(const World& world, double robot_height_m, double step_m = 1e-3);
+  /// floor is driven over. On terrain these heights count from the lowest and to above the highest ground
+  /// under each solid, and ground steeper than `max_slope_rad` is an obstacle too (steep_ground.hpp).
+  static Ground of(const World& world, double robot_height_m, double step_m = 1e-3,
+                   double max_slope_rad = pi / 2);
 
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] const std::vector<RoundedPolygon>& obstacles() const { return obstacles_; }
+
+  /// The length of a straight drive along the surface, m. No less than that of the segment.
+  [[nodiscard]] double length(Segment s) const { return terrain_ ? terrain_->length(s) : distance(s.a, s.b); }
+  [[nodiscard]] const HeightField* terrain() const { return terrain_.get(); }  ///< null where it is flat
 
   /// Distance from p to the nearest obstacle or to the edge of the bounds, m, negative inside an
   /// obstacle or outside the bounds; cut off at `most_m`, which bounds the work.
@@ -46,6 +55,7 @@ class Ground {
   [[nodiscard]] double edge_distance(Vec2 p) const;
 
   Box2 bounds_;
+  std::shared_ptr<const HeightField> terrain_;
   std::vector<RoundedPolygon> obstacles_;
   std::vector<Box2> boxes_;       // of the obstacles, by index
   std::vector<TileRange> tiles_;  // of the obstacles, by index

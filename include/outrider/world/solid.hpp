@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "outrider/geometry/box.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/world/height_field.hpp"
 
 namespace outrider {
 
@@ -33,7 +35,12 @@ struct MeshShape {
   std::vector<std::array<Vec3, 3>> triangles;
 };
 
-using Shape = std::variant<BoxShape, CylinderShape, SphereShape, HalfSpaceShape, MeshShape>;
+/// The ground under a height field, which is given in the world: the solid's pose is the identity.
+struct HeightFieldShape {
+  std::shared_ptr<const HeightField> field;
+};
+
+using Shape = std::variant<BoxShape, CylinderShape, SphereShape, HalfSpaceShape, MeshShape, HeightFieldShape>;
 
 struct Solid {
   std::string name;
@@ -41,22 +48,24 @@ struct Solid {
   Shape shape;
 };
 
-/// "box", "cylinder", "sphere", "half_space" or "mesh".
+/// "box", "cylinder", "sphere", "half_space", "mesh" or "height_field".
 std::string_view kind(const Shape& shape);
 
-/// Distance from p to the solid, m; 0 inside it or on it. Exact. O(1), meshes O(triangles).
+/// Distance from p to the solid, m; 0 inside it or on it. Exact. O(1), meshes O(triangles),
+/// height fields as HeightField::distance().
 double distance(Vec3 p, const Solid& solid);
 
-/// Smallest box around the solid; infinite for a half-space.
+/// Smallest box around the solid; infinite for a half-space, and downwards for a height field.
 Box3 bounds(const Solid& solid);
 
 /// The convex pieces that the part of the solid with z_low <= z <= z_high covers on the ground;
-/// none when the solid has no part there, and none for a half-space.
+/// none when the solid has no part there, and none for a half-space or a height field.
 std::vector<RoundedPolygon> footprint(const Solid& solid, double z_low_m, double z_high_m);
 
 /// The convex pieces in which the vertical plane through `origin` along the unit vector `along` cuts
 /// the solid, in plane coordinates (distance along, height): what a side view draws. Curved outlines
-/// are polygons of 48 corners. A half-space is cut to |distance| <= 1e3 and a depth of 1e3.
+/// are polygons of 48 corners. A half-space is cut to |distance| <= 1e3 and a depth of 1e3, a
+/// height field to the same depth.
 std::vector<std::vector<Vec2>> slice(const Solid& solid, Vec2 origin, Vec2 along);
 
 }  // namespace outrider

@@ -53,12 +53,21 @@ shots.forEach((shot, index) => {
   shot.up = vz;
   shot.from = shot.muzzle.map((value) => finite(value));
   shot.to = shot.contact_point.map((value, k) => finite(value, shot.from[k]));
+  shot.path = shot.path?.map((point) => point.map((value) => finite(value)));
   shot.along = Math.hypot(shot.to[0] - shot.from[0], shot.to[1] - shot.from[1]);
 });
 
-/** Centre of the ball `tau` seconds after the muzzle: on the line to the contact, at the parabola's height. */
+/** Centre of the ball `tau` seconds after the muzzle: on the path of a shot in air, else on the line to the
+ *  contact, at the parabola's height. */
 function ballAt(shot, tau) {
   const share = shot.end_s > shot.time_s ? tau / (shot.end_s - shot.time_s) : 1;
+  if (shot.path?.length > 1) {
+    const steps = shot.path.length - 1;
+    const step = clamp(Math.floor(share * steps), 0, steps - 1);
+    const [x, y, z] = [0, 1, 2].map((k) => mix(shot.path[step][k], shot.path[step + 1][k], share * steps - step));
+    const [dx, dy] = [shot.to[0] - shot.from[0], shot.to[1] - shot.from[1]];
+    return { x, y, z, s: ((x - shot.from[0]) * dx + (y - shot.from[1]) * dy) / (shot.along || 1) };
+  }
   return {
     x: mix(shot.from[0], shot.to[0], share),
     y: mix(shot.from[1], shot.to[1], share),
@@ -86,12 +95,37 @@ function statusAt(target, t) {
 /** How far from its place a target is at t; null when it is not in the yard: intruders come and go. */
 function offsetAt(target, t) {
   const { visit } = target;
-  if (!visit) return [0, 0];
   const gone = target.status === "reached" && t > target.end_s + 4;
-  if (t < visit.enters_s || gone) return null;
-  const walk = visit.settles_s - visit.enters_s;
-  const left = walk > 0 ? 1 - clamp((t - visit.enters_s) / walk, 0, 1) : 0;
-  return [0, 1].map((k) => left * (visit.from[k] - finite(target.centre[k])));
+  if (visit && (t < visit.enters_s || gone)) return null;
+  const at = placeAt(target, t);
+  return [0, 1].map((k) => at[k] - finite(target.centre[k]));
+}
+
+/** Where a target is at t: on its way in, in its place, or moving about. */
+function placeAt(target, t) {
+  const { visit, moves, centre } = target;
+  const knots = (moves ?? []).map((move) => ({ t: finite(move.time_s), at: move.position }));
+  const first = knots[0]?.at ?? centre.map((value) => finite(value));
+  if (visit) knots.unshift({ t: visit.enters_s, at: visit.from }, { t: visit.settles_s, at: first });
+  return alongAt(knots, t) ?? first;
+}
+
+/** Where the robot takes a target that walks about to be at t; null when it is right. */
+function beliefAt(target, t) {
+  const moves = target.moves ?? [];
+  if (t > target.end_s || !moves.some((m) => m.believed.some((value, k) => value !== m.position[k]))) return null;
+  return alongAt(moves.map((move) => ({ t: finite(move.time_s), at: move.believed })), t);
+}
+
+/** The place at t between knots in the order of time; null when there are none. */
+function alongAt(knots, t) {
+  if (!knots.length) return null;
+  const next = knots.findIndex((knot) => knot.t > t);
+  if (next < 0) return knots[knots.length - 1].at;
+  if (next === 0) return knots[0].at;
+  const [a, b] = [knots[next - 1], knots[next]];
+  const share = b.t > a.t ? (t - a.t) / (b.t - a.t) : 1;
+  return [0, 1].map((k) => a.at[k] + share * (b.at[k] - a.at[k]));
 }
 
 /** The last event that has happened at t. */

@@ -51,6 +51,13 @@ class PlanView {
       rim([[x0 - 1, y0 - 1], [x1 + 1, y0 - 1], [x1 + 1, y1 + 1], [x0 - 1, y1 + 1]]);
       rim([[x0 + r, y0 + r], [x0 + r, y1 - r], [x1 - r, y1 - r], [x1 - r, y0 + r]]);
     }
+    this.steep = new Path2D();
+    for (const piece of world.terrain?.steep ?? []) traceRounded(this.steep, piece.core, piece.radius_m);
+    this.contours = (world.terrain?.contours ?? []).map(({ height_m, points }) => {
+      const path = new Path2D();
+      for (const [x, y] of points) path.lineTo(x, y);
+      return { height: height_m, path };
+    });
     this.way = new Path2D();
     for (let i = 0; i < track.length; ++i) this.way.lineTo(track.x[i], track.y[i]);
     this.boxes = targets.map((target) => {
@@ -93,6 +100,7 @@ class PlanView {
     camera.toPlane(ctx);
     this.drawWay(ctx);
     this.drawShots(ctx);
+    drawStations(ctx, camera);
     this.drawTargets(ctx);
     this.drawRobot(ctx);
     this.drawFlights(ctx);
@@ -113,6 +121,7 @@ class PlanView {
     ctx.fillStyle = theme.yard;
     ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
     this.drawGrid(ctx);
+    this.drawTerrain(ctx);
     ctx.save();
     ctx.beginPath();
     ctx.rect(x0, y0, x1 - x0, y1 - y0);
@@ -142,6 +151,23 @@ class PlanView {
     for (let x = Math.ceil(x0 / step) * step; x <= x1; x += step) { ctx.moveTo(x, y0); ctx.lineTo(x, y1); }
     for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) { ctx.moveTo(x0, y); ctx.lineTo(x1, y); }
     ctx.stroke();
+  }
+
+  /** Ground too steep to drive on, and lines of equal height, the higher the stronger. */
+  drawTerrain(ctx) {
+    const heights = this.contours.map((line) => line.height);
+    const low = Math.min(...heights);
+    const span = Math.max(...heights) - low || 1;
+    ctx.fillStyle = theme.failed;
+    ctx.globalAlpha = 0.12;
+    ctx.fill(this.steep);
+    ctx.strokeStyle = theme.soft;
+    ctx.lineWidth = this.camera.px(1);
+    for (const { height, path } of this.contours) {
+      ctx.globalAlpha = 0.35 + (0.5 * (height - low)) / span;
+      ctx.stroke(path);
+    }
+    ctx.globalAlpha = 1;
   }
 
   /** The union of the obstacles grown by the robot's radius: hatched, with one contour around it. */
@@ -393,6 +419,15 @@ class PlanView {
       ctx.stroke(this.boxes[i]);
       camera.toScreen(ctx);
       const at = camera.screen(finite(target.centre[0]) + offset[0], finite(target.centre[1]) + offset[1]);
+      const belief = beliefAt(target, now.t);
+      if (belief) {
+        const seen = camera.screen(belief[0], belief[1]);
+        ctx.setLineDash([3, 3]);
+        ctx.beginPath();
+        ctx.arc(seen.x, seen.y, 10, 0, 2 * Math.PI);
+        ctx.stroke();
+        ctx.setLineDash([]);
+      }
       drawSign(ctx, status, at.x, at.y, 6);
       if (target === now.target) {
         ctx.strokeStyle = theme.ink;

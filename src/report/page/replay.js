@@ -21,6 +21,7 @@ function frame(now) {
   follow();
   plan.draw({ t: transport.t, ...selected, speed: transport.playing && !calm ? transport.speed : 0 });
   side.draw(transport.t);
+  levels.draw(transport.t);
   table.show(transport.t, selected.target);
   transport.show(selected.shot);
   if (transport.playing) invalidate();
@@ -107,6 +108,7 @@ fillFooter();
 const plan = new PlanView(document.getElementById("plan"), { redraw: invalidate, selectShot, selectTarget });
 const side = new SideView(document.getElementById("side"), { redraw: invalidate });
 const table = new TargetTable(document.getElementById("targets"), { selectTarget });
+const levels = new Levels(document.getElementById("levels"));
 const transport = new Transport(document.getElementById("transport"), { change: invalidate, selectShot });
 
 const first = shots[Number(wanted.get("shot") ?? 1) - 1] ?? shots[0];

@@ -49,7 +49,7 @@ class SideView {
   /** The flight, the target and what stands under and beside them. */
   frame(shot) {
     const flight = shot.end_s - shot.time_s;
-    let [right, top, bottom] = [shot.across * flight, shot.from[2], Math.min(0, shot.to[2])];
+    let [right, top, bottom] = [ballAt(shot, flight).s, shot.from[2], Math.min(0, shot.to[2])];
     for (let i = 0; i <= 40; ++i) top = Math.max(top, ballAt(shot, (flight * i) / 40).z);
     for (const { name, polygon } of shot.profile) {
       if (name !== shot.target && name !== shot.contact) continue;

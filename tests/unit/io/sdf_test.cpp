@@ -273,10 +273,10 @@ TEST(Sdf, NewerVersionsAndBareModelsAreReadWithAWarning) {
 
 TEST(Sdf, UnmodelledShapesAreNamed) {
   const auto [world, warnings] =
-      load(world_of(ground + model("hill", "0 0 0 0 0 0", "<heightmap><uri>h.png</uri></heightmap>")));
+      load(world_of(ground + model("line", "0 0 0 0 0 0", "<polyline><height>1</height></polyline>")));
   EXPECT_EQ(world.solids.size(), 1U);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("'hill/link/c' is a <heightmap>"), std::string::npos);
+  EXPECT_NE(warnings[0].find("'line/link/c' is a <polyline>"), std::string::npos);
 }
 
 // ---- Floor, bounds, names ------------------------------------------------------------------------

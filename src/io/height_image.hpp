@@ -1,0 +1,21 @@
+// Heights from grey PNG images.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+
+namespace outrider {
+
+struct HeightImage {
+  int width = 0;
+  int height = 0;
+  std::vector<double> values;  ///< row by row from the top, 0 black to 1 white, as the file has them
+};
+
+/// 8 or 16 bits a pixel; colours as their grey. Refuses transparency and images too large for a height field.
+Outcome<HeightImage> height_image_from_png(std::string_view bytes, const std::string& name);
+
+}  // namespace outrider

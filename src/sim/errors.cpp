@@ -1,0 +1,43 @@
+#include "errors.hpp"
+
+#include <cmath>
+
+#include "outrider/ballistics/contact.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+
+Vec2 in_disk(Rng& rng, double radius_m) {
+  const double r = radius_m * std::sqrt(rng.uniform());
+  return r * direction(rng.uniform(0.0, 2.0 * pi));
+}
+
+Vec2 strayed_goal(const std::vector<Vec2>& waypoints, const GuardProblem& problem, const Site& site,
+                  Vec2 error) {
+  constexpr double least_m2 = 1e-12;
+  const Vec2 before = waypoints[waypoints.size() - 2];
+  const Vec2 goal = waypoints.back();
+  const Stance there = stance_at(site.rules, goal);
+  if (!there.level()) error = xy(leaning(there.up) * Vec3{error.x, error.y, 0.0});
+  while (squared_norm(error) > least_m2 &&
+         !site.ground.segment_free({before, goal + error}, problem.robot.radius_m)) {
+    error = 0.5 * error;
+  }
+  return squared_norm(error) > least_m2 ? goal + error : goal;
+}
+
+Shot strayed(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance) {
+  const double yaw = errors.gun_rad * rng.uniform(-1.0, 1.0);
+  const double pitch = errors.gun_rad * rng.uniform(-1.0, 1.0);
+  Shot shot = off_by(stance, meant, yaw, pitch);
+  shot.speed_mps = meant.speed_mps * (1.0 + errors.speed_ratio * rng.uniform(-1.0, 1.0));
+  return shot;
+}
+
+bool hits_by_reference_rule(const Flight& flight, const Target& target, double until_s) {
+  constexpr double near_m = 0.5;
+  const Solid base{target.name, {target.base, {}}, SphereShape{0.0}};
+  return contact_time(flight, near_m, base, 0.0, until_s).has_value();
+}
+
+}  // namespace outrider

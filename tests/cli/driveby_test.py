@@ -1,0 +1,71 @@
+"""Shooting while driving, from the command line."""
+import json
+import math
+import unittest
+
+from tool import SOURCE, ToolTest, main
+
+LANE = SOURCE / "scenarios" / "driveby" / "driveby.yaml"
+QUICK = ["--plan-resolution", "0.2", "--plan-iterations", "200", "--plan-stops", "100"]
+
+
+def place_at(track, time):
+    """Place and velocity of the robot by the track, whose rows begin with time, x, y."""
+    for a, b in zip(track, track[1:]):
+        if a[0] < b[0] and b[0] >= time:
+            velocity = [(b[k] - a[k]) / (b[0] - a[0]) for k in (1, 2)]
+            return [a[k + 1] + (time - a[0]) * velocity[k] for k in range(2)], velocity
+    raise ValueError(time)
+
+
+class DriveBy(ToolTest):
+    def report_of(self, *args, out="out"):
+        result = self.run_tool(*args, "--out", out, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads((self.folder / out / "guard.json").read_text())
+
+    def test_the_lane(self):
+        report = self.report_of("run", LANE, *QUICK, "--html", "--svg")
+        metrics = report["metrics"]
+        self.assertEqual(metrics["reached"], metrics["targets"])
+        passing = [shot for shot in report["shots"] if "platform_velocity_mps" in shot]
+        self.assertGreaterEqual(len(passing), 4)
+        self.assertEqual(metrics["shots_in_passing"], len(passing))
+        self.assertEqual(metrics["hits_in_passing"], sum(shot["hit"] for shot in passing))
+        self.assertLessEqual(metrics["lower_bound_s"], metrics["planned_s"])
+        standing = self.report_of("run", LANE, *QUICK, "--plan-shoot-on-the-move=false", out="standing")
+        self.assertLess(metrics["planned_s"], standing["metrics"]["planned_s"])
+        self.assertLess(metrics["mission_s"], standing["metrics"]["mission_s"])
+
+    def test_flights_begin_at_the_robot_that_drives(self):
+        report = self.report_of("run", LANE, *QUICK)
+        for shot in report["shots"]:
+            place, velocity = place_at(report["track"], shot["time_s"])
+            platform = shot.get("platform_velocity_mps", [0, 0])
+            self.assertLess(math.dist(platform, velocity), 0.05)
+            tip = [shot["muzzle"][k] - place[k] for k in range(2)]
+            along = [shot["velocity_mps"][k] - platform[k] for k in range(2)]
+            self.assertAlmostEqual(tip[0] * along[1], tip[1] * along[0], delta=5e-5)
+            # The flight, by its closed form, ends where the report says.
+            t, g = shot["flight_s"], report["world"]["gravity_mps2"]
+            end = [shot["muzzle"][k] + t * shot["velocity_mps"][k] - (0.5 * g * t * t if k == 2 else 0)
+                   for k in range(3)]
+            self.assertLess(math.dist(end, shot["contact_point"]), 1e-6)
+
+    def test_the_same_bytes_with_one_thread_and_two(self):
+        for threads in ["1", "2"]:
+            self.report_of("run", LANE, *QUICK, "--threads", threads, out=threads)
+        self.assertEqual((self.folder / "1/guard.json").read_bytes(), (self.folder / "2/guard.json").read_bytes())
+
+    def test_what_does_not_go_together_gets_a_sentence(self):
+        for flags, says in [
+                (["--sim", "physics"], ["sim", "shooting on the move"]),
+                (["--arrivals-leave", "0.5"], ["arrivals.leave", "shooting on the move"]),
+                (["--wander-speed", "0.5"], ["wander.speed", "shooting on the move"]),
+                (["--errors-timing", "-1"], ["--errors-timing", "'-1'", "from 0 to 1"])]:
+            with self.subTest(flags=flags):
+                self.refused("run", LANE, *flags, "--out", "out", says=says)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+"""Water and charge that end, from the command line."""
+import json
+import unittest
+
+from tool import SOURCE, ToolTest, main
+
+STATIONS = "--supplies-stations=well=-2,-2,water dock=0,-2.3,charge"
+
+
+class Stations(ToolTest):
+    def test_the_report_has_levels_stations_and_fills(self):
+        result = self.run_tool(*self.guard(STATIONS, "--supplies-tank", "1", "--supplies-battery", "1", "--json",
+                                           "--out", "out", "--html", "--svg"))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        metrics = self.json_of(result)["metrics"]
+        self.assertGreaterEqual(metrics["fills"], 1)
+        self.assertGreaterEqual(metrics["least_water"], 0)
+        self.assertGreaterEqual(metrics["least_charge_j"], 0)
+        report = json.loads((self.folder / "out" / "guard.json").read_text())
+        self.assertEqual([s["name"] for s in report["supplies"]["stations"]], ["well", "dock"])
+        self.assertEqual(report["supplies"]["levels"][0], [0, 1, 3600])
+        self.assertIn("fill", [event["kind"] for event in report["events"]])
+        self.assertIn("<title>well</title>", (self.folder / "out" / "guard.svg").read_text())
+
+    def test_without_ends_nothing_changes(self):
+        reports = []
+        for out, flags in [("plain", []), ("stations", [STATIONS])]:
+            self.assertEqual(self.run_tool(*self.guard(*flags, "--out", out)).returncode, 0)
+            report = json.loads((self.folder / out / "guard.json").read_text())
+            del report["settings"]
+            reports.append(report)
+        self.assertEqual(reports[0], reports[1])
+
+    def test_what_does_not_suffice_gets_a_reason_and_status_1(self):
+        result = self.run_tool(*self.guard("--supplies-tank", "1", "--json"))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("no station gives water", result.stdout)
+        result = self.run_tool(*self.guard(STATIONS, "--supplies-battery", "0.03", "--json"))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("and back to a charger", result.stdout)
+
+    def test_what_is_wrong_gets_a_sentence(self):
+        for flags, says in [
+                (["--supplies-tank", "-1"], ["--supplies-tank", "'-1'"]),
+                (["--supplies-tank", "1", "--supplies-shot-water", "2"], ["supplies.tank", "too small for any shot"]),
+                (["--supplies-stations=well=1,1"], ["supplies.stations", "name=x,y,water"]),
+                (["--supplies-stations=well=9,1,water"], ["supplies.stations", "outside the yard"]),
+                (["--supplies-tank", "5", "--supplies-stations=well=1,1,water"], ["supplies.stations", "obstacle"]),
+                (["--supplies-tank", "5", "--sim", "physics"], ["sim", "kinematic"]),
+                (["--supplies-tank", "5", "--arrivals-count", "2", "--arrivals-entrances=gate=-2,-2"],
+                 ["supplies", "everybody is there from the start"])]:
+            with self.subTest(flags=flags):
+                self.refused(*self.guard(*flags, "--out", "out"), says=says)
+
+    def test_the_bundled_scenario(self):
+        scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
+        result = self.run_tool("run", scenario, "--json", "--plan-resolution", "0.2", timeout=300)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertGreaterEqual(self.json_of(result)["metrics"]["fills"], 2)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,18 @@
+// Terrain: a field that loads has a finite distance from every place.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "outrider/io/terrain.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input(reinterpret_cast<const char*>(data), size);
+  const auto field = input.starts_with("\x89PNG")
+                         ? outrider::terrain_from_png(input, "terrain.png", {}, {10.0, 10.0, 1.0})
+                         : outrider::terrain_from_grid(input, "terrain.asc");
+  if (!field) return 0;
+  if (!std::isfinite(field->distance({1.0, 2.0, field->highest_m() + 1.0}))) std::abort();
+  return 0;
+}
