@@ -34,6 +34,14 @@ std::string watch_summary(const Report& report) {
       duration_text(metric(report, "makespan_bound_s")));
 }
 
+std::string hunt_summary(const Report& report) {
+  return fmt::format(
+      "\n  drove {:.1f} m, fired {:.0f} shots, of which {:.1f} were expected to hit\n"
+      "  intruders were inside for {:.1f} s in all; the last was hit after {}\n",
+      metric(report, "driven_m"), metric(report, "shots"), metric(report, "expected_hits"),
+      metric(report, "intruder_seconds"), duration_text(metric(report, "makespan_s")));
+}
+
 std::string supply_line(const Report& report) {
   std::string text = fmt::format("  filled up {:.0f} times, {:.0f} of them not as planned",
                                  metric(report, "fills"), metric(report, "unplanned_fills"));
@@ -109,6 +117,7 @@ std::string summary(const Report& report) {
   text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,
                       "status", "shots", "at s", "from m", "pitch", "m/s", "clear m");
   for (const ReportTarget& target : report.targets) text += target_row(target, width);
+  if (has_metric(report, "expected_hits")) return text + hunt_summary(report);
   if (has_metric(report, "intruder_seconds")) return text + watch_summary(report);
   text += fmt::format(
       "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"

@@ -77,7 +77,8 @@ Outcome<GridFrame> take_size(Lines& lines) {
                                  frame.height, most_cells),
                      lines.where());
   }
-  if (frame.size() > small_size && 2 * frame.size() > lines.rest.size() + 1) {  // a digit, and a comma or a line end, for each
+  const std::size_t shortest = 2 * frame.size() - 1;  // a digit, and a comma or a line end, for each
+  if (frame.size() > small_size && shortest > lines.rest.size()) {
     return bad_input(
         fmt::format("{} x {} costs do not fit in the rest of the file; it is cut short or the size is wrong",
                     frame.width, frame.height),
