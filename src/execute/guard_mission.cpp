@@ -40,6 +40,8 @@ std::optional<Vec2> another_place(const GuardProblem& problem, const Site& site,
 void drop_target(GuardMission& mission) {
   auto& targets = mission.errands.front().targets;
   targets.erase(targets.begin());
+  auto& pitches = mission.errands.front().pitches;
+  if (!pitches.empty()) pitches.erase(pitches.begin());
   mission.aimed = false;
 }
 
@@ -207,7 +209,10 @@ GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
   for (const PlannedStop& stop : plan.stops) {
     Errand errand{stop.position, {}, stop.call};
     for (const PassingHit& hit : stop.passing) errand.passing.push_back(hit.target);
-    for (const PlannedHit& hit : stop.hits) errand.targets.push_back(hit.target);
+    for (const PlannedHit& hit : stop.hits) {
+      errand.targets.push_back(hit.target);
+      errand.pitches.push_back(hit.shot.gun.pitch_rad);
+    }
     mission.errands.push_back(std::move(errand));
   }
   return mission;
@@ -252,8 +257,8 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       ShotRules rules = site.rules;
       if (mission.second_pass) rules.margin_m = 0.0;
       const std::size_t at = target_of(mission, target);
-      const auto shot =
-          best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, seen.gun_pitch_rad);
+      const double pitch = errand.pitches.empty() ? seen.gun_pitch_rad : errand.pitches.front();
+      const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, pitch);
       record.pose = seen.pose;
       if (!shot) {
         look_elsewhere(mission, seen, problem, site);

@@ -141,7 +141,11 @@ void plan_anew(WatchMission& mission, const Observation& seen, const WatchPlan& 
   guard.errands.clear();
   for (const Visit& visit : best.visits) {
     Errand errand{plan.outlook.stops[visit.stop], {}};
-    for (const std::uint32_t who : visit.goals) errand.targets.push_back(mission.inside[who].target);
+    for (const std::uint32_t who : visit.goals) {
+      const auto service = std::ranges::find(table.services[visit.stop], wanted[who].goal, &Service::goal);
+      errand.targets.push_back(mission.inside[who].target);
+      errand.pitches.push_back(service->pitch_rad);
+    }
     guard.errands.push_back(std::move(errand));
   }
   guard.arrived = !best.visits.empty() && stop_here(mission, seen, plan) == best.visits.front().stop;

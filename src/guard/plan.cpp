@@ -9,22 +9,17 @@
 namespace outrider {
 namespace {
 
-/// The stops of a draft with their shots, still without ways between them. The shots are solved again, as
-/// they will be on the way, for the pitch at which the shot before leaves the barrel.
+/// The stops of a draft with their shots, still without ways between them.
 std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site, const Draft& draft,
                                   const ShotBook& book) {
   std::vector<PlannedStop> stops;
-  double pitch = 0.0;
   for (const Visit& visit : draft.tour.visits) {
     const std::size_t cell = draft.cells[visit.stop];
     const bool at_start = visit.stop == 0;
     PlannedStop stop{at_start ? problem.start.position : site.frame.centre(site.frame.cell(cell)), {}, {}};
     for (const std::uint32_t goal : visit.goals) {
       const std::size_t target = draft.targets[goal];
-      const auto shot =
-          best_shot(site.rules, site.space(target), problem.targets[target], stop.position, pitch);
-      stop.hits.push_back({target, shot ? *shot : *book.at({cell, target})});
-      pitch = stop.hits.back().shot.gun.pitch_rad;
+      stop.hits.push_back({target, *book.at({cell, target})});
     }
     stops.push_back(std::move(stop));
   }

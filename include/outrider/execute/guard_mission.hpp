@@ -1,6 +1,7 @@
 // The execution of a guard plan: a pure step from what the robot observes to what it does next.
 //
-// At each stop the shot is solved again from the pose actually reached. A target that is missed
+// At each stop the shot is solved again from the pose actually reached, as the soonest from the pitch that
+// the plan has for it: where nothing strays, it is the shot of the plan. A target that is missed
 // `tries` times has failed. When all stops are done, targets that failed are tried once more from
 // another place, and targets without a firing region once more with the clearance margin given up.
 //
@@ -38,6 +39,7 @@ struct Errand {
   std::vector<std::size_t> targets;
   std::optional<StationCall> call = {};
   std::vector<std::size_t> passing = {};  ///< to shoot at on the way there
+  std::vector<double> pitches = {};       ///< planned for the targets, of the gun, rad; empty: none are
 };
 
 struct GuardMission {

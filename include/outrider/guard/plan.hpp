@@ -54,8 +54,8 @@ struct GuardPlan {
 
 /// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the
 /// tour, looks closer around the best one, and makes sure of each shot. Every target of the problem is
-/// in exactly one stop or in `unreachable`. Deterministic. The shots are solved again for their order, so
-/// the plan may be faster than its tour; the bounds are at most its cost.
+/// in exactly one stop or in `unreachable`. Deterministic. The tour counts expected flights, the cost each
+/// flight once, so the plan may be faster than its tour; the bounds are at most its cost.
 Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, const GuardOptions& options,
                               const Budget& budget);
 
