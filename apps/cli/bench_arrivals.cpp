@@ -33,11 +33,6 @@ struct Yard {
   std::vector<Watch> watches;  // by seed
 };
 
-double metric(const Report& report, std::string_view name) {
-  const auto found = std::ranges::find(report.metrics, name, [](const auto& entry) { return entry.first; });
-  return found == report.metrics.end() ? 0.0 : found->second;
-}
-
 Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
   GuardScenario scenario;
   if (auto ok = load_scenario(path, describe(scenario)); !ok) return pass_on(ok);

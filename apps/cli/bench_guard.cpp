@@ -53,11 +53,6 @@ struct Row {
   std::optional<double> ratio;  ///< of the mission to that of the first planner of the catalogue
 };
 
-double metric(const Report& report, std::string_view name) {
-  const auto found = std::ranges::find(report.metrics, name, [](const auto& entry) { return entry.first; });
-  return found == report.metrics.end() ? 0.0 : found->second;
-}
-
 /// By what changes from one instant of the track to the next.
 Shares shares_of(const Report& report) {
   Shares shares;

@@ -12,16 +12,7 @@
 namespace outrider::cli {
 namespace {
 
-double metric(const Report& report, const std::string& name) {
-  const auto found = std::find_if(report.metrics.begin(), report.metrics.end(),
-                                  [&](const auto& entry) { return entry.first == name; });
-  return found == report.metrics.end() ? 0.0 : found->second;
-}
-
-bool has_metric(const Report& report, const std::string& name) {
-  return std::any_of(report.metrics.begin(), report.metrics.end(),
-                     [&](const auto& entry) { return entry.first == name; });
-}
+bool has_metric(const Report& report, std::string_view name) { return !std::isnan(metric(report, name)); }
 
 std::string watch_summary(const Report& report) {
   return fmt::format(

@@ -13,11 +13,6 @@
 namespace outrider::cli {
 namespace {
 
-double metric(const Report& report, std::string_view name) {
-  const auto found = std::ranges::find(report.metrics, name, [](const auto& entry) { return entry.first; });
-  return found == report.metrics.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-}
-
 nlohmann::ordered_json number_json(double value) {
   constexpr double exact = 9e15;
   if (!std::isfinite(value)) return nullptr;

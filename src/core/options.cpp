@@ -1,6 +1,7 @@
 #include "outrider/core/options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -101,6 +102,15 @@ std::string nearest_name(std::string_view unknown, const std::vector<std::string
     }
   }
   return best;
+}
+
+tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknown,
+                                  const std::vector<std::string>& known, std::string where) {
+  const std::string_view shown = unknown.substr(0, 64);
+  const std::string nearest = nearest_name(shown, known);
+  const std::string remedy = nearest.empty() ? fmt::format("take one of {}", fmt::join(known, ", "))
+                                             : fmt::format("did you mean '{}'?", nearest);
+  return bad_input(fmt::format("there is no {} '{}'; {}", kind, shown, remedy), std::move(where));
 }
 
 }  // namespace outrider

@@ -179,6 +179,36 @@ std::vector<Vec2> way_to(const GuardMission& mission, const Observation& seen, c
   return {here};
 }
 
+/// Off to the place of the present errand, shooting in passing; nothing when the robot stands there.
+std::optional<FollowWaypoints> set_off(GuardMission& mission, const Observation& seen,
+                                       const GuardProblem& problem, const Site& site) {
+  const Vec2 place = mission.errands.front().place;
+  auto way = way_to(mission, seen, problem, site);
+  auto shots = shots_in_passing(mission, way, seen, problem, site);
+  mission.arrived = true;
+  mission.last_place = place;
+  if (distance(seen.pose.position, place) <= there_m) return std::nullopt;
+  return FollowWaypoints{std::move(way), false, std::move(shots)};
+}
+
+/// Aims at the first target of the present errand from the pose really reached; nothing when it has no shot.
+std::optional<AimGun> take_aim(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
+                               const Site& site) {
+  const Errand& errand = mission.errands.front();
+  const std::size_t target = errand.targets.front();
+  const std::size_t at = target_of(mission, target);
+  ShotRules rules = site.rules;
+  if (mission.second_pass) rules.margin_m = 0.0;
+  const double pitch = errand.pitches.empty() ? seen.gun_pitch_rad : errand.pitches.front();
+  TargetRecord& record = mission.records[target];
+  record.pose = seen.pose;
+  const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, pitch);
+  if (!shot) return std::nullopt;
+  record.shot = shot;
+  mission.aimed = true;
+  return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
+}
+
 }  // namespace
 
 std::string_view to_string(TargetStatus status) {
@@ -239,35 +269,20 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       continue;
     }
     if (!mission.arrived) {
-      mission.arrived = true;
-      auto way = way_to(mission, seen, problem, site);
-      mission.last_place = errand.place;
-      const bool drives = distance(seen.pose.position, errand.place) > there_m;
-      auto shots = shots_in_passing(mission, way, seen, problem, site);
-      if (drives) return FollowWaypoints{std::move(way), false, std::move(shots)};
+      if (auto drive = set_off(mission, seen, problem, site)) return std::move(*drive);
       continue;
     }
     if (errand.call) {
       if (!std::exchange(mission.aimed, true)) return AimGun{seen.pose.heading_rad, 0.0};
       return fill(mission);
     }
+    if (!mission.aimed) {
+      if (const auto aim = take_aim(mission, seen, problem, site)) return *aim;
+      look_elsewhere(mission, seen, problem, site);
+      continue;
+    }
     const std::size_t target = errand.targets.front();
     TargetRecord& record = mission.records[target];
-    if (!mission.aimed) {
-      ShotRules rules = site.rules;
-      if (mission.second_pass) rules.margin_m = 0.0;
-      const std::size_t at = target_of(mission, target);
-      const double pitch = errand.pitches.empty() ? seen.gun_pitch_rad : errand.pitches.front();
-      const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, pitch);
-      record.pose = seen.pose;
-      if (!shot) {
-        look_elsewhere(mission, seen, problem, site);
-        continue;
-      }
-      record.shot = shot;
-      mission.aimed = true;
-      return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
-    }
     ++record.shots;
     mission.fired = true;
     return Fire{target, record.shot->shot};

@@ -1,8 +1,5 @@
 #include "outrider/execute/target_forecast.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -147,17 +144,7 @@ const std::vector<TargetForecast>& target_forecasts() {
 }
 
 Outcome<TargetForecast> find_target_forecast(std::string_view name) {
-  std::vector<std::string> known;
-  for (const TargetForecast& forecast : target_forecasts()) {
-    if (forecast.name == name) return forecast;
-    known.emplace_back(forecast.name);
-  }
-  const std::string nearest = nearest_name(name.substr(0, 64), known);
-  return bad_input(nearest.empty()
-                       ? fmt::format("there is no forecast '{}'; take one of {}", name.substr(0, 64),
-                                     fmt::join(known, ", "))
-                       : fmt::format("there is no forecast '{}'; did you mean '{}'?", name, nearest),
-                   "forecast");
+  return find_row(target_forecasts(), "forecast", name, "forecast");
 }
 
 }  // namespace outrider

@@ -1,7 +1,5 @@
 #include "outrider/guard/catalog.hpp"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "outrider/guard/reference.hpp"
@@ -30,16 +28,7 @@ const std::vector<GuardPlanner>& guard_planners() {
 }
 
 Outcome<GuardPlanner> find_guard_planner(std::string_view name) {
-  std::vector<std::string> known;
-  for (const GuardPlanner& planner : guard_planners()) {
-    if (planner.name == name) return planner;
-    known.emplace_back(planner.name);
-  }
-  const std::string nearest = nearest_name(name, known);
-  return bad_input(nearest.empty()
-                       ? fmt::format("there is no planner '{}'; take one of {}", name, fmt::join(known, ", "))
-                       : fmt::format("there is no planner '{}'; did you mean '{}'?", name, nearest),
-                   "plan.planner");
+  return find_row(guard_planners(), "planner", name, "plan.planner");
 }
 
 }  // namespace outrider

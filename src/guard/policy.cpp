@@ -1,7 +1,5 @@
 #include "outrider/guard/policy.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "outrider/core/options.hpp"
@@ -35,16 +33,7 @@ const std::vector<WatchPolicy>& watch_policies() {
 }
 
 Outcome<WatchPolicy> find_watch_policy(std::string_view name) {
-  std::vector<std::string> known;
-  for (const WatchPolicy& policy : watch_policies()) {
-    if (policy.name == name) return policy;
-    known.emplace_back(policy.name);
-  }
-  const std::string nearest = nearest_name(name, known);
-  return bad_input(nearest.empty()
-                       ? fmt::format("there is no policy '{}'; take one of {}", name, fmt::join(known, ", "))
-                       : fmt::format("there is no policy '{}'; did you mean '{}'?", name, nearest),
-                   "arrivals.policy");
+  return find_row(watch_policies(), "policy", name, "arrivals.policy");
 }
 
 }  // namespace outrider

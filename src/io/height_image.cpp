@@ -1,11 +1,11 @@
 #include "height_image.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <cstdint>
 
 #include "outrider/world/height_field.hpp"
+#include "png_reader.hpp"
 
 namespace outrider {
 namespace {
@@ -29,18 +29,9 @@ std::string without_colours(std::string_view bytes) {
   return kept;
 }
 
-/// Frees what libpng holds, however we leave.
-struct Png {
-  png_image header{};
-  Png() { header.version = PNG_IMAGE_VERSION; }
-  Png(const Png&) = delete;
-  Png& operator=(const Png&) = delete;
-  ~Png() { png_image_free(&header); }
-};
-
 /// The pixels as whole numbers up to that of white.
 template <class Number>
-Outcome<std::vector<double>> read_pixels(Png& png, std::uint32_t format, const std::string& name) {
+Outcome<std::vector<double>> read_pixels(PngReader& png, std::uint32_t format, const std::string& name) {
   png.header.format = format;
   std::vector<Number> pixels(std::size_t{png.header.width} * png.header.height);
   if (png_image_finish_read(&png.header, nullptr, pixels.data(), 0, nullptr) == 0) {
@@ -58,7 +49,7 @@ Outcome<std::vector<double>> read_pixels(Png& png, std::uint32_t format, const s
 
 Outcome<HeightImage> height_image_from_png(std::string_view bytes, const std::string& name) {
   const std::string plain = without_colours(bytes);
-  Png png;
+  PngReader png;
   if (png_image_begin_read_from_memory(&png.header, plain.data(), plain.size()) == 0) {
     return bad_input(fmt::format("libpng refuses it: {}", png.header.message), name);
   }

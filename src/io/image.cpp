@@ -1,10 +1,10 @@
 #include "image.hpp"
 
 #include <fmt/format.h>
-#include <png.h>
 
 #include <optional>
 
+#include "png_reader.hpp"
 #include "text.hpp"
 
 namespace outrider {
@@ -93,17 +93,8 @@ Outcome<GreyImage> from_pgm(std::string_view bytes, const std::string& name) {
   return image;
 }
 
-/// Frees what libpng holds, however we leave.
-struct Png {
-  png_image header{};
-  Png() { header.version = PNG_IMAGE_VERSION; }
-  Png(const Png&) = delete;
-  Png& operator=(const Png&) = delete;
-  ~Png() { png_image_free(&header); }
-};
-
 Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
-  Png png;
+  PngReader png;
   const auto damaged = [&] {
     return bad_input(fmt::format("libpng refuses it: {}", png.header.message), name);
   };

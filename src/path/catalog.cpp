@@ -1,7 +1,5 @@
 #include "outrider/path/catalog.hpp"
 
-#include <fmt/format.h>
-
 #include <limits>
 #include <memory>
 
@@ -212,16 +210,7 @@ Outcome<Plan> plan_path(const Problem& problem, std::string_view planner, const 
 }
 
 Outcome<PathPlanner> find_path_planner(std::string_view name) {
-  std::vector<std::string> known;
-  for (const PathPlanner& planner : path_planners()) {
-    if (planner.name == name) return planner;
-    known.emplace_back(planner.name);
-  }
-  const std::string nearest = nearest_name(name, known);
-  return bad_input(nearest.empty()
-                       ? fmt::format("there is no planner '{}'; take one of {}", name, fmt::join(known, ", "))
-                       : fmt::format("there is no planner '{}'; did you mean '{}'?", name, nearest),
-                   "planner");
+  return find_row(path_planners(), "planner", name, "planner");
 }
 
 }  // namespace outrider

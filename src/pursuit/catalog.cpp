@@ -1,7 +1,5 @@
 #include "outrider/pursuit/catalog.hpp"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <string>
 
@@ -71,16 +69,7 @@ const std::vector<PursuitPlanner>& pursuit_planners() {
 }
 
 Outcome<PursuitPlanner> find_pursuit_planner(std::string_view name) {
-  std::vector<std::string> known;
-  for (const PursuitPlanner& planner : pursuit_planners()) {
-    if (planner.name == name) return planner;
-    known.emplace_back(planner.name);
-  }
-  const std::string nearest = nearest_name(name, known);
-  return bad_input(nearest.empty()
-                       ? fmt::format("there is no planner '{}'; take one of {}", name, fmt::join(known, ", "))
-                       : fmt::format("there is no planner '{}'; did you mean '{}'?", name, nearest),
-                   "planner");
+  return find_row(pursuit_planners(), "planner", name, "planner");
 }
 
 }  // namespace outrider

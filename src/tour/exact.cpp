@@ -2,6 +2,7 @@
 
 #include <queue>
 
+#include "dominance.hpp"
 #include "relaxation.hpp"
 
 namespace outrider::tour {
@@ -21,15 +22,6 @@ struct Label {
   std::uint32_t parent = none;
   std::uint32_t next = none;  // older label with the same set and stop
   bool dominated = false;
-};
-
-struct Open {
-  double estimate = 0.0;
-  std::uint32_t label = 0;
-  /// The queue gives the least estimate first, then the newest label.
-  bool operator<(const Open& other) const {
-    return estimate != other.estimate ? estimate > other.estimate : label < other.label;
-  }
 };
 
 double relaxation_work(const Instance& instance) {
@@ -84,19 +76,10 @@ class Search {
   std::priority_queue<Open> open_;
 };
 
-/// The most that one label can lose on the other if both go on alike, besides their difference in time:
-/// the robot turns by the difference of headings, and the gun makes up for its own difference, either
-/// at once or, where nothing is left to serve here, at the next stop. O(1).
 double Search::slack(const Label& a, const Label& b) const {
-  const double turn = turn_time(instance_, a.state.heading, b.state.heading);
-  if ((nearby_[a.state.stop] & ~a.set) == 0) {
-    return turn + aim_time(instance_, a.state.yaw, a.state.pitch, b.state.yaw, b.state.pitch);
-  }
-  const double heading_gap = angle_between(a.state.heading, b.state.heading);
-  const double yaw_gap = std::abs(wrap_angle(a.state.heading + a.state.yaw - b.state.heading - b.state.yaw)) /
-                         instance_.yaw_rate;
-  const double pitch_gap = std::abs(a.state.pitch - b.state.pitch) / instance_.pitch_rate;
-  return turn + heading_gap / instance_.yaw_rate + std::max(yaw_gap, pitch_gap);
+  const bool drives_next = (nearby_[a.state.stop] & ~a.set) == 0;
+  return drives_next ? loss_before_a_drive(instance_, a.state, b.state)
+                     : loss_before_a_service(instance_, a.state, b.state);
 }
 
 bool Search::is_dominated(const Label& label) {

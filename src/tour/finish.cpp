@@ -3,6 +3,8 @@
 #include <bit>
 #include <map>
 
+#include "dominance.hpp"
+
 namespace outrider::tour {
 namespace {
 
@@ -140,18 +142,10 @@ Finishing::Finishing(const Hunt& hunt, const Sweep& back, const std::vector<std:
   }
 }
 
-/// The most that one label can lose on the other if both drive on alike, besides their difference in time.
-/// After a drive of no time the gun makes up for both differences at once (exact.cpp has the argument).
+/// After a drive of no time something may be served at the same place.
 double Finishing::slack(const Label& a, const Label& b) const {
-  const double turn = turn_time(instance_, a.state.heading, b.state.heading);
-  if (!joined_[a.state.stop]) {
-    return turn + aim_time(instance_, a.state.yaw, a.state.pitch, b.state.yaw, b.state.pitch);
-  }
-  const double heading_gap = angle_between(a.state.heading, b.state.heading);
-  const double yaw_gap = std::abs(wrap_angle(a.state.heading + a.state.yaw - b.state.heading - b.state.yaw)) /
-                         instance_.yaw_rate;
-  const double pitch_gap = std::abs(a.state.pitch - b.state.pitch) / instance_.pitch_rate;
-  return turn + heading_gap / instance_.yaw_rate + std::max(yaw_gap, pitch_gap);
+  return joined_[a.state.stop] ? loss_before_a_service(instance_, a.state, b.state)
+                               : loss_before_a_drive(instance_, a.state, b.state);
 }
 
 /// Least durations of the goals that are neither served nor known to the sweep.

@@ -2,6 +2,7 @@
 
 #include <queue>
 
+#include "dominance.hpp"
 #include "relaxation.hpp"
 
 namespace outrider::tour {
@@ -19,15 +20,6 @@ struct Label {
   std::uint32_t parent = none;
   std::uint32_t next = none;  // older label with the same set and stop
   bool dominated = false;
-};
-
-struct Open {
-  double estimate = 0.0;
-  std::uint32_t label = 0;
-  /// The queue gives the least estimate first, then the newest label.
-  bool operator<(const Open& other) const {
-    return estimate != other.estimate ? estimate > other.estimate : label < other.label;
-  }
 };
 
 /// Drives without turns, directly or by depots.
@@ -127,11 +119,9 @@ class Search {
   }
 
   [[nodiscard]] double slack(const State& a, const State& b) const {
-    const double apart = angle_between(a.heading, b.heading);
-    if (apart > 0.0 && beside_depot_[a.stop] && supplied_.per_second > 0.0) return infinity;
-    const double yaw = std::abs(wrap_angle(a.heading + a.yaw - b.heading - b.yaw)) / instance_.yaw_rate;
-    const double pitch = std::abs(a.pitch - b.pitch) / instance_.pitch_rate;
-    return duration(apart, instance_.turning) + apart / instance_.yaw_rate + std::max(yaw, pitch);
+    const bool turned = angle_between(a.heading, b.heading) > 0.0;
+    if (turned && beside_depot_[a.stop] && supplied_.per_second > 0.0) return infinity;
+    return loss_before_a_service(instance_, a, b);
   }
 
   [[nodiscard]] bool dominates(const Fuel& a, const Fuel& b, double margin) const {

@@ -15,14 +15,6 @@
 namespace outrider {
 namespace {
 
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  ADD_FAILURE() << "no metric " << name;
-  return -1.0;
-}
-
 struct Mission {
   GuardScenario scenario;
   std::optional<Site> site;

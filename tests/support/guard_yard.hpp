@@ -9,6 +9,15 @@
 
 namespace outrider::testing {
 
+/// Coarse enough that a small yard is planned in milliseconds.
+inline GuardOptions quick() {
+  GuardOptions options;
+  options.resolution_m = 0.15;
+  options.stops = 60;
+  options.iterations = 200;
+  return options;
+}
+
 /// Targets at free places until there are so many, away from the start.
 inline void add_targets(Rng& rng, GuardProblem& problem, std::size_t targets, double half_side) {
   while (problem.targets.size() < targets) {

@@ -48,4 +48,21 @@ std::string_view type_name(const Option& option);
 /// mean" of every bad key, flag or planner name.
 std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
 
+/// The refusal of a name that a catalogue does not have: "there is no planner 'x'; did you mean ...".
+/// `kind` is the word for a row, `where` the key that took the name.
+tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknown,
+                                  const std::vector<std::string>& known, std::string where);
+
+/// The row of a catalogue with that `name`; bad_input when there is none.
+template <class Row>
+Outcome<Row> find_row(const std::vector<Row>& rows, std::string_view kind, std::string_view name,
+                      std::string where) {
+  std::vector<std::string> known;
+  for (const Row& row : rows) {
+    if (row.name == name) return row;
+    known.emplace_back(row.name);
+  }
+  return no_such_row(kind, name, known, std::move(where));
+}
+
 }  // namespace outrider

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -188,5 +190,14 @@ struct Report {
   std::optional<ReportSupplies> supplies;  ///< where they end
   std::optional<ReportChase> chase;        ///< of the job pursue
 };
+
+/// The metric of that name; `otherwise` where the report has none. O(metrics).
+inline double metric(const Report& report, std::string_view name,
+                     double otherwise = std::numeric_limits<double>::quiet_NaN()) {
+  for (const auto& [key, value] : report.metrics) {
+    if (key == name) return value;
+  }
+  return otherwise;
+}
 
 }  // namespace outrider

@@ -139,5 +139,29 @@ TEST(NearestName, TheFirstOfEquallyNearWins) {
   EXPECT_EQ(nearest_name("bat", {"bar", "rat", "cat"}), "bar");
 }
 
+struct Row {
+  std::string_view name;
+  int value = 0;
+};
+
+TEST(FindRow, GivesTheRowOfThatName) {
+  const std::vector<Row> rows = {{"dijkstra", 1}, {"a_star", 2}};
+  const Outcome<Row> row = find_row(rows, "planner", "a_star", "planner");
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->value, 2);
+}
+
+TEST(FindRow, RefusesAnUnknownNameWithTheNearestOrAll) {
+  const std::vector<Row> rows = {{"dijkstra", 1}, {"a_star", 2}};
+  const Outcome<Row> misspelled = find_row(rows, "planner", "a_sta", "planner");
+  ASSERT_FALSE(misspelled);
+  EXPECT_EQ(misspelled.error().sentence, "there is no planner 'a_sta'; did you mean 'a_star'?");
+  EXPECT_EQ(misspelled.error().where, "planner");
+  const Outcome<Row> strange = find_row(rows, "planner", std::string(1000, 'x'), "planner");
+  ASSERT_FALSE(strange);
+  EXPECT_EQ(strange.error().sentence,
+            "there is no planner '" + std::string(64, 'x') + "'; take one of dijkstra, a_star");
+}
+
 }  // namespace
 }  // namespace outrider

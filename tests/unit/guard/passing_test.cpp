@@ -18,11 +18,8 @@ using testing::own_duration;
 using testing::OwnGun;
 using testing::random_guard_problem;
 
-GuardOptions quick() {
-  GuardOptions options;
-  options.resolution_m = 0.15;
-  options.stops = 60;
-  options.iterations = 200;
+GuardOptions quick_on_the_move() {
+  GuardOptions options = testing::quick();
   options.shoot_on_the_move = true;
   return options;
 }
@@ -54,9 +51,9 @@ struct Case {
 };
 
 Case planned(GuardProblem problem) {
-  auto site = survey(problem, quick());
+  auto site = survey(problem, quick_on_the_move());
   EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto plan = plan_guard(problem, *site, quick_on_the_move(), {});
   EXPECT_TRUE(plan.has_value()) << plan.error().sentence;
   GuardPlan passing = shoot_in_passing(problem, *site, *plan);
   return {std::move(problem), std::move(*site), std::move(*plan), std::move(passing)};
@@ -265,7 +262,7 @@ TEST(MovingBound, IsTheDriveToTheReach) {
   problem.world.solids = {floor_at(0)};
   problem.start = {{0, 0}, 0.0};
   problem.targets = {{"near", {3, 0, 0}, {0.4, 0.4, 0.4}, 0.0}, {"far", {38, 0, 0}, {0.4, 0.4, 0.4}, 0.0}};
-  GuardOptions options = quick();
+  GuardOptions options = quick_on_the_move();
   options.resolution_m = 0.5;
   const auto site = survey(problem, options);
   ASSERT_TRUE(site.has_value());

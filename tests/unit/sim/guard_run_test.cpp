@@ -12,23 +12,8 @@ namespace outrider {
 namespace {
 
 using testing::cases;
+using testing::quick;
 using testing::random_guard_problem;
-
-GuardOptions quick() {
-  GuardOptions options;
-  options.resolution_m = 0.15;
-  options.stops = 60;
-  options.iterations = 200;
-  return options;
-}
-
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  ADD_FAILURE() << "no metric " << name;
-  return 0.0;
-}
 
 struct Mission {
   GuardProblem problem;

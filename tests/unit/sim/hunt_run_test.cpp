@@ -21,14 +21,6 @@ GuardOptions quick() {
   return options;
 }
 
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  ADD_FAILURE() << "no metric " << name;
-  return 0.0;
-}
-
 /// A yard with two walls between which foxes walk about.
 GuardProblem yard(bool with_errors) {
   GuardProblem problem;

@@ -53,14 +53,6 @@ Planned planned(GuardProblem problem) {
   return {std::move(problem), std::move(*site), std::move(passing)};
 }
 
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  ADD_FAILURE() << "no metric " << name;
-  return 0.0;
-}
-
 TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};

@@ -14,22 +14,7 @@ namespace {
 
 using testing::box_at;
 using testing::cases;
-
-GuardOptions quick() {
-  GuardOptions options;
-  options.resolution_m = 0.15;
-  options.stops = 60;
-  options.iterations = 200;
-  return options;
-}
-
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  ADD_FAILURE() << "no metric " << name;
-  return 0.0;
-}
+using testing::quick;
 
 class RunGuardInPhysics : public ::testing::Test {
  protected:

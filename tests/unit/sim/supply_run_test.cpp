@@ -48,13 +48,6 @@ Outcome<Mission> planned(GuardProblem problem) {
   return Mission{std::move(problem), std::move(*site), std::move(*plan)};
 }
 
-double metric(const Report& report, const std::string& name) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
-  }
-  return std::nan("");
-}
-
 /// No store below zero or above full, and each level goes up only where the robot fills it.
 void expect_sound_levels(const Report& report) {
   ASSERT_TRUE(report.supplies);

@@ -108,15 +108,9 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
         along += field.length({path.waypoints[k - 1], path.waypoints[k]});
       }
     }
-    const auto metric = [&](std::string_view name) {
-      for (const auto& [key, value] : run.report.metrics) {
-        if (key == name) return value;
-      }
-      return std::nan("");
-    };
-    EXPECT_NEAR(metric("driven_m"), along, 1e-9);
-    reached += metric("reached");
-    targets += metric("targets") - metric("unreachable");
+    EXPECT_NEAR(metric(run.report, "driven_m"), along, 1e-9);
+    reached += metric(run.report, "reached");
+    targets += metric(run.report, "targets") - metric(run.report, "unreachable");
     ASSERT_TRUE(run.report.terrain);
     EXPECT_FALSE(run.report.terrain->contours.empty());
     const auto again = report_from_json(to_json(run.report));
