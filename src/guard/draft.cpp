@@ -10,8 +10,9 @@ namespace {
 
 constexpr double near_m = 1.2;  // how far from a stop of the tour a better one is looked for
 constexpr double coarse_tile_m = 0.8;
-constexpr std::size_t most_settled = 40;  // targets, beyond which a tight bound is out of reach
-constexpr double good_rate = 0.85;        // least hit rate of a shot that is planned while there is a choice
+constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
+constexpr std::size_t searches = 4;     // for so many
+constexpr double good_rate = 0.85;      // least hit rate of a shot that is planned while there is a choice
 
 /// Everything that solving over one set of cells after another has in common.
 struct Drafting {
@@ -140,13 +141,35 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
   return draft;
 }
 
+/// The best tour of a few longer searches over the same stops, each with a seed of its own.
+Status search_on(const Drafting& drafting, Draft& draft) {
+  std::vector<std::optional<Outcome<Tour>>> found(searches);
+  parallel_for(searches, [&](std::size_t i) {
+    TourOptions options;
+    options.iterations = 16 * drafting.options.iterations;
+    options.gap = 1.0;
+    options.seed = static_cast<std::int64_t>(i) + 1;
+    found[i] = solve_from(draft.offered, draft.tour, options, drafting.budget);
+  });
+  for (std::optional<Outcome<Tour>>& tour : found) {
+    if (!*tour) return pass_on(*tour);
+    if ((*tour)->cost_s < draft.tour.cost_s) draft.tour = std::move(**tour);
+  }
+  return {};
+}
+
 /// Improves the tour once more over the same stops, and bounds or proves it.
 Status settle(const Drafting& drafting, Draft& draft) {
   TourOptions options;
   options.iterations = 4 * drafting.options.iterations;
   options.gap = drafting.options.gap;
   options.expansions = 300'000;
-  if (draft.targets.size() > most_settled) options.operations = 20'000'000;
+  if (draft.targets.size() > most_alone && options.gap < 1.0) {
+    if (auto ok = search_on(drafting, draft); !ok) return ok;
+    options.iterations = 0;
+  }
+  // What would be proven holds for shots from rest.
+  if (drafting.options.shoot_on_the_move) options.gap = 1.0;
   if (drafting.options.prove) {
     options.gap = 0.0;
     options.operations = 1'000'000'000'000;
@@ -184,7 +207,9 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const G
   for (std::size_t t = 0; t < site.regions.size(); ++t) {
     if (site.regions[t].hits > 0) drafting.targets.push_back(t);
   }
-  const auto most = static_cast<std::size_t>(options.stops);
+  auto most = static_cast<std::size_t>(options.stops);
+  // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
+  if (drafting.targets.size() > most_alone) most = most * 2 / 5;
   auto cells = choose_stops(site, drafting.hits, coarse_tile_m, most, {}, 0.0);
   cover_all(drafting, cells);
   auto best = solve_over(drafting, cells);

@@ -1,13 +1,15 @@
 #include "proof.hpp"
 
 #include "finish.hpp"
+#include "remainder.hpp"
 
 namespace outrider::tour {
 namespace {
 
 constexpr std::size_t first_goals = 8;  // of the first sweep
 constexpr std::size_t more_goals = 2;   // of each further one
-constexpr std::size_t most_goals = 64;  // of all, in one set
+constexpr std::size_t most_goals = 40;  // of all, beyond which sweeps do not get far
+constexpr std::size_t most_apart = 10;  // goals whose drives and turns a remainder follows
 constexpr std::uint32_t most_sectors = 32;
 constexpr double most_turns = 3.2e7;  // table entries
 
@@ -68,20 +70,34 @@ struct Stage {
   Bundles bundles;
 };
 
-}  // namespace
+/// From a few divisions of the drives between the shares and the remainder, the best bound, or the first that
+/// is no less than the limit.
+double bound_by_shares(const Hunt& hunt, const std::vector<std::uint32_t>& order, BudgetMeter& meter) {
+  const auto count = static_cast<std::ptrdiff_t>(std::min(most_apart, order.size()));
+  const std::vector<std::uint32_t> apart(order.begin(), order.begin() + count);
+  double bound = 0.0;
+  for (const double most_s : {1.2, 3.0, infinity}) {
+    const AscentRules rules{most_s < infinity ? apart : std::vector<std::uint32_t>{}, most_s};
+    const Shares shares = ascend(hunt.instance, rules, meter);
+    const double rest =
+        rules.apart.empty() ? 0.0 : remainder(hunt.instance, shares, apart, hunt.drives, meter);
+    bound = std::max(bound, shares.total + rest);
+    if (bound >= hunt.limit) break;
+  }
+  return bound;
+}
 
-Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter) {
-  Hunt hunt{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
-            known.cost * (1.0 - options.gap), static_cast<std::uint64_t>(options.operations)};
-  const VisitTimes times(instance);
-  const std::vector<std::uint32_t> order = spread(instance, known);
+/// Sweeps and the exact end, for goals in that order.
+Proof sweep_all(Hunt& hunt, const std::vector<std::uint32_t>& order, const Route& known,
+                const TourOptions& options, BudgetMeter& meter) {
+  const VisitTimes times(hunt.instance);
   const std::vector<std::size_t> sizes = plan_sweeps(order.size());
   Proof proof;
   Stage last{nothing_swept(hunt, sizes.size() % 2 == 1), {}};  // so that the last goes backward
   Stage back;
   for (const std::size_t size : sizes) {
     std::vector<std::uint32_t> goals(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size));
-    Stage next{{}, extended(instance, times, last.bundles, goals, last.sweep.goals.size())};
+    Stage next{{}, extended(hunt.instance, times, last.bundles, goals, last.sweep.goals.size())};
     next.sweep = sweep(hunt, last.sweep, std::move(goals), next.bundles, meter);
     if (!next.sweep.finished) break;
     proof.lower_bound = std::max(proof.lower_bound, next.sweep.bound);
@@ -89,14 +105,28 @@ Proof prove(const Instance& instance, const Route& known, const TourOptions& opt
     last = std::move(next);
   }
   if (!last.sweep.forward) back = std::move(last);
-  if (!back.sweep.finished || order.size() > most_goals) return proof;
-  const Bundles all = extended(instance, times, back.bundles, order, back.sweep.goals.size());
+  if (!back.sweep.finished) return proof;
+  const Bundles all = extended(hunt.instance, times, back.bundles, order, back.sweep.goals.size());
   Finish end = finish(hunt, back.sweep, order, all, static_cast<std::uint64_t>(options.expansions), meter);
   proof.labels = end.labels;
   if (end.cost < known.cost) proof.nodes = std::move(end.nodes);
   if (!end.finished) return proof;
   proof.lower_bound = std::min(hunt.limit, end.cost);
   proof.optimal = options.gap == 0.0 || end.cost < hunt.limit;
+  return proof;
+}
+
+}  // namespace
+
+Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter) {
+  Hunt hunt{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
+            known.cost * (1.0 - options.gap), static_cast<std::uint64_t>(options.operations)};
+  const std::vector<std::uint32_t> order = spread(instance, known);
+  Proof proof;
+  if (order.size() <= most_goals) proof = sweep_all(hunt, order, known, options, meter);
+  if (!proof.optimal && proof.lower_bound < hunt.limit) {
+    proof.lower_bound = std::max(proof.lower_bound, bound_by_shares(hunt, order, meter));
+  }
   return proof;
 }
 

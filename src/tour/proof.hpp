@@ -14,8 +14,9 @@ struct Proof {
 };
 
 /// Shows, when it can, that no tour takes less than (1 - options.gap) times the known one: sweeps (sweep.hpp)
-/// over ever more of the goals, then the exact end (finish.hpp). Where the operations end before, the bound
-/// is that of the last sweep. Deterministic. Memory: about 2 KB for each label and row.
+/// over ever more of the goals, then the exact end (finish.hpp). Where the operations end before, or there
+/// are more than 40 goals, the bound is the better of the last sweep's and of shares (ascent.hpp).
+/// Deterministic. Memory: about 2 KB for each label and row; 2^10 * stops * sectors floats for the shares.
 Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter);
 
 }  // namespace outrider::tour

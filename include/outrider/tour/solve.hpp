@@ -3,7 +3,8 @@
 // A ruin-and-recreate search with simulated annealing gives a tour. Up to `exact_goals` goals, an A*
 // over (goals served, stop, heading, gun) then finds and proves the optimum. Beyond, or where that
 // search runs out of expansions, relaxed sweeps and an exact one prove that no tour is faster by more than
-// `gap`, or find one; where they run out of work, the tour stands beside the bound that they reached.
+// `gap`, or find one; where they run out of work, and beyond 40 goals, the tour stands beside the best bound
+// that they, or shares of the goals by dual ascent, reached.
 // docs/tour.md tells the methods.
 //
 // Guarantees: the tour serves every goal (see check() in problem.hpp). The lower bound holds for every
@@ -11,7 +12,8 @@
 // 1e-6 s. Same problem and options, same tour, unless the budget has a wall time or is cancelled.
 // Errors: bad_input; no_path when no stop that can be reached serves some goal; budget_exhausted or
 // cancelled when nothing could be started. Once there is a tour it is returned, with ended_early set.
-// Budget: counts iterations of the search, labels of the exact searches and sets of the sweeps alike.
+// Budget: counts iterations of the search, labels of the exact searches, sets of the sweeps and steps of the
+// ascents alike.
 // Thread rule: pure function.
 #pragma once
 

@@ -60,7 +60,7 @@ TEST(Proof, EqualsTheSearchOverAllSets) {
 }
 
 TEST(Proof, BoundsHoldHoweverLittleWorkIsAllowed) {
-  for (std::size_t seed = 0; seed < cases_of(60); ++seed) {
+  for (std::size_t seed = 0; seed < cases_of(16); ++seed) {
     const TourProblem problem = problem_of(seed);
     const double optimum = solved(problem, {}).cost_s;
     for (const double gap : {0.0, 0.02, 0.3, 0.9, 1.0}) {
@@ -88,10 +88,8 @@ TEST(Proof, StatedGapForTwentyFourGoals) {
 }
 
 TEST(Proof, BoundsAHundredGoals) {
-  TourOptions options = by_sweeps(0.05, 200);
-  options.operations = 5'000'000;
-  const Tour tour = solved(random_yard(100, 60, 30, 5), options);
-  EXPECT_GT(tour.lower_bound_s, 0.0);
+  const Tour tour = solved(random_yard(100, 60, 30, 5), by_sweeps(0.05, 2000));
+  EXPECT_GE(tour.lower_bound_s, 0.75 * tour.cost_s);
   EXPECT_FALSE(tour.proven_optimal);
 }
 

@@ -4,6 +4,7 @@
 
 #include "brute_force.hpp"
 #include "random_tour.hpp"
+#include "support/costly_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -107,7 +108,8 @@ TEST(Solve, SearchIsNeverBelowTheOptimumAndNearIt) {
 }
 
 TEST(Solve, LowerBoundsHold) {
-  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+  const auto seeds = static_cast<std::uint64_t>(testing::costly_cases(600));
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const TourProblem problem = seed % 2 == 0 ? random_table(2 + seed % 4, 2 + seed % 5, seed)
                                               : random_yard(3 + seed % 6, 12, 4, seed);
     const double optimum = solved(problem, {}).cost_s;
