@@ -9,10 +9,13 @@
 #include "outrider/path/jps.hpp"
 #include "outrider/path/jps_plus.hpp"
 #include "outrider/path/least_time.hpp"
+#include "outrider/path/medial_axis.hpp"
 #include "outrider/path/polyanya.hpp"
+#include "outrider/path/safest.hpp"
 #include "outrider/path/sampling.hpp"
 #include "outrider/path/theta_star.hpp"
 #include "outrider/path/visibility_graph.hpp"
+#include "outrider/path/widest.hpp"
 
 namespace outrider {
 namespace {
@@ -107,6 +110,15 @@ std::vector<PathPlanner> planners_on_grids() {
        with_options(hub_labels),
        {GridModel::corners},
        true},
+      {"safest",
+       "Keeps the largest clearance that can be kept, then is as short and as far from everything as can be.",
+       "Pollack, The maximum capacity through a network, 1960; Wein, van den Berg and Halperin, Planning "
+       "high-quality paths and corridors amidst obstacles, 2008",
+       {true, PathClass::along_moves, 1.0,
+        "complete; no path along the eight moves has more clearance, and none of those costs less",
+        Measure::safety},
+       with_options(safest),
+       {GridModel::cells}},
   };
 }
 
@@ -148,6 +160,26 @@ std::vector<PathPlanner> planners_on_polygons() {
        {},
        true,
        true},
+      {"widest",
+       "Shortest of the paths that keep the largest clearance that any path can keep.",
+       "O'Dunlaing and Yap, A retraction method for planning the motion of a disc, 1985; Liu and Arimoto, "
+       "1992",
+       {true, PathClass::any_curve, unbounded,
+        "complete; no path has more clearance, and none of those is shorter"},
+       with_options(widest),
+       {},
+       true,
+       true},
+      {"medial_axis",
+       "As far from everything as can be: along the lines on which two obstacles are equally near.",
+       "O'Dunlaing and Yap, A retraction method for planning the motion of a disc, 1985",
+       {true, PathClass::any_curve, unbounded,
+        "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times the least along the axis",
+        Measure::safety},
+       with_options(medial_axis),
+       {},
+       true,
+       true},
   };
 }
 
@@ -177,7 +209,14 @@ std::vector<PathPlanner> planners_that_sample() { return {}; }
 
 }  // namespace
 
-std::string_view unit_of(Measure measure) { return measure == Measure::time ? "s" : "m"; }
+std::string_view unit_of(Measure measure) {
+  switch (measure) {
+    case Measure::length: return "m";
+    case Measure::time: return "s";
+    case Measure::safety: return "m eq";
+  }
+  return "";
+}
 
 std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Problem& problem,
                                      const std::vector<Vec2>& goals, const Budget& budget,

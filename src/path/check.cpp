@@ -6,12 +6,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "outrider/path/safety.hpp"
 #include "polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double relative = 1e-9;
+constexpr double quadrature = 0.01;  // of an exposure
 
 /// A point in half cells: the cell c covers [2 c, 2 c + 2], so centres and corners are whole numbers.
 struct Half {
@@ -138,10 +140,22 @@ Turning turning_of(const Plan& plan) {
   return turning;
 }
 
+/// The exposure that the fare prices, within the error that the planners state.
+Status check_exposure(const Plan& plan, const Problem& problem) {
+  if (plan.fare.per_exposure_m == 0.0) return {};
+  const Safety truth = safety_of(plan, problem);
+  const bool good = plan.exposure >= (1.0 - quadrature) * truth.exposure_low &&
+                    plan.exposure <= (1.0 + quadrature) * truth.exposure_high;
+  if (good) return {};
+  return refused(fmt::format("the exposure is {}, but it lies between {} and {}", plan.exposure,
+                             truth.exposure_low, truth.exposure_high));
+}
+
 Status check_numbers(const Plan& plan, const Problem& problem) {
   const double length = length_of(plan);
   const Turning turning = plan.fare.per_rad == 0.0 ? Turning{} : turning_of(plan);
-  const double sum = plan.fare.per_m * length + plan.fare.per_rad * turning.sum_rad;
+  const double sum = plan.fare.per_m * length + plan.fare.per_rad * turning.sum_rad +
+                     plan.fare.per_exposure_m * plan.exposure;
   const double slack = relative * std::max(1.0, sum);
   if (!(std::abs(plan.cost - sum) <= slack + plan.fare.per_rad * turning.rounding_rad)) {
     return refused(fmt::format("the cost is {}, but its legs add up to {}", plan.cost, sum));
@@ -151,6 +165,7 @@ Status check_numbers(const Plan& plan, const Problem& problem) {
     return refused(fmt::format("the lower bound {} does not lie between 0 and the cost {}", plan.lower_bound,
                                plan.cost));
   }
+  if (auto good = check_exposure(plan, problem); !good) return good;
   const double left = distance(plan.waypoints.back(), problem.goal);
   if (!(std::abs(plan.reached_within - left) <= relative * std::max(1.0, length))) {
     return refused(fmt::format("the path ends {} m from the goal, not {} m", left, plan.reached_within));

@@ -24,8 +24,9 @@ std::optional<Tangent> tangent(const Place& a, const Place& b) {
   const double apart = squared_norm(v);
   const double aside = a.radius_m * a.side - b.radius_m * b.side;
   const double squared_length = apart - aside * aside;
-  // Circles that touch have a tangent of no length between them.
-  if (apart == 0.0 || squared_length < -4.0 * a.radius_m * contact_m) return std::nullopt;
+  // Circles that touch, or a point on a circle, have a tangent of no length between them.
+  if (apart == 0.0 || squared_length < -4.0 * std::max(a.radius_m, b.radius_m) * contact_m)
+    return std::nullopt;
   const double length = std::sqrt(std::max(0.0, squared_length));
   const double scale = squared_length > 0.0 ? 1.0 / apart : 1.0 / (std::abs(aside) * std::sqrt(apart));
   const Vec2 along = scale * (length * v + aside * perpendicular(v));

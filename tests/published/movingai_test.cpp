@@ -26,13 +26,6 @@ std::shared_ptr<const GridGround> ground_of(const std::string& map, GridModel mo
   return ground ? std::make_shared<const GridGround>(std::move(*ground)) : nullptr;
 }
 
-/// So many queries spread over the table, the last (the longest) among them.
-std::vector<movingai::Query> spread(const std::vector<movingai::Query>& all, std::size_t count) {
-  std::vector<movingai::Query> some;
-  for (std::size_t i = 1; i <= count && !all.empty(); ++i) some.push_back(all[i * all.size() / count - 1]);
-  return some;
-}
-
 const std::vector<Published> octile_lengths = {
     {"dao/arena.map", "dao/arena.map.scen", 1e-5, 160},
     {"dao/den312d.map", "dao/den312d.map.scen", 1e-5, 32},
@@ -59,10 +52,10 @@ TEST(MovingAi, PlannersOptimalAlongTheMovesHaveThePublishedLengths) {
     const int top = ground->frame.height - 1;
     for (const PathPlanner& row : path_planners()) {
       if (row.guarantee.among != PathClass::along_moves || row.guarantee.most_ratio != 1.0) continue;
-      if (!row.takes(GridModel::cells)) continue;
+      if (!row.takes(GridModel::cells) || row.guarantee.measure != Measure::length) continue;
       const ConfiguredPlanner planner = row.configure();
       Workspace workspace;
-      for (const movingai::Query& q : spread(movingai::read_scen(*table), set.queries)) {
+      for (const movingai::Query& q : movingai::spread(movingai::read_scen(*table), set.queries)) {
         const Problem problem{ground, ground->point({q.start.x, top - q.start.y}),
                               ground->point({q.goal.x, top - q.goal.y})};
         const auto plan = planner.plan(problem, {}, workspace);
@@ -96,7 +89,7 @@ TEST(MovingAi, NoPathUndercutsThePublishedShortestAndFreeDirectionsComeNear) {
     const auto table = movingai::text_of(set.table);
     ASSERT_TRUE(ground && table) << set.map;
     const int top = ground->frame.height;
-    const auto queries = spread(movingai::read_any_angle(*table), set.queries);
+    const auto queries = movingai::spread(movingai::read_any_angle(*table), set.queries);
     for (const PathPlanner& row : path_planners()) {
       if (!row.takes(GridModel::corners)) continue;
       const ConfiguredPlanner planner = row.configure();

@@ -4,6 +4,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "outrider/world/grid.hpp"
+#include "support/costly_cases.hpp"
 
 namespace outrider::movingai {
 
@@ -90,6 +92,16 @@ inline std::vector<Query> read_any_angle(std::string text) {
     if (words >> q.start.x >> q.start.y >> q.goal.x >> q.goal.y >> octile >> q.length) queries.push_back(q);
   }
   return queries;
+}
+
+/// testing::costly_cases(count) of the queries, or all, spread over the table, the last (the longest) among
+/// them.
+inline std::vector<Query> spread(const std::vector<Query>& all, std::size_t count) {
+  const auto most = static_cast<std::size_t>(testing::costly_cases(static_cast<int>(count)));
+  count = std::min(most, all.size());
+  std::vector<Query> some;
+  for (std::size_t i = 1; i <= count; ++i) some.push_back(all[i * all.size() / count - 1]);
+  return some;
 }
 
 }  // namespace outrider::movingai

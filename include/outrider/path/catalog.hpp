@@ -26,6 +26,7 @@ enum class PathClass {
 enum class Measure {
   length,  ///< m
   time,    ///< s
+  safety,  ///< m eq: metres of length, and those that the integral of 1 / clearance counts as
 };
 std::string_view unit_of(Measure measure);
 
@@ -33,7 +34,7 @@ std::string_view unit_of(Measure measure);
 struct Guarantee {
   bool complete = true;                        ///< finds a path whenever the grid has one
   PathClass among = PathClass::any_direction;  ///< the class of its paths and of its lower bound
-  double most_ratio = 1.0;  ///< cost <= most_ratio * the shortest of the class; infinite: none claimed
+  double most_ratio = 1.0;  ///< cost <= most_ratio * the least of the class; infinite: none claimed
   std::string_view sentence;
   Measure measure = Measure::length;
 };

@@ -10,6 +10,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "support/costly_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -33,8 +34,8 @@ Ground random_yard(Rng& rng) {
   return {Box2{{-5.0, -5.0}, {5.0, 5.0}}, obstacles};
 }
 
-class WorldGrid : public testing::TestWithParam<GridModel> {};
-INSTANTIATE_TEST_SUITE_P(Models, WorldGrid, testing::Values(GridModel::cells, GridModel::corners),
+class WorldGrid : public ::testing::TestWithParam<GridModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, WorldGrid, ::testing::Values(GridModel::cells, GridModel::corners),
                          [](const auto& model) { return std::string(to_string(model.param)); });
 
 TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
@@ -69,7 +70,7 @@ TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
 /// within radius + sqrt(2) resolution of an obstacle.
 TEST(BlockedForDisk, IsExactCellByCell) {
   Rng rng = Rng(22).child("cells");
-  for (int i = 0; i < 25; ++i) {
+  for (int i = 0; i < testing::costly_cases(25); ++i) {
     const Ground yard = random_yard(rng);
     const double radius = rng.uniform(0.0, 0.3), resolution = rng.uniform(0.1, 0.4);
     const auto blocked = blocked_for_disk(yard, radius, {.resolution_m = resolution});

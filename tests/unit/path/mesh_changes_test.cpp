@@ -9,6 +9,7 @@
 #include "mesh_oracle.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/polyanya.hpp"
+#include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
 
@@ -62,7 +63,7 @@ class ChangesOfMeshes : public ::testing::Test {
   template <class Check>
   void each(const char* name, int grids, int steps, int most_side, Check check) {
     Rng rng = Rng(6).child(name);
-    for (int i = 0; i < outrider::testing::cases(grids); ++i) {
+    for (int i = 0; i < outrider::testing::costly_cases(grids); ++i) {
       Changing changing(random_grid(rng, most_side));
       for (int step = 0; step < steps; ++step) {
         Blocked now = changing.grid;

@@ -209,6 +209,25 @@ TEST(VisibilityGraph, StraightLegsStayFreeAndWithinTheStatedRatio) {
   }
 }
 
+/// Start and goal where arcs of free space begin and end: there the leg to the arc has no length.
+TEST(VisibilityGraph, EndsMayTouchCorners) {
+  const PolygonWorld world{{{-4.7, 2.0}, {-4.0, -0.6}, {-1.7, -5.3}, {5.5, -1.0}, {2.8, 5.1}},
+                           {{{1.226, 1.051}, {0.756, 1.008}, {0.606, 0.529}, {1.154, 0.306}}},
+                           0.399};
+  const auto ground = ground_of(world);
+  std::vector<Vec2> ends;
+  for (const FreeArc& arc : ground->arcs) {
+    ends.push_back(arc.centre + ground->radius_m * arc.first);
+    ends.push_back(arc.centre + ground->radius_m * arc.last);
+  }
+  Workspace workspace;
+  for (const Vec2 start : ends) {
+    for (const Vec2 goal : ends) {
+      EXPECT_TRUE(agreed({nullptr, start, goal, ground}, workspace, "between ends of arcs").has_value());
+    }
+  }
+}
+
 TEST(VisibilityGraph, SweepAndPairsFindTheSameLegs) {
   Rng rng = Rng(7).child("legs");
   for (int i = 0; i < testing::cases(200); ++i) {

@@ -1,0 +1,126 @@
+#include "outrider/path/safety.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "outrider/path/check.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double share = 1.0 / 64.0;  // of the clearance that one step goes
+constexpr double contact = 1e-6;      // of a cell or a metre: nearer counts as touching
+
+double to_square(Vec2 p, Cell c) {
+  const Vec2 nearest{std::clamp(p.x, double(c.x), c.x + 1.0), std::clamp(p.y, double(c.y), c.y + 1.0)};
+  return distance(p, nearest);
+}
+
+/// To the nearest blocked cell, cells: ring by ring of cells about that of p.
+double clearance_on_grid(const GridGround& ground, Vec2 p) {
+  const Cell home{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
+  double least = infinite;
+  const auto look = [&](Cell c) {
+    if (ground.blocked(c)) least = std::min(least, to_square(p, c));
+  };
+  for (int ring = 0; ring - 1.0 < least; ++ring) {
+    for (int k = -ring; k <= ring; ++k) {
+      look({home.x + k, home.y - ring});
+      look({home.x + k, home.y + ring});
+      look({home.x - ring, home.y + k});
+      look({home.x + ring, home.y + k});
+    }
+  }
+  return least;
+}
+
+double to_square(const Segment& leg, Cell c) {
+  const Vec2 low{double(c.x), double(c.y)}, high{c.x + 1.0, c.y + 1.0};
+  const std::array<Vec2, 4> corners = {low, Vec2{high.x, low.y}, high, Vec2{low.x, high.y}};
+  double least = std::min(to_square(leg.a, c), to_square(leg.b, c));
+  for (std::size_t i = 0; i < 4; ++i) {
+    least = std::min(least, distance(leg, Segment{corners[i], corners[(i + 1) % 4]}));
+  }
+  return least;
+}
+
+/// The least clearance along a leg in cells, no more than `least`.
+double clearance_on_grid(const GridGround& ground, const Segment& leg, double least) {
+  const auto cell = [](double t) { return static_cast<int>(std::floor(t)); };
+  const auto [low_x, high_x] = std::minmax(leg.a.x, leg.b.x);
+  const auto [low_y, high_y] = std::minmax(leg.a.y, leg.b.y);
+  const int last_x = cell(high_x + least), last_y = cell(high_y + least);
+  for (int y = cell(low_y - least) - 1; y <= last_y + 1; ++y) {
+    for (int x = cell(low_x - least) - 1; x <= last_x + 1; ++x) {
+      if (!ground.blocked({x, y}) || distance(Vec2{x + 0.5, y + 0.5}, leg) > least + 0.71) continue;
+      least = std::min(least, to_square(leg, {x, y}));
+    }
+  }
+  return least;
+}
+
+Vec2 point_at(const PathPiece& piece, double along) {
+  if (piece.turn_rad == 0.0) return piece.from + along * (piece.to - piece.from);
+  const Vec2 arm = piece.from - piece.centre;
+  const double angle = along * piece.turn_rad;
+  return piece.centre + std::cos(angle) * arm + std::sin(angle) * perpendicular(arm);
+}
+
+/// Adds the exposure of a piece; `clearance` is that of a point, in the unit of the piece.
+template <class Clearance>
+void add_exposure(Safety& safety, const PathPiece& piece, Clearance clearance) {
+  const double length = length_of(piece);
+  double near = clearance(piece.from);
+  for (double walked = 0.0; walked < length;) {
+    if (near < contact) {
+      safety.exposure = safety.exposure_low = safety.exposure_high = infinite;
+      return;
+    }
+    const double half = std::min(share * near, 0.5 * (length - walked));
+    const double middle = clearance(point_at(piece, (walked + half) / length));
+    safety.exposure += 2.0 * half / middle;
+    safety.exposure_low += 2.0 * std::log1p(half / middle);
+    safety.exposure_high -= 2.0 * std::log1p(-half / middle);
+    near = middle - half;
+    walked = 2.0 * half < length - walked ? walked + 2.0 * half : length;
+  }
+}
+
+std::vector<PathPiece> pieces_of(const Plan& plan) {
+  std::vector<PathPiece> pieces = plan.pieces;
+  for (std::size_t i = 1; pieces.size() + 1 < plan.waypoints.size() && plan.pieces.empty(); ++i) {
+    pieces.push_back({plan.waypoints[i - 1], plan.waypoints[i], {}, 0.0});
+  }
+  if (pieces.empty() && !plan.waypoints.empty()) {
+    pieces.push_back({plan.waypoints.front(), plan.waypoints.front(), {}, 0.0});
+  }
+  return pieces;
+}
+
+}  // namespace
+
+Safety safety_of(const Plan& plan, const Problem& problem) {
+  Safety safety;
+  safety.clearance_m = infinite;
+  for (PathPiece piece : pieces_of(plan)) {
+    if (problem.polygons) {
+      const PolygonGround& ground = *problem.polygons;
+      add_exposure(safety, piece, [&](Vec2 p) { return ground.edge_distance(p); });
+      continue;
+    }
+    const GridGround& ground = *problem.grid;
+    const double resolution = ground.frame.resolution_m;
+    piece.from = (1.0 / resolution) * (piece.from - ground.frame.origin);
+    piece.to = (1.0 / resolution) * (piece.to - ground.frame.origin);
+    const double least = std::min(safety.clearance_m / resolution, clearance_on_grid(ground, piece.from));
+    safety.clearance_m = resolution * clearance_on_grid(ground, Segment{piece.from, piece.to}, least);
+    add_exposure(safety, piece, [&](Vec2 p) { return clearance_on_grid(ground, p); });
+  }
+  if (problem.polygons) safety.clearance_m = clearance_m(plan, *problem.polygons);
+  return safety;
+}
+
+}  // namespace outrider
