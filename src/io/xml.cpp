@@ -46,7 +46,7 @@ Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name
                      fmt::format("{}:{}", name, std::max(document->ErrorLineNum(), 1)));
   }
   const tinyxml2::XMLElement* top = document->RootElement();
-  if (top == nullptr || top->Name() != root) {
+  if (top == nullptr || (!root.empty() && top->Name() != root)) {
     return bad_input(
         fmt::format("its root element is <{}>, not <{}>", top == nullptr ? "" : excerpt(top->Name()), root),
         name);

@@ -13,7 +13,8 @@ namespace outrider {
 
 using XmlDocument = std::unique_ptr<tinyxml2::XMLDocument>;
 
-/// Refuses what is not well-formed, has another root element, or nests deeper than 100.
+/// Refuses what is not well-formed, has another root element (any will do for an empty name), or nests
+/// deeper than 100.
 Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name, std::string_view root);
 
 /// The text of an element, or of its child of that name; empty when there is none.

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "area_formats.hpp"
+#include "text.hpp"
+#include "xml.hpp"
+
+namespace outrider {
+namespace {
+
+/// The name of an element without its namespace.
+std::string_view local_name(const tinyxml2::XMLElement& element) {
+  const std::string_view name = element.Name();
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+/// The first element of that name, this one or below it.
+const tinyxml2::XMLElement* find(const tinyxml2::XMLElement& element, std::string_view name) {
+  if (local_name(element) == name) return &element;
+  for (auto child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    if (const auto found = find(*child, name)) return found;
+  }
+  return nullptr;
+}
+
+Outcome<AreaRing> ring_of(const tinyxml2::XMLElement& border, const std::string& name) {
+  const auto coordinates = find(border, "coordinates");
+  if (coordinates == nullptr) {
+    return bad_input("a border holds a LinearRing with coordinates: x,y x,y ...",
+                     fmt::format("{}:{}", name, border.GetLineNum()));
+  }
+  AreaRing ring{{}, fmt::format("{}:{}", name, coordinates->GetLineNum())};
+  for (const std::string_view word : words(xml_text(*coordinates))) {
+    const std::size_t comma = word.find(',');
+    const auto x = number<double>(word.substr(0, comma));
+    const std::string_view rest = comma == std::string_view::npos ? "" : word.substr(comma + 1);
+    const auto y = number<double>(rest.substr(0, rest.find(',')));
+    if (!x || !y) {
+      return bad_input(fmt::format("'{}' is no corner; write x,y in degrees or metres", excerpt(word)),
+                       ring.where);
+    }
+    ring.corners.push_back({*x, *y});
+  }
+  return ring;
+}
+
+}  // namespace
+
+Outcome<AreaRings> rings_from_gml(std::string_view text, const std::string& name) {
+  auto document = xml_document(text, name, "");
+  if (!document) return pass_on(document);
+  const auto polygon = find(*(*document)->RootElement(), "Polygon");
+  if (polygon == nullptr) return bad_input("it holds no gml:Polygon; give one", name);
+  AreaRings rings;
+  for (auto child = polygon->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+    const bool outer = local_name(*child) == "outerBoundaryIs";
+    if (!outer && local_name(*child) != "innerBoundaryIs") continue;
+    auto ring = ring_of(*child, name);
+    if (!ring) return pass_on(ring);
+    rings.insert(outer ? rings.begin() : rings.end(), std::move(*ring));
+  }
+  if (rings.empty()) {
+    return bad_input("the polygon has no outerBoundaryIs", fmt::format("{}:{}", name, polygon->GetLineNum()));
+  }
+  return rings;
+}
+
+}  // namespace outrider

@@ -1,0 +1,122 @@
+"""The command cover: the room, published fields, bounds, pictures and areas, scenarios, refusals."""
+import json
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from tool import DATA, SOURCE, ToolTest, main
+
+ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
+KEYS = {"status", "method", "covered_fraction", "missed_m2", "double_m2", "length_m", "turned_rad", "stops",
+        "t_min_s", "t_max_s", "time_s", "guarantee", "reachable_m2", "clearance_m", "driven"}
+# A width that suits each area, m.
+PUBLISHED = {"ethz_example_l.yaml": 0.08, "ethz_example_polygon_bcd_cell.yaml": 6, "f2c_test_ring.json": 0.6,
+             "ethz_example_rectangle_with_hole.yaml": 8, "f2c_test.json": 12, "f2c_Envelope.xml": 24,
+             "ethz_example_polygon_epfl.yaml": 4, "f2c_test1.xml": 39}
+
+
+def area(ring):
+    return 0.5 * abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:])))
+
+
+class Cover(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.write("room.txt", ROOM)
+
+    def cover(self, *args):
+        result = self.run_tool("cover", *args, "--json", timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = self.json_of(result)
+        self.assertLessEqual(KEYS, set(answer))
+        self.assertEqual(answer["status"], "done")
+        self.assertLessEqual(answer["t_min_s"], answer["time_s"])
+        self.assertLessEqual(answer["time_s"], answer["t_max_s"])
+        self.assertGreaterEqual(answer["covered_fraction"], 0.995)
+        self.assertGreaterEqual(answer["clearance_m"], answer["width_m"] / 2 - 1e-8)
+        self.assertGreaterEqual(answer["driven"]["covered_fraction"], answer["guarantee"]["covered_fraction"] - 1e-3)
+        off = answer["covered_m2"] + answer["missed_m2"] - answer["reachable_m2"]
+        self.assertLess(abs(off), 1e-8 * answer["reachable_m2"])
+        return answer
+
+    def test_the_room_beats_the_reference(self):
+        for seed in range(1, 6):
+            result = self.run_tool("run", SOURCE / "scenarios/cover/cover_room.yaml", "--seed", seed, "--json")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            answer = self.json_of(result)
+            self.assertLess(answer["time_s"], 176)
+            self.assertEqual(answer["driven"]["seed"], seed)
+            self.assertLessEqual(answer["driven"]["strayed_m"], 0.005)
+            self.assertGreaterEqual(answer["driven"]["covered_fraction"], 0.995)
+            self.assertGreaterEqual(answer["guarantee"]["covered_fraction_off_the_rim"], 0.997)
+
+    def test_the_field_scenario(self):
+        answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml")
+        self.assertGreater(answer["area_m2"], 5000)
+        self.assertEqual(answer["guarantee"]["stray_m"], 0.08)
+
+    def test_published_areas(self):
+        folder = DATA / "slam" / "coverage"
+        if not folder.exists():
+            self.skipTest(f"{folder} is absent; set OUTRIDER_DATA")
+        found = {path.name for path in folder.iterdir() if path.suffix in (".json", ".xml", ".yaml")}
+        self.assertEqual(found, set(PUBLISHED))
+        for name, width in PUBLISHED.items():
+            with self.subTest(name):
+                self.cover(folder / name, "--width", width, "--method", "boustrophedon", "--stray", 0.02 * width)
+
+    def test_methods_differ_and_repeat(self):
+        spiral = self.cover("room.txt", "--method", "spiral")
+        sweep = self.cover("room.txt", "--method", "boustrophedon")
+        self.assertGreater(spiral["laps"], sweep["laps"])
+        self.assertGreater(sweep["lanes"], 0)
+        best = self.cover("room.txt")
+        self.assertEqual(best["planned_s"], min(spiral["planned_s"], sweep["planned_s"]))
+        self.assertEqual(best, self.cover("room.txt"))
+
+    def test_files(self):
+        self.cover("room.txt", "--out", "out", "--stray", "0.005")
+        for name in ("cover.svg", "driven.svg"):
+            self.assertTrue(ElementTree.parse(self.folder / "out" / name).getroot().tag.endswith("svg"))
+        areas = {f["properties"]["name"]: f for f in
+                 json.loads((self.folder / "out/areas.geojson").read_text())["features"]}
+        for feature in areas.values():
+            total = sum(area(rings[0]) - sum(map(area, rings[1:])) for rings in feature["geometry"]["coordinates"])
+            self.assertAlmostEqual(total, feature["properties"]["area_m2"], places=6)
+        self.assertAlmostEqual(areas["area"]["properties"]["area_m2"], 2.25, places=6)
+        track = json.loads((self.folder / "out/track.json").read_text())
+        at = track["start"][:2]
+        for piece in track["pieces"]:
+            self.assertLess(abs(piece["from"][0] - at[0]) + abs(piece["from"][1] - at[1]), 1e-8)
+            at = piece["to"]
+
+    def test_people_get_a_summary(self):
+        result = self.run_tool("cover", "room.txt")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("% of the reach", result.stdout)
+
+    def test_bad_input(self):
+        self.refused("cover", says=["area", "missing"])
+        self.refused("cover", "none.txt", says=["none.txt"])
+        self.refused("cover", "room.txt", "--width", "2", says=["fits nowhere", "1.5 m", "width"])
+        for width in ("0", "-1", "x"):
+            self.refused("cover", "room.txt", "--width", width, says=["--width", width])
+        self.refused("cover", "room.txt", "--method", "random", says=["there is no method 'random'"])
+        self.refused("cover", "room.txt", "--stray", "0.05", says=["stray", "overlap of at least 0.5"])
+        self.refused("cover", "room.txt", "--start", "0,0,0", says=["start", "cannot stand"])
+        self.refused("cover", "room.txt", "--units", "feet", says=["units", "metres"])
+        self.write("crossed.txt", "(0,0) (1,1) (1,0) (0,1)\n---\n")
+        self.refused("cover", "crossed.txt", says=["crossed.txt:2", "boundary"])
+        self.write("out.yaml", "hull:\n  points: [{x: 0, y: 0}, {x: 9, y: 0}, {x: 9, y: 9}]\nholes:\n"
+                   "- points: [{x: 8, y: 2}, {x: 12, y: 2}, {x: 12, y: 4}]\n")
+        self.refused("cover", "out.yaml", says=["out.yaml:4", "hole 1", "outside the boundary"])
+        self.write("out.txt", "(0,0) (9,0) # a bend\n(9,9)\n---\n# trees\n(8,2) (8.2,2) (8.2,2.2)\n(8,4) (12,4) (12,5)\n")
+        self.refused("cover", "out.txt", says=["out.txt:6", "hole 2", "outside the boundary"])
+        self.write("crossed.json", json.dumps({"type": "Polygon",
+                                               "coordinates": [[[0, 0], [4, 4], [4, 0], [0, 4], [0, 0]]]}))
+        self.refused("cover", "crossed.json", "--units", "metres", says=["crossed.json: $.coordinates[0]"])
+        self.write("bad.yaml", "job: cover\narea: room.txt\nwidht: 2\n")
+        self.refused("run", "bad.yaml", says=["bad.yaml:3", "widht", "width"])
+
+
+if __name__ == "__main__":
+    main()
