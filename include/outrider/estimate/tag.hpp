@@ -1,0 +1,63 @@
+// Tags: AprilTags of the family tag36h11, where they hang and how a camera saw them.
+//
+// Frame of a tag: origin in its middle, x to the right and y down as one reads it, z into the wall behind.
+// Its corners are those of the black square, whose side is the tag's size, in the order of libapriltag:
+// lower left, lower right, upper right, upper left. The paper around it is a quarter larger.
+// Source: Olson, AprilTag: A robust and flexible visual fiducial system (ICRA 2011); Wang and Olson,
+// AprilTag 2 (IROS 2016).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+#include "outrider/estimate/belief.hpp"
+#include "outrider/geometry/pose.hpp"
+
+namespace outrider {
+
+inline constexpr int tag_family_size = 587;    ///< ids go from 0 to 586
+inline constexpr double paper_per_tag = 1.25;  ///< side of the white paper by that of the black square
+inline constexpr double default_tag_size_m = 0.166;
+
+struct Tag {
+  int id = 0;
+  double size_m = default_tag_size_m;  ///< side of the black square
+  Pose3 world_T_tag;
+};
+
+/// Tags that hang in the world, each id once.
+struct TagMap {
+  std::vector<Tag> tags;
+
+  [[nodiscard]] const Tag* find(int id) const;
+};
+
+/// Refuses ids outside the family or that stand twice, and sizes that are no positive number.
+Status check_tags(const TagMap& map);
+
+/// A tag that hangs upright with its middle at `position` (m) and looks towards `facing_rad`: the heading
+/// from the wall to its reader.
+Tag upright_tag(int id, Vec3 position, double facing_rad, double size_m = default_tag_size_m);
+
+/// Corners in the tag's frame, m.
+std::array<Vec3, 4> tag_corners(double size_m);
+
+/// One explanation of four corners: a pose that is a local minimum of the reprojection error.
+struct TagPose {
+  Pose3 camera_T_tag;
+  double error_px = 0.0;     ///< root mean square over the corners, after refinement
+  Covariance6 covariance{};  ///< of translation (m) and rotation vector (rad), both in the camera's frame
+};
+
+/// What a camera saw of one tag.
+struct TagSighting {
+  int id = 0;
+  std::array<Vec2, 4> corners_px;  ///< in the image, see Camera; ordered as tag_corners()
+  int corrected_bits = 0;          ///< of its 36
+  double margin = 0.0;             ///< mean grey levels between a bit and the decision threshold
+  std::vector<TagPose> poses;      ///< one or two, that of the least error first; see planar_pnp.hpp
+};
+
+}  // namespace outrider
