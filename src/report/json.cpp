@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "json_drive.hpp"
+
 namespace outrider {
 namespace {
 
@@ -181,6 +183,7 @@ void members(Io& io, T& report) {
   io("track", report.track);
   io.optional("supplies", report.supplies);
   io.optional("chase", report.chase);
+  io.optional("drive", report.drive);
 }
 
 class Writer {

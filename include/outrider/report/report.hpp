@@ -150,6 +150,42 @@ struct ReportSupplies {
   std::vector<ReportLevel> levels;
 };
 
+/// A tag on a wall, and where the heading out of the wall goes.
+struct ReportTag {
+  int id = 0;
+  Vec2 position;
+  double facing_rad = 0.0;
+  double size_m = 0.0;
+};
+
+/// A place that a robot on wheels was to go to, and how it came there.
+struct ReportStop {
+  Pose2 pose;
+  bool stop = true;     ///< it was to come to rest there
+  double time_s = 0.0;  ///< when it was reached; NaN: never, or passed by
+  Vec2 error;           ///< of the true position then, in the world
+  double heading_error_rad = 0.0;
+};
+
+/// What the robot believed of its pose at one moment.
+struct ReportBelief {
+  double time_s = 0.0;
+  Pose2 pose;
+  double sigma_x_m = 0.0;
+  double sigma_y_m = 0.0;
+  double correlation = 0.0;  ///< of x and y
+  double sigma_rad = 0.0;
+  bool saw_tag = false;  ///< a tag told where the robot is, since the belief before
+};
+
+/// A drive on wheels; the truth is the track of the report.
+struct ReportDrive {
+  std::string loop;  ///< closed or open
+  std::vector<ReportTag> tags;
+  std::vector<ReportStop> stops;
+  std::vector<ReportBelief> beliefs;
+};
+
 struct ReportContour {
   double height_m = 0.0;
   std::vector<Vec2> points;  ///< the first again at the end of a closed one
@@ -189,6 +225,7 @@ struct Report {
   std::vector<TrackSample> track;
   std::optional<ReportSupplies> supplies;  ///< where they end
   std::optional<ReportChase> chase;        ///< of the job pursue
+  std::optional<ReportDrive> drive = {};   ///< of the job drive
 };
 
 /// The metric of that name; `otherwise` where the report has none. O(metrics).

@@ -1,0 +1,14 @@
+// A picture of a calibration: each law with its runs.
+#pragma once
+
+#include <string>
+
+#include "outrider/control/calibrate.hpp"
+
+namespace outrider::cli {
+
+/// SVG: for each law the runs as dots, the line, its 95 % band, and a and b with their intervals; below, the
+/// gain of each wheel with its interval.
+std::string calibration_picture(const CalibrationFit& fit, const Chassis& chassis);
+
+}  // namespace outrider::cli

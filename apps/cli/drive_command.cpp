@@ -1,0 +1,148 @@
+#include "drive_command.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "drive_summary.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "outrider/io/drive_scenario.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/report/json.hpp"
+#include "outrider/report/pictures.hpp"
+#include "outrider/sim/drive_run.hpp"
+#include "progress.hpp"
+
+namespace outrider::cli {
+namespace {
+
+struct DriveRequest {
+  std::string scenario_path;
+  bool json = false;
+  std::string out;
+  DriveScenario scenario;
+};
+
+OptionGroup describe_output(DriveRequest& command) {
+  return {"",
+          "output",
+          {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
+           {"out", "", 0, 0, "folder for the report and a picture", &command.out}}};
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(DriveScenario& scenario) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const OptionGroup& group : describe(scenario)) {
+    for (const Option& option : group.options) {
+      const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
+      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
+    }
+  }
+  return settings;
+}
+
+Outcome<Report> carry_out(DriveRequest& command) {
+  Progress progress(2);
+  progress.next("planning the way");
+  auto setup = load_drive(command.scenario);
+  if (!setup) return pass_on(setup);
+  progress.next("driving");
+  Report report =
+      run_drive(setup->task, setup->truth, setup->rendered, static_cast<std::uint64_t>(command.scenario.seed),
+                [&](double done) { progress.part(done); });
+  if (setup->plan) {
+    report.metrics.emplace_back("path_m", length_of(*setup->plan));
+    report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);
+  }
+  report.settings = settings_of(command.scenario);
+  report.warnings = std::move(setup->warnings);
+  return report;
+}
+
+/// Report and picture; the latter is made from the text of the report, as a replay makes it.
+Outcome<std::string> write_files(const DriveRequest& command, const Report& report) {
+  if (command.out.empty()) return std::string{};
+  const std::string stem = command.out + "/" + report.job;
+  const std::string text = to_json(report);
+  auto stored = report_from_json(text);
+  if (!stored) return pass_on(stored);
+  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
+  if (auto ok = write_file(stem + ".json", text); !ok) return pass_on(ok);
+  if (auto ok = write_file(stem + ".svg", to_animated_svg(*stored, 12.0)); !ok) return pass_on(ok);
+  return stem + ".json";
+}
+
+int finish(DriveRequest& command) {
+  const auto report = carry_out(command);
+  if (!report) return say(report.error(), command.json);
+  const auto path = write_files(command, *report);
+  if (!path) return say(path.error(), command.json);
+  for (const std::string& warning : report->warnings) {
+    fmt::print(stderr, "outrider: warning: {}\n", warning);
+  }
+  if (command.json) {
+    print(drive_json(*report, *path));
+  } else {
+    fmt::print("{}", drive_summary(*report));
+    if (!path->empty()) fmt::print("\n  report    {}\n  picture   {}/drive.svg\n", *path, command.out);
+  }
+  return report->status == "done" ? job_done : job_not_done;
+}
+
+int execute(DriveRequest& command, const Command& flags) {
+  const bool json = flags.given("--json");
+  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
+  if (flags.given("--out")) {
+    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
+  }
+  const auto groups = describe(command.scenario);
+  if (!command.scenario_path.empty()) {
+    if (auto ok = load_scenario(command.scenario_path, groups); !ok) return say(ok.error(), json);
+    resolve_paths(command.scenario, command.scenario_path);
+  }
+  if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
+  return finish(command);
+}
+
+}  // namespace
+
+int run_drive_scenario(const std::string& path, const Command& flags) {
+  DriveRequest command;
+  const bool json = flags.given("--json");
+  if (auto ok = load_scenario(path, describe(command.scenario)); !ok) return say(ok.error(), json);
+  resolve_paths(command.scenario, path);
+  for (const std::string& name : flags.all_given()) {
+    if (name == "--json" || name == "--out" || name == "--seed" || !name.starts_with("--")) continue;
+    return say({FaultCode::bad_input,
+                fmt::format("it does not change a drive; change the scenario, or use 'outrider drive "
+                            "--scenario {}' with its flags",
+                            path),
+                name},
+               json);
+  }
+  std::vector<OptionGroup> given = {describe_output(command)};
+  given.front().options.push_back({"seed", "", 0, 1e15, "", &command.scenario.seed});
+  if (auto ok = apply_flags(flags, given); !ok) return say(ok.error(), json);
+  if (flags.given("--out")) {
+    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
+  }
+  return finish(command);
+}
+
+void add_drive(Command& tool) {
+  Command& drive = tool.add("drive", "drive to waypoints, or along a planner's path, by the tags in sight");
+  auto command = std::make_shared<DriveRequest>();
+  drive.option("--scenario", &command->scenario_path, "scenario file to start from; flags win over it")
+      .type("FILE");
+  std::vector<OptionGroup> groups = describe(command->scenario);
+  groups.insert(groups.begin(), describe_output(*command));
+  add_flags(drive, groups);
+  drive.does([command](const Command& flags) { return execute(*command, flags); });
+  drive.footer("\nExample: outrider drive --scenario scenarios/waypoints/closed_loop.yaml --loop open");
+}
+
+}  // namespace outrider::cli

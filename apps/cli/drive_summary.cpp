@@ -1,0 +1,77 @@
+#include "drive_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "output.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider::cli {
+namespace {
+
+nlohmann::ordered_json number_json(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value;
+}
+
+std::string stop_line(std::size_t number, const ReportStop& stop) {
+  const Vec2 at = stop.pose.position;
+  std::string text = fmt::format("  {:>3}  {:>7.3f} {:>7.3f} {:>6.1f}  ", number, at.x, at.y,
+                                 degrees(wrap_angle(stop.pose.heading_rad)));
+  if (!stop.stop) return text + "passed by\n";
+  if (std::isnan(stop.time_s)) return text + "not reached\n";
+  return text + fmt::format("{:>6.1f}  {:>8.1f} {:>8.1f} {:>8.2f}\n", stop.time_s, 1e3 * stop.error.x,
+                            1e3 * stop.error.y, degrees(stop.heading_error_rad));
+}
+
+}  // namespace
+
+std::string drive_summary(const Report& report) {
+  const ReportDrive& drive = *report.drive;
+  std::size_t stops = 0, reached = 0;
+  for (const ReportStop& stop : drive.stops) {
+    stops += stop.stop ? 1 : 0;
+    reached += std::isnan(stop.time_s) ? 0 : 1;
+  }
+  std::string text = fmt::format("{}, {} loop: {} of {} stops reached in {}\n\n", report.world_name,
+                                 drive.loop, reached, stops, duration_text(metric(report, "time_s")));
+  text += "       x, m    y, m     deg       s  off x, mm    y, mm      deg\n";
+  for (std::size_t i = 0; i < drive.stops.size(); ++i) text += stop_line(i + 1, drive.stops[i]);
+  text += fmt::format("\n  driven     {:.3f} m, {:.3f} times the straight legs\n", metric(report, "driven_m"),
+                      metric(report, "driven_m") / std::max(metric(report, "ideal_m"), 1e-9));
+  text += fmt::format("  turned     {:.3f} rad, {:.3f} times the least\n", metric(report, "turned_rad"),
+                      metric(report, "turned_rad") / std::max(metric(report, "ideal_rad"), 1e-9));
+  text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
+  if (std::isfinite(metric(report, "path_m"))) {
+    text += fmt::format("  path       {:.3f} m, {:.3f} m clear\n", metric(report, "path_m"),
+                        metric(report, "path_clearance_m"));
+  }
+  if (drive.loop == "closed") {
+    text += fmt::format("  tags       of use in {:.0f} % of the images\n",
+                        100.0 * metric(report, "tag_fraction"));
+  }
+  if (!report.reason.empty()) text += fmt::format("\n  {}\n", report.reason);
+  return text;
+}
+
+nlohmann::ordered_json drive_json(const Report& report, const std::string& report_path) {
+  nlohmann::ordered_json object = {{"status", report.status}, {"job", report.job}, {"reason", report.reason}};
+  auto waypoints = nlohmann::ordered_json::array();
+  for (const ReportStop& stop : report.drive->stops) {
+    const bool reached = !std::isnan(stop.time_s);
+    const auto if_reached = [&](double value) { return number_json(reached ? value : std::nan("")); };
+    waypoints.push_back({{"dx", if_reached(stop.error.x)},
+                         {"dy", if_reached(stop.error.y)},
+                         {"dtheta", if_reached(stop.heading_error_rad)}});
+  }
+  object["waypoints"] = std::move(waypoints);
+  for (const auto& [name, value] : report.metrics) object[name] = number_json(value);
+  object["report"] = nullptr;
+  if (!report_path.empty()) object["report"] = report_path;
+  object["warnings"] = report.warnings;
+  return object;
+}
+
+}  // namespace outrider::cli

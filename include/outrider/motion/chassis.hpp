@@ -1,0 +1,60 @@
+// Chassis: how the speeds of a robot's wheels and the motion of its body belong together.
+//
+// A wheel that rolls without slip turns at a speed that is linear in the twist of the body, so a chassis is a
+// row of three factors a wheel. The columns of these rows are orthogonal for all three kinds, so the twist
+// that fits given wheel speeds best (least squares) is a projection on each column. Where wheels disagree,
+// as four mecanum wheels can, what no motion explains is slip.
+//
+//   differential   two wheels abreast; does not move sideways
+//   mecanum        four wheels with rollers at 45 degrees, [fl fr bl br] =
+//                  1/r [[1, -1, -l], [1, 1, l], [1, 1, -l], [1, -1, l]] [ahead left turn]
+//   holonomic      a disk on three omnidirectional wheels, 120 degrees apart, the first ahead
+//
+// Units: m, rad/s, rad/s per m/s. O(wheels). Sources: Lynch and Park, Modern Robotics, section 13.2;
+// Taheri, Qiao and Ghaeminezhad, Kinematic model of a four mecanum wheeled mobile robot (2015).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/outcome.hpp"
+#include "outrider/motion/twist.hpp"
+
+namespace outrider {
+
+inline constexpr std::size_t most_wheels = 4;
+/// One number for each wheel, in the order of the chassis; 0 beyond its last wheel.
+using WheelSpeeds4 = std::array<double, most_wheels>;
+
+struct Wheel {
+  std::string_view name;
+  double per_ahead = 0.0;  ///< rad/s of the wheel per m/s of the body
+  double per_left = 0.0;   ///< rad/s per m/s
+  double per_turn = 0.0;   ///< rad/s per rad/s
+};
+
+struct Chassis {
+  std::string_view kind;
+  std::vector<Wheel> wheels;  ///< at most most_wheels
+  [[nodiscard]] bool moves_sideways() const;
+};
+
+Chassis differential_chassis(double wheel_radius_m, double half_track_m);
+/// `half_size_m`: half the length plus half the width between the wheels.
+Chassis mecanum_chassis(double wheel_radius_m, double half_size_m);
+/// `ring_radius_m`: from the middle to each wheel.
+Chassis holonomic_chassis(double wheel_radius_m, double ring_radius_m);
+
+/// By its kind; `reach_m` is the half track, half size or ring radius. Fault: bad_input on another kind.
+Outcome<Chassis> make_chassis(std::string_view kind, double wheel_radius_m, double reach_m);
+
+/// Inverse kinematics. Sideways motion that the chassis cannot do is left out.
+WheelSpeeds4 wheel_speeds(const Chassis& chassis, const Twist2& twist);
+
+/// Forward kinematics: the twist that explains the wheel speeds best.
+Twist2 twist_of(const Chassis& chassis, const WheelSpeeds4& speeds);
+
+}  // namespace outrider

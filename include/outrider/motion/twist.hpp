@@ -1,0 +1,42 @@
+// Twists of the plane: how a body moves, and where a steady motion brings it.
+//
+// A steady twist moves a body along an arc. moved() is the exponential map of the group of planar motions
+// and twist_between() its logarithm, both exact and O(1).
+// Source: Lynch and Park, Modern Robotics, section 3.2.
+#pragma once
+
+#include "outrider/geometry/pose.hpp"
+
+namespace outrider {
+
+/// Velocity of a body in its own frame.
+struct Twist2 {
+  double ahead_mps = 0.0;
+  double left_mps = 0.0;
+  double turn_radps = 0.0;  ///< counter-clockwise
+
+  friend constexpr Twist2 operator+(const Twist2& a, const Twist2& b) {
+    return {a.ahead_mps + b.ahead_mps, a.left_mps + b.left_mps, a.turn_radps + b.turn_radps};
+  }
+  friend constexpr Twist2 operator*(double s, const Twist2& a) {
+    return {s * a.ahead_mps, s * a.left_mps, s * a.turn_radps};
+  }
+  friend constexpr bool operator==(const Twist2&, const Twist2&) = default;
+};
+
+inline double speed_of(const Twist2& twist) { return norm(Vec2{twist.ahead_mps, twist.left_mps}); }
+
+/// Where a body is after that twist has been steady for so long; the heading is not wrapped.
+Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s);
+
+/// The steady twist that moves a body from one pose to another in that time > 0. It turns by the difference
+/// of the headings as they stand, which is less than a whole turn.
+Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s);
+
+/// A pose of the world as seen from a frame: frame_T_pose; the heading is wrapped.
+Pose2 seen_from(const Pose2& frame, const Pose2& pose);
+
+/// A pose given in a frame, in the world; the heading is not wrapped.
+Pose2 placed_in(const Pose2& frame, const Pose2& pose);
+
+}  // namespace outrider

@@ -1,0 +1,35 @@
+// WheelFaults and LinkFaults: what comes between the wheel speeds that are commanded and the way that is
+// driven. They are what calibration measures and what control has to live with.
+#pragma once
+
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/motion/chassis.hpp"
+
+namespace outrider {
+
+/// Of a wheel that turns steadily: speed = gain of the wheel * gain of its sense of rotation * sag *
+/// (1 + noise) * commanded speed.
+struct WheelFaults {
+  WheelSpeeds4 gains = {1.0, 1.0, 1.0, 1.0};  ///< of each wheel
+  double backwards = 1.0;                     ///< gain of a wheel that turns backwards
+  double dead_time_s = 0.0;                   ///< between a command to a wheel at rest and its first motion
+  double lag_s = 0.0;                         ///< time constant with which speeds follow commands
+  double deadband_radps = 0.0;                ///< commands below it leave the wheel at rest
+  double sag_per_min = 0.0;                   ///< part of the speed lost per minute of driving
+  double strafe_slip = 0.0;                   ///< part of sideways motion lost
+  double noise = 0.0;                         ///< of each wheel, relative, standard deviation
+  double noise_time_s = 0.2;                  ///< after which the noise has forgotten its value
+};
+std::vector<Option> describe(WheelFaults& faults);
+
+/// How commands travel. They keep their order.
+struct LinkFaults {
+  std::int64_t lost = 0;  ///< messages that are lost at the beginning
+  double delay_s = 0.0;
+  double jitter_s = 0.0;  ///< added to the delay, uniform from 0
+};
+std::vector<Option> describe(LinkFaults& faults);
+
+}  // namespace outrider

@@ -1,0 +1,231 @@
+#include "outrider/control/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "normal_equations.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+/// The part of a pose along a direction, which is positive when the robot goes where it is told.
+double progress(Direction direction, const Pose2& pose) {
+  switch (direction) {
+    case Direction::ahead: return pose.position.x;
+    case Direction::back: return -pose.position.x;
+    case Direction::left: return pose.position.y;
+    case Direction::right: return -pose.position.y;
+    case Direction::counter_clockwise: return pose.heading_rad;
+    case Direction::clockwise: return -pose.heading_rad;
+  }
+  return 0.0;
+}
+
+Direction direction_of(const Twist2& command) {
+  if (command.ahead_mps != 0.0) return command.ahead_mps > 0.0 ? Direction::ahead : Direction::back;
+  if (command.left_mps != 0.0) return command.left_mps > 0.0 ? Direction::left : Direction::right;
+  return command.turn_radps > 0.0 ? Direction::counter_clockwise : Direction::clockwise;
+}
+
+double size_of(const Twist2& command) {
+  return std::abs(command.ahead_mps) + std::abs(command.left_mps) + std::abs(command.turn_radps);
+}
+
+bool is_turn(const Twist2& command) { return command.turn_radps != 0.0; }
+
+constexpr double most_turn_rad = radians(300.0);
+
+Status check_run(const Chassis& chassis, const CalibrationRun& run) {
+  const int parts = (run.command.ahead_mps != 0.0 ? 1 : 0) + (run.command.left_mps != 0.0 ? 1 : 0) +
+                    (run.command.turn_radps != 0.0 ? 1 : 0);
+  if (parts != 1) {
+    return bad_input(
+        fmt::format("the run is commanded in {} directions at once; a run goes ahead, back, to a "
+                    "side or turns in place",
+                    parts),
+        run.where);
+  }
+  if (run.command.left_mps != 0.0 && !chassis.moves_sideways()) {
+    return bad_input(fmt::format("a {} chassis does not move sideways; leave the run out", chassis.kind),
+                     run.where);
+  }
+  if (!(run.time_s > 0.0)) {
+    return bad_input(fmt::format("the run takes {:g} s; a run takes more than 0 s", run.time_s), run.where);
+  }
+  if (!is_turn(run.command) && std::abs(run.start_T_end.heading_rad) >= most_turn_rad) {
+    return bad_input(fmt::format("the straight run turns by {:.0f} degrees; it takes less than 300",
+                                 degrees(run.start_T_end.heading_rad)),
+                     run.where);
+  }
+  return {};
+}
+
+/// What is along the direction of a straight is the arc that was driven, not its chord.
+double measured(const CalibrationRun& run) {
+  const Direction direction = direction_of(run.command);
+  if (is_turn(run.command)) return progress(direction, run.start_T_end);
+  const Twist2 arc = twist_between({}, run.start_T_end, 1.0);
+  return progress(direction, {{arc.ahead_mps, arc.left_mps}, 0.0});
+}
+
+Outcome<FittedLaw> fit_law(const std::vector<const CalibrationRun*>& runs) {
+  FittedLaw law;
+  const CalibrationRun& first = *runs.front();
+  law.direction = direction_of(first.command);
+  law.command = size_of(first.command);
+  for (const CalibrationRun* run : runs) law.points.push_back({run->time_s, measured(*run)});
+  const auto n = static_cast<double>(law.points.size());
+  Vec2 mean;
+  for (const Vec2 p : law.points) mean = mean + (1.0 / n) * p;
+  double product = 0.0;
+  for (const Vec2 p : law.points) {
+    law.time_square_sum += (p.x - mean.x) * (p.x - mean.x);
+    product += (p.x - mean.x) * (p.y - mean.y);
+  }
+  if (law.points.size() < 3 || !(law.time_square_sum > 1e-9)) {
+    return bad_input(
+        fmt::format("there are {} runs like this one ({} at {:.4g}){}; a law needs at least 3, of "
+                    "different times",
+                    law.points.size(), to_string(law.direction),
+                    is_turn(first.command) ? degrees(law.command) : law.command,
+                    law.points.size() < 3 ? "" : ", all of one time"),
+        first.where);
+  }
+  law.mean_time_s = mean.x;
+  law.slope.value = product / law.time_square_sum;
+  law.offset.value = mean.y - law.slope.value * mean.x;
+  double square = 0.0;
+  for (const Vec2 p : law.points) {
+    const double left = p.y - law.offset.value - law.slope.value * p.x;
+    square += left * left;
+  }
+  law.spread = std::sqrt(square / (n - 2.0));
+  law.slope.half_width =
+      student_quantile(law.points.size() - 2) * law.spread / std::sqrt(law.time_square_sum);
+  law.offset.half_width = band(law, 0.0);
+  if (!(law.slope.value > 0.0)) {
+    return bad_input(
+        fmt::format("by its runs the robot does not go {} when it is told to; are the signs right?",
+                    to_string(law.direction)),
+        first.where);
+  }
+  return law;
+}
+
+/// Runs of one direction and speed, in the order of direction and speed, then of the runs.
+Outcome<std::vector<FittedLaw>> fit_laws(const std::vector<CalibrationRun>& runs) {
+  std::vector<const CalibrationRun*> sorted;
+  for (const CalibrationRun& run : runs) sorted.push_back(&run);
+  const auto key = [](const CalibrationRun* run) {
+    return std::pair{direction_of(run->command), size_of(run->command)};
+  };
+  std::ranges::sort(sorted, {}, [&](const CalibrationRun* run) { return std::pair{key(run), run}; });
+  std::vector<FittedLaw> laws;
+  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    std::vector<const CalibrationRun*> alike;
+    while (end < sorted.size() && key(sorted[end]) == key(sorted[begin])) alike.push_back(sorted[end++]);
+    auto law = fit_law(alike);
+    if (!law) return pass_on(law);
+    laws.push_back(std::move(*law));
+  }
+  return laws;
+}
+
+/// Means over the laws of each direction, by their runs; a direction without a law keeps gain 1, no dead
+/// time.
+void take_directions(Calibration& calibration, const std::vector<FittedLaw>& laws) {
+  for (std::size_t d = 0; d < directions; ++d) {
+    double runs = 0.0, gain = 0.0, dead_time_s = 0.0;
+    for (const FittedLaw& law : laws) {
+      if (static_cast<std::size_t>(law.direction) != d) continue;
+      const auto n = static_cast<double>(law.points.size());
+      runs += n;
+      gain += n * law.slope.value / law.command;
+      dead_time_s -= n * law.offset.value / law.slope.value;
+    }
+    if (runs > 0.0) calibration.laws[d] = {gain / runs, dead_time_s / runs};
+  }
+}
+
+/// What a run says of the wheels: three equations in their gains, in m/s at the rim of a body of 1 m.
+void add_run(NormalEquations& equations, const Chassis& chassis, const Calibration& calibration,
+             const CalibrationRun& run) {
+  if (std::abs(run.start_T_end.heading_rad) >= most_turn_rad) return;  // the arc says nothing of its chord
+  const double dead_time_s =
+      calibration.laws[static_cast<std::size_t>(direction_of(run.command))].dead_time_s;
+  if (!(run.time_s > 1.5 * dead_time_s)) return;
+  const Twist2 body = twist_between({}, run.start_T_end, run.time_s - dead_time_s);
+  const Twist2 seen = {body.ahead_mps / ahead_law(calibration, body.ahead_mps).gain,
+                       body.left_mps / left_law(calibration, body.left_mps).gain,
+                       body.turn_radps / turn_law(calibration, body.turn_radps).gain};
+  const WheelSpeeds4 speeds = wheel_speeds(chassis, run.command);
+  WheelSpeeds4 rows[3] = {};
+  for (std::size_t i = 0; i < chassis.wheels.size(); ++i) {
+    WheelSpeeds4 alone{};
+    alone[i] = speeds[i];
+    const Twist2 part = twist_of(chassis, alone);
+    rows[0][i] = part.ahead_mps;
+    rows[1][i] = part.left_mps;
+    rows[2][i] = part.turn_radps;
+  }
+  equations.add(rows[0], seen.ahead_mps - run.command.ahead_mps);
+  if (chassis.moves_sideways()) equations.add(rows[1], seen.left_mps - run.command.left_mps);
+  equations.add(rows[2], seen.turn_radps - run.command.turn_radps);
+}
+
+void take_wheels(CalibrationFit& fit, const Chassis& chassis, const std::vector<CalibrationRun>& runs) {
+  const std::size_t wheels = chassis.wheels.size();
+  NormalEquations equations(wheels);
+  for (const CalibrationRun& run : runs) add_run(equations, chassis, fit.calibration, run);
+  const auto [gains, deviations] = equations.solve_with_mean_zero();
+  const std::size_t unknown = wheels - 1;
+  const std::size_t rest = equations.rows() > unknown ? equations.rows() - unknown : 0;
+  for (std::size_t i = 0; i < wheels; ++i) {
+    fit.calibration.wheels[i] = 1.0 + gains[i];
+    const double half_width =
+        rest > 0 ? student_quantile(rest) * deviations[i] : std::numeric_limits<double>::infinity();
+    fit.wheels.push_back({1.0 + gains[i], half_width});
+  }
+}
+
+}  // namespace
+
+Outcome<CalibrationFit> calibrate(const Chassis& chassis, const std::vector<CalibrationRun>& runs) {
+  if (runs.empty()) return bad_input("there are no runs; record at least 3 of a direction");
+  for (const CalibrationRun& run : runs) {
+    if (auto ok = check_run(chassis, run); !ok) return pass_on(ok);
+  }
+  auto laws = fit_laws(runs);
+  if (!laws) return pass_on(laws);
+  CalibrationFit fit;
+  fit.laws = std::move(*laws);
+  take_directions(fit.calibration, fit.laws);
+  take_wheels(fit, chassis, runs);
+  return fit;
+}
+
+double band(const FittedLaw& law, double time_s) {
+  const auto n = static_cast<double>(law.points.size());
+  const double off = time_s - law.mean_time_s;
+  return student_quantile(law.points.size() - 2) * law.spread *
+         std::sqrt(1.0 / n + off * off / law.time_square_sum);
+}
+
+double student_quantile(std::size_t degrees_of_freedom) {
+  constexpr double exact[] = {12.706204736174698, 4.302652729749464};
+  if (degrees_of_freedom <= 2) return exact[degrees_of_freedom == 2 ? 1 : 0];
+  constexpr double z = 1.959963984540054;
+  constexpr double z2 = z * z;
+  const double n = static_cast<double>(degrees_of_freedom);
+  const double g1 = (z2 + 1.0) / 4.0;
+  const double g2 = ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
+  const double g3 = (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
+  const double g4 = ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
+  return z * (1.0 + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n);
+}
+
+}  // namespace outrider

@@ -1,0 +1,189 @@
+#include "outrider/control/follow_waypoints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+#include "pure_pursuit.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double aimed_rad = 0.03;      ///< near enough to the bearing to go
+constexpr double off_course_rad = 0.7;  ///< too far from it to go on
+constexpr double half_turn_rad = 2.6;   ///< from here on the written sense decides
+
+const Waypoint& goal_of(const Follower& follower, const std::vector<Waypoint>& waypoints) {
+  return waypoints[follower.next];
+}
+
+/// Near enough to the waypoint, or beyond it.
+bool is_passed(const Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
+               const FollowOptions& options) {
+  const Vec2 goal = goal_of(follower, waypoints).pose.position;
+  return distance(position, goal) <= options.pass_m ||
+         dot(position - goal, goal - follower.from.position) > 0.0;
+}
+
+/// The turn to a waypoint's heading.
+double heading_error(const Follower& follower, const Waypoint& goal, double heading_rad) {
+  const double error = wrap_angle(goal.pose.heading_rad - heading_rad);
+  const double written = goal.pose.heading_rad - follower.from.heading_rad;
+  if (std::abs(error) < half_turn_rad || written * error >= 0.0) return error;
+  return error + std::copysign(2.0 * pi, written);
+}
+
+double turn_command(Follower& follower, double error, const FollowOptions& options, const PidGains& gains,
+                    double period_s) {
+  return step(follower.heading, gains, {error, 0.0}, {options.turn_rate_radps, options.least_turn_rate_radps},
+              period_s)
+      .x;
+}
+
+Vec2 place_command(Follower& follower, Vec2 error, bool stop, const FollowOptions& options,
+                   const PidGains& gains, double period_s) {
+  const double floor = stop ? options.least_speed_mps : options.speed_mps;  // a via is passed at speed
+  return step(follower.place, gains, error, {options.speed_mps, floor}, period_s);
+}
+
+/// A velocity in the world as a twist of the robot.
+Twist2 in_body(Vec2 velocity_mps, double turn_radps, double heading_rad) {
+  const Vec2 ahead = direction(heading_rad);
+  return {dot(velocity_mps, ahead), cross(ahead, velocity_mps), turn_radps};
+}
+
+FollowStep holonomic(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
+                     const FollowOptions& options, const PidGains& gains, double period_s) {
+  const Waypoint& goal = goal_of(follower, waypoints);
+  const Vec2 error = goal.pose.position - believed.position;
+  const double turn_error = heading_error(follower, goal, believed.heading_rad);
+  const bool at_place = goal.stop && norm(error) <= options.within_m;
+  const bool facing = std::abs(turn_error) <= options.within_rad;
+  const double turn = facing ? 0.0 : turn_command(follower, turn_error, options, gains, period_s);
+  Vec2 velocity;
+  if (!at_place) {
+    velocity = place_command(follower, error, goal.stop, options, gains, period_s);
+    if (options.follower == "pure_pursuit") {
+      const Pursued pursued = carrot_on(follower, waypoints, believed.position, options.lookahead_m);
+      const Vec2 aim = pursued.carrot - believed.position;
+      if (pursued.ahead_m > options.lookahead_m && norm(aim) > 0.0) {
+        velocity = (regulated_speed(pursued, 0.0, options) / norm(aim)) * aim;
+      }
+    }
+  }
+  return {in_body(velocity, turn, believed.heading_rad), at_place && facing};
+}
+
+/// Ahead towards the goal on the pure pursuit's arc.
+Twist2 along_arc(const Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
+                 const FollowOptions& options) {
+  const Pursued pursued = carrot_on(follower, waypoints, believed.position, options.lookahead_m);
+  const Vec2 aim = seen_from(believed, {pursued.carrot, 0.0}).position;
+  const double curvature = 2.0 * aim.y / std::max(squared_norm(aim), 1e-9);
+  const double speed = regulated_speed(pursued, curvature, options);
+  return {speed, 0.0, speed * curvature};
+}
+
+Twist2 going(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
+             double bearing, const FollowOptions& options, const PidGains& gains, double period_s) {
+  const Waypoint& goal = goal_of(follower, waypoints);
+  const Vec2 error = goal.pose.position - believed.position;
+  const bool far = norm(error) > options.lookahead_m || !goal.stop;
+  if (options.follower == "pure_pursuit" && far) return along_arc(follower, waypoints, believed, options);
+  const double ahead = norm(place_command(follower, error, goal.stop, options, gains, period_s));
+  return {ahead * std::cos(bearing), 0.0, turn_command(follower, bearing, options, gains, period_s)};
+}
+
+FollowStep rotate_then_go(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
+                          const FollowOptions& options, const PidGains& gains, double period_s) {
+  using Stage = Follower::Stage;
+  const Waypoint& goal = goal_of(follower, waypoints);
+  const Vec2 error = goal.pose.position - believed.position;
+  const double off = norm(error);
+  double bearing = off > 0.0 ? wrap_angle(heading_of(error) - believed.heading_rad) : 0.0;
+  const bool backwards = goal.stop && off < options.lookahead_m && std::abs(bearing) > 0.5 * pi;
+  if (backwards) bearing = wrap_angle(bearing + pi);
+  const double turn_error = heading_error(follower, goal, believed.heading_rad);
+  const bool facing = std::abs(turn_error) <= options.within_rad;
+  Stage& stage = follower.stage;
+  if (stage == Stage::face && facing && off > 2.0 * options.within_m) stage = Stage::aim;
+  if (stage == Stage::go && std::abs(bearing) > off_course_rad) {
+    stage =
+        off < 4.0 * options.within_m ? Stage::face : Stage::aim;  // it has passed the goal, or lost its way
+  }
+  if (stage == Stage::aim && std::abs(bearing) <= aimed_rad) stage = Stage::go;
+  if (stage != Stage::face && goal.stop && off <= options.within_m) stage = Stage::face;
+  if (stage == Stage::go) {
+    Twist2 twist = going(follower, waypoints, believed, bearing, options, gains, period_s);
+    if (backwards) twist.ahead_mps = -twist.ahead_mps;
+    return {twist, false};
+  }
+  if (stage == Stage::face && facing) return {{}, true};
+  const double turn = stage == Stage::aim ? bearing : turn_error;
+  return {{0.0, 0.0, turn_command(follower, turn, options, gains, period_s)}, false};
+}
+
+/// No faster change than the accelerations allow.
+Twist2 eased(const Twist2& wanted, const Twist2& last, const FollowOptions& options, double period_s) {
+  Vec2 change = {wanted.ahead_mps - last.ahead_mps, wanted.left_mps - last.left_mps};
+  const double most = options.acceleration_mps2 * period_s;
+  if (norm(change) > most) change = (most / norm(change)) * change;
+  const double most_turn = options.turn_acceleration_radps2 * period_s;
+  const double turn = std::clamp(wanted.turn_radps - last.turn_radps, -most_turn, most_turn);
+  return last + Twist2{change.x, change.y, turn};
+}
+
+}  // namespace
+
+std::vector<Option> describe(FollowOptions& options) {
+  return {
+      {"follower", "", 0, 0, "pid or pure_pursuit", &options.follower},
+      {"manner", "", 0, 0, "holonomic or rotate_then_go", &options.manner},
+      {"speed", "m/s", 0.01, 10.0, "fastest drive", &options.speed_mps},
+      {"turn_rate", "rad/s", 0.01, 10.0, "fastest turn", &options.turn_rate_radps},
+      {"acceleration", "m/s2", 0.01, 100.0, "fastest change of the speed", &options.acceleration_mps2},
+      {"turn_acceleration", "rad/s2", 0.01, 100.0, "fastest change of the turn rate",
+       &options.turn_acceleration_radps2},
+      {"least_speed", "m/s", 0.0, 1.0, "slowest drive that is commanded", &options.least_speed_mps},
+      {"least_turn_rate", "rad/s", 0.0, 1.0, "slowest turn that is commanded",
+       &options.least_turn_rate_radps},
+      {"within", "m", 1e-4, 1.0, "near enough to a stop", &options.within_m},
+      {"within_angle", "deg", 0.01, 90.0, "near enough to its heading", &options.within_rad},
+      {"pass", "m", 1e-3, 10.0, "near enough to a waypoint that is no stop", &options.pass_m},
+      {"lookahead", "m", 0.01, 10.0, "how far on the way pure_pursuit aims", &options.lookahead_m},
+  };
+}
+
+Status check(const FollowOptions& options) {
+  const auto refuse = [](const char* key, const std::string& value, const std::vector<std::string>& known) {
+    return no_such_row(key, value, known, std::string("follow.") + key);
+  };
+  if (options.follower != "pid" && options.follower != "pure_pursuit") {
+    return refuse("follower", options.follower, {"pid", "pure_pursuit"});
+  }
+  if (options.manner != "holonomic" && options.manner != "rotate_then_go") {
+    return refuse("manner", options.manner, {"holonomic", "rotate_then_go"});
+  }
+  return {};
+}
+
+FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
+                  const FollowOptions& options, const PidGains& gains, double period_s) {
+  while (!goal_of(follower, waypoints).stop && follower.next + 1 < waypoints.size() &&
+         is_passed(follower, waypoints, believed.position, options)) {
+    go_on(follower, waypoints);
+  }
+  FollowStep wanted = options.manner == "holonomic"
+                          ? holonomic(follower, waypoints, believed, options, gains, period_s)
+                          : rotate_then_go(follower, waypoints, believed, options, gains, period_s);
+  follower.last = wanted.there ? Twist2{} : eased(wanted.twist, follower.last, options, period_s);
+  wanted.twist = follower.last;
+  return wanted;
+}
+
+void go_on(Follower& follower, const std::vector<Waypoint>& waypoints) {
+  follower = {follower.next + 1, goal_of(follower, waypoints).pose, {}, {}, Follower::Stage::aim,
+              follower.last};
+}
+
+}  // namespace outrider

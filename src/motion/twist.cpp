@@ -1,0 +1,55 @@
+#include "outrider/motion/twist.hpp"
+
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+/// sin(a) / a and (1 - cos(a)) / a, whose quotients lose their digits near 0.
+struct ArcFactors {
+  double along;
+  double aside;
+};
+ArcFactors arc_factors(double angle_rad) {
+  constexpr double small_rad = 1e-4;
+  if (std::abs(angle_rad) < small_rad) {
+    return {1.0 - angle_rad * angle_rad / 6.0, angle_rad / 2.0};  // next terms: below 1e-17 and 1e-13
+  }
+  const double half = std::sin(0.5 * angle_rad);
+  return {std::sin(angle_rad) / angle_rad, 2.0 * half * half / angle_rad};
+}
+
+Vec2 turned(Vec2 v, double angle_rad) {
+  const Vec2 axis = direction(angle_rad);
+  return v.x * axis + v.y * perpendicular(axis);
+}
+
+}  // namespace
+
+Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s) {
+  const double turn = twist.turn_radps * duration_s;
+  const auto [along, aside] = arc_factors(turn);
+  const Vec2 v = duration_s * Vec2{twist.ahead_mps, twist.left_mps};
+  return placed_in(from, {{along * v.x - aside * v.y, aside * v.x + along * v.y}, turn});
+}
+
+Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s) {
+  const double turn = to.heading_rad - from.heading_rad;
+  const auto [along, aside] = arc_factors(turn);
+  const double scale = 1.0 / ((along * along + aside * aside) * duration_s);
+  const Vec2 p = seen_from(from, to).position;
+  return {scale * (along * p.x + aside * p.y), scale * (along * p.y - aside * p.x), turn / duration_s};
+}
+
+Pose2 seen_from(const Pose2& frame, const Pose2& pose) {
+  return {turned(pose.position - frame.position, -frame.heading_rad),
+          wrap_angle(pose.heading_rad - frame.heading_rad)};
+}
+
+Pose2 placed_in(const Pose2& frame, const Pose2& pose) {
+  return {frame.position + turned(pose.position, frame.heading_rad), frame.heading_rad + pose.heading_rad};
+}
+
+}  // namespace outrider

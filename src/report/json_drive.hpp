@@ -1,0 +1,51 @@
+// The keys of a drive in a report, each named once: `io` writes or reads the member that it is given.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportTag>
+void members(Io& io, T& tag) {
+  io("id", tag.id);
+  io("position", tag.position);
+  io("facing_rad", tag.facing_rad);
+  io("size_m", tag.size_m);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportStop>
+void members(Io& io, T& stop) {
+  io("pose", stop.pose);
+  io("stop", stop.stop);
+  io("time_s", stop.time_s);
+  io("error", stop.error);
+  io("heading_error_rad", stop.heading_error_rad);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportBelief>
+void members(Io& io, T& belief) {
+  io.drawn("time_s", belief.time_s);
+  io.drawn("pose", belief.pose);
+  io.drawn("sigma_x_m", belief.sigma_x_m);
+  io.drawn("sigma_y_m", belief.sigma_y_m);
+  io.drawn("correlation", belief.correlation);
+  io.drawn("sigma_rad", belief.sigma_rad);
+  io("saw_tag", belief.saw_tag);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportDrive>
+void members(Io& io, T& drive) {
+  io("loop", drive.loop);
+  io("tags", drive.tags);
+  io("stops", drive.stops);
+  io("beliefs", drive.beliefs);
+}
+
+}  // namespace outrider

@@ -1,0 +1,119 @@
+"""The commands drive, run on a drive, and calibrate: answers, files, replay, refusals."""
+import json
+import unittest
+
+from tool import SOURCE, ToolTest, main
+
+WAYPOINTS = SOURCE / "scenarios/waypoints"
+KEYS = ["driven_m", "ideal_m", "turned_rad", "ideal_rad", "tag_fraction", "time_s"]
+
+
+class Drive(ToolTest):
+    def run_json(self, *args, status=0):
+        result = self.run_tool(*args, "--json")
+        self.assertEqual(result.returncode, status, result.stderr)
+        return self.json_of(result)
+
+    def worst(self, answer):
+        waypoints = answer["waypoints"]
+        return (max(max(abs(w["dx"]), abs(w["dy"])) for w in waypoints),
+                max(abs(w["dtheta"]) for w in waypoints))
+
+    def test_closed_loop_with_rendered_images(self):
+        for seed in (1, 2):
+            answer = self.run_json("run", WAYPOINTS / "closed_loop.yaml", "--seed", seed)
+            self.assertEqual(answer["status"], "done")
+            self.assertEqual(len(answer["waypoints"]), 4)
+            position, heading = self.worst(answer)
+            self.assertLessEqual(position, 0.03)
+            self.assertLessEqual(heading, 0.03)
+            self.assertLessEqual(answer["driven_m"], 1.05 * answer["ideal_m"])
+            for key in KEYS:
+                self.assertIsInstance(answer[key], float, key)
+
+    def test_calibration_makes_the_open_loop_three_times_as_good(self):
+        open_loop, runs = WAYPOINTS / "open_loop.yaml", WAYPOINTS / "runs.csv"
+        self.assertEqual(self.run_tool("calibrate", runs, "--out", "out").returncode, 0)
+        self.assertEqual((self.folder / "out/calibration.yaml").read_text(),
+                         (WAYPOINTS / "calibration.yaml").read_text(), "the shipped file is what the runs say")
+        for seed in (1, 2, 3):
+            before = self.worst(self.run_json("run", open_loop, "--seed", seed))
+            after = self.worst(self.run_json("drive", "--scenario", open_loop, "--calibration",
+                                             "out/calibration.yaml", "--seed", seed))
+            self.assertLess(before[0], 0.3048)
+            self.assertLess(before[1], 0.5236)
+            self.assertGreater(before[0], 0.1)
+            self.assertLessEqual(after[0], before[0] / 3)
+            self.assertLessEqual(after[1], before[1] / 3)
+
+    def test_recorded_runs_are_calibrated_as_the_file_of_them(self):
+        open_loop = WAYPOINTS / "open_loop.yaml"
+        recorded = self.run_json("calibrate", "--record", open_loop, "--out", "out")
+        read = self.run_json("calibrate", "out/runs.csv")
+        self.assertEqual(len(recorded["laws"]), 6)
+        for a, b in zip(recorded["laws"] + [{"a": w["gain"], "b": w["gain"]} for w in recorded["wheels"]],
+                        read["laws"] + [{"a": w["gain"], "b": w["gain"]} for w in read["wheels"]]):
+            for part in ("a", "b"):
+                self.assertAlmostEqual(a[part]["value"], b[part]["value"], places=4)
+                self.assertGreater(a[part]["half_width"], 0)
+        self.assertIn("<svg", (self.folder / "out/calibration.svg").read_text())
+        text = self.run_tool("calibrate", "out/runs.csv").stdout
+        self.assertIn("distance = a t + b", text)
+        self.assertIn("front_left", text)
+
+    def test_files_and_replay(self):
+        flags = ["drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled", "--out"]
+        self.assertEqual(self.run_tool(*flags, "a").returncode, 0)
+        self.assertEqual(self.run_tool(*flags, "b").returncode, 0)
+        for ending in ("json", "svg"):
+            self.assertEqual((self.folder / f"a/drive.{ending}").read_bytes(),
+                             (self.folder / f"b/drive.{ending}").read_bytes())
+        replay = self.run_json("replay", "a/drive.json")
+        self.assertEqual(replay["waypoints"], self.run_json(*flags[:-1])["waypoints"])
+        self.assertIn("4 of 4 stops reached", self.run_tool("replay", "a/drive.json", "--svg", "p.svg").stdout)
+        self.assertEqual((self.folder / "p.svg").read_bytes(), (self.folder / "a/drive.svg").read_bytes())
+
+    def test_a_robot_that_is_lost_stops_and_says_so(self):
+        for fault in ("--faults-blind-from", "--faults-kidnapped-at"):
+            answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled",
+                                   fault, "6", status=1)
+            self.assertIn("lost", answer["reason"])
+            self.assertIsNone(answer["waypoints"][-1]["dx"])
+
+    def test_a_goal_and_a_planner(self):
+        flags = ["drive", "--bounds", "0,0,3,3", "--start", "0.5,0.5,0", "--goal", "2.5,2,0", "--tags",
+                 "1=2.9,2,180", "--sight", "modelled", "--planner"]
+        for planner in ("a_star", "visibility_graph"):
+            answer = self.run_json(*flags, planner)
+            self.assertGreater(answer["path_m"], 2.49)
+            self.assertGreater(answer["clearance_m"], 0)
+
+    def test_refusals(self):
+        self.write("drive.yaml", "job: drive\nwaypoints: 1,0\n")
+        self.refused("run", "drive.yaml", says=["waypoints", "'1,0'", "x,y,heading"])
+        self.write("drive.yaml", "job: drive\nwaypoint: 1,0,0\n")
+        self.refused("run", "drive.yaml", says=["drive.yaml:2", "did you mean 'waypoints'?"])
+        self.write("drive.yaml", "job: drive\nwaypoints: 1,1,0\nworld: yard.sdf\n")
+        self.refused("run", "drive.yaml", says=["waypoint 1 at 1,1", "obstacle"])
+        self.write("drive.yaml", "job: drive\nwaypoints: 1,0,0\ncamera:\n  fx: 0\n")
+        self.refused("run", "drive.yaml", says=["drive.yaml:4", "camera.fx"])
+        self.write("drive.yaml", "job: drive\nwaypoints: 1,0,0\n")
+        self.refused("run", "drive.yaml", "--robot-radius", "1", says=["--robot-radius", "outrider drive"])
+        self.refused("drive", says=["waypoints"])
+        self.refused("drive", "--waypoints", "1,0,0", "--tag-size", "0", says=["--tag-size"])
+        self.refused("drive", "--goal", "1,0,0", "--planner", "a_starr", says=["did you mean 'a_star'?"])
+        self.refused("calibrate", says=["runs", "--record"])
+        self.refused("calibrate", "none.csv", says=["none.csv", "no such file"])
+        self.write("runs.csv", "ahead_mps,left_mps,turn_dps,time_s,x_m,y_m,heading_deg\n0.2,0,0,fast,0,0,0\n")
+        self.refused("calibrate", "runs.csv", says=["runs.csv:2", "'fast'", "time_s"])
+        self.write("runs.csv", "ahead_mps,left_mps,turn_dps,time_s,x_m,y_m,heading_deg\n0.2,0,0,1,0.2,0,0\n")
+        self.refused("calibrate", "runs.csv", says=["runs.csv:2", "at least 3"])
+
+    def test_the_schema_knows_it(self):
+        schema = json.loads(self.run_tool("schema", "--job", "drive").stdout)
+        self.assertIn("waypoints", schema["properties"])
+        self.assertIn("drive", [job["name"] for job in json.loads(self.run_tool("list", "--json").stdout)["jobs"]])
+
+
+if __name__ == "__main__":
+    main()
