@@ -1,0 +1,102 @@
+// Simultaneous localisation and mapping with landmarks: one interface, three engines.
+//
+//   kalman  the linear filter: the heading is that of the odometry, so that positions are all that is
+//           estimated, by equations that are linear (Kalman 1960). For comparison.
+//   ekf     the extended Kalman filter over robot and landmarks with the full Jacobians (Smith, Self and
+//           Cheeseman 1990). Landmarks without ids are told apart by joint compatibility.
+//   graph   sparse least squares over all poses and landmarks, each step an incremental update of a block
+//           Cholesky factorisation; what moved far from where it was linearised is linearised again (Kaess et
+//           al., iSAM2, IJRR 31 (2012) 216-235). Takes known ids only. Robust kernels; covariances on demand.
+//
+// A landmark is taken into the map once it was sighted `patience` times at about one place: ghosts are not. A
+// sighting outside the gate is refused. A landmark that is refused `patience` + 2 times while others are used
+// has moved: it is taken out, and comes again like a new one. With the sensor's reach given, a landmark is
+// taken out when it was not sighted `misses` times where it had to be. When every sighting of the map is
+// refused for `lost_after` steps, the robot is lost: the map is left alone until sightings fit again.
+//
+// Frames: poses are world_T_robot; covariances are of (x, y, heading) in the world. The first pose is exact.
+// Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, the part of the elimination tree
+// above what changed.
+// Same steps and options, same bytes; state() and load() continue as if there had been no stop.
+// Errors: bad_input for a step that check() refuses; the state is untouched then. Thread rule: one at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/slam/landmark_log.hpp"
+
+namespace outrider {
+
+struct LandmarkSlamOptions {
+  std::string engine = "graph";
+  bool unknown_ids = false;
+  double gate = 0.9999;
+  std::int64_t patience = 2;
+  double patience_distance_m = 1.0;
+  double sensor_range_m = 0.0;
+  double field_of_view_rad = 6.283185307179586;
+  std::int64_t misses = 20;
+  std::int64_t lost_after = 10;
+  std::string kernel = "none";
+  double kernel_width = 3.0;
+  double relinearise = 0.05;
+  std::int64_t reorder_every = 100;
+  friend bool operator==(const LandmarkSlamOptions&, const LandmarkSlamOptions&) = default;
+};
+
+std::vector<Option> describe(LandmarkSlamOptions& options);
+
+struct LandmarkEstimate {
+  std::int64_t id = 0;  ///< as sighted; numbered from 0 in order of finding where ids are unknown
+  Vec2 position;        ///< in the world, m
+  Matrix2 covariance;   ///< m^2
+  std::int64_t sightings = 0;
+  friend bool operator==(const LandmarkEstimate&, const LandmarkEstimate&) = default;
+};
+using LandmarkMap = std::vector<LandmarkEstimate>;
+
+/// What a step did with its sightings.
+struct StepOutcome {
+  int used = 0;
+  int refused = 0;
+  int waiting = 0;  ///< of candidates that are not in the map yet
+  std::vector<std::int64_t> added;
+  std::vector<std::int64_t> removed;
+  bool lost = false;
+};
+
+class SlamEngine;
+
+class LandmarkSlam {
+ public:
+  static Outcome<LandmarkSlam> begin(const LandmarkSlamOptions& options, const Pose2& start);
+  /// Continues from what state() gave. Refuses text that is not that.
+  static Outcome<LandmarkSlam> load(std::string_view state);
+
+  LandmarkSlam(LandmarkSlam&&) noexcept;
+  LandmarkSlam& operator=(LandmarkSlam&&) noexcept;
+  ~LandmarkSlam();
+
+  Outcome<StepOutcome> advance(const LogStep& step);
+  /// Brings a graph to the minimum of its cost; a filter has nothing to do.
+  void settle();
+
+  [[nodiscard]] Pose2 pose() const;
+  [[nodiscard]] Matrix3 pose_covariance() const;
+  [[nodiscard]] LandmarkMap landmarks() const;
+  /// The start and the pose after each step: of a graph as known now, of a filter as known then.
+  [[nodiscard]] std::vector<Pose2> trajectory() const;
+  /// Sum of r^T W r over odometry and sightings at the present estimate; 0 for a filter.
+  [[nodiscard]] double cost() const;
+  [[nodiscard]] std::string state() const;
+
+ private:
+  explicit LandmarkSlam(std::unique_ptr<SlamEngine> engine);
+  std::unique_ptr<SlamEngine> engine_;
+};
+
+}  // namespace outrider

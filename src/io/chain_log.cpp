@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "log_lines.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::string_view odometry_form =
+    "'ODOMETRY i j x y heading' and 6 numbers of the covariance's upper triangle";
+constexpr std::string_view landmark_form =
+    "'LANDMARK i k x y' and 3 numbers of the covariance's upper triangle";
+
+}  // namespace
+
+Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
+  LandmarkLog result;
+  result.told_apart = true;
+  std::int64_t pose = -1;  // the one reached
+  const auto read_odometry = [&](std::span<const std::string_view> words) -> Status {
+    const auto from = number<std::int64_t>(words[0]), to = number<std::int64_t>(words[1]);
+    const auto v = line_numbers(words, 11, odometry_form);
+    if (!v) return bad_input(v.error().sentence);
+    if (!from || !to) return bad_input(fmt::format("poses have whole numbers; a line is {}", odometry_form));
+    if (pose >= 0 && *from != pose) {
+      return bad_input(
+          fmt::format("it starts at pose {}, where pose {} was reached; poses form a chain", *from, pose));
+    }
+    pose = *to;
+    const auto& c = *v;
+    const LogStep step{static_cast<double>(result.steps.size()),
+                       {{c[2], c[3]}, c[4]},
+                       {{c[5], c[6], c[7], c[6], c[8], c[9], c[7], c[9], c[10]}},
+                       {}};
+    if (auto ok = check(step); !ok) return ok;
+    result.steps.push_back(step);
+    return {};
+  };
+  const auto read_landmark = [&](std::span<const std::string_view> words) -> Status {
+    const auto from = number<std::int64_t>(words[0]), id = number<std::int64_t>(words[1]);
+    const auto v = line_numbers(words, 7, landmark_form);
+    if (!v) return bad_input(v.error().sentence);
+    if (!from || !id || *id < 0)
+      return bad_input(fmt::format("poses and landmarks have whole numbers; a line is {}", landmark_form));
+    if (*from != pose) {
+      return bad_input(fmt::format(
+          "it was seen from pose {}, but pose {} was reached; put it after the line that leads there", *from,
+          pose));
+    }
+    const auto& c = *v;
+    const Sighting sighting{*id, {c[2], c[3]}, {{c[4], c[5], c[5], c[6]}}};
+    if (auto ok = check(LogStep{0.0, {}, {}, {sighting}}); !ok) return ok;
+    result.steps.back().sightings.push_back(sighting);
+    return {};
+  };
+  auto ok = for_each_line(log, [&](std::span<const std::string_view> words) -> Status {
+    if (words[0] == "ODOMETRY" && words.size() > 2) return read_odometry(words.subspan(1));
+    if (words[0] == "LANDMARK" && words.size() > 2) return read_landmark(words.subspan(1));
+    return bad_input(fmt::format("'{}' is no line of this log; a line is {} or {}", excerpt(words[0]),
+                                 odometry_form, landmark_form));
+  });
+  if (!ok) return pass_on(ok);
+  if (result.steps.empty()) return bad_input("the log is empty; it takes a line at least", log.name);
+  return result;
+}
+
+}  // namespace outrider

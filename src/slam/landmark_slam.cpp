@@ -1,0 +1,211 @@
+#include "outrider/slam/landmark_slam.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "slam_engine.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::string_view state_head = "outrider-landmark-slam-1";
+
+bool finite(const Pose2& pose) {
+  return std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(pose.heading_rad);
+}
+
+template <std::size_t N>
+bool usable(const Matrix<N, N>& covariance) {
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double a = covariance(i, j), b = covariance(j, i);
+      if (!(std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)))) return false;
+    }
+  }
+  return cholesky(covariance).has_value();
+}
+
+Status check_options(const LandmarkSlamOptions& options) {
+  const auto refuse = [](const std::string& value, std::string_view takes, const char* key) {
+    return bad_input(fmt::format("'{}' is no good; it takes {}", value, takes), key);
+  };
+  const auto& [engine, kernel] = std::tie(options.engine, options.kernel);
+  if (engine != "kalman" && engine != "ekf" && engine != "graph") {
+    return refuse(engine, "kalman, ekf or graph", "engine");
+  }
+  if (kernel != "none" && kernel != "huber" && kernel != "cauchy" && kernel != "geman_mcclure") {
+    return refuse(kernel, "none, huber, cauchy or geman_mcclure", "kernel");
+  }
+  if (options.unknown_ids && engine == "graph") {
+    return bad_input("the graph takes landmarks with ids only; take the engine ekf", "engine");
+  }
+  if (options.unknown_ids && options.gate >= 1.0) {
+    return bad_input("'1' is no good; without ids it takes a share below 1", "gate");
+  }
+  return {};
+}
+
+/// Of the options, as they stand in a state.
+struct KeptOptions {
+  LandmarkSlamOptions& o;
+  template <class Archive>
+  void exchange(Archive& archive) {
+    std::int64_t unknown = o.unknown_ids ? 1 : 0;
+    archive(o.engine, unknown, o.gate, o.patience, o.patience_distance_m, o.sensor_range_m,
+            o.field_of_view_rad, o.misses, o.lost_after, o.kernel, o.kernel_width, o.relinearise,
+            o.reorder_every);
+    o.unknown_ids = unknown != 0;
+  }
+};
+
+}  // namespace
+
+std::vector<Option> describe(LandmarkSlamOptions& o) {
+  return {
+      {"engine", "", 0, 0, "how to estimate: kalman, ekf or graph", &o.engine},
+      {"unknown_ids", "", 0, 0, "tell landmarks apart by where they stand, not by their ids", &o.unknown_ids},
+      {"gate", "", 0.5, 1, "share of right sightings that the gate lets pass; 1: there is no gate", &o.gate},
+      {"patience", "", 1, 1000, "sightings that a new landmark needs", &o.patience},
+      {"patience_distance", "m", 1e-3, 1000, "how far apart they may be", &o.patience_distance_m},
+      {"sensor_range", "m", 0, 1e6, "how far the sensor sees every landmark; 0: not known",
+       &o.sensor_range_m},
+      {"field_of_view", "deg", 1, 360, "how wide it sees", &o.field_of_view_rad},
+      {"misses", "", 1, 1'000'000, "misses in a row after which a landmark is taken for gone", &o.misses},
+      {"lost_after", "", 1, 1'000'000,
+       "steps in a row without one sighting that fits until the robot is lost", &o.lost_after},
+      {"kernel", "", 0, 0, "loss of a sighting in the graph: none, huber, cauchy or geman_mcclure",
+       &o.kernel},
+      {"kernel_width", "", 1e-3, 1e6, "standard deviations from which a kernel weighs down", &o.kernel_width},
+      {"relinearise", "", 0, 10, "change in m or rad at which the graph linearises again", &o.relinearise},
+      {"reorder_every", "", 1, 1'000'000, "steps after which the graph chooses its order of elimination anew",
+       &o.reorder_every},
+  };
+}
+
+Sighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad, double range_sd_m,
+                 double bearing_sd_rad) {
+  const double along = range_sd_m * range_sd_m;
+  const double across = std::max(1e-6, range_m * range_m) * bearing_sd_rad * bearing_sd_rad;
+  const Matrix2 turn = rotation2(bearing_rad);
+  Matrix2 covariance = turn * diagonal<2>({along, across}) * transposed(turn);
+  covariance(1, 0) = covariance(0, 1);
+  return {id, range_m * direction(bearing_rad), covariance};
+}
+
+Status check(const LogStep& step) {
+  if (!std::isfinite(step.time_s) || !finite(step.odometry)) {
+    return bad_input("its odometry is not finite; leave the step out");
+  }
+  if (step.covariance != Matrix3{} && !usable(step.covariance)) {
+    return bad_input("the covariance of its odometry is not positive definite; correct it");
+  }
+  for (const Sighting& sighting : step.sightings) {
+    if (!finite({sighting.position, 0.0})) return bad_input("a sighting is not finite; leave it out");
+    if (!usable(sighting.covariance)) {
+      return bad_input("the covariance of a sighting is not positive definite; correct it");
+    }
+    if (sighting.id && *sighting.id < 0) {
+      return bad_input(fmt::format("a landmark has the id {}; ids start at 0", *sighting.id));
+    }
+  }
+  return {};
+}
+
+std::optional<Candidate> Memory::remember(const Sighting& sighting, Vec2 world,
+                                          const LandmarkSlamOptions& options) {
+  const std::int64_t id = options.unknown_ids ? -1 : sighting.id.value_or(-1);
+  auto found = candidates.end();
+  for (auto it = candidates.begin(); it != candidates.end(); ++it) {
+    if (it->id != id) continue;
+    const double apart = distance(it->position, world);
+    if (id < 0 && apart > options.patience_distance_m) continue;
+    if (found == candidates.end() || apart < distance(found->position, world)) found = it;
+  }
+  if (found == candidates.end()) found = candidates.insert(found, {id, world, {}, {}});
+  if (distance(found->position, world) > options.patience_distance_m) {
+    found->steps.clear();  // a ghost before, or now
+    found->sightings.clear();
+  }
+  found->position = world;
+  found->steps.push_back(step);
+  found->sightings.push_back(sighting);
+  if (static_cast<std::int64_t>(found->steps.size()) < options.patience) return std::nullopt;
+  Candidate ready = std::move(*found);
+  candidates.erase(found);
+  if (ready.id < 0) ready.id = next_id++;
+  return ready;
+}
+
+void note_fit(Memory& memory, const StepOutcome& outcome) {
+  if (outcome.used > 0) memory.misfits = 0;
+  if (outcome.used == 0 && outcome.refused > 0) ++memory.misfits;
+}
+
+bool has_to_be_seen(Vec2 in_robot_frame, const LandmarkSlamOptions& options) {
+  constexpr double well_within = 0.9;
+  return norm(in_robot_frame) < well_within * options.sensor_range_m &&
+         std::abs(heading_of(in_robot_frame)) <= 0.5 * well_within * options.field_of_view_rad;
+}
+
+LandmarkSlam::LandmarkSlam(std::unique_ptr<SlamEngine> engine) : engine_(std::move(engine)) {}
+LandmarkSlam::LandmarkSlam(LandmarkSlam&&) noexcept = default;
+LandmarkSlam& LandmarkSlam::operator=(LandmarkSlam&&) noexcept = default;
+LandmarkSlam::~LandmarkSlam() = default;
+
+Outcome<LandmarkSlam> LandmarkSlam::begin(const LandmarkSlamOptions& options, const Pose2& start) {
+  if (auto ok = check_options(options); !ok) return pass_on(ok);
+  if (!finite(start)) return bad_input("the start is not finite; give x, y and heading", "start");
+  return LandmarkSlam(options.engine == "graph" ? make_graph_engine(options, start)
+                                                : make_filter_engine(options, start));
+}
+
+Outcome<LandmarkSlam> LandmarkSlam::load(std::string_view state) {
+  StateReader reader{state, true};
+  const bool head = reader.word() == state_head;
+  LandmarkSlamOptions options;
+  KeptOptions kept{options};
+  if (head) kept.exchange(reader);
+  std::unique_ptr<SlamEngine> engine;
+  if (head && reader.ok && check_options(options)) {
+    engine =
+        options.engine == "graph" ? load_graph_engine(options, reader) : load_filter_engine(options, reader);
+  }
+  if (!engine || reader.word() != "end" || reader.rest != "\n") {
+    return bad_input("this is no state of landmark SLAM, or a damaged one; save it again");
+  }
+  return LandmarkSlam(std::move(engine));
+}
+
+std::string LandmarkSlam::state() const {
+  StateWriter writer;
+  LandmarkSlamOptions options = engine_->options();
+  KeptOptions kept{options};
+  writer.text = std::string(state_head) + ' ';
+  kept.exchange(writer);
+  writer.text += '\n';
+  engine_->save(writer);
+  writer.text += "end\n";
+  return std::move(writer.text);
+}
+
+Outcome<StepOutcome> LandmarkSlam::advance(const LogStep& step) {
+  if (auto ok = outrider::check(step); !ok) return pass_on(ok);
+  if (!engine_->options().unknown_ids) {
+    for (const Sighting& sighting : step.sightings) {
+      if (!sighting.id) return bad_input("a sighting has no id; set unknown_ids");
+    }
+  }
+  return engine_->advance(step);
+}
+
+void LandmarkSlam::settle() { engine_->settle(); }
+Pose2 LandmarkSlam::pose() const { return engine_->pose(); }
+Matrix3 LandmarkSlam::pose_covariance() const { return engine_->pose_covariance(); }
+LandmarkMap LandmarkSlam::landmarks() const { return engine_->landmarks(); }
+std::vector<Pose2> LandmarkSlam::trajectory() const { return engine_->trajectory(); }
+double LandmarkSlam::cost() const { return engine_->cost(); }
+
+}  // namespace outrider

@@ -1,0 +1,82 @@
+// What an engine of landmark SLAM does, and what all of them share: candidates, and when a robot is lost.
+#pragma once
+
+#include <span>
+
+#include "archive.hpp"
+#include "outrider/slam/landmark_slam.hpp"
+
+namespace outrider {
+
+class SlamEngine {
+ public:
+  virtual ~SlamEngine() = default;
+  virtual StepOutcome advance(const LogStep& step) = 0;
+  virtual void settle() {}
+  [[nodiscard]] virtual Pose2 pose() const = 0;
+  [[nodiscard]] virtual Matrix3 pose_covariance() const = 0;
+  [[nodiscard]] virtual LandmarkMap landmarks() const = 0;
+  [[nodiscard]] virtual std::vector<Pose2> trajectory() const = 0;
+  [[nodiscard]] virtual double cost() const { return 0.0; }
+  [[nodiscard]] virtual const LandmarkSlamOptions& options() const = 0;
+  virtual void save(StateWriter& writer) const = 0;
+};
+
+std::unique_ptr<SlamEngine> make_filter_engine(const LandmarkSlamOptions& options, const Pose2& start);
+std::unique_ptr<SlamEngine> make_graph_engine(const LandmarkSlamOptions& options, const Pose2& start);
+/// Nothing when the state is damaged.
+std::unique_ptr<SlamEngine> load_filter_engine(const LandmarkSlamOptions& options, StateReader& reader);
+std::unique_ptr<SlamEngine> load_graph_engine(const LandmarkSlamOptions& options, StateReader& reader);
+
+/// What a landmark of the map went through.
+struct LandmarkRecord {
+  std::int64_t id = 0;
+  std::int64_t sightings = 0;
+  std::int64_t refused = 0;  ///< in a row, while others were used
+  std::int64_t missed = 0;   ///< in a row, where it had to be seen
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(id, sightings, refused, missed);
+  }
+};
+
+/// A landmark that is not in the map yet.
+struct Candidate {
+  std::int64_t id = -1;             ///< -1 where ids are unknown
+  Vec2 position;                    ///< in the world, where it was sighted last
+  std::vector<std::int64_t> steps;  ///< of its sightings
+  std::vector<Sighting> sightings;
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(id, position.x, position.y, steps, sightings);
+  }
+};
+
+/// The candidates, and the count of steps in which nothing fitted.
+struct Memory {
+  std::vector<Candidate> candidates;
+  std::int64_t step = 0;  ///< the number of the present one; the first is 1
+  std::int64_t misfits = 0;
+  std::int64_t next_id = 0;  ///< for landmarks without
+
+  [[nodiscard]] bool lost(const LandmarkSlamOptions& options) const { return misfits >= options.lost_after; }
+
+  /// Adds a sighting to the candidate it belongs to, or to a new one; the candidate once it has patience
+  /// enough, which is forgotten then.
+  std::optional<Candidate> remember(const Sighting& sighting, Vec2 world, const LandmarkSlamOptions& options);
+
+  template <class Archive>
+  void exchange(Archive& archive) {
+    archive(candidates, step, misfits, next_id);
+  }
+};
+
+/// Counts what became of the map's sightings in this step.
+void note_fit(Memory& memory, const StepOutcome& outcome);
+
+/// Whether a landmark there, seen from that pose, lies well within the sensor's reach.
+bool has_to_be_seen(Vec2 in_robot_frame, const LandmarkSlamOptions& options);
+
+}  // namespace outrider
