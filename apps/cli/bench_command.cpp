@@ -224,11 +224,16 @@ Outcome<std::vector<PathPlanner>> chosen_planners(const BenchCommand& command) {
     auto planner = find_path_planner(name);
     if (!planner) return bad_input(planner.error().sentence, "--planners");
     if (!model_for(*planner)) return bad_input(fmt::format("{} takes no grids", name), "--planners");
+    if (planner->guarantee.measure != Measure::length)
+      return bad_input(fmt::format("{} does not look for short paths, which these tables hold", name),
+                       "--planners");
     planners.push_back(std::move(*planner));
   }
   if (!command.planners.empty()) return planners;
   std::copy_if(path_planners().begin(), path_planners().end(), std::back_inserter(planners),
-               [](const PathPlanner& planner) { return model_for(planner).has_value(); });
+               [](const PathPlanner& planner) {
+                 return model_for(planner).has_value() && planner.guarantee.measure == Measure::length;
+               });
   return planners;
 }
 
@@ -286,35 +291,35 @@ int execute(const BenchCommand& command) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& status) {
-  CLI::App* bench = app.add_subcommand("bench", "measure planners on published benchmarks");
-  bench->require_subcommand(1);
-  CLI::App* path = bench->add_subcommand("path", "path planners on grids: time, expansions, length");
+void add_bench(Command& tool) {
+  Command& bench = tool.add("bench", "measure planners on published benchmarks");
+  bench.require_command();
+  Command& path = bench.add("path", "path planners on grids: time, expansions, length");
   auto command = std::make_shared<BenchCommand>();
-  path->add_option("--data", command->data,
-                   "folder with MovingAI .map and .scen files, searched to its depths")
-      ->required()
-      ->type_name("DIR");
-  path->add_option("--maps", command->maps, "names of maps, such as lak303d,brc202d; all unless given")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  path->add_option("--planners", command->planners, "names from 'outrider list'; all unless given")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  path->add_option("--queries", command->queries, "at most so many a map, spread over its rows [1000]")
-      ->check(CLI::Range(1, 1'000'000))
-      ->type_name("N");
-  path->add_option("--repeat", command->repeat,
-                   "go through the queries so often and keep the shortest time of each [1]")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  path->add_flag("--all-rows", command->all_rows,
-                 "the rows of the scenario also where there is a table of shortest lengths");
-  path->add_flag("--json", command->json, "print one JSON object on standard output");
-  path->callback([command, &status] { status = execute(*command); });
-  path->footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
-  add_bench_pursuit(*bench, status);
-  add_bench_guard(*bench, status);
+  path.option("--data", &command->data, "folder with MovingAI .map and .scen files, searched to its depths")
+      .required()
+      .type("DIR");
+  path.option("--maps", &command->maps, "names of maps, such as lak303d,brc202d; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  path.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  path.option("--queries", &command->queries, "at most so many a map, spread over its rows [1000]")
+      .between(1, 1'000'000)
+      .type("N");
+  path.option("--repeat", &command->repeat,
+              "go through the queries so often and keep the shortest time of each [1]")
+      .between(1, 1000)
+      .type("N");
+  path.flag("--all-rows", &command->all_rows,
+            "the rows of the scenario also where there is a table of shortest lengths");
+  path.flag("--json", &command->json, "print one JSON object on standard output");
+  path.does([command](const Command&) { return execute(*command); });
+  path.footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
+  add_bench_pursuit(bench);
+  add_bench_guard(bench);
+  add_bench_slam(bench);
 }
 
 }  // namespace outrider::cli

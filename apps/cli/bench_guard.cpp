@@ -1,7 +1,6 @@
 // bench guard: every guard planner in every yard, the same missions simulated.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -220,30 +219,29 @@ int execute(const BenchCommand& command) {
 
 }  // namespace
 
-void add_bench_guard(CLI::App& bench, int& status) {
-  CLI::App* guard =
-      bench.add_subcommand("guard", "guard planners: missions simulated, and where their time goes");
+void add_bench_guard(Command& bench) {
+  Command& guard = bench.add("guard", "guard planners: missions simulated, and where their time goes");
   auto command = std::make_shared<BenchCommand>();
-  guard->add_option("--scenarios", command->scenarios, "scenario files of yards [scenarios/yard/yard.yaml]")
-      ->delimiter(',')
-      ->type_name("FILE,...");
+  guard.option("--scenarios", &command->scenarios, "scenario files of yards [scenarios/yard/yard.yaml]")
+      .separated_by(',')
+      .type("FILE,...");
   guard
-      ->add_option("--data", command->data,
-                   "folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf, for these yards too")
-      ->type_name("DIR");
-  guard->add_option("--planners", command->planners, "names from 'outrider list'; all unless given")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  guard->add_option("--seeds", command->seeds, "missions of each plan, with seeds from 1 on [3]")
-      ->check(CLI::Range(1, 10'000))
-      ->type_name("N");
+      .option("--data", &command->data,
+              "folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf, for these yards too")
+      .type("DIR");
+  guard.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  guard.option("--seeds", &command->seeds, "missions of each plan, with seeds from 1 on [3]")
+      .between(1, 10'000)
+      .type("N");
   guard
-      ->add_option("--arrivals", command->arrivals,
-                   "a scenario in which intruders keep coming: compare the policies there instead")
-      ->type_name("FILE");
-  guard->add_flag("--json", command->json, "print one JSON object on standard output");
-  guard->callback([command, &status] { status = execute(*command); });
-  guard->footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
+      .option("--arrivals", &command->arrivals,
+              "a scenario in which intruders keep coming: compare the policies there instead")
+      .type("FILE");
+  guard.flag("--json", &command->json, "print one JSON object on standard output");
+  guard.does([command](const Command&) { return execute(*command); });
+  guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
 }
 
 }  // namespace outrider::cli

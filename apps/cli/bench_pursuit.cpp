@@ -218,25 +218,24 @@ int execute(const BenchCommand& command) {
 
 }  // namespace
 
-void add_bench_pursuit(CLI::App& bench, int& status) {
-  CLI::App* pursuit =
-      bench.add_subcommand("pursuit", "pursuit planners: cost, time to the first catch, time to proof");
+void add_bench_pursuit(Command& bench) {
+  Command& pursuit = bench.add("pursuit", "pursuit planners: cost, time to the first catch, time to proof");
   auto command = std::make_shared<BenchCommand>();
-  pursuit->add_option("--data", command->data, "folder with pursuit maps, searched to its depths")
-      ->required()
-      ->type_name("DIR");
-  pursuit->add_option("--maps", command->maps, "names of maps, such as map3,map1s; all unless given")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  pursuit->add_option("--planners", command->planners, "names from 'outrider list'; all unless given")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  pursuit->add_option("--limit", command->limit_s, "time of each planner on each map [60]")
-      ->check(CLI::Range(0.001, 86'400.0))
-      ->type_name("s");
-  pursuit->add_flag("--json", command->json, "print one JSON object on standard output");
-  pursuit->callback([command, &status] { status = execute(*command); });
-  pursuit->footer("\nExample: outrider bench pursuit --data DIR --maps map3,map4");
+  pursuit.option("--data", &command->data, "folder with pursuit maps, searched to its depths")
+      .required()
+      .type("DIR");
+  pursuit.option("--maps", &command->maps, "names of maps, such as map3,map1s; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  pursuit.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  pursuit.option("--limit", &command->limit_s, "time of each planner on each map [60]")
+      .between(0.001, 86'400.0)
+      .type("s");
+  pursuit.flag("--json", &command->json, "print one JSON object on standard output");
+  pursuit.does([command](const Command&) { return execute(*command); });
+  pursuit.footer("\nExample: outrider bench pursuit --data DIR --maps map3,map4");
 }
 
 }  // namespace outrider::cli

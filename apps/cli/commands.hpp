@@ -1,21 +1,26 @@
-// The commands of the tool. Each adds itself to the application and leaves its exit status in `status`
-// when it was the one asked for.
+// The commands of the tool. Each adds itself to the tool, or to a command of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "command.hpp"
 
 namespace outrider::cli {
 
-void add_run(CLI::App& app, int& status);
-void add_guard(CLI::App& app, int& status);
-void add_pursue(CLI::App& app, int& status);
-void add_plan(CLI::App& app, int& status);
-void add_replay(CLI::App& app, int& status);
-void add_bench(CLI::App& app, int& status);
+void add_run(Command& tool);
+void add_guard(Command& tool);
+void add_pursue(Command& tool);
+void add_cover(Command& tool);
+void add_plan(Command& tool);
+void add_slam(Command& tool);
+void add_detect(Command& tool);
+void add_drive(Command& tool);
+void add_calibrate(Command& tool);
+void add_replay(Command& tool);
+void add_bench(Command& tool);
 /// Add themselves to `bench`.
-void add_bench_pursuit(CLI::App& bench, int& status);
-void add_bench_guard(CLI::App& bench, int& status);
-void add_list(CLI::App& app, int& status);
-void add_schema(CLI::App& app, int& status);
+void add_bench_pursuit(Command& bench);
+void add_bench_guard(Command& bench);
+void add_bench_slam(Command& bench);
+void add_list(Command& tool);
+void add_schema(Command& tool);
 
 }  // namespace outrider::cli

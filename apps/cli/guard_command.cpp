@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "cover_command.hpp"
+#include "drive_command.hpp"
 #include "flags.hpp"
 #include "guard_summary.hpp"
 #include "output.hpp"
@@ -69,7 +71,7 @@ struct GuardResult {
 };
 
 /// Scenario file, then flags, then the files that they name; returns what was repaired.
-Outcome<std::vector<std::string>> read_input(GuardCommand& command, const CLI::App& flags) {
+Outcome<std::vector<std::string>> read_input(GuardCommand& command, const Command& flags) {
   GuardScenario& scenario = command.scenario;
   const auto groups = describe(scenario);
   if (!command.scenario_path.empty()) {
@@ -133,7 +135,7 @@ Outcome<Report> carried_out(const GuardScenario& scenario, const Site& site, con
   return run_guard(scenario.problem, site, plan, scenario.options, seed);
 }
 
-Outcome<GuardResult> carry_out(GuardCommand& command, const CLI::App& flags) {
+Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
   Progress progress(4);
   progress.next("reading the yard");
   auto warnings = read_input(command, flags);
@@ -189,9 +191,9 @@ Outcome<std::string> write_files(const GuardCommand& command, const GuardResult&
   return files.front().first;
 }
 
-Status check_output(const GuardCommand& command, const CLI::App& flags) {
+Status check_output(const GuardCommand& command, const Command& flags) {
   if (auto ok = check(command.pddl, flags); !ok) return ok;
-  if (flags.get_option("--out")->count() > 0) return check_folder(command.out);
+  if (flags.given("--out")) return check_folder(command.out);
   if (!command.html && !command.svg && !command.regions) return {};
   return bad_input("a page or a picture needs a folder; give --out DIR", command.html  ? "--html"
                                                                          : command.svg ? "--svg"
@@ -218,15 +220,15 @@ void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
 }
 
-int carry_out_pddl(GuardCommand& command, const CLI::App& flags) {
+int carry_out_pddl(GuardCommand& command, const Command& flags) {
   const auto warnings = read_input(command, flags);
   if (!warnings) return say(warnings.error(), command.json);
   warn(*warnings);
   return carry_out(command.pddl, command.scenario, *warnings, command.json);
 }
 
-int execute(GuardCommand& command, const CLI::App& flags) {
-  const bool json = flags.get_option("--json")->count() > 0;
+int execute(GuardCommand& command, const Command& flags) {
+  const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
   if (auto ok = check_output(command, flags); !ok) return say(ok.error(), command.json);
   std::unique_ptr<tbb::global_control> limit;
@@ -253,38 +255,40 @@ int execute(GuardCommand& command, const CLI::App& flags) {
 }
 
 /// What `run` and `guard` have in common.
-void add_common(CLI::App& app, const std::shared_ptr<GuardCommand>& command, int& status) {
+void add_common(Command& verb, const std::shared_ptr<GuardCommand>& command) {
   std::vector<OptionGroup> groups = describe(command->scenario);
   groups.insert(groups.begin(), describe_output(*command));
-  add_flags(app, groups);
-  app.callback([command, &app, &status] { status = execute(*command, app); });
+  add_flags(verb, groups);
 }
 
 }  // namespace
 
-void add_run(CLI::App& app, int& status) {
-  CLI::App* run = app.add_subcommand("run", "do the job in a scenario file; flags win over the file");
+void add_run(Command& tool) {
+  Command& run = tool.add("run", "do the job in a scenario file; flags win over the file");
   auto command = std::make_shared<GuardCommand>();
-  run->add_option("scenario", command->scenario_path,
-                  "scenario file; 'outrider schema --as scenario' prints one")
-      ->required()
-      ->type_name("FILE");
-  add_common(*run, command, status);
-  run->callback([command, run, &status] {
+  run.positional("scenario", &command->scenario_path,
+                 "scenario file; 'outrider schema --as scenario' prints one")
+      .required()
+      .type("FILE");
+  add_common(run, command);
+  run.does([command](const Command& flags) {
     const auto job = scenario_job(command->scenario_path);
-    status = job && *job == "pursue" ? run_pursuit_scenario(command->scenario_path, *run)
-                                     : execute(*command, *run);
+    if (job && *job == "pursue") return run_pursuit_scenario(command->scenario_path, flags);
+    if (job && *job == "cover") return run_cover_scenario(command->scenario_path, flags);
+    if (job && *job == "drive") return run_drive_scenario(command->scenario_path, flags);
+    return execute(*command, flags);
   });
-  run->footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
+  run.footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
 }
 
-void add_guard(CLI::App& app, int& status) {
-  CLI::App* guard = app.add_subcommand("guard", "drive, aim and shoot a water gun at every target in a yard");
+void add_guard(Command& tool) {
+  Command& guard = tool.add("guard", "drive, aim and shoot a water gun at every target in a yard");
   auto command = std::make_shared<GuardCommand>();
-  guard->add_option("--scenario", command->scenario_path, "scenario file to start from; flags win over it")
-      ->type_name("FILE");
-  add_common(*guard, command, status);
-  guard->footer(
+  guard.option("--scenario", &command->scenario_path, "scenario file to start from; flags win over it")
+      .type("FILE");
+  add_common(guard, command);
+  guard.does([command](const Command& flags) { return execute(*command, flags); });
+  guard.footer(
       "\nExample: outrider guard --world yard.sdf --targets cats.txt --start 0,-9.5,90 --out out --html");
 }
 

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "outrider/cover/plan.hpp"
 #include "outrider/guard/catalog.hpp"
 #include "outrider/guard/policy.hpp"
 #include "outrider/path/catalog.hpp"
@@ -17,7 +18,9 @@ struct Job {
   const char* name;
   const char* sentence;
 };
-constexpr Job jobs[] = {{"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
+constexpr Job jobs[] = {{"cover", "Pass over every spot of an area, in a guaranteed time."},
+                        {"drive", "Drive to waypoints by the tags in sight, or open loop by time."},
+                        {"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
                         {"plan", "Find a collision-free path for a disk robot."},
                         {"pursue", "Catch a moving target on a grid of costs, at the least cost."}};
 
@@ -47,6 +50,22 @@ void list_policies() {
   fmt::print("\nGuard policies, when intruders keep coming (outrider guard --arrivals-policy NAME)\n");
   for (const WatchPolicy& policy : watch_policies()) {
     fmt::print("  {}\n      {}\n      Source: {}.\n", policy.name, policy.sentence, policy.source);
+  }
+}
+
+nlohmann::ordered_json cover_methods_json() {
+  auto methods = nlohmann::ordered_json::array();
+  for (const CoverMethod& method : cover_methods()) {
+    methods.push_back({{"name", method.name}, {"sentence", method.sentence}, {"paper", method.paper}});
+  }
+  return methods;
+}
+
+void list_cover_methods() {
+  fmt::print("\nCover methods (outrider cover FILE --method NAME)\n");
+  for (const CoverMethod& method : cover_methods()) {
+    fmt::print("  {}\n      {}\n", method.name, method.sentence);
+    if (!method.paper.empty()) fmt::print("      Source: {}.\n", method.paper);
   }
 }
 
@@ -83,6 +102,7 @@ void list_json() {
          {"guard_planners", guards},
          {"path_planners", planners},
          {"pursuit_planners", pursuers},
+         {"cover_methods", cover_methods_json()},
          {"guard_policies", policies_json()}});
 }
 
@@ -105,18 +125,19 @@ void list_text() {
     fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
     fmt::print("      Guarantee: {}.\n      Source: {}.\n", planner.guarantee.sentence, planner.paper);
   }
+  list_cover_methods();
   list_policies();
 }
 
 }  // namespace
 
-void add_list(CLI::App& app, int& status) {
-  CLI::App* list = app.add_subcommand("list", "the jobs, and the planners with what they guarantee");
+void add_list(Command& tool) {
+  Command& list = tool.add("list", "the jobs, and the planners with what they guarantee");
   auto json = std::make_shared<bool>(false);
-  list->add_flag("--json", *json, "print one JSON object on standard output");
-  list->callback([json, &status] {
+  list.flag("--json", json.get(), "print one JSON object on standard output");
+  list.does([json](const Command&) {
     *json ? list_json() : list_text();
-    status = job_done;
+    return job_done;
   });
 }
 

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "commands.hpp"
-#include "flags.hpp"
 #include "output.hpp"
 
 namespace outrider::cli {
@@ -23,31 +22,26 @@ bool wants_json(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"A ground robot finds its way, and does a job, in a yard or a building.", "outrider"};
-  app.set_help_flag("-h,--help", "show this text");
-  app.set_version_flag("--version", OUTRIDER_VERSION, "show the version");
-  app.get_formatter()->column_width(36);
-  app.require_subcommand(1);
-  app.footer(
+  Command tool("outrider", "A ground robot finds its way, and does a job, in a yard or a building.",
+               OUTRIDER_VERSION);
+  tool.footer(
       "\n'outrider COMMAND --help' shows the flags of a command.\n"
       "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong.");
-  int status = job_done;
-  add_run(app, status);
-  add_guard(app, status);
-  add_pursue(app, status);
-  add_plan(app, status);
-  add_replay(app, status);
-  add_bench(app, status);
-  add_list(app, status);
-  add_schema(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {  // --help, --version
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    return say(misunderstanding(app, error), wants_json(argc, argv));
-  }
-  return status;
+  add_run(tool);
+  add_guard(tool);
+  add_pursue(tool);
+  add_cover(tool);
+  add_drive(tool);
+  add_calibrate(tool);
+  add_plan(tool);
+  add_slam(tool);
+  add_detect(tool);
+  add_replay(tool);
+  add_bench(tool);
+  add_list(tool);
+  add_schema(tool);
+  const auto status = tool.run(argc, argv);
+  return status ? *status : say(status.error(), wants_json(argc, argv));
 }
 
 /// Runs the tool; what nobody caught is said, not dumped.

@@ -30,37 +30,33 @@ Outcome<CellChange> change_of(const std::string& text, const std::string& where,
 
 }  // namespace
 
-void add_change_flags(CLI::App& app) {
+void add_change_flags(Command& command) {
   for (const char* flag : change_flags) {
     const bool block = flag == change_flags.front();
     const std::string help =
         fmt::format("cells x,y or x,y,width,height, from the bottom left, that are {}; repeatable",
                     block ? "blocked once the map is read" : "freed after that");
-    app.add_option(flag, help)
-        ->type_name("TEXT")
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->group("What is asked");
+    command.option(flag, help).repeatable().type("TEXT").group("What is asked");
   }
 }
 
-Status refuse_changes(const CLI::App& flags) {
+Status refuse_changes(const Command& flags) {
   for (const char* flag : change_flags) {
-    if (flags.get_option(flag)->count() == 0) continue;
+    if (!flags.given(flag)) continue;
     return bad_input(
         "it changes cells, and this ground has exact shapes; leave it out, or take a map of cells", flag);
   }
   return {};
 }
 
-Status change_cells(const CLI::App& flags, MapFile& map) {
-  const auto given = [&](const char* flag) { return flags.get_option(flag)->count() > 0; };
+Status change_cells(const Command& flags, MapFile& map) {
+  const auto given = [&](const char* flag) { return flags.given(flag); };
   if (std::none_of(change_flags.begin(), change_flags.end(), given)) return {};
   if (map.ground) return refuse_changes(flags);
   auto ground = GridGround::of(map.blocked, GridModel::cells);
   if (!ground) return pass_on(ground);
   for (const char* flag : change_flags) {
-    for (const std::string& text : flags.get_option(flag)->results()) {
+    for (const std::string& text : flags.values(flag)) {
       const std::string where = fmt::format("{} {}", flag, text);
       auto change = change_of(text, where, flag == change_flags.front());
       if (!change) return pass_on(change);

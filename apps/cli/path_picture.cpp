@@ -156,7 +156,7 @@ void draw_legend(std::string& svg, const View& view, const PathPicture& picture)
         "<path stroke=\"{}\" stroke-width=\"4\" d=\"M{} {:.2f}h28\"/>\n"
         "<text x=\"{}\" y=\"{:.2f}\">{}  {:.2f} m</text>\n",
         colours[i % colours.size()], edge_px, y - 5.0, edge_px + 38.0, y, picture.paths[i].name,
-        picture.paths[i].plan.cost);
+        length_of(picture.paths[i].plan));
   }
 }
 

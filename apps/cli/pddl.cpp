@@ -130,8 +130,8 @@ std::vector<Option> describe(PddlRequest& request) {
       {"validate_tolerance", "s", 0, 0.1, "by which times of that plan may be off", &request.tolerance_s}};
 }
 
-Status check(const PddlRequest& request, const CLI::App& flags) {
-  const auto given = [&](const char* flag) { return flags.get_option(flag)->count() > 0; };
+Status check(const PddlRequest& request, const Command& flags) {
+  const auto given = [&](const char* flag) { return flags.given(flag); };
   if (given("--pddl") && given("--validate")) {
     return bad_input("a problem is written or a plan is judged; leave one of --pddl and --validate out",
                      "--validate");

@@ -22,7 +22,7 @@ struct PddlRequest {
 std::vector<Option> describe(PddlRequest& request);
 
 /// Refuses empty names, a folder that cannot be made, and flags that ask for a mission as well.
-Status check(const PddlRequest& request, const CLI::App& flags);
+Status check(const PddlRequest& request, const Command& flags);
 
 /// Writes the files or judges the plan, says what came of it, and returns the exit status. `scenario` is
 /// loaded; `warnings` are what that gave.

@@ -16,6 +16,7 @@
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
+#include "outrider/path/safety.hpp"
 #include "path_picture.hpp"
 #include "polygon_plan.hpp"
 #include "progress.hpp"
@@ -54,6 +55,7 @@ struct Row {
   Vec2 goal;  ///< on the grid
   Outcome<Plan> plan;
   double time_s = 0.0;  ///< of the search, which may answer for several goals
+  Safety safety = {};
 };
 
 struct Question {
@@ -177,7 +179,8 @@ std::vector<Row> solve(const Candidate& candidate, const Question& question, con
       if (!verdict)
         throw std::logic_error(fmt::format("{}: {}", candidate.planner.name, to_string(verdict.error())));
     }
-    rows.push_back({candidate.planner, problem.goal, std::move(plans[i]), time.count()});
+    const Safety safety = plans[i] ? safety_of(*plans[i], problem) : Safety{};
+    rows.push_back({candidate.planner, problem.goal, std::move(plans[i]), time.count(), safety});
   }
   return rows;
 }
@@ -199,6 +202,9 @@ nlohmann::ordered_json row_json(const Row& row, const MapFile& map) {
           {"metrics",
            {{"cost_m", row.plan->cost},
             {"lower_bound_m", row.plan->lower_bound},
+            {"length_m", length_of(*row.plan)},
+            {"clearance_m", row.safety.clearance_m},
+            {"exposure", row.safety.exposure},
             {"reached_within_m", row.plan->reached_within},
             {"planning_s", row.time_s},
             {"expansions", row.plan->counters.expansions},
@@ -247,8 +253,8 @@ void print_json(const PlanCommand& command, const Answer& answer, bool all) {
 }
 
 void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
-  fmt::print("  {:<18} {:>11} {:>11} {:>5} {:>11} {:>10}{}\n", "planner", "length m", "bound m", "legs",
-             "expansions", "ms", many ? "  goal" : "");
+  fmt::print("  {:<18} {:>11} {:>11} {:>11} {:>8} {:>9} {:>5} {:>11} {:>10}{}\n", "planner", "length m",
+             "cost m", "bound m", "clear m", "exposure", "legs", "expansions", "ms", many ? "  goal" : "");
   for (const Row& row : rows) {
     const Vec2 at = map.to_world(row.goal);
     const std::string goal = many ? fmt::format("  {:g},{:g}", at.x, at.y) : "";
@@ -256,8 +262,10 @@ void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
       fmt::print("  {:<18} {}{}\n", row.planner.name, row.plan.error().sentence, goal);
       continue;
     }
-    fmt::print("  {:<18} {:>11.3f} {:>11.3f} {:>5} {:>11} {:>10.2f}{}\n", row.planner.name, row.plan->cost,
-               row.plan->lower_bound, row.plan->waypoints.empty() ? 0 : row.plan->waypoints.size() - 1,
+    fmt::print("  {:<18} {:>11.3f} {:>11.3f} {:>11.3f} {:>8.3f} {:>9.3f} {:>5} {:>11} {:>10.2f}{}\n",
+               row.planner.name, length_of(*row.plan), row.plan->cost, row.plan->lower_bound,
+               row.safety.clearance_m, row.safety.exposure,
+               row.plan->waypoints.empty() ? 0 : row.plan->waypoints.size() - 1,
                row.plan->counters.expansions, 1e3 * row.time_s, goal);
   }
 }
@@ -274,14 +282,14 @@ Status draw(const PlanCommand& command, const Answer& answer) {
   return write_file(command.svg, to_svg(picture));
 }
 
-Outcome<Answer> answer(PlanCommand& command, const CLI::App& flags) {
+Outcome<Answer> answer(PlanCommand& command, const Command& flags) {
   auto model = model_of(command);
   if (!model) return pass_on(model);
   auto candidates = chosen(command, *model);
   if (!candidates) return pass_on(candidates);
   Progress progress(1 + static_cast<int>(candidates->size()));
   progress.next("reading the map");
-  const bool radius_given = flags.get_option("--radius")->count() > 0;
+  const bool radius_given = flags.given("--radius");
   auto map = load_map(command.map, radius_given ? std::optional(command.robot.radius_m) : std::nullopt,
                       command.robot, command.grid);
   if (!map) return pass_on(map);
@@ -298,8 +306,8 @@ Outcome<Answer> answer(PlanCommand& command, const CLI::App& flags) {
   return answer;
 }
 
-int execute_on_polygons(const PlanCommand& command, const CLI::App& flags, GridModel model) {
-  const auto given = [&](const char* flag) { return flags.get_option(flag)->count() > 0; };
+int execute_on_polygons(const PlanCommand& command, const Command& flags, GridModel model) {
+  const auto given = [&](const char* flag) { return flags.given(flag); };
   PolygonPlan request;
   request.map = command.map;
   request.from = command.from;
@@ -338,22 +346,21 @@ Status check_trace(const PlanCommand& command, bool on_polygons) {
 }
 
 /// What only a polygon environment takes, and what only it may leave out.
-Status check_grid_flags(const CLI::App& flags) {
+Status check_grid_flags(const Command& flags) {
   for (const char* flag : {"--query", "--out"}) {
-    if (flags.get_option(flag)->count() > 0)
+    if (flags.given(flag))
       return bad_input("it works with a polygon environment (.txt) only; leave it out", flag);
   }
   for (const char* flag : {"--from", "--to"}) {
-    if (flags.get_option(flag)->count() == 0)
-      return bad_input("it is missing; give x,y in m, such as 1.5,-2", flag);
+    if (!flags.given(flag)) return bad_input("it is missing; give x,y in m, such as 1.5,-2", flag);
   }
   return {};
 }
 
-int execute(PlanCommand& command, const CLI::App& flags) {
-  const bool json = flags.get_option("--json")->count() > 0;
+int execute(PlanCommand& command, const Command& flags) {
+  const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
-  command.goals = flags.get_option("--to")->results();
+  command.goals = flags.values("--to");
   const bool on_polygons = is_polygon_question(command);
   if (auto ok = check_trace(command, on_polygons); !ok) return say(ok.error(), json);
   if (on_polygons) {
@@ -367,7 +374,7 @@ int execute(PlanCommand& command, const CLI::App& flags) {
   const auto& [map, question, rows, trace] = *found;
   for (const std::string& warning : map.warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
 
-  const bool draws = flags.get_option("--svg")->count() > 0;
+  const bool draws = flags.given("--svg");
   if (draws) {
     if (auto ok = draw(command, *found); !ok) return say(ok.error(), command.json);
   }
@@ -386,23 +393,20 @@ int execute(PlanCommand& command, const CLI::App& flags) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, int& status) {
-  CLI::App* plan = app.add_subcommand("plan", "find a collision-free path for a disk robot");
+void add_plan(Command& tool) {
+  Command& plan = tool.add("plan", "find a collision-free path for a disk robot");
   auto command = std::make_shared<PlanCommand>();
   for (const PathPlanner& planner : path_planners())
     command->catalogue.push_back({planner, planner.configure()});
-  plan->add_option("map", command->map,
-                   "map_server .yaml, SDF .sdf or .world, MovingAI .map, polygons .txt; .gz may follow")
-      ->required()
-      ->type_name("FILE");
-  add_flags(*plan, describe(*command));
-  add_change_flags(*plan);
-  plan->get_option("--to")
-      ->expected(1, most_goals)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  plan->callback([command, plan, &status] { status = execute(*command, *plan); });
-  plan->footer(
+  plan.positional("map", &command->map,
+                  "map_server .yaml, SDF .sdf or .world, MovingAI .map, polygons .txt; .gz may follow")
+      .required()
+      .type("FILE");
+  add_flags(plan, describe(*command));
+  add_change_flags(plan);
+  plan.parameter("--to").repeatable(most_goals);
+  plan.does([command](const Command& flags) { return execute(*command, flags); });
+  plan.footer(
       "\nExample: outrider plan scenarios/yard/yard.sdf --from 0,-6 --to 4,4 --compare --svg paths.svg");
 }
 

@@ -133,7 +133,7 @@ std::string polygon_picture(const PolygonPicture& picture) {
         "<text x=\"50\" y=\"{8:.2f}\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#222\">{9}: "
         "{10:.3f} m</text>\n",
         way(view, plan), colour, stroke, start.x, start.y, goal.x, goal.y, y - 7.0, y, picture.ways[i].name,
-        plan.cost);
+        length_of(plan));
   }
   return svg + "</svg>\n";
 }

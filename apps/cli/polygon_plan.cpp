@@ -17,6 +17,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/from_polygons.hpp"
 #include "outrider/path/polygons_from_world.hpp"
+#include "outrider/path/safety.hpp"
 #include "outrider/path/visibility_graph.hpp"
 #include "polygon_picture.hpp"
 #include "progress.hpp"
@@ -53,6 +54,7 @@ struct PolygonRow {
   double time_us = 0.0;
   double build_us = 0.0;  ///< of what was built beforehand
   double clearance_m = 0.0;
+  double exposure = 0.0;
 };
 
 Outcome<Planners> chosen(const PolygonPlan& request) {
@@ -173,7 +175,10 @@ PolygonRow judged(const Planner& planner, const Grounds& grounds, const Numbered
   auto stands = polygon_query({nullptr, query.points.start, query.points.goal, grounds.polygons});
   if (!stands) row.plan = pass_on(stands);
   if (!row.plan) return row;
-  row.clearance_m = clearance_m(*row.plan, *grounds.polygons);
+  const Safety safety =
+      safety_of(*row.plan, {nullptr, query.points.start, query.points.goal, grounds.polygons});
+  row.clearance_m = safety.clearance_m;
+  row.exposure = safety.exposure;
   auto verdict = check(*row.plan, problem_of(planner, grounds, query.points));
   const bool clear = row.clearance_m >= grounds.polygons->radius_m - 2.0 * contact_m;
   if (!verdict || !clear) {
@@ -288,6 +293,7 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
                  {"time_us", row.time_us},
                  {"build_us", row.build_us},
                  {"clearance_m", row.clearance_m},
+                 {"exposure", row.exposure},
                  {"checked", true},
                  {"guarantee", guarantee_of(row.planner.guarantee)},
                  {"reached_within_m", plan.reached_within},
@@ -298,17 +304,18 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
 }
 
 void print_table(const std::vector<PolygonRow>& rows) {
-  fmt::print("  {:>5}  {:<26} {:>10} {:>12} {:>12} {:>10} {:>10} {:>11}\n", "query", "planner", "length m",
-             "cost", "bound", "expansions", "us", "clearance m");
+  fmt::print("  {:>5}  {:<26} {:>10} {:>12} {:>12} {:>10} {:>10} {:>11} {:>9}\n", "query", "planner",
+             "length m", "cost", "bound", "expansions", "us", "clearance m", "exposure");
   for (const PolygonRow& row : rows) {
     if (!row.plan) {
       fmt::print("  {:>5}  {:<26} {}\n", row.query.number, row.planner.name, row.plan.error().sentence);
       continue;
     }
     const std::string_view unit = unit_of(row.planner.guarantee.measure);
-    fmt::print("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {} {:>10.4f} {} {:>10} {:>10.1f} {:>11.4f}\n",
+    fmt::print("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {} {:>10.4f} {} {:>10} {:>10.1f} {:>11.4f} {:>9.3f}\n",
                row.query.number, row.planner.name, length_of(*row.plan), row.plan->cost, unit,
-               row.plan->lower_bound, unit, row.plan->counters.expansions, row.time_us, row.clearance_m);
+               row.plan->lower_bound, unit, row.plan->counters.expansions, row.time_us, row.clearance_m,
+               row.exposure);
   }
 }
 

@@ -26,6 +26,7 @@ namespace outrider::cli {
 namespace {
 
 struct PursueCommand {
+  std::string map;
   std::string scenario_path;
   bool json = false;
   std::string out;
@@ -153,10 +154,10 @@ int finish(PursueCommand& command) {
   return result->report.status == "done" ? job_done : job_not_done;
 }
 
-int execute(PursueCommand& command, const CLI::App& flags) {
-  const bool json = flags.get_option("--json")->count() > 0;
+int execute(PursueCommand& command, const Command& flags) {
+  const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.get_option("--out")->count() > 0) {
+  if (flags.given("--out")) {
     if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
   }
   const auto groups = describe(command.scenario);
@@ -165,22 +166,20 @@ int execute(PursueCommand& command, const CLI::App& flags) {
     resolve_paths(command.scenario, command.scenario_path);
   }
   if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
-  if (flags.get_option("file")->count() > 0)
-    command.scenario.map = flags.get_option("file")->as<std::string>();
+  if (flags.given("file")) command.scenario.map = command.map;
   return finish(command);
 }
 
 }  // namespace
 
-int run_pursuit_scenario(const std::string& path, const CLI::App& flags) {
+int run_pursuit_scenario(const std::string& path, const Command& flags) {
   PursueCommand command;
-  const bool json = flags.get_option("--json")->count() > 0;
+  const bool json = flags.given("--json");
   const auto groups = describe(command.scenario);
   if (auto ok = load_scenario(path, groups); !ok) return say(ok.error(), json);
   resolve_paths(command.scenario, path);
-  for (const CLI::Option* option : flags.get_options()) {
-    const std::string name = option->get_name();
-    if (option->count() == 0 || name == "--json" || name == "--out" || !name.starts_with("--")) continue;
+  for (const std::string& name : flags.all_given()) {
+    if (name == "--json" || name == "--out" || !name.starts_with("--")) continue;
     return say({FaultCode::bad_input,
                 fmt::format("it does not change a pursuit; change the scenario, or use 'outrider pursue "
                             "--scenario {}' with its flags",
@@ -189,24 +188,25 @@ int run_pursuit_scenario(const std::string& path, const CLI::App& flags) {
                json);
   }
   if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.get_option("--out")->count() > 0) {
+  if (flags.given("--out")) {
     if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
   }
   return finish(command);
 }
 
-void add_pursue(CLI::App& app, int& status) {
-  CLI::App* pursue = app.add_subcommand("pursue", "catch a moving target at the least cost, proven");
+void add_pursue(Command& tool) {
+  Command& pursue = tool.add("pursue", "catch a moving target at the least cost, proven");
   auto command = std::make_shared<PursueCommand>();
-  pursue->add_option("file", "map of costs with the robot and the target; may be gzip-compressed")
-      ->type_name("FILE");
-  pursue->add_option("--scenario", command->scenario_path, "scenario file to start from; flags win over it")
-      ->type_name("FILE");
+  pursue
+      .positional("file", &command->map, "map of costs with the robot and the target; may be gzip-compressed")
+      .type("FILE");
+  pursue.option("--scenario", &command->scenario_path, "scenario file to start from; flags win over it")
+      .type("FILE");
   std::vector<OptionGroup> groups = describe(command->scenario);
   groups.insert(groups.begin(), describe_output(*command));
-  add_flags(*pursue, groups);
-  pursue->callback([command, pursue, &status] { status = execute(*command, *pursue); });
-  pursue->footer("\nExample: outrider pursue scenarios/pursuit/park.txt --out out");
+  add_flags(pursue, groups);
+  pursue.does([command](const Command& flags) { return execute(*command, flags); });
+  pursue.footer("\nExample: outrider pursue scenarios/pursuit/park.txt --out out");
 }
 
 }  // namespace outrider::cli

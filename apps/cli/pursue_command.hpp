@@ -1,13 +1,14 @@
 // The job pursue, for the commands that can be asked for it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "command.hpp"
 
 namespace outrider::cli {
 
 /// Does the job in a scenario file on behalf of `run`, whose flags are those of the output and of guard;
 /// refuses the latter. Returns the exit status.
-int run_pursuit_scenario(const std::string& path, const CLI::App& flags);
+int run_pursuit_scenario(const std::string& path, const Command& flags);
 
 }  // namespace outrider::cli

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "drive_summary.hpp"
 #include "flags.hpp"
 #include "guard_summary.hpp"
 #include "output.hpp"
@@ -43,24 +44,34 @@ Outcome<Report> load_report(const std::string& path) {
   return report;
 }
 
-int execute(ReplayCommand& command, const CLI::App& flags) {
-  const bool json = flags.get_option("--json")->count() > 0;
+nlohmann::ordered_json json_of(const Report& report, const std::string& path) {
+  if (report.chase) return pursuit_json(report, path);
+  return report.drive ? drive_json(report, path) : summary_json(report, path);
+}
+
+std::string text_of(const Report& report) {
+  if (report.chase) return pursuit_summary(report);
+  return report.drive ? drive_summary(report) : summary(report);
+}
+
+int execute(ReplayCommand& command, const Command& flags) {
+  const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), json);
   const auto report = load_report(command.path);
   if (!report) return say(report.error(), command.json);
-  if (flags.get_option("--html")->count() > 0) {
+  if (flags.given("--html")) {
     if (auto ok = write_file(command.html, to_html(*report)); !ok) return say(ok.error(), command.json);
   }
-  if (flags.get_option("--svg")->count() > 0) {
+  if (flags.given("--svg")) {
     if (auto ok = write_file(command.svg, to_animated_svg(*report, command.seconds)); !ok) {
       return say(ok.error(), command.json);
     }
   }
   if (command.json) {
-    print(report->chase ? pursuit_json(*report, command.path) : summary_json(*report, command.path));
+    print(json_of(*report, command.path));
     return job_done;
   }
-  fmt::print("{}", report->chase ? pursuit_summary(*report) : summary(*report));
+  fmt::print("{}", text_of(*report));
   if (!command.html.empty()) fmt::print("\n  watch    {}\n", command.html);
   if (!command.svg.empty()) fmt::print("{}  picture  {}\n", command.html.empty() ? "\n" : "", command.svg);
   return job_done;
@@ -68,15 +79,15 @@ int execute(ReplayCommand& command, const CLI::App& flags) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, int& status) {
-  CLI::App* replay = app.add_subcommand("replay", "summarise a report, or make a page or a picture of it");
+void add_replay(Command& tool) {
+  Command& replay = tool.add("replay", "summarise a report, or make a page or a picture of it");
   auto command = std::make_shared<ReplayCommand>();
-  replay->add_option("report", command->path, "report of a run, as --out of the job left it")
-      ->required()
-      ->type_name("FILE");
-  add_flags(*replay, {describe(*command)});
-  replay->callback([command, replay, &status] { status = execute(*command, *replay); });
-  replay->footer("\nExample: outrider replay out/guard.json --html out/guard.html");
+  replay.positional("report", &command->path, "report of a run, as --out of the job left it")
+      .required()
+      .type("FILE");
+  add_flags(replay, {describe(*command)});
+  replay.does([command](const Command& flags) { return execute(*command, flags); });
+  replay.footer("\nExample: outrider replay out/guard.json --html out/guard.html");
 }
 
 }  // namespace outrider::cli

@@ -13,9 +13,10 @@ namespace {
 
 /// How far to the right a layer stands; layers of one rank do not see each other.
 const std::map<std::string, int> rank = {
-    {"core", 0},    {"geometry", 1}, {"world", 2},      {"motion", 3},   {"search", 4},  {"path", 5},
-    {"pursuit", 5}, {"tour", 5},     {"ballistics", 5}, {"estimate", 5}, {"control", 5}, {"guard", 6},
-    {"explore", 6}, {"cover", 6},    {"execute", 7},    {"report", 8},   {"sim", 9},     {"io", 9},
+    {"core", 0},    {"geometry", 1}, {"world", 2}, {"motion", 3},     {"search", 4},
+    {"path", 5},    {"pursuit", 5},  {"tour", 5},  {"ballistics", 5}, {"estimate", 5},
+    {"control", 5}, {"slam", 5},     {"guard", 6}, {"explore", 6},    {"cover", 6},
+    {"execute", 7}, {"report", 8},   {"sim", 9},   {"io", 9},
 };
 
 bool may_use(const std::string& layer, const std::string& used) {
@@ -75,10 +76,17 @@ TEST(Layers, TargetsLinkLeft) {
 
 TEST(Layers, HeavyHeadersStayOutOfPublicHeaders) {
   const std::regex heavy(
-      R"(#\s*include\s*[<"](boost|sdf|ignition|gz|ceres|ompl|tbb|oneapi|yaml-cpp|CLI|nlohmann/json\.hpp))");
+      R"(#\s*include\s*[<"](boost|polyclipping|sdf|ignition|gz|ceres|ompl|tbb|oneapi|Eigen|apriltag|turbojpeg|yaml-cpp|CLI|nlohmann/json\.hpp))");
   EXPECT_TRUE(std::regex_search(std::string("#include <sdf/sdf.hh>"), heavy));
   for (const Source& source : sources({"include"})) {
     EXPECT_FALSE(std::regex_search(source.code, heavy)) << source.path;
+  }
+}
+
+TEST(Layers, TheCommandLineIsParsedBehindOneDoor) {
+  const std::regex parser(R"(#\s*include\s*[<"]CLI)");
+  for (const Source& source : sources({"include", "src", "apps"})) {
+    EXPECT_EQ(std::regex_search(source.code, parser), source.path == "apps/cli/command.cpp") << source.path;
   }
 }
 

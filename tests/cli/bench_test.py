@@ -10,7 +10,7 @@ from tool import MAP, TOOL, ToolTest, main
 KEYS = {"map", "planner", "guarantee", "index", "queries", "mean_us", "median_us", "worst_us", "expansions",
         "ratio_to_optimum_mean", "ratio_to_optimum_max", "build_s", "memory_mib"}
 CATALOGUE = json.loads(subprocess.run([TOOL, "list", "--json"], capture_output=True, check=True).stdout)
-ON_GRIDS = [row["name"] for row in CATALOGUE["path_planners"] if row["models"]]
+ON_GRIDS = [row["name"] for row in CATALOGUE["path_planners"] if row["models"] and row["cost_unit"] == "m"]
 
 # On the map of tool.py, whose wall hangs from the top: round it, across on the left, and from a point to itself.
 OCTILE = [3 * math.sqrt(2) + 5, 2 + math.sqrt(2), 0.0]
@@ -145,6 +145,7 @@ class Bench(ToolTest):
         self.refused_bench("--data", "maps", "--maps", "smal", says=["--maps", "'smal'", "'small'"])
         self.refused_bench("--data", "maps", "--planners", "a_stra", says=["--planners", "a_stra", "a_star"])
         self.refused_bench("--data", "maps", "--planners", "visibility_graph", says=["visibility_graph", "grids"])
+        self.refused_bench("--data", "maps", "--planners", "safest", says=["safest", "short paths"])
         self.refused_bench("--data", "maps", "--queries", "0", says=["--queries"])
         self.refused_bench("--data", "maps", "--repeat", "many", says=["--repeat"])
         self.refused_bench(says=["--data"])

@@ -5,7 +5,7 @@ import unittest
 
 from tool import SOURCE, ToolTest, main
 
-COMMANDS = ["run", "guard", "pursue", "plan", "replay", "list", "schema"]
+COMMANDS = ["run", "guard", "pursue", "cover", "plan", "slam", "detect", "replay", "list", "schema"]
 
 
 def refusals(schema, value, where=""):
@@ -75,7 +75,7 @@ class Manual(ToolTest):
 
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
-        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["guard", "plan", "pursue"])
+        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "guard", "plan", "pursue"])
         text = self.text("list")
         for planner in catalogue["path_planners"]:
             self.assertLessEqual({"name", "sentence", "paper", "guarantee", "complete", "models"}, set(planner))
@@ -119,7 +119,9 @@ class Manual(ToolTest):
 
     def test_generated_pages_are_fresh(self):
         for job, form, page in [("guard", "markdown", "options.md"), ("guard", "schema", "scenario.schema.json"),
-                                ("pursue", "markdown", "options-pursue.md")]:
+                                ("pursue", "markdown", "options-pursue.md"),
+                                ("cover", "markdown", "options-cover.md"),
+                                ("drive", "markdown", "options-drive.md")]:
             self.assertEqual(self.text("schema", "--job", job, "--as", form), (SOURCE / "docs" / page).read_text(),
                              f"docs/{page} is stale: build the target docs")
 

@@ -27,7 +27,13 @@ class Plan(ToolTest):
 
     def check_answer(self, answer):
         self.assertEqual(answer["status"], "done")
-        self.assertAlmostEqual(answer["metrics"]["cost_m"], length(answer["waypoints"]), places=9)
+        metrics = answer["metrics"]
+        self.assertAlmostEqual(metrics["length_m"], length(answer["waypoints"]), places=9)
+        if answer["planner"] == "safest":
+            exposed = (metrics["cost_m"] - metrics["length_m"]) / 10
+            self.assertAlmostEqual(exposed / metrics["exposure"], 1.0, delta=0.02)
+        else:
+            self.assertAlmostEqual(metrics["cost_m"], metrics["length_m"], places=9)
         self.assertLessEqual(answer["metrics"]["lower_bound_m"], answer["metrics"]["cost_m"] + 1e-9)
 
     def test_movingai(self):

@@ -16,6 +16,9 @@ ROOM = """(0,0) (8,0)  (8,6) (0,6)
 """
 
 
+ALL_CURVES = {"visibility_graph", "least_time", "medial_axis"}
+
+
 class Polygons(ToolTest):
     def plan(self, *args, status=0):
         self.write("room.txt", ROOM.encode())
@@ -30,10 +33,14 @@ class Polygons(ToolTest):
             self.assertLessEqual(row["lower_bound"], row["cost"] + 1e-9)
             if row["cost_unit"] == "m":
                 self.assertAlmostEqual(row["cost"], row["length_m"], places=9)
-            self.assertEqual(row["cost_unit"], "s" if row["planner"] == "least_time" else "m")
+            units = {"least_time": "s", "medial_axis": "m eq"}
+            self.assertEqual(row["cost_unit"], units.get(row["planner"], "m"))
         for query in {row["query"] for row in rows}:
             exact = [row for row in rows if row["query"] == query and row["guarantee"] == "disk_optimal"]
             self.assertEqual(len(exact), 3)
+            wide = next(row for row in rows if row["query"] == query and row["planner"] == "widest")
+            for row in (row for row in rows if row["query"] == query and row["planner"] in ALL_CURVES):
+                self.assertLessEqual(row["clearance_m"], wide["clearance_m"] * (1 + 1e-6))
             for row in exact:
                 self.assertTrue(row["optimal"])
                 self.assertAlmostEqual(row["cost"] / exact[0]["cost"], 1.0, places=9)

@@ -7,7 +7,7 @@ import unittest
 from tool import SOURCE, TOOL, ToolTest, main
 
 # Some seconds of work in the bundled yard.
-LONG = [TOOL, "run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.06", "--threads", "1"]
+LONG = [TOOL, "run", str(SOURCE / "scenarios/yard/yard.yaml"), "--plan-resolution", "0.15", "--threads", "1"]
 
 
 def run_on_terminal(words):
