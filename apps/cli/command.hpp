@@ -2,8 +2,8 @@
 //
 //   Command& replay = tool.add("replay", "summarise a report, or make a page or a picture of it");
 //   replay.positional("report", &request->path, "report of a run").required().type("FILE");
-//   replay.option("--seconds", &request->seconds, "length of the picture [24]").between(1.0,
-//   600.0).type("s"); replay.flag("--json", &request->json, "print one JSON object on standard output");
+//   replay.option("--seconds", &request->seconds, "length of the picture [24]").between(1.0, 600.0);
+//   replay.flag("--json", &request->json, "print one JSON object on standard output");
 //   replay.footer("\nExample: outrider replay out/guard.json");
 //   replay.does([request](const Command& words) { return execute(*request, words); });
 //

@@ -16,6 +16,7 @@
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/cover_drive.hpp"
 #include "progress.hpp"
+#include "scenario_words.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -214,17 +215,7 @@ int finish(CoverCommand& command) {
 }
 
 int execute(CoverCommand& command, const Command& flags) {
-  const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
-  const auto groups = describe(command.scenario);
-  if (!command.scenario_path.empty()) {
-    if (auto ok = load_scenario(command.scenario_path, groups); !ok) return say(ok.error(), json);
-    resolve_paths(command.scenario, command.scenario_path);
-  }
-  if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
+  if (auto ok = read_job_words(flags, command); !ok) return say(ok.error(), flags.given("--json"));
   if (flags.given("file")) command.scenario.area = command.area;
   return finish(command);
 }
@@ -233,26 +224,8 @@ int execute(CoverCommand& command, const Command& flags) {
 
 int run_cover_scenario(const std::string& path, const Command& flags) {
   CoverCommand command;
-  const bool json = flags.given("--json");
-  const auto groups = describe(command.scenario);
-  if (auto ok = load_scenario(path, groups); !ok) return say(ok.error(), json);
-  resolve_paths(command.scenario, path);
-  for (const std::string& name : flags.all_given()) {
-    if (name == "--json" || name == "--out" || name == "--seed" || !name.starts_with("--")) continue;
-    return say(
-        {FaultCode::bad_input,
-         fmt::format("it does not change how an area is covered; change the scenario, or use 'outrider "
-                     "cover --scenario {}' with its flags",
-                     path),
-         name},
-        json);
-  }
-  std::vector<OptionGroup> given = {describe_output(command)};
-  given.front().options.push_back({"seed", "", 0, 1e15, "", &command.scenario.seed});
-  if (auto ok = apply_flags(flags, given); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
+  if (auto ok = read_run_words(flags, path, "cover", command, &command.scenario.seed); !ok)
+    return say(ok.error(), flags.given("--json"));
   return finish(command);
 }
 

@@ -16,6 +16,7 @@
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/drive_run.hpp"
 #include "progress.hpp"
+#include "scenario_words.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -34,17 +35,6 @@ OptionGroup describe_output(DriveRequest& command) {
            {"out", "", 0, 0, "folder for the report and a picture", &command.out}}};
 }
 
-std::vector<std::pair<std::string, std::string>> settings_of(DriveScenario& scenario) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (const OptionGroup& group : describe(scenario)) {
-    for (const Option& option : group.options) {
-      const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
-      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
-    }
-  }
-  return settings;
-}
-
 Outcome<Report> carry_out(DriveRequest& command) {
   Progress progress(2);
   progress.next("planning the way");
@@ -58,7 +48,7 @@ Outcome<Report> carry_out(DriveRequest& command) {
     report.metrics.emplace_back("path_m", length_of(*setup->plan));
     report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);
   }
-  report.settings = settings_of(command.scenario);
+  report.settings = settings_of(describe(command.scenario));
   report.warnings = std::move(setup->warnings);
   return report;
 }
@@ -94,17 +84,7 @@ int finish(DriveRequest& command) {
 }
 
 int execute(DriveRequest& command, const Command& flags) {
-  const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
-  const auto groups = describe(command.scenario);
-  if (!command.scenario_path.empty()) {
-    if (auto ok = load_scenario(command.scenario_path, groups); !ok) return say(ok.error(), json);
-    resolve_paths(command.scenario, command.scenario_path);
-  }
-  if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
+  if (auto ok = read_job_words(flags, command); !ok) return say(ok.error(), flags.given("--json"));
   return finish(command);
 }
 
@@ -112,24 +92,8 @@ int execute(DriveRequest& command, const Command& flags) {
 
 int run_drive_scenario(const std::string& path, const Command& flags) {
   DriveRequest command;
-  const bool json = flags.given("--json");
-  if (auto ok = load_scenario(path, describe(command.scenario)); !ok) return say(ok.error(), json);
-  resolve_paths(command.scenario, path);
-  for (const std::string& name : flags.all_given()) {
-    if (name == "--json" || name == "--out" || name == "--seed" || !name.starts_with("--")) continue;
-    return say({FaultCode::bad_input,
-                fmt::format("it does not change a drive; change the scenario, or use 'outrider drive "
-                            "--scenario {}' with its flags",
-                            path),
-                name},
-               json);
-  }
-  std::vector<OptionGroup> given = {describe_output(command)};
-  given.front().options.push_back({"seed", "", 0, 1e15, "", &command.scenario.seed});
-  if (auto ok = apply_flags(flags, given); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
+  if (auto ok = read_run_words(flags, path, "drive", command, &command.scenario.seed); !ok)
+    return say(ok.error(), flags.given("--json"));
   return finish(command);
 }
 

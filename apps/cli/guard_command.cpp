@@ -28,6 +28,7 @@
 #include "progress.hpp"
 #include "pursue_command.hpp"
 #include "regions_picture.hpp"
+#include "scenario_words.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -82,17 +83,6 @@ Outcome<std::vector<std::string>> read_input(GuardCommand& command, const Comman
   scenario.options.prove = scenario.options.prove || command.prove;
   if (!command.planner.empty()) scenario.options.planner = command.planner;
   return load_problem(scenario);
-}
-
-std::vector<std::pair<std::string, std::string>> settings_of(GuardScenario& scenario) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (const OptionGroup& group : describe(scenario)) {
-    for (const Option& option : group.options) {
-      const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
-      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
-    }
-  }
-  return settings;
 }
 
 using Clock = std::chrono::steady_clock;
@@ -166,7 +156,7 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
   if (result.report.sim) result.physics_s = seconds_since(launched);
   if (command.regions) result.regions = regions_svg(scenario.problem, *site);
   result.report.warnings = std::move(*warnings);
-  result.report.settings = settings_of(command.scenario);
+  result.report.settings = settings_of(describe(command.scenario));
   return result;
 }
 

@@ -21,6 +21,7 @@
 #include "outrider/sim/pursuit_report.hpp"
 #include "progress.hpp"
 #include "pursue_summary.hpp"
+#include "scenario_words.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -82,17 +83,6 @@ void look_back(PursuitRun& run, const PursuitTask& task) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> settings_of(PursuitScenario& scenario) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (const OptionGroup& group : describe(scenario)) {
-    for (const Option& option : group.options) {
-      const std::string key = group.name.empty() ? option.name : group.name + "." + option.name;
-      settings.emplace_back(key, value_text(option) + (option.unit.empty() ? "" : " " + option.unit));
-    }
-  }
-  return settings;
-}
-
 Outcome<PursuitResult> carry_out(PursueCommand& command) {
   Progress progress(3);
   progress.next("reading the map");
@@ -114,7 +104,7 @@ Outcome<PursuitResult> carry_out(PursueCommand& command) {
     result.report = pursuit_report(task->problem, run.error(), name);
   }
   result.report.seed = static_cast<std::uint64_t>(command.scenario.seed);
-  result.report.settings = settings_of(command.scenario);
+  result.report.settings = settings_of(describe(command.scenario));
   return result;
 }
 
@@ -155,17 +145,7 @@ int finish(PursueCommand& command) {
 }
 
 int execute(PursueCommand& command, const Command& flags) {
-  const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
-  const auto groups = describe(command.scenario);
-  if (!command.scenario_path.empty()) {
-    if (auto ok = load_scenario(command.scenario_path, groups); !ok) return say(ok.error(), json);
-    resolve_paths(command.scenario, command.scenario_path);
-  }
-  if (auto ok = apply_flags(flags, groups); !ok) return say(ok.error(), json);
+  if (auto ok = read_job_words(flags, command); !ok) return say(ok.error(), flags.given("--json"));
   if (flags.given("file")) command.scenario.map = command.map;
   return finish(command);
 }
@@ -174,23 +154,8 @@ int execute(PursueCommand& command, const Command& flags) {
 
 int run_pursuit_scenario(const std::string& path, const Command& flags) {
   PursueCommand command;
-  const bool json = flags.given("--json");
-  const auto groups = describe(command.scenario);
-  if (auto ok = load_scenario(path, groups); !ok) return say(ok.error(), json);
-  resolve_paths(command.scenario, path);
-  for (const std::string& name : flags.all_given()) {
-    if (name == "--json" || name == "--out" || !name.starts_with("--")) continue;
-    return say({FaultCode::bad_input,
-                fmt::format("it does not change a pursuit; change the scenario, or use 'outrider pursue "
-                            "--scenario {}' with its flags",
-                            path),
-                name},
-               json);
-  }
-  if (auto ok = apply_flags(flags, {describe_output(command)}); !ok) return say(ok.error(), json);
-  if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
-  }
+  if (auto ok = read_run_words(flags, path, "pursue", command); !ok)
+    return say(ok.error(), flags.given("--json"));
   return finish(command);
 }
 

@@ -304,7 +304,7 @@ void add_slam(Command& tool) {
   Command& slam = tool.add("slam", "localise and map from a recorded log, or solve a pose graph");
   auto command = std::make_shared<SlamCommand>();
   slam.positional("file", &command->path,
-                  "landmark log, g2o graph or PyFG graph; may be gzip-compressed; docs/slam.md")
+                  "landmark log, g2o graph or PyFG graph; may be gzip-compressed; docs/jobs/slam.md")
       .required()
       .type("FILE");
   add_flags(slam, describe(*command));

@@ -115,7 +115,7 @@ Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& t
     if (!log) return pass_on(log);
     return SlamInput(std::move(*log));
   }
-  return bad_input("it is no graph and no landmark log that is known; docs/slam.md lists them", path);
+  return bad_input("it is no graph and no landmark log that is known; docs/jobs/slam.md lists them", path);
 }
 
 }  // namespace outrider::cli

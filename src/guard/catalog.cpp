@@ -12,7 +12,7 @@ const std::vector<GuardPlanner>& guard_planners() {
        "The best tour over places from where several targets are hit for sure, looked at closer and closer.",
        "Noon and Bean, A Lagrangian based approach for the asymmetric generalized traveling salesman "
        "problem, "
-       "1991; docs/guard.md",
+       "1991; docs/jobs/guard.md",
        plan_guard},
       {"shrinking_circles",
        "For each target the first place found on circles that shrink around it; groups of targets as listed, "

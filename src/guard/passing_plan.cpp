@@ -117,6 +117,7 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const 
     fills = fills || stop.call;
     for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
   }
+  best.expected_s.reset();
   best.lower_bound_s = moving_bound(problem, site, targets);
   best.anywhere_lower_bound_s = best.lower_bound_s;
   best.tour_proven = false;

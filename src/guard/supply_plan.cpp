@@ -94,6 +94,8 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, Gu
   if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
   const auto after = planned_levels(problem, site, plan);
   plan.cost_s = after.empty() ? 0.0 : after.back().time_s;
+  plan.expected_s.reset();
+  plan.lower_bound_s = std::min(plan.lower_bound_s, plan.cost_s);
   return plan;
 }
 

@@ -18,7 +18,7 @@ constexpr double most_map_px = 900.0;
 constexpr double closed_loop_scale = 5.0;  ///< of ellipses; those of the open loop are large as they are
 constexpr double ellipse_every_s = 2.0;
 constexpr std::string_view truth_colour = "#0a6cc4", belief_colour = "#d55e00", tag_colour = "#00785a",
-                           solid_colour = "#3f454b", stop_colour = "#7c4d9e";
+                           solid_colour = "#3f454b", stop_colour = "#7c4d9e", paper_colour = "#fbfcfc";
 
 /// Metres to pixels.
 struct Map {
@@ -81,8 +81,12 @@ std::string tags(const ReportDrive& drive, const Map& map) {
     text += polyline({map(tag.position - side), map(tag.position + side)}, tag_colour, "stroke-width=\"5\"");
     text += polyline({map(tag.position), map(tag.position + 0.5 * tag.size_m * out)}, tag_colour,
                      "stroke-width=\"1.5\"");
+    const std::string name = fmt::format("tag {}", tag.id);
+    const double half_px = 4.0 * static_cast<double>(name.size());
+    const Vec2 beyond_px{(half_px + 6.0) * out.x,
+                         -12.0 * out.y};  // of the stroke, for the middle of the name
     text +=
-        label(map(tag.position + 0.12 * out) + Vec2{-14.0, 5.0}, tag_colour, fmt::format("tag {}", tag.id));
+        label(map(tag.position + 0.5 * tag.size_m * out) + beyond_px + Vec2{-half_px, 5.0}, tag_colour, name);
   }
   return text;
 }
@@ -198,14 +202,18 @@ std::string drive_picture(const Report& report) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
       "height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n<title>{2}</title>\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"#fbfcfc\"/>\n",
-      width_px, height_px, markup_text(report.job + ": " + report.world_name));
+      "<rect width=\"100%\" height=\"100%\" fill=\"{3}\"/>\n",
+      width_px, height_px, markup_text(report.job + ": " + report.world_name), paper_colour);
   svg += label({pad_px, pad_px}, truth_colour, "true way");
-  svg += label({pad_px + 80.0, pad_px}, belief_colour,
-               fmt::format("believed way, ellipses of 2 standard deviations, {:.0f} times as large",
-                           ellipse_scale(*report.drive)));
+  std::string believed = "believed way, ellipses of 2 standard deviations";
+  const double enlarged = ellipse_scale(*report.drive);
+  if (enlarged != 1.0) believed += fmt::format(", {:.0f} times as large", enlarged);
+  svg += label({pad_px + 80.0, pad_px}, belief_colour, believed);
   svg += label({pad_px + 560.0, pad_px}, stop_colour, "waypoints with the true errors");
   svg += solids(report, map) + tags(*report.drive, map) + ways(report, map) + stops(report, map);
+  // Wide ellipses end above the chart.
+  svg += fmt::format("<rect y=\"{:.0f}\" width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
+                     bottom_px + 0.5 * pad_px, paper_colour);
   return svg + chart(report, bottom_px + pad_px) + "</svg>\n";
 }
 

@@ -80,6 +80,7 @@ Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardPr
                     {"reached_by_reference_rule", reached_by_reference_rule(report)},
                     {"mission_s", mission_s},
                     {"planned_s", plan.cost_s},
+                    {"expected_s", plan.bounded_s()},
                     {"lower_bound_s", plan.lower_bound_s},
                     {"gap", plan.gap()},
                     {"anywhere_lower_bound_s", plan.anywhere_lower_bound_s},

@@ -26,7 +26,7 @@ class Guard(ToolTest):
         self.assertEqual(metrics["targets"], len(summary["targets"]))
         self.assertEqual(metrics["targets"], metrics["reached"] + metrics["failed"] + metrics["unreachable"])
         self.assertLessEqual(metrics["lower_bound_s"], metrics["mission_s"])
-        self.assertAlmostEqual(metrics["gap"], 1 - metrics["lower_bound_s"] / metrics["planned_s"])
+        self.assertAlmostEqual(metrics["gap"], 1 - metrics["lower_bound_s"] / metrics["expected_s"])
         for target in summary["targets"]:
             self.assertEqual(list(target)[:len(TARGET_KEYS)], TARGET_KEYS)
             self.assertIn(target["status"], ["reached", "failed", "unreachable"])

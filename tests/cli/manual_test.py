@@ -5,7 +5,8 @@ import unittest
 
 from tool import SOURCE, ToolTest, main
 
-COMMANDS = ["run", "guard", "pursue", "cover", "plan", "slam", "detect", "replay", "list", "schema"]
+COMMANDS = ["run", "guard", "pursue", "drive", "cover", "plan", "slam", "detect", "calibrate", "replay",
+            "list", "schema"]
 
 
 def refusals(schema, value, where=""):
@@ -66,7 +67,7 @@ class Manual(ToolTest):
             for line, below in zip(lines, lines[1:] + [""]):
                 self.assertLessEqual(len(line), 160, line)
                 if line.startswith("  -"):  # the sentence of a long flag stands below it
-                    self.assertTrue(re.search(r"\S {2,}\S", line) or re.match(r" {36}\S", below), line)
+                    self.assertTrue(re.match(r".{35} \S", line) or re.match(r" {36}\S", below), line)
         self.assertIn("Exit status: 0", overview)
 
     def test_version(self):
@@ -135,6 +136,13 @@ class Manual(ToolTest):
                 help_text = self.text(command, "--help")
                 for flag in (word for word in rest if word.startswith("--")):
                     self.assertRegex(help_text, rf"(?m)(^  |,){flag}\b", f"{page}: {words}")
+
+    def test_links_of_the_manual_lead_somewhere(self):
+        pages = [page for page in SOURCE.rglob("*.md") if not page.relative_to(SOURCE).parts[0].startswith((".", "build"))]
+        self.assertGreater(len(pages), 20)
+        for page in pages:
+            for target in re.findall(r"\]\(([^)\s#:]+)(?:#[^)]*)?\)", page.read_text()):
+                self.assertTrue((page.parent / target).exists(), f"{page.relative_to(SOURCE)}: {target}")
 
 
 if __name__ == "__main__":

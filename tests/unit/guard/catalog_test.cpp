@@ -49,7 +49,7 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
   }
   for (const int count : times) EXPECT_EQ(count, 1) << what;
   EXPECT_NEAR(plan.cost_s, own_cost(problem, plan), 1e-6) << what;
-  EXPECT_LE(plan.lower_bound_s, plan.cost_s + 1e-9) << what;
+  EXPECT_LE(plan.lower_bound_s, plan.bounded_s() + 1e-9) << what;
 }
 
 TEST(GuardCatalog, EveryPlannerKeepsItsPromises) {

@@ -55,7 +55,8 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
   }
   for (const int count : times) EXPECT_EQ(count, 1);
   EXPECT_NEAR(plan.cost_s, own_cost(problem, plan), 1e-6);
-  EXPECT_LE(plan.lower_bound_s, plan.cost_s + 1e-9);
+  EXPECT_LE(plan.lower_bound_s, plan.bounded_s() + 1e-9);
+  EXPECT_GE(plan.bounded_s(), plan.cost_s - 1e-6);
   if (plan.stops.empty()) return;
   std::vector<std::size_t> hit;
   for (std::size_t t = 0; t < site.regions.size(); ++t) {

@@ -80,7 +80,7 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
     const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
     const GuardProblem problem = lifted(testing::random_guard_problem(rng, 4, 3, 3.0), field);
     const Mission run = run_of(problem, 1);
-    EXPECT_LE(run.plan.lower_bound_s, run.plan.cost_s + 1e-6);
+    EXPECT_LE(run.plan.lower_bound_s, run.plan.bounded_s() + 1e-6);
     for (const PlannedStop& stop : run.plan.stops) {
       const Stance stance = stance_at(run.site.rules, stop.position);
       for (const PlannedHit& hit : stop.hits) {
