@@ -47,7 +47,8 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, con
   if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
   plan.anywhere_lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
   plan.expected_s = draft->tour.cost_s;
-  plan.lower_bound_s = std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));
+  plan.lower_bound_s =
+      std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));
   return plan;
 }
 

@@ -37,11 +37,11 @@ struct GuardPlan {
   std::vector<Unreachable> unsupplied = {};  ///< those that the supplies do not suffice for (supply_plan.hpp)
   std::optional<Routes> routes;              ///< between the start and the stops; nothing when there are none
   double cost_s = 0.0;                       ///< mission time if nothing goes wrong
-  /// The same as the tour solver counts it, each flight as often as it is expected to be flown; nothing for plans
-  /// that are not its tour.
+  /// The same as the tour solver counts it, each flight as often as it is expected to be flown; nothing for
+  /// plans that are not its tour.
   std::optional<double> expected_s = {};
-  /// No tour of the stops, shots and drives last offered takes less, counted so (solve.hpp); where the robot may
-  /// shoot in passing, no mission at all (passing_plan.hpp).
+  /// No tour of the stops, shots and drives last offered takes less, counted so (solve.hpp); where the robot
+  /// may shoot in passing, no mission at all (passing_plan.hpp).
   double lower_bound_s = 0.0;
   double anywhere_lower_bound_s = 0.0;  ///< no plan that hits from cells of the regions does (bound.hpp)
   bool tour_proven = false;             ///< no better tour of the stops last offered exists
@@ -54,7 +54,9 @@ struct GuardPlan {
   [[nodiscard]] double gap() const { return left_open(lower_bound_s, bounded_s()); }
   [[nodiscard]] double anywhere_gap() const { return left_open(anywhere_lower_bound_s, cost_s); }
 
-  static double left_open(double bound_s, double time_s) { return time_s > 0.0 ? 1.0 - bound_s / time_s : 0.0; }
+  static double left_open(double bound_s, double time_s) {
+    return time_s > 0.0 ? 1.0 - bound_s / time_s : 0.0;
+  }
 };
 
 /// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the
