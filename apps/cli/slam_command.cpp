@@ -194,7 +194,7 @@ Outcome<Run> run_log(const SlamCommand& command, const LandmarkSlamOptions& opti
     run.odometry.push_back({last.position + rotated(last.heading_rad, step.odometry.position),
                             last.heading_rad + step.odometry.heading_rad});
     if (options.unknown_ids) {
-      for (Sighting& sighting : step.sightings) sighting.id.reset();
+      for (LandmarkSighting& sighting : step.sightings) sighting.id.reset();
     }
     const auto begin = Clock::now();
     const auto outcome = run.slam.advance(step);

@@ -49,7 +49,7 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
           pose));
     }
     const auto& c = *v;
-    const Sighting sighting{*id, {c[2], c[3]}, {{c[4], c[5], c[5], c[6]}}};
+    const LandmarkSighting sighting{*id, {c[2], c[3]}, {{c[4], c[5], c[5], c[6]}}};
     if (auto ok = check(LogStep{0.0, {}, {}, {sighting}}); !ok) return ok;
     result.steps.back().sightings.push_back(sighting);
     return {};

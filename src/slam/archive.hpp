@@ -46,7 +46,7 @@ class StateWriter {
     for (double& value : matrix.values) write(value);
   }
   void write(Pose2& pose) { (*this)(pose.position.x, pose.position.y, pose.heading_rad); }
-  void write(Sighting& s) {
+  void write(LandmarkSighting& s) {
     std::int64_t id = s.id.value_or(-1);
     (*this)(id, s.position.x, s.position.y, s.covariance);
   }
@@ -99,7 +99,7 @@ class StateReader {
     for (double& value : matrix.values) read(value);
   }
   void read(Pose2& pose) { (*this)(pose.position.x, pose.position.y, pose.heading_rad); }
-  void read(Sighting& s) {
+  void read(LandmarkSighting& s) {
     std::int64_t id = -1;
     (*this)(id, s.position.x, s.position.y, s.covariance);
     s.id = id >= 0 ? std::optional(id) : std::nullopt;

@@ -127,7 +127,7 @@ class FilterEngine : public SlamEngine {
     Vec2 innovation;
     Dense jacobian;
   };
-  [[nodiscard]] Expectation expect(const Sighting& sighting, std::size_t landmark) const {
+  [[nodiscard]] Expectation expect(const LandmarkSighting& sighting, std::size_t landmark) const {
     const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
     const LinearEdge linear = linearised(edge, pose(), {position(landmark), 0.0});
     Dense jacobian = Dense::Zero(2, mean_.size());
@@ -137,7 +137,7 @@ class FilterEngine : public SlamEngine {
     return {{-linear.residual[0], -linear.residual[1]}, jacobian};
   }
 
-  [[nodiscard]] bool compatible(const Sighting& sighting, std::size_t landmark) const {
+  [[nodiscard]] bool compatible(const LandmarkSighting& sighting, std::size_t landmark) const {
     const Expectation e = expect(sighting, landmark);
     const Dense s = e.jacobian * covariance_ * e.jacobian.transpose() + dense(sighting.covariance);
     const Eigen::Vector2d v(e.innovation.x, e.innovation.y);
@@ -146,7 +146,7 @@ class FilterEngine : public SlamEngine {
 
   /// The sightings of landmarks in the map; counts those refused. Those of no landmark are left for
   /// add_new().
-  std::vector<Pairing> associate(const std::vector<Sighting>& sightings, StepOutcome& outcome) {
+  std::vector<Pairing> associate(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     std::vector<Pairing> pairings =
         options_.unknown_ids ? associate_jointly(sightings) : associate_by_id(sightings);
     fresh_.assign(sightings.size(), true);
@@ -160,7 +160,7 @@ class FilterEngine : public SlamEngine {
     return pairings;
   }
 
-  std::vector<Pairing> associate_by_id(const std::vector<Sighting>& sightings) {
+  std::vector<Pairing> associate_by_id(const std::vector<LandmarkSighting>& sightings) {
     std::vector<Pairing> pairings;
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       for (std::size_t k = 0; k < records_.size(); ++k) {
@@ -171,7 +171,7 @@ class FilterEngine : public SlamEngine {
     }
     return pairings;
   }
-  void refuse_known(const std::vector<Sighting>& sightings, StepOutcome& outcome, bool others_fit) {
+  void refuse_known(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome, bool others_fit) {
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       if (!fresh_[i]) continue;
       for (LandmarkRecord& record : records_) {
@@ -183,7 +183,7 @@ class FilterEngine : public SlamEngine {
     }
   }
 
-  std::vector<Pairing> associate_jointly(const std::vector<Sighting>& sightings) {
+  std::vector<Pairing> associate_jointly(const std::vector<LandmarkSighting>& sightings) {
     std::vector<PossiblePair> pairs;
     std::vector<Dense> jacobians;
     for (std::size_t i = 0; i < sightings.size(); ++i) {
@@ -212,7 +212,7 @@ class FilterEngine : public SlamEngine {
   }
   /// Without ids, a sighting that fits no landmark but lies near one is no new landmark either; and where
   /// none of several fits, the robot may be elsewhere.
-  void refuse_near_the_map(const std::vector<Sighting>& sightings, StepOutcome& outcome) {
+  void refuse_near_the_map(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     const Matrix3 p = pose_covariance();
     const double slack = options_.patience_distance_m + 3.0 * std::sqrt(p(0, 0) + p(1, 1));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
@@ -225,7 +225,7 @@ class FilterEngine : public SlamEngine {
     }
   }
 
-  void correct(const std::vector<Sighting>& sightings, const std::vector<Pairing>& pairings) {
+  void correct(const std::vector<LandmarkSighting>& sightings, const std::vector<Pairing>& pairings) {
     if (pairings.empty()) return;
     const auto n = static_cast<Index>(2 * pairings.size());
     Dense jacobian(n, mean_.size());
@@ -233,7 +233,7 @@ class FilterEngine : public SlamEngine {
     Eigen::VectorXd innovation(n);
     for (std::size_t i = 0; i < pairings.size(); ++i) {
       const auto row = 2 * static_cast<Index>(i);
-      const Sighting& sighting = sightings[pairings[i].sighting];
+      const LandmarkSighting& sighting = sightings[pairings[i].sighting];
       const Expectation e = expect(sighting, pairings[i].landmark);
       jacobian.middleRows(row, 2) = e.jacobian;
       innovation.segment(row, 2) << e.innovation.x, e.innovation.y;
@@ -258,7 +258,7 @@ class FilterEngine : public SlamEngine {
     covariance_.conservativeResize(first + after, first + after);
     records_.erase(records_.begin() + static_cast<std::ptrdiff_t>(landmark));
   }
-  void remove_gone(const std::vector<Sighting>& sightings, const std::vector<Pairing>& pairings,
+  void remove_gone(const std::vector<LandmarkSighting>& sightings, const std::vector<Pairing>& pairings,
                    StepOutcome& outcome) {
     std::set<std::size_t> seen;
     for (const Pairing& pairing : pairings) seen.insert(pairing.landmark);
@@ -273,7 +273,7 @@ class FilterEngine : public SlamEngine {
     }
   }
 
-  void add_new(const std::vector<Sighting>& sightings, StepOutcome& outcome) {
+  void add_new(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       if (!fresh_[i]) continue;
       const Vec2 world = composed(pose(), {sightings[i].position, 0.0}).position;
@@ -285,7 +285,7 @@ class FilterEngine : public SlamEngine {
     }
   }
   /// l = p + R z: its covariance with the state follows from the Jacobians by pose and by z.
-  void add(const Sighting& sighting, std::int64_t id) {
+  void add(const LandmarkSighting& sighting, std::int64_t id) {
     const Pose2 from = pose();
     const Vec2 arm = rotated(from.heading_rad, sighting.position);
     const Index n = mean_.size();

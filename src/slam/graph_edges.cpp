@@ -65,7 +65,7 @@ Loss robust_loss(std::string_view kernel, double width, double s) {
   return {s, 1.0};
 }
 
-NormalEquations::NormalEquations(const PoseGraph& graph, std::uint32_t fixed) : fixed_(fixed) {
+GraphEquations::GraphEquations(const PoseGraph& graph, std::uint32_t fixed) : fixed_(fixed) {
   for (const GraphNode& node : graph.nodes) {
     matrix_.add_node();
     is_point_.push_back(node.is_point ? 1 : 0);
@@ -79,7 +79,7 @@ NormalEquations::NormalEquations(const PoseGraph& graph, std::uint32_t fixed) : 
   factor_.structure_of_all(matrix_);
 }
 
-void NormalEquations::clear(std::size_t of_a_pose, std::size_t of_a_point) {
+void GraphEquations::clear(std::size_t of_a_pose, std::size_t of_a_point) {
   std::fill(gradient_.begin(), gradient_.end(), Block3{});
   for (std::uint32_t node = 0; node < matrix_.size(); ++node) {
     Matrix3& diagonal = matrix_.diagonal(node);
@@ -90,7 +90,7 @@ void NormalEquations::clear(std::size_t of_a_pose, std::size_t of_a_point) {
   for (const std::uint32_t pair : pairs_) matrix_.between(pair) = {};
 }
 
-void NormalEquations::add(std::size_t edge, const LinearEdge& linear) {
+void GraphEquations::add(std::size_t edge, const LinearEdge& linear) {
   const auto [from, to] = ends_[edge];
   const Matrix3 from_weighted = transposed(linear.by_from) * linear.information;
   const Matrix3 to_weighted = transposed(linear.by_to) * linear.information;
@@ -106,7 +106,7 @@ void NormalEquations::add(std::size_t edge, const LinearEdge& linear) {
   matrix_.between(pairs_[edge]) += from < to ? from_weighted * linear.by_to : to_weighted * linear.by_from;
 }
 
-std::vector<Block3> NormalEquations::solve(double damping) {
+std::vector<Block3> GraphEquations::solve(double damping) {
   if (damping > 0.0) {
     for (std::uint32_t node = 0; node < matrix_.size(); ++node) {
       Matrix3& diagonal = matrix_.diagonal(node);
@@ -119,7 +119,7 @@ std::vector<Block3> NormalEquations::solve(double damping) {
   return step;
 }
 
-double NormalEquations::promised(const std::vector<Block3>& step) const {
+double GraphEquations::promised(const std::vector<Block3>& step) const {
   double sum = 0.0;  // -2 g^T x - x^T H x = -g^T x at the solution of H x = -g
   for (std::size_t node = 0; node < step.size(); ++node) {
     for (std::size_t k = 0; k < 3; ++k) sum -= gradient_[node][k] * step[node][k];
@@ -127,7 +127,7 @@ double NormalEquations::promised(const std::vector<Block3>& step) const {
   return sum;
 }
 
-std::vector<Matrix3> NormalEquations::covariances() {
+std::vector<Matrix3> GraphEquations::covariances() {
   return factor_.numbers_of_all(matrix_) ? factor_.inverse_diagonals() : std::vector<Matrix3>();
 }
 

@@ -34,9 +34,9 @@ struct Loss {
 Loss robust_loss(std::string_view kernel, double width, double s);
 
 /// The normal equations H x = -g of a graph with the nodes `fixed` held.
-class NormalEquations {
+class GraphEquations {
  public:
-  NormalEquations(const PoseGraph& graph, std::uint32_t fixed);
+  GraphEquations(const PoseGraph& graph, std::uint32_t fixed);
 
   /// Zeros, and ones on the diagonal where a node has fewer unknowns than three.
   void clear(std::size_t of_a_pose = 3, std::size_t of_a_point = 2);

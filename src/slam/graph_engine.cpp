@@ -91,7 +91,7 @@ class GraphEngine : public SlamEngine {
     }
   };
   struct Match {
-    const Sighting* sighting = nullptr;
+    const LandmarkSighting* sighting = nullptr;
     std::size_t landmark = 0;
   };
 
@@ -102,7 +102,7 @@ class GraphEngine : public SlamEngine {
   }
 
   /// The covariance of what is expected is asked for only where the sighting's own does not explain it.
-  [[nodiscard]] bool compatible(const Sighting& sighting, const Landmark& landmark) {
+  [[nodiscard]] bool compatible(const LandmarkSighting& sighting, const Landmark& landmark) {
     const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
     const Block3 r = residual(edge, graph_.estimate(poses_.back()), graph_.estimate(landmark.node));
     const double gate = squared_gate(options_.gate, 2);
@@ -116,10 +116,10 @@ class GraphEngine : public SlamEngine {
     return !far(sighting.covariance + graph_.relative_covariance(poses_.back(), landmark.node));
   }
 
-  std::vector<Match> match(const std::vector<Sighting>& sightings, StepOutcome& outcome) {
+  std::vector<Match> match(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     std::vector<Match> matches;
     std::vector<std::size_t> refused;
-    for (const Sighting& sighting : sightings) {
+    for (const LandmarkSighting& sighting : sightings) {
       const std::size_t landmark = find(*sighting.id);
       if (landmark == landmarks_.size()) continue;
       if (compatible(sighting, landmarks_[landmark])) {
@@ -135,7 +135,7 @@ class GraphEngine : public SlamEngine {
     return matches;
   }
 
-  void use(std::uint32_t pose, const Sighting& sighting, Landmark& landmark) {
+  void use(std::uint32_t pose, const LandmarkSighting& sighting, Landmark& landmark) {
     const Matrix2& c = sighting.covariance;
     const Matrix3 covariance = {{c(0, 0), c(0, 1), 0.0, c(1, 0), c(1, 1), 0.0, 0.0, 0.0, 0.0}};
     graph_.add_edge(EdgeKind::point, pose, landmark.node, {sighting.position, 0.0}, covariance);
@@ -143,7 +143,7 @@ class GraphEngine : public SlamEngine {
   }
 
   /// The node stays in the graph, as history; sightings to come make a new one.
-  void remove_gone(const std::vector<Sighting>& sightings, const std::vector<Match>& matches,
+  void remove_gone(const std::vector<LandmarkSighting>& sightings, const std::vector<Match>& matches,
                    StepOutcome& outcome) {
     const Pose2 here = graph_.estimate(poses_.back());
     for (const Match& found : matches) landmarks_[found.landmark].record.missed = -1;
@@ -159,8 +159,8 @@ class GraphEngine : public SlamEngine {
   }
 
   /// All sightings of a candidate that proved itself count, from the poses where they were made.
-  void add_new(const std::vector<Sighting>& sightings, StepOutcome& outcome) {
-    for (const Sighting& sighting : sightings) {
+  void add_new(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
+    for (const LandmarkSighting& sighting : sightings) {
       if (find(*sighting.id) != landmarks_.size()) continue;
       const Vec2 world = composed(graph_.estimate(poses_.back()), {sighting.position, 0.0}).position;
       const auto ready = memory_.remember(sighting, world, options_);

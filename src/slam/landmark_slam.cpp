@@ -85,8 +85,8 @@ std::vector<Option> describe(LandmarkSlamOptions& o) {
   };
 }
 
-Sighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad, double range_sd_m,
-                 double bearing_sd_rad) {
+LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad,
+                         double range_sd_m, double bearing_sd_rad) {
   const double along = range_sd_m * range_sd_m;
   const double across = std::max(1e-6, range_m * range_m) * bearing_sd_rad * bearing_sd_rad;
   const Matrix2 turn = rotation2(bearing_rad);
@@ -102,7 +102,7 @@ Status check(const LogStep& step) {
   if (step.covariance != Matrix3{} && !usable(step.covariance)) {
     return bad_input("the covariance of its odometry is not positive definite; correct it");
   }
-  for (const Sighting& sighting : step.sightings) {
+  for (const LandmarkSighting& sighting : step.sightings) {
     if (!finite({sighting.position, 0.0})) return bad_input("a sighting is not finite; leave it out");
     if (!usable(sighting.covariance)) {
       return bad_input("the covariance of a sighting is not positive definite; correct it");
@@ -114,7 +114,7 @@ Status check(const LogStep& step) {
   return {};
 }
 
-std::optional<Candidate> Memory::remember(const Sighting& sighting, Vec2 world,
+std::optional<Candidate> Memory::remember(const LandmarkSighting& sighting, Vec2 world,
                                           const LandmarkSlamOptions& options) {
   const std::int64_t id = options.unknown_ids ? -1 : sighting.id.value_or(-1);
   auto found = candidates.end();
@@ -194,7 +194,7 @@ std::string LandmarkSlam::state() const {
 Outcome<StepOutcome> LandmarkSlam::advance(const LogStep& step) {
   if (auto ok = outrider::check(step); !ok) return pass_on(ok);
   if (!engine_->options().unknown_ids) {
-    for (const Sighting& sighting : step.sightings) {
+    for (const LandmarkSighting& sighting : step.sightings) {
       if (!sighting.id) return bad_input("a sighting has no id; set unknown_ids");
     }
   }

@@ -18,7 +18,7 @@ struct Innovation {
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
-Innovation innovation(const Sighting& sighting, const LandmarkEstimate& landmark, const Pose2& pose,
+Innovation innovation(const LandmarkSighting& sighting, const LandmarkEstimate& landmark, const Pose2& pose,
                       const Matrix3& covariance) {
   const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
   const LinearEdge linear = linearised(edge, pose, {landmark.position, 0.0});
@@ -49,7 +49,7 @@ Outcome<Localiser> Localiser::begin(LandmarkMap map, const LocaliserOptions& opt
   return Localiser(std::move(map), options, start, covariance);
 }
 
-bool Localiser::correct(const Sighting& sighting) {
+bool Localiser::correct(const LandmarkSighting& sighting) {
   Innovation best;
   for (const LandmarkEstimate& landmark : map_) {
     if (sighting.id && *sighting.id != landmark.id) continue;
@@ -80,7 +80,8 @@ Outcome<StepOutcome> Localiser::advance(const LogStep& step) {
       by_pose * covariance_ * transposed(by_pose) + by_motion * step.covariance * transposed(by_motion);
   pose_ = composed(pose_, step.odometry);
   StepOutcome outcome;
-  for (const Sighting& sighting : step.sightings) ++(correct(sighting) ? outcome.used : outcome.refused);
+  for (const LandmarkSighting& sighting : step.sightings)
+    ++(correct(sighting) ? outcome.used : outcome.refused);
   if (outcome.used > 0) misfits_ = 0;
   if (outcome.used == 0 && outcome.refused > 0) ++misfits_;
   outcome.lost = misfits_ >= options_.lost_after;

@@ -46,7 +46,7 @@ double robust_cost(const PoseGraph& graph, const std::vector<Pose2>& poses, cons
 }
 
 void linearise(const PoseGraph& graph, const std::vector<Pose2>& poses, const PoseGraphOptions& options,
-               NormalEquations& equations) {
+               GraphEquations& equations) {
   equations.clear();
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
@@ -58,8 +58,7 @@ void linearise(const PoseGraph& graph, const std::vector<Pose2>& poses, const Po
 }
 
 /// The rotations as vectors of the plane: the sum of w |z(b) - E z(a)|^2 with the first at its heading.
-std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first,
-                                     NormalEquations& equations) {
+std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first, GraphEquations& equations) {
   equations.clear(2, 0);
   const Vec2 axis = direction(graph.nodes[first].pose.heading_rad);
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
@@ -82,7 +81,7 @@ std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first
 
 /// The positions, given the headings: one linear step from wherever they are.
 std::vector<Pose2> chordal_positions(const PoseGraph& graph, const std::vector<double>& headings,
-                                     NormalEquations& equations) {
+                                     GraphEquations& equations) {
   std::vector<Pose2> poses = given_poses(graph);
   for (std::size_t i = 0; i < poses.size(); ++i) poses[i].heading_rad = headings[i];
   equations.clear(2, 2);
@@ -105,7 +104,7 @@ std::vector<Pose2> chordal_positions(const PoseGraph& graph, const std::vector<d
   return poses;
 }
 
-Outcome<std::vector<Pose2>> chordal(const PoseGraph& graph, NormalEquations& equations) {
+Outcome<std::vector<Pose2>> chordal(const PoseGraph& graph, GraphEquations& equations) {
   const std::vector<double> headings = chordal_headings(graph, first_pose(graph), equations);
   std::vector<Pose2> poses;
   if (!headings.empty()) poses = chordal_positions(graph, headings, equations);
@@ -118,7 +117,7 @@ struct Start {
   std::string name;
 };
 Outcome<Start> choose_start(const PoseGraph& graph, const PoseGraphOptions& options,
-                            NormalEquations& equations) {
+                            GraphEquations& equations) {
   Start given{given_poses(graph), "given"};
   if (options.start == "given") return given;
   auto relaxed = chordal(graph, equations);
@@ -162,7 +161,7 @@ double cost(const PoseGraph& graph, const std::vector<Pose2>& poses) { return ro
 
 Outcome<std::vector<Pose2>> chordal_start(const PoseGraph& graph) {
   if (auto ok = check(graph); !ok) return pass_on(ok);
-  NormalEquations equations(graph, first_pose(graph));
+  GraphEquations equations(graph, first_pose(graph));
   return chordal(graph, equations);
 }
 
@@ -171,7 +170,7 @@ Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptio
   if (auto ok = check_options(options); !ok) return pass_on(ok);
   if (auto ok = check(graph); !ok) return pass_on(ok);
   BudgetMeter meter(budget);
-  NormalEquations equations(graph, first_pose(graph));
+  GraphEquations equations(graph, first_pose(graph));
   auto start = choose_start(graph, options, equations);
   if (!start) return pass_on(start);
   PoseGraphSolution best{std::move(start->poses), 0, 0, 0, 0, start->name, false};
@@ -210,7 +209,7 @@ Outcome<std::vector<Matrix3>> marginal_covariances(const PoseGraph& graph, const
         fmt::format("{} poses for {} nodes; give one for each", poses.size(), graph.nodes.size()));
   }
   const std::uint32_t first = first_pose(graph);
-  NormalEquations equations(graph, first);
+  GraphEquations equations(graph, first);
   linearise(graph, poses, {}, equations);
   std::vector<Matrix3> result = equations.covariances();
   if (result.empty()) return bad_input("the measurements do not determine every node; add some");

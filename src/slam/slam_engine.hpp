@@ -46,7 +46,7 @@ struct Candidate {
   std::int64_t id = -1;             ///< -1 where ids are unknown
   Vec2 position;                    ///< in the world, where it was sighted last
   std::vector<std::int64_t> steps;  ///< of its sightings
-  std::vector<Sighting> sightings;
+  std::vector<LandmarkSighting> sightings;
 
   template <class Archive>
   void exchange(Archive& archive) {
@@ -65,7 +65,8 @@ struct Memory {
 
   /// Adds a sighting to the candidate it belongs to, or to a new one; the candidate once it has patience
   /// enough, which is forgotten then.
-  std::optional<Candidate> remember(const Sighting& sighting, Vec2 world, const LandmarkSlamOptions& options);
+  std::optional<Candidate> remember(const LandmarkSighting& sighting, Vec2 world,
+                                    const LandmarkSlamOptions& options);
 
   template <class Archive>
   void exchange(Archive& archive) {

@@ -90,12 +90,41 @@ TEST(Layers, TheCommandLineIsParsedBehindOneDoor) {
   }
 }
 
+/// The types that a header defines in namespaces, as "outrider::tour::Proof"; a definition stands at the
+/// margin.
+std::vector<std::string> types_defined(const std::string& code) {
+  static const std::regex line(
+      R"((?:^|\n)(?:namespace ([a-z_:]+) \{|(?:struct|class|enum class|enum) (\w+)\b[^;\n]*\{))");
+  std::vector<std::string> found;
+  std::string space;
+  for (std::sregex_iterator it(code.begin(), code.end(), line), end; it != end; ++it) {
+    if ((*it)[1].matched) space = (*it)[1].str() + "::";
+    if ((*it)[2].matched) found.push_back(space + (*it)[2].str());
+  }
+  return found;
+}
+
+/// Two types of one name in one namespace are one type to the linker, which keeps either's destructor.
+TEST(Layers, ATypeIsDefinedOnce) {
+  std::map<std::string, std::string> home;
+  for (const Source& source : sources({"include", "src", "apps"})) {
+    if (!source.path.ends_with(".hpp")) continue;
+    for (const std::string& type : types_defined(source.code)) {
+      const auto [first, added] = home.emplace(type, source.path);
+      EXPECT_TRUE(added) << type << " in " << first->second << " and " << source.path;
+    }
+  }
+  EXPECT_GT(home.size(), 200U) << "the types were not found";
+}
+
 TEST(Layers, TheRuleItselfRefuses) {
   EXPECT_TRUE(may_use("world", "core"));
   EXPECT_FALSE(may_use("world", "guard"));
   EXPECT_FALSE(may_use("path", "tour"));
   EXPECT_FALSE(may_use("core", "apps"));
   EXPECT_EQ(layers_included("#include \"outrider/guard/target.hpp\"\n"), std::vector<std::string>{"guard"});
+  EXPECT_EQ(types_defined("namespace outrider {\nclass A;\nstruct B : A {\n  struct C {};\n};\n"),
+            std::vector<std::string>{"outrider::B"});
 }
 
 }  // namespace

@@ -12,22 +12,22 @@
 
 namespace outrider {
 
-struct Sighting {
+struct LandmarkSighting {
   std::optional<std::int64_t> id;  ///< of the landmark, where it can be told apart
   Vec2 position;                   ///< in the robot's frame, m
   Matrix2 covariance;              ///< of the position, m^2
-  friend bool operator==(const Sighting&, const Sighting&) = default;
+  friend bool operator==(const LandmarkSighting&, const LandmarkSighting&) = default;
 };
 
 /// A sighting at a range and bearing that are off by these standard deviations.
-Sighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad, double range_sd_m,
-                 double bearing_sd_rad);
+LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad,
+                         double range_sd_m, double bearing_sd_rad);
 
 struct LogStep {
   double time_s = 0.0;
-  Pose2 odometry;                   ///< of the robot in its frame at the step before
-  Matrix3 covariance;               ///< of the odometry in that frame: m^2, m rad, rad^2
-  std::vector<Sighting> sightings;  ///< at the end of the motion
+  Pose2 odometry;                           ///< of the robot in its frame at the step before
+  Matrix3 covariance;                       ///< of the odometry in that frame: m^2, m rad, rad^2
+  std::vector<LandmarkSighting> sightings;  ///< at the end of the motion
   friend bool operator==(const LogStep&, const LogStep&) = default;
 };
 

@@ -31,7 +31,7 @@ class Localiser {
  private:
   Localiser(LandmarkMap map, const LocaliserOptions& options, const Pose2& start, const Matrix3& covariance)
       : map_(std::move(map)), options_(options), pose_(start), covariance_(covariance) {}
-  bool correct(const Sighting& sighting);
+  bool correct(const LandmarkSighting& sighting);
 
   LandmarkMap map_;
   LocaliserOptions options_;

@@ -78,7 +78,7 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
       const auto before = i == 0 ? std::nullopt : std::optional<std::size_t>(2 * (i - 1));
       add(2 * i, before, rotated(heading_rad, step.odometry.position), {{0.1, 0.0, 0.0, 0.2}});
       heading_rad += step.odometry.heading_rad;
-      for (const Sighting& s : step.sightings) {
+      for (const LandmarkSighting& s : step.sightings) {
         add(2 * (steps + static_cast<std::size_t>(*s.id)), 2 * i, rotated(heading_rad, s.position),
             s.covariance);
       }
@@ -112,7 +112,7 @@ PoseGraph as_graph(const LandmarkLog& log) {
     graph.nodes.push_back({std::to_string(pose), {}, false});
     graph.edges.push_back({EdgeKind::pose, last, pose, step.odometry, *inverse_of_positive(step.covariance)});
     last = pose;
-    for (const Sighting& s : step.sightings) {
+    for (const LandmarkSighting& s : step.sightings) {
       if (!points.contains(*s.id)) {
         points[*s.id] = static_cast<std::uint32_t>(graph.nodes.size());
         graph.nodes.push_back({"tag " + std::to_string(*s.id), {}, true});
@@ -223,7 +223,7 @@ TEST(LandmarkSlam, ALandmarkThatMovedComesOutAndComesBack) {
     const std::size_t third = run.log.steps.size() / 3;
     const Vec2 shift = {-0.4, 0.3};
     for (std::size_t i = third; i < run.log.steps.size(); ++i) {
-      for (Sighting& s : run.log.steps[i].sightings) {
+      for (LandmarkSighting& s : run.log.steps[i].sightings) {
         if (s.id == 2) s.position = s.position + unrotated(run.poses[i].heading_rad, shift);
       }
     }
@@ -247,7 +247,7 @@ TEST(LandmarkSlam, ALandmarkThatIsMissedIsTakenOut) {
   for (const std::string engine : {"ekf", "graph"}) {
     TagRun run = tag_run(10, {4, 3});
     for (std::size_t i = run.log.steps.size() / 3; i < run.log.steps.size(); ++i) {
-      std::erase_if(run.log.steps[i].sightings, [](const Sighting& s) { return s.id == 2; });
+      std::erase_if(run.log.steps[i].sightings, [](const LandmarkSighting& s) { return s.id == 2; });
     }
     LandmarkSlamOptions options;
     options.engine = engine;
@@ -272,7 +272,7 @@ TEST(LandmarkSlam, ARobotThatWasCarriedAwaySaysThatItIsLost) {
     for (std::size_t i = 0; i < run.log.steps.size(); ++i) {
       LogStep step = run.log.steps[i];
       if (i > half) {
-        for (Sighting& s : step.sightings) s.position = s.position + Vec2{3.0, -2.0};
+        for (LandmarkSighting& s : step.sightings) s.position = s.position + Vec2{3.0, -2.0};
       }
       const auto outcome = slam.advance(step);
       ASSERT_TRUE(outcome);
@@ -287,7 +287,7 @@ TEST(LandmarkSlam, WithoutIdsJointCompatibilityTellsTheTagsApart) {
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(testing::cases(5)); ++seed) {
     TagRun run = tag_run(seed, {4, 2});
     for (LogStep& step : run.log.steps) {
-      for (Sighting& s : step.sightings) s.id.reset();
+      for (LandmarkSighting& s : step.sightings) s.id.reset();
     }
     LandmarkSlamOptions options;
     options.engine = "ekf";
@@ -356,7 +356,7 @@ TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
     ASSERT_TRUE(localiser);
     for (std::size_t i = 0; i < run.log.steps.size(); ++i) {
       LogStep step = run.log.steps[i];
-      for (Sighting& s : step.sightings) {
+      for (LandmarkSighting& s : step.sightings) {
         if (!ids) s.id.reset();
       }
       const auto outcome = localiser->advance(step);
