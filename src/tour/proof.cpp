@@ -12,6 +12,7 @@ constexpr std::size_t most_goals = 40;  // of all, beyond which sweeps do not ge
 constexpr std::size_t most_apart = 10;  // goals whose drives and turns a remainder follows
 constexpr std::uint32_t most_sectors = 32;
 constexpr double most_turns = 3.2e7;  // table entries
+constexpr double a_hair = 1e-12;      // so that the gap left rounds to no more than what was asked
 
 std::uint32_t choose_sectors(const Instance& instance) {
   const double drives = static_cast<double>(instance.stops) * instance.stops;
@@ -120,7 +121,8 @@ Proof sweep_all(Hunt& hunt, const std::vector<std::uint32_t>& order, const Route
 
 Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter) {
   Hunt hunt{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
-            known.cost * (1.0 - options.gap), static_cast<std::uint64_t>(options.operations)};
+            known.cost * (1.0 - options.gap * (1.0 - a_hair)),
+            static_cast<std::uint64_t>(options.operations)};
   const std::vector<std::uint32_t> order = spread(instance, known);
   Proof proof;
   if (order.size() <= most_goals) proof = sweep_all(hunt, order, known, options, meter);
