@@ -22,11 +22,15 @@ Corners seen(const Camera& camera, const Pose3& camera_T_tag) {
   return corners;
 }
 
-/// Sum of squares, by the camera's own lens.
+/// Sum of squares, by the camera's own lens; infinite where a corner is behind the camera.
 double squares(const Camera& camera, const Pose3& pose, const Corners& corners) {
   double sum = 0.0;
-  const Corners there = seen(camera, pose);
-  for (std::size_t i = 0; i < 4; ++i) sum += squared_norm(there[i] - corners[i]);
+  const auto points = tag_corners(size_m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto there = project(camera, pose * points[i]);
+    if (!there) return std::numeric_limits<double>::infinity();
+    sum += squared_norm(*there - corners[i]);
+  }
   return sum;
 }
 
