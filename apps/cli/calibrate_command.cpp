@@ -11,7 +11,6 @@
 #include "outrider/core/units.hpp"
 #include "outrider/io/calibration_runs.hpp"
 #include "outrider/io/drive_scenario.hpp"
-#include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/drive_run.hpp"
 
@@ -81,14 +80,10 @@ Outcome<Recorded> runs_of(const CalibrateCommand& command) {
 }
 
 Status write_files(const CalibrateCommand& command, const Recorded& recorded, CalibrationFit fit) {
-  if (auto ok = make_folder(command.out); !ok) return ok;
-  if (!command.record.empty()) {
-    const std::string text = calibration_runs_text(recorded.runs);
-    if (auto ok = write_file(command.out + "/runs.csv", text); !ok) return ok;
-  }
-  const std::string picture = calibration_picture(fit, recorded.chassis);
-  if (auto ok = write_file(command.out + "/calibration.svg", picture); !ok) return ok;
-  return write_file(command.out + "/calibration.yaml", scenario_text(describe(fit.calibration)));
+  std::vector<NamedText> files = {{"calibration.svg", calibration_picture(fit, recorded.chassis)},
+                                  {"calibration.yaml", scenario_text(describe(fit.calibration))}};
+  if (!command.record.empty()) files.emplace_back("runs.csv", calibration_runs_text(recorded.runs));
+  return cli::write_files(command.out, files);
 }
 
 bool is_turn(const FittedLaw& law) {

@@ -12,7 +12,6 @@
 #include "output.hpp"
 #include "outrider/cover/time_bound.hpp"
 #include "outrider/io/cover_scenario.hpp"
-#include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/cover_drive.hpp"
 #include "progress.hpp"
@@ -172,17 +171,12 @@ nlohmann::ordered_json track_json(const CoverResult& result) {
 
 Status write_files(const CoverCommand& command, const CoverResult& result) {
   if (command.out.empty()) return {};
-  const std::pair<const char*, std::string> files[] = {
-      {"/cover.json", summary_json(command.scenario, result).dump(1) + "\n"},
-      {"/track.json", track_json(result).dump() + "\n"},
-      {"/areas.geojson", areas_json(result).dump() + "\n"},
-      {"/cover.svg", cover_picture(result.plan, result.proof.planned, {})},
-      {"/driven.svg", cover_picture(result.plan, result.driven, result.drive.way)}};
-  if (auto ok = make_folder(command.out); !ok) return ok;
-  for (const auto& [name, content] : files) {
-    if (auto ok = write_file(command.out + name, content); !ok) return ok;
-  }
-  return {};
+  return cli::write_files(command.out,
+                          {{"cover.json", summary_json(command.scenario, result).dump(1) + "\n"},
+                           {"track.json", track_json(result).dump() + "\n"},
+                           {"areas.geojson", areas_json(result).dump() + "\n"},
+                           {"cover.svg", cover_picture(result.plan, result.proof.planned, {})},
+                           {"driven.svg", cover_picture(result.plan, result.driven, result.drive.way)}});
 }
 
 void print_summary(const CoverCommand& command, const CoverResult& result) {

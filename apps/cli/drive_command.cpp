@@ -10,7 +10,6 @@
 #include "flags.hpp"
 #include "output.hpp"
 #include "outrider/io/drive_scenario.hpp"
-#include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
@@ -56,14 +55,13 @@ Outcome<Report> carry_out(DriveRequest& command) {
 /// Report and picture; the latter is made from the text of the report, as a replay makes it.
 Outcome<std::string> write_files(const DriveRequest& command, const Report& report) {
   if (command.out.empty()) return std::string{};
-  const std::string stem = command.out + "/" + report.job;
   const std::string text = to_json(report);
   auto stored = report_from_json(text);
   if (!stored) return pass_on(stored);
-  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
-  if (auto ok = write_file(stem + ".json", text); !ok) return pass_on(ok);
-  if (auto ok = write_file(stem + ".svg", to_animated_svg(*stored, 12.0)); !ok) return pass_on(ok);
-  return stem + ".json";
+  const std::vector<NamedText> files = {{report.job + ".json", text},
+                                        {report.job + ".svg", to_animated_svg(*stored, 12.0)}};
+  if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
+  return command.out + "/" + files.front().first;
 }
 
 int finish(DriveRequest& command) {

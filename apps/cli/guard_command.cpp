@@ -15,7 +15,6 @@
 #include "outrider/guard/catalog.hpp"
 #include "outrider/guard/passing_plan.hpp"
 #include "outrider/guard/supply_plan.hpp"
-#include "outrider/io/files.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
@@ -165,20 +164,16 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
 Outcome<std::string> write_files(const GuardCommand& command, const GuardResult& result) {
   if (command.out.empty()) return std::string{};
   const Report& report = result.report;
-  const std::string stem = command.out + "/" + report.job;
-  std::vector<std::pair<std::string, std::string>> files{{stem + ".json", to_json(report)}};
+  std::vector<NamedText> files{{report.job + ".json", to_json(report)}};
   if (command.html || command.svg) {
     auto stored = report_from_json(files.front().second);
     if (!stored) return pass_on(stored);
-    if (command.html) files.emplace_back(stem + ".html", to_html(*stored));
-    if (command.svg) files.emplace_back(stem + ".svg", to_animated_svg(*stored, 24.0));
+    if (command.html) files.emplace_back(report.job + ".html", to_html(*stored));
+    if (command.svg) files.emplace_back(report.job + ".svg", to_animated_svg(*stored, 24.0));
   }
-  if (command.regions) files.emplace_back(command.out + "/firing_regions.svg", result.regions);
-  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
-  for (const auto& [path, content] : files) {
-    if (auto ok = write_file(path, content); !ok) return pass_on(ok);
-  }
-  return files.front().first;
+  if (command.regions) files.emplace_back("firing_regions.svg", result.regions);
+  if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
+  return command.out + "/" + files.front().first;
 }
 
 Status check_output(const GuardCommand& command, const Command& flags) {

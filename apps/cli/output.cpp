@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "outrider/io/files.hpp"
+
 namespace outrider::cli {
 namespace {
 
@@ -64,6 +66,14 @@ Status make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder)) return no_folder(folder, error.message());
+  return {};
+}
+
+Status write_files(const std::string& folder, const std::vector<NamedText>& files) {
+  if (auto ok = make_folder(folder); !ok) return ok;
+  for (const auto& [name, content] : files) {
+    if (auto ok = write_file(folder + "/" + name, content); !ok) return ok;
+  }
   return {};
 }
 

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "outrider/core/outcome.hpp"
 
@@ -28,6 +30,12 @@ Status check_folder(const std::string& folder);
 
 /// Makes the folder with its parents.
 Status make_folder(const std::string& folder);
+
+/// A name and what is written under it.
+using NamedText = std::pair<std::string, std::string>;
+
+/// Makes the folder, then the files in it.
+Status write_files(const std::string& folder, const std::vector<NamedText>& files);
 
 /// "1 min 21 s", "42.0 s", "0.31 s".
 std::string duration_text(double seconds);

@@ -52,12 +52,10 @@ int write_problem(const PddlRequest& request, const GuardScenario& scenario, con
   if (!actions) return say(actions.error(), json);
   const PddlNotes notes = notes_of(scenario.problem, mission);
   const std::string stem = request.folder + "/";
-  if (auto ok = make_folder(request.folder); !ok) return say(ok.error(), json);
-  for (const auto& [name, content] : {std::pair{"domain.pddl", pddl_domain(mission.problem)},
-                                      std::pair{"problem.pddl", pddl_problem(mission.problem, notes)},
-                                      std::pair{"plan.txt", pddl_plan(mission.problem, *actions)}}) {
-    if (auto ok = write_file(stem + name, content); !ok) return say(ok.error(), json);
-  }
+  const std::vector<NamedText> files = {{"domain.pddl", pddl_domain(mission.problem)},
+                                        {"problem.pddl", pddl_problem(mission.problem, notes)},
+                                        {"plan.txt", pddl_plan(mission.problem, *actions)}};
+  if (auto ok = write_files(request.folder, files); !ok) return say(ok.error(), json);
   const double makespan_s = judge(mission.problem, *actions, request.tolerance_s).makespan_s;
   if (json) {
     print(Json{{"status", "done"},

@@ -12,7 +12,6 @@
 #include "commands.hpp"
 #include "flags.hpp"
 #include "output.hpp"
-#include "outrider/io/files.hpp"
 #include "outrider/io/pursuit_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/pursuit/optimal.hpp"
@@ -111,18 +110,14 @@ Outcome<PursuitResult> carry_out(PursueCommand& command) {
 /// Report, picture and page; the latter two are made from the text of the report, as a replay makes them.
 Outcome<std::string> write_files(const PursueCommand& command, const Report& report) {
   if (command.out.empty()) return std::string{};
-  const std::string stem = command.out + "/" + report.job;
   const std::string text = to_json(report);
   auto stored = report_from_json(text);
   if (!stored) return pass_on(stored);
-  if (auto ok = make_folder(command.out); !ok) return pass_on(ok);
-  const std::pair<std::string, std::string> files[] = {{stem + ".json", text},
-                                                       {stem + ".html", to_html(*stored)},
-                                                       {stem + ".svg", to_animated_svg(*stored, 12.0)}};
-  for (const auto& [path, content] : files) {
-    if (auto ok = write_file(path, content); !ok) return pass_on(ok);
-  }
-  return stem + ".json";
+  const std::vector<NamedText> files = {{report.job + ".json", text},
+                                        {report.job + ".html", to_html(*stored)},
+                                        {report.job + ".svg", to_animated_svg(*stored, 12.0)}};
+  if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
+  return command.out + "/" + files.front().first;
 }
 
 int finish(PursueCommand& command) {

@@ -82,15 +82,6 @@ std::string landmarks_csv(const LandmarkMap& map) {
   return text;
 }
 
-Status write_all(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& files) {
-  if (folder.empty()) return {};
-  if (auto ok = make_folder(folder); !ok) return ok;
-  for (const auto& [name, content] : files) {
-    if (auto ok = write_file(folder + "/" + name, content); !ok) return ok;
-  }
-  return {};
-}
-
 /// Loops: edges between poses that do not follow each other.
 SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution,
                        const std::vector<Matrix3>& covariances) {
@@ -134,10 +125,9 @@ int solve_graph(const SlamCommand& command, GraphInput input) {
     const auto covariances = marginal_covariances(input.graph, solution->poses);
     const auto drawn =
         picture_of(input.graph, *solution, covariances ? *covariances : std::vector<Matrix3>());
-    std::vector<std::pair<std::string, std::string>> files = {{"track.csv", track_csv(solution->poses)},
-                                                              {"slam.svg", to_svg(drawn)}};
+    std::vector<NamedText> files = {{"track.csv", track_csv(solution->poses)}, {"slam.svg", to_svg(drawn)}};
     if (auto g2o = to_g2o(input.graph, solution->poses)) files.emplace_back("graph.g2o", *g2o);
-    if (auto ok = write_all(command.out, files); !ok) return say(ok.error(), command.json);
+    if (auto ok = write_files(command.out, files); !ok) return say(ok.error(), command.json);
   }
   const Json result = {
       {"status", solution->converged ? "done" : "not_done"},
@@ -242,14 +232,14 @@ int run_landmarks(const SlamCommand& command, const Command& flags, LandmarkLog 
   constexpr double reach_m = 0.5;
   const MapError error = options.unknown_ids ? map_error_by_place(map, log.true_landmarks, reach_m)
                                              : map_error(map, log.true_landmarks);
-  const std::vector<Pose2> track = run->slam.trajectory();
-  const SlamPicture picture{{places(track)}, {places(run->odometry)}, {}, map, truth_in_map(log, error)};
-  if (auto ok = write_all(command.out, {{"track.csv", track_csv(track)},
-                                        {"landmarks.csv", landmarks_csv(map)},
-                                        {"state.txt", command.out.empty() ? "" : run->slam.state()},
-                                        {"slam.svg", to_svg(picture)}});
-      !ok) {
-    return say(ok.error(), command.json);
+  if (!command.out.empty()) {
+    const std::vector<Pose2> track = run->slam.trajectory();
+    const SlamPicture picture{{places(track)}, {places(run->odometry)}, {}, map, truth_in_map(log, error)};
+    const std::vector<NamedText> files = {{"track.csv", track_csv(track)},
+                                          {"landmarks.csv", landmarks_csv(map)},
+                                          {"state.txt", run->slam.state()},
+                                          {"slam.svg", to_svg(picture)}};
+    if (auto ok = write_files(command.out, files); !ok) return say(ok.error(), command.json);
   }
   std::vector<double> sorted = run->times_s;
   std::sort(sorted.begin(), sorted.end());

@@ -79,11 +79,13 @@ void take(const std::vector<Offer>& offers, Outlook& outlook) {
 }  // namespace
 
 Outcome<Outlook> look_out(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                          const ArrivalOptions& options, const Budget& budget) {
+                          const ArrivalOptions& options, const Budget& budget,
+                          const std::vector<Vec2>& besides) {
   Outlook outlook{{problem.start.position}, {}, Routes(nullptr), {}, {}};
   std::vector<Offer> offers;
   offer_plan(plan, outlook, offers);
   offer_others(problem, site, static_cast<std::size_t>(options.stops), outlook, offers);
+  outlook.stops.insert(outlook.stops.end(), besides.begin(), besides.end());
 
   auto routes = site_routes(problem, site, outlook.stops, budget);
   if (!routes) return pass_on(routes);

@@ -45,7 +45,9 @@ Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, con
   plan.tour_proven = draft->tour.proven_optimal;
   plan.stops_offered = draft->cells.size() - 1;
   if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
-  plan.anywhere_lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
+  if (!options.shoot_on_the_move) {  // else shoot_in_passing() has a bound of its own
+    plan.anywhere_lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
+  }
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =
       std::max(draft->tour.lower_bound_s, std::min(plan.anywhere_lower_bound_s, plan.cost_s));

@@ -52,7 +52,7 @@ Status check_station(const GuardProblem& problem, const Site& site, const Statio
   return {};
 }
 
-/// Puts the stations behind the stops, one filler for each store that they give and that ends.
+/// One filler for each store that a station gives and that ends; its place is a number among them.
 void add_fillers(const Supplies& supplies, SupplyTable& table) {
   for (std::size_t s = 0; s < supplies.stations.size(); ++s) {
     for (const Store store : {Store::water, Store::charge}) {
@@ -96,22 +96,20 @@ Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site,
   }
   ArrivalOptions few;
   few.stops = static_cast<std::int64_t>(stops);
-  auto outlook = look_out(problem, site, plan, few, budget);
+  SupplyTable table;
+  add_fillers(supplies, table);
+  auto outlook = look_out(problem, site, plan, few, budget, table.places);
   if (!outlook) return pass_on(outlook);
 
-  SupplyTable table;
+  const std::size_t stations_from = outlook->stops.size() - table.places.size();
+  for (auto& filler : table.problem.fillers) filler.stop += stations_from;
   table.places = outlook->stops;
-  add_fillers(supplies, table);
   table.problem.table = outlook->table;
   table.problem.table.services.clear();
   take_services(*outlook, table);
-  auto routes = site_routes(problem, site, table.places, budget);
-  if (!routes) return pass_on(routes);
-  table.problem.table.drives.clear();
   for (std::size_t i = 0; i < table.places.size(); ++i) {
     for (std::size_t j = 0; j < table.places.size(); ++j) {
-      table.problem.table.drives.push_back(routes->between(i, j));
-      table.problem.lengths_m.push_back(length_of(routes->waypoints(i, j)));
+      table.problem.lengths_m.push_back(length_of(outlook->routes.waypoints(i, j)));
     }
   }
   table.problem.water = supplies.full(Store::water);

@@ -59,16 +59,8 @@ Status read_line(std::string_view line, GraphLines& lines) {
 
 Outcome<PoseGraph> pose_graph_from_g2o(std::string_view text, const std::string& name) {
   GraphLines lines;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    std::string_view line = take_line(text);
-    line = line.substr(0, line.find('#'));
-    const std::string where = fmt::format("{}:{}", name, line_number);
-    if (line_number > most_graph_lines) {
-      return bad_input(fmt::format("more than {} lines; take a smaller graph", most_graph_lines), where);
-    }
-    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
-    if (auto ok = read_line(line, lines); !ok) return bad_input(ok.error().sentence, where);
-  }
+  auto read = read_graph_lines(text, name, [&](std::string_view line) { return read_line(line, lines); });
+  if (!read) return pass_on(read);
   auto graph = std::move(lines).finish();
   if (!graph) return bad_input(graph.error().sentence, name);
   return graph;

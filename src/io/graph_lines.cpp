@@ -99,4 +99,20 @@ std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> 
   return result;
 }
 
+Status read_graph_lines(std::string_view text, const std::string& name,
+                        const std::function<Status(std::string_view)>& read) {
+  constexpr std::size_t most_lines = 2'000'000;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    std::string_view line = take_line(text);
+    line = line.substr(0, line.find('#'));
+    if (number > most_lines) {
+      return bad_input(fmt::format("more than {} lines; take a smaller graph", most_lines),
+                       fmt::format("{}:{}", name, number));
+    }
+    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
+    if (auto ok = read(line); !ok) return bad_input(ok.error().sentence, fmt::format("{}:{}", name, number));
+  }
+  return {};
+}
+
 }  // namespace outrider

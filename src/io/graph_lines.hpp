@@ -1,6 +1,7 @@
 // A pose graph gathered line by line: nodes by name, in the order in which they come; edges judged at once.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -36,6 +37,9 @@ class GraphLines {
 /// The words as finite numbers below 1e18 in size; nothing when one is not.
 std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> words);
 
-inline constexpr std::size_t most_graph_lines = 2'000'000;
+/// Gives `read` each line with more than blanks and a comment; a fault gets the line's number. At most
+/// 2,000,000.
+Status read_graph_lines(std::string_view text, const std::string& name,
+                        const std::function<Status(std::string_view)>& read);
 
 }  // namespace outrider

@@ -20,8 +20,10 @@ struct Outlook {
 
 /// The stops are those of `plan`, the plan of the still yard, and the best of the others (stops.hpp,
 /// choose_stops), at most `options.stops` of these. A service takes the flight over the rate of its hits;
-/// shots that often miss count only where a target has no other. Refused as routes_between().
+/// shots that often miss count only where a target has no other. `besides` stand behind them, without shots.
+/// Refused as routes_between().
 Outcome<Outlook> look_out(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                          const ArrivalOptions& options, const Budget& budget);
+                          const ArrivalOptions& options, const Budget& budget,
+                          const std::vector<Vec2>& besides = {});
 
 }  // namespace outrider
