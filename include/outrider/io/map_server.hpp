@@ -20,11 +20,9 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/world/grid.hpp"
+#include "outrider/world/occupancy.hpp"
 
 namespace outrider {
-
-/// Values of a cell; anything but 0 is not known to be free.
-enum Occupancy : std::uint8_t { free_cell = 0, occupied_cell = 1, unknown_cell = 2 };
 
 struct MapServerMap {
   Grid<std::uint8_t> occupancy;
