@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "json_drive.hpp"
+#include "json_explore.hpp"
 
 namespace outrider {
 namespace {
@@ -184,6 +185,7 @@ void members(Io& io, T& report) {
   io.optional("supplies", report.supplies);
   io.optional("chase", report.chase);
   io.optional("drive", report.drive);
+  io.optional("explore", report.explore);
 }
 
 class Writer {

@@ -6,7 +6,7 @@
 
 namespace outrider::testing {
 
-/// As cases() of random_cases.hpp, and with OUTRIDER_CASES=0.25, as `make asan` sets it, a quarter of them,
+/// As cases() of random_cases.hpp, and with OUTRIDER_CASES=0.1, as `make asan` sets it, a tenth of them,
 /// but one at least.
 inline int costly_cases(int usual) {
   const char* factor = std::getenv("OUTRIDER_CASES");

@@ -175,7 +175,8 @@ struct ReportBelief {
   double sigma_y_m = 0.0;
   double correlation = 0.0;  ///< of x and y
   double sigma_rad = 0.0;
-  bool saw_tag = false;  ///< a tag told where the robot is, since the belief before
+  bool saw_tag = false;  ///< since the belief before, a tag told where the robot is; exploring: a place was
+                         ///< recognised
 };
 
 /// A drive on wheels; the truth is the track of the report.
@@ -184,6 +185,42 @@ struct ReportDrive {
   std::vector<ReportTag> tags;
   std::vector<ReportStop> stops;
   std::vector<ReportBelief> beliefs;
+};
+
+/// What a robot has found out of a map, and when. The lists go row by row from the lowest.
+struct ReportMap {
+  Vec2 origin;           ///< lowest corner
+  double cell_m = 0.05;  ///< side of a drawn cell; a large map is drawn coarser than it is
+  int columns = 0;
+  int rows = 0;
+  std::vector<int> state_runs;  ///< Occupancy in the end, count, Occupancy, count, ...
+  double step_s = 1.0;
+  std::vector<int> known_runs;  ///< in which step the cell was first known, count, ...; as the cell before
+                                ///< where it never was
+};
+
+/// Where exploring went next.
+struct ReportDecision {
+  double time_s = 0.0;
+  std::string kind;  ///< frontier, home, ...
+  Pose2 goal;
+  std::vector<Vec2> waypoints;
+  int frontiers = 0;  ///< open then
+};
+
+/// A frontier that was left as it was.
+struct ReportRefusal {
+  Vec2 position;
+  std::string reason;  ///< one sentence
+};
+
+/// The exploring of what was not known; the truth of the way is the track of the report.
+struct ReportExplore {
+  ReportMap map;
+  std::vector<std::vector<Vec2>> walls;  ///< in truth: closed outlines of what the range finder meets
+  std::vector<ReportBelief> beliefs;
+  std::vector<ReportDecision> decisions;
+  std::vector<ReportRefusal> refused;
 };
 
 struct ReportContour {
@@ -223,9 +260,10 @@ struct Report {
   std::vector<ReportShot> shots;
   std::vector<ReportEvent> events;
   std::vector<TrackSample> track;
-  std::optional<ReportSupplies> supplies;  ///< where they end
-  std::optional<ReportChase> chase;        ///< of the job pursue
-  std::optional<ReportDrive> drive = {};   ///< of the job drive
+  std::optional<ReportSupplies> supplies;     ///< where they end
+  std::optional<ReportChase> chase;           ///< of the job pursue
+  std::optional<ReportDrive> drive = {};      ///< of the job drive
+  std::optional<ReportExplore> explore = {};  ///< of the job explore, and of a yard that was explored first
 };
 
 /// The metric of that name; `otherwise` where the report has none. O(metrics).
