@@ -14,7 +14,7 @@ export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build test asan docs soak bench lint check-format format clean
+.PHONY: help demo build serve test asan docs soak bench lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -27,8 +27,14 @@ build:  ## build the tool, build/outrider
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) outrider
 
+serve:  ## build the tool with its page, and open the scenarios at 127.0.0.1:8080
+	$(INSTALL) build page
+	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
+	@ninja -C build -j $(JOBS) outrider
+	@build/outrider serve scenarios
+
 test:  ## build everything and run every test
-	$(INSTALL) build test physics cbc
+	$(INSTALL) build test physics cbc page browser
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
@@ -53,10 +59,11 @@ soak:  ## run everything under the sanitizers, random tests on 100 times as many
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
 
 bench:  ## run the benchmarks
-	$(INSTALL) build bench
+	$(INSTALL) build bench page browser
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
 	@for program in build/bench/bench_*; do $$program || exit 1; done
+	@ninja -C build -j $(JOBS) outrider && OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/bench.mjs
 
 lint: check-format  ## static analysis and formatting
 	$(INSTALL) build test lint
@@ -73,4 +80,4 @@ format:  ## format every C++ file
 	@scripts/sources | xargs clang-format-19 -i
 
 clean:  ## remove everything that was built or written by a run
-	@rm -rf build build-* out
+	@rm -rf build build-* out web/node_modules

@@ -320,6 +320,7 @@ void add_bench(Command& tool) {
   add_bench_pursuit(bench);
   add_bench_guard(bench);
   add_bench_slam(bench);
+  add_bench_explore(bench);
 }
 
 }  // namespace outrider::cli

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench_laser.hpp"
 #include "bench_slam_peer.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -35,16 +36,25 @@ struct Row {
   [[nodiscard]] bool beaten() const { return peer && peer->cost < solution.cost * (1.0 - 1e-4); }
 };
 
-Outcome<std::vector<std::string>> graphs_in(const std::string& folder) {
+struct Files {
+  std::vector<std::string> graphs;
+  std::vector<std::string> logs;
+};
+
+Outcome<Files> files_in(const std::string& folder) {
   namespace fs = std::filesystem;
-  std::vector<std::string> files;
+  Files files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".g2o") || name.ends_with(".g2o.gz")) files.push_back(entry.path().string());
+    if (name.ends_with(".g2o") || name.ends_with(".g2o.gz")) files.graphs.push_back(entry.path().string());
+    if (name.ends_with(".log") || name.ends_with(".log.gz")) files.logs.push_back(entry.path().string());
   }
-  if (files.empty()) return bad_input("there are no .g2o files; name their folder", folder);
-  std::sort(files.begin(), files.end());
+  if (files.graphs.empty() && files.logs.empty()) {
+    return bad_input("there are no .g2o and no .log files; name their folder", folder);
+  }
+  std::sort(files.graphs.begin(), files.graphs.end());
+  std::sort(files.logs.begin(), files.logs.end());
   return files;
 }
 
@@ -92,28 +102,44 @@ void print_table(const std::vector<Row>& rows) {
   }
 }
 
-int execute(const BenchCommand& command) {
-  const auto files = graphs_in(command.data);
-  if (!files) return say(files.error(), command.json);
-  std::vector<Row> rows;
-  Progress progress(static_cast<int>(files->size()));
-  for (const std::string& file : *files) {
+struct Rows {
+  std::vector<Row> graphs;
+  std::vector<LaserRow> logs;
+};
+
+Outcome<Rows> measured(const Files& files, int repeat) {
+  Rows rows;
+  Progress progress(static_cast<int>(files.graphs.size() + files.logs.size()));
+  for (const std::string& file : files.graphs) {
     progress.next(file);
-    auto row = measure(file, command.repeat);
-    if (!row) {
-      progress.end();
-      return say(row.error(), command.json);
-    }
-    rows.push_back(std::move(*row));
+    auto row = measure(file, repeat);
+    if (!row) return pass_on(row);
+    rows.graphs.push_back(std::move(*row));
   }
-  progress.end();
-  const bool best = std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.beaten(); });
+  for (const std::string& file : files.logs) {
+    progress.next(file);
+    auto row = measure_laser_log(file, repeat);
+    if (!row) return pass_on(row);
+    rows.logs.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+int execute(const BenchCommand& command) {
+  const auto files = files_in(command.data);
+  if (!files) return say(files.error(), command.json);
+  const auto rows = measured(*files, command.repeat);
+  if (!rows) return say(rows.error(), command.json);
+  const bool best =
+      std::none_of(rows->graphs.begin(), rows->graphs.end(), [](const Row& row) { return row.beaten(); });
   if (command.json) {
     auto list = nlohmann::ordered_json::array();
-    for (const Row& row : rows) list.push_back(row_json(row));
+    for (const Row& row : rows->graphs) list.push_back(row_json(row));
+    for (const LaserRow& row : rows->logs) list.push_back(row_json(row));
     print({{"status", best ? "done" : "not_done"}, {"job", "bench slam"}, {"rows", std::move(list)}});
   } else {
-    print_table(rows);
+    if (!rows->graphs.empty()) print_table(rows->graphs);
+    if (!rows->logs.empty()) print_table(rows->logs);
   }
   return best ? job_done : job_not_done;
 }
@@ -121,12 +147,13 @@ int execute(const BenchCommand& command) {
 }  // namespace
 
 void add_bench_slam(Command& bench) {
-  Command& slam = bench.add("slam", "pose graphs: cost and time, beside Ceres where it is installed");
+  Command& slam = bench.add(
+      "slam", "pose graphs and laser logs: cost, error and time; graphs beside Ceres where it is installed");
   auto command = std::make_shared<BenchCommand>();
-  slam.option("--data", &command->data, "folder with .g2o files, which may be gzip-compressed")
+  slam.option("--data", &command->data, "folder with .g2o or .log files, which may be gzip-compressed")
       .required()
       .type("DIR");
-  slam.option("--repeat", &command->repeat, "solve each so often and keep the shortest time [1]")
+  slam.option("--repeat", &command->repeat, "do each so often and keep the shortest time [1]")
       .between(1, 1000)
       .type("N");
   slam.flag("--json", &command->json, "print one JSON object on standard output");

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "cover_command.hpp"
 #include "drive_command.hpp"
+#include "explore_command.hpp"
 #include "flags.hpp"
 #include "guard_summary.hpp"
 #include "output.hpp"
@@ -22,7 +23,9 @@
 #include "outrider/sim/guard_run.hpp"
 #include "outrider/sim/hunt_run.hpp"
 #include "outrider/sim/physics_run.hpp"
+#include "outrider/sim/scout_run.hpp"
 #include "outrider/sim/watch_run.hpp"
+#include "page.hpp"
 #include "pddl.hpp"
 #include "progress.hpp"
 #include "pursue_command.hpp"
@@ -42,6 +45,7 @@ struct GuardCommand {
   std::string planner;
   std::int64_t threads = 0;
   bool prove = false;
+  bool unknown = false;
   PddlRequest pddl;
   GuardScenario scenario;
 };
@@ -58,7 +62,8 @@ OptionGroup describe_output(GuardCommand& command) {
         &command.regions},
        {"planner", "", 0, 0, "a planner of 'outrider list'; the same as --plan-planner", &command.planner},
        {"threads", "", 0, 1024, "threads to plan with; 0: all; the answer is the same", &command.threads},
-       {"prove", "", 0, 0, "as --plan-prove: a better lower bound, so a smaller gap", &command.prove}}};
+       {"prove", "", 0, 0, "as --plan-prove: a better lower bound, so a smaller gap", &command.prove},
+       {"unknown", "", 0, 0, "as --scout-unknown: explore the yard first", &command.unknown}}};
   for (Option& option : describe(command.pddl)) group.options.push_back(std::move(option));
   return group;
 }
@@ -80,6 +85,7 @@ Outcome<std::vector<std::string>> read_input(GuardCommand& command, const Comman
   }
   if (auto ok = apply_flags(flags, groups); !ok) return pass_on(ok);
   scenario.options.prove = scenario.options.prove || command.prove;
+  scenario.scout.unknown = scenario.scout.unknown || command.unknown;
   if (!command.planner.empty()) scenario.options.planner = command.planner;
   return load_problem(scenario);
 }
@@ -124,23 +130,42 @@ Outcome<Report> carried_out(const GuardScenario& scenario, const Site& site, con
   return run_guard(scenario.problem, site, plan, scenario.options, seed);
 }
 
-Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
-  Progress progress(4);
-  progress.next("reading the yard");
-  auto warnings = read_input(command, flags);
-  if (!warnings) return pass_on(warnings);
+/// Exploring comes first, and all plans are made on what it found.
+Outcome<GuardResult> carry_out_unknown(const GuardCommand& command, const GuardPlanner& planner,
+                                       Progress& progress) {
   const GuardScenario& scenario = command.scenario;
-  auto planner = find_guard_planner(scenario.options.planner);
-  if (!planner) return pass_on(planner);
-  if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  progress.next("exploring the yard");
+  ExploreWatch watch;
+  watch.progress = [&](double part) { progress.part(part); };
+  auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, watch);
+  if (!yard) return pass_on(yard);
+  const auto begin = Clock::now();
+  progress.next("planning on the map found");
+  const GuardProblem& found = yard->found.problem;
+  const auto site = survey(found, scenario.options);
+  if (!site) return tl::unexpected<Fault>(site.error());
+  const auto plan = planner.plan(found, *site, scenario.options, {});
+  if (!plan) return tl::unexpected<Fault>(plan.error());
+  const double planning_s = seconds_since(begin);
+  std::string regions;
+  if (command.regions) regions = regions_svg(found, *site);
+  progress.next("driving and shooting");
+  auto report = run_guard_on_map(scenario.problem, std::move(*yard), *site, *plan, scenario.options, seed);
+  if (!report) return pass_on(report);
+  return GuardResult{std::move(*report), planning_s, 0.0, std::move(regions)};
+}
 
+Outcome<GuardResult> carry_out_known(const GuardCommand& command, const GuardPlanner& planner,
+                                     Progress& progress) {
+  const GuardScenario& scenario = command.scenario;
   const auto begin = Clock::now();
   progress.next("surveying from where each target can be hit");
   auto site = survey(scenario.problem, scenario.options);
   if (!site) return pass_on(site);
   progress.next("planning the tour");
   auto plan = scenario.wander.any() ? Outcome<GuardPlan>(GuardPlan{})
-                                    : planner->plan(scenario.problem, *site, scenario.options, {});
+                                    : planner.plan(scenario.problem, *site, scenario.options, {});
   if (plan) plan = supply_plan(scenario.problem, *site, std::move(*plan), {});
   if (!plan) return pass_on(plan);
   if (scenario.options.shoot_on_the_move) plan = shoot_in_passing(scenario.problem, *site, *plan);
@@ -154,9 +179,34 @@ Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
   GuardResult result{std::move(*report), planning_s, 0.0, {}};
   if (result.report.sim) result.physics_s = seconds_since(launched);
   if (command.regions) result.regions = regions_svg(scenario.problem, *site);
-  result.report.warnings = std::move(*warnings);
-  result.report.settings = settings_of(describe(command.scenario));
   return result;
+}
+
+Outcome<GuardResult> carry_out(GuardCommand& command, const Command& flags) {
+  Progress progress(4);
+  progress.next("reading the yard");
+  auto warnings = read_input(command, flags);
+  if (!warnings) return pass_on(warnings);
+  const auto planner = find_guard_planner(command.scenario.options.planner);
+  if (!planner) return tl::unexpected<Fault>(planner.error());
+  if (auto ok = check_sim(command.scenario); !ok) return pass_on(ok);
+  auto result = command.scenario.scout.unknown ? carry_out_unknown(command, *planner, progress)
+                                               : carry_out_known(command, *planner, progress);
+  if (!result) return pass_on(result);
+  result->report.warnings = std::move(*warnings);
+  result->report.settings = settings_of(describe(command.scenario));
+  return result;
+}
+
+/// The exploring alone, which has pictures of its own.
+Report exploring_of(Report report) {
+  report.job = "explore";
+  report.shots.clear();
+  report.targets.clear();
+  const double end_s = metric(report, "explore_s");
+  std::erase_if(report.track, [&](const TrackSample& sample) { return sample.time_s > end_s; });
+  std::erase_if(report.events, [&](const ReportEvent& event) { return event.time_s > end_s; });
+  return report;
 }
 
 /// Writes what was asked for into the folder; returns the path of the report, or nothing without a folder.
@@ -168,8 +218,13 @@ Outcome<std::string> write_files(const GuardCommand& command, const GuardResult&
   if (command.html || command.svg) {
     auto stored = report_from_json(files.front().second);
     if (!stored) return pass_on(stored);
-    if (command.html) files.emplace_back(report.job + ".html", to_html(*stored));
+    if (command.html) files.emplace_back(report.job + ".html", to_html(*stored, page::viewer()));
     if (command.svg) files.emplace_back(report.job + ".svg", to_animated_svg(*stored, 24.0));
+    if (stored->explore) {
+      const Report exploring = exploring_of(*stored);
+      if (command.html) files.emplace_back("explore.html", to_html(exploring, page::viewer()));
+      if (command.svg) files.emplace_back("explore.svg", to_animated_svg(exploring, 24.0));
+    }
   }
   if (command.regions) files.emplace_back("firing_regions.svg", result.regions);
   if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
@@ -261,6 +316,7 @@ void add_run(Command& tool) {
     if (job && *job == "pursue") return run_pursuit_scenario(command->scenario_path, flags);
     if (job && *job == "cover") return run_cover_scenario(command->scenario_path, flags);
     if (job && *job == "drive") return run_drive_scenario(command->scenario_path, flags);
+    if (job && *job == "explore") return run_explore_scenario(command->scenario_path, flags);
     return execute(*command, flags);
   });
   run.footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");

@@ -20,6 +20,7 @@ struct Job {
 };
 constexpr Job jobs[] = {{"cover", "Pass over every spot of an area, in a guaranteed time."},
                         {"drive", "Drive to waypoints by the tags in sight, or open loop by time."},
+                        {"explore", "Map an unknown world to the last reachable cell, then come home."},
                         {"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
                         {"plan", "Find a collision-free path for a disk robot."},
                         {"pursue", "Catch a moving target on a grid of costs, at the least cost."}};

@@ -31,12 +31,14 @@ int run(int argc, char** argv) {
   add_guard(tool);
   add_pursue(tool);
   add_cover(tool);
+  add_explore(tool);
   add_drive(tool);
   add_calibrate(tool);
   add_plan(tool);
   add_slam(tool);
   add_detect(tool);
   add_replay(tool);
+  add_serve(tool);
   add_bench(tool);
   add_list(tool);
   add_schema(tool);

@@ -10,6 +10,9 @@ namespace outrider::cli {
 
 /// Shows "[###..] step, 3 s" from the first second on, and leaves nothing behind. Silent where standard
 /// error is no terminal. The steps are named before they begin. Thread rule: one thread calls.
+///
+/// Programs that watch set OUTRIDER_PROGRESS to the number of an open descriptor, and read from it a line of
+/// JSON for each step and each hundredth of one: {"step":2,"steps":4,"name":"planning the tour","part":0.25}.
 class Progress {
  public:
   explicit Progress(int steps);
@@ -26,6 +29,7 @@ class Progress {
 
  private:
   void watch();
+  void tell() const;  // with the lock held
 
   int steps_;
   std::mutex mutex_;  // guards what follows
@@ -34,6 +38,7 @@ class Progress {
   int done_ = -1;
   double part_ = 0.0;
   std::string step_;
+  int descriptor_ = -1;  // of a program that watches
   std::thread watcher_;
 };
 

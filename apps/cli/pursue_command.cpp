@@ -18,6 +18,7 @@
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/pursuit_report.hpp"
+#include "page.hpp"
 #include "progress.hpp"
 #include "pursue_summary.hpp"
 #include "scenario_words.hpp"
@@ -114,7 +115,7 @@ Outcome<std::string> write_files(const PursueCommand& command, const Report& rep
   auto stored = report_from_json(text);
   if (!stored) return pass_on(stored);
   const std::vector<NamedText> files = {{report.job + ".json", text},
-                                        {report.job + ".html", to_html(*stored)},
+                                        {report.job + ".html", to_html(*stored, page::viewer())},
                                         {report.job + ".svg", to_animated_svg(*stored, 12.0)}};
   if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
   return command.out + "/" + files.front().first;

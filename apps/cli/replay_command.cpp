@@ -5,12 +5,14 @@
 
 #include "commands.hpp"
 #include "drive_summary.hpp"
+#include "explore_summary.hpp"
 #include "flags.hpp"
 #include "guard_summary.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
+#include "page.hpp"
 #include "pursue_summary.hpp"
 
 namespace outrider::cli {
@@ -46,11 +48,14 @@ Outcome<Report> load_report(const std::string& path) {
 
 nlohmann::ordered_json json_of(const Report& report, const std::string& path) {
   if (report.chase) return pursuit_json(report, path);
+  if (report.job == "explore" && report.explore)
+    return explore_json(report, report.status == "done" ? "complete" : "", path);
   return report.drive ? drive_json(report, path) : summary_json(report, path);
 }
 
 std::string text_of(const Report& report) {
   if (report.chase) return pursuit_summary(report);
+  if (report.job == "explore" && report.explore) return explore_summary(report);
   return report.drive ? drive_summary(report) : summary(report);
 }
 
@@ -60,7 +65,8 @@ int execute(ReplayCommand& command, const Command& flags) {
   const auto report = load_report(command.path);
   if (!report) return say(report.error(), command.json);
   if (flags.given("--html")) {
-    if (auto ok = write_file(command.html, to_html(*report)); !ok) return say(ok.error(), command.json);
+    if (auto ok = write_file(command.html, to_html(*report, page::viewer())); !ok)
+      return say(ok.error(), command.json);
   }
   if (flags.given("--svg")) {
     if (auto ok = write_file(command.svg, to_animated_svg(*report, command.seconds)); !ok) {

@@ -8,6 +8,7 @@
 #include "output.hpp"
 #include "outrider/io/cover_scenario.hpp"
 #include "outrider/io/drive_scenario.hpp"
+#include "outrider/io/explore_scenario.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/pursuit_scenario.hpp"
 #include "outrider/io/scenario.hpp"
@@ -36,6 +37,7 @@ int execute(const std::string& form, const std::string& job) {
   PursuitScenario pursuit;
   CoverScenario cover;
   DriveScenario drive;
+  ExploreScenario explore;
   const JobForm forms[] = {
       {"guard", describe(guard),
        "A key stands in a scenario file, at its top or in the section that the heading names; as a flag the\n"
@@ -54,11 +56,15 @@ int execute(const std::string& form, const std::string& job) {
       {"drive", describe(drive),
        "A key stands in a scenario file, at its top or in the section that the heading names; as a flag of\n"
        "`outrider drive` the key `loop` is `--loop` and the key `speed` of the section `follow` is\n"
-       "`--follow-speed`. Flags win over the file."}};
+       "`--follow-speed`. Flags win over the file."},
+      {"explore", describe(explore),
+       "A key stands in a scenario file, at its top or in the section that the heading names; as a flag of\n"
+       "`outrider explore` the key `start` is `--start` and the key `strategy` of the section `explore` is\n"
+       "`--explore-strategy`. Flags win over the file."}};
   const auto found = std::ranges::find(forms, job, &JobForm::name);
   if (found == std::end(forms)) {
     return say({FaultCode::bad_input,
-                fmt::format("'{}' is no job; it takes guard, pursue, cover or drive", job), "--job"},
+                fmt::format("'{}' is no job; it takes guard, pursue, cover, drive or explore", job), "--job"},
                false);
   }
   const auto& groups = found->groups;
@@ -93,7 +99,7 @@ void add_schema(Command& tool) {
               "(tables) [schema]")
       .type("TEXT");
   auto job = std::make_shared<std::string>("guard");
-  schema.option("--job", job.get(), "guard, pursue, cover or drive [guard]").type("TEXT");
+  schema.option("--job", job.get(), "guard, pursue, cover, drive or explore [guard]").type("TEXT");
   schema.does([form, job](const Command&) { return execute(*form, *job); });
   schema.footer("\nExample: outrider schema --as scenario > mission.yaml");
 }

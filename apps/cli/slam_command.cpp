@@ -8,12 +8,14 @@
 
 #include "commands.hpp"
 #include "flags.hpp"
+#include "laser_run.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/g2o.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "progress.hpp"
 #include "slam_input.hpp"
+#include "slam_laser.hpp"
 #include "slam_picture.hpp"
 
 namespace outrider::cli {
@@ -31,6 +33,8 @@ struct SlamCommand {
   LandmarkSlamOptions landmarks;
   LogNoise noise;
   PoseGraphOptions graph;
+  CarmenOptions carmen;
+  LaserSlamOptions laser = options_for_logs();
 };
 
 std::vector<OptionGroup> describe(SlamCommand& command) {
@@ -44,6 +48,9 @@ std::vector<OptionGroup> describe(SlamCommand& command) {
             {"resume", "", 0, 0, "state of an earlier run to continue from", &command.resume}}},
           {"slam", "landmarks", describe(command.landmarks)},
           {"noise", "noise of logs that give none", describe(command.noise)},
+          {"carmen", "laser logs", describe(command.carmen)},
+          {"laser", "laser scans", describe(command.laser)},
+          {"map", "map of laser scans", describe(command.laser.map)},
           {"graph", "graphs", describe(command.graph)},
           {"graph",
            "graphs",
@@ -282,9 +289,12 @@ int execute(SlamCommand& command, const Command& flags) {
   if (flags.given("--out")) {
     if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
   }
-  auto input = load_slam_input(command.path, command.truth, command.noise);
+  auto input = load_slam_input(command.path, command.truth, command.noise, command.carmen);
   if (!input) return say(input.error(), command.json);
   if (auto* graph = std::get_if<GraphInput>(&*input)) return solve_graph(command, std::move(*graph));
+  if (const auto* log = std::get_if<LaserLog>(&*input)) {
+    return map_laser_log({command.path, command.out, command.json, command.laser}, *log);
+  }
   return run_landmarks(command, flags, std::move(std::get<LandmarkLog>(*input)));
 }
 
@@ -293,8 +303,9 @@ int execute(SlamCommand& command, const Command& flags) {
 void add_slam(Command& tool) {
   Command& slam = tool.add("slam", "localise and map from a recorded log, or solve a pose graph");
   auto command = std::make_shared<SlamCommand>();
-  slam.positional("file", &command->path,
-                  "landmark log, g2o graph or PyFG graph; may be gzip-compressed; docs/jobs/slam.md")
+  slam.positional(
+          "file", &command->path,
+          "laser log, landmark log, g2o graph or PyFG graph; may be gzip-compressed; docs/jobs/slam.md")
       .required()
       .type("FILE");
   add_flags(slam, describe(*command));

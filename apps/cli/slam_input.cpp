@@ -97,11 +97,17 @@ Outcome<SlamInput> load_graph(const std::string& path, const std::string& text,
 
 }  // namespace
 
-Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise) {
+Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
+                                   const CarmenOptions& carmen) {
   const auto text = read_file(path);
   if (!text) return bad_input(text.error().sentence, text.error().where);
   if (fs::path(path).filename().string().find("Odometry.dat") != std::string::npos) {
     return load_mrclam(path, *text, noise);
+  }
+  if (is_carmen_log(*text)) {
+    auto log = laser_log_from_carmen({*text, path}, carmen);
+    if (!log) return pass_on(log);
+    return SlamInput(std::move(*log));
   }
   const std::vector<std::string> words = first_words(*text);
   const std::string tag = words.empty() ? "" : words.front();
@@ -115,7 +121,7 @@ Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& t
     if (!log) return pass_on(log);
     return SlamInput(std::move(*log));
   }
-  return bad_input("it is no graph and no landmark log that is known; docs/jobs/slam.md lists them", path);
+  return bad_input("it is no graph and no log that is known; docs/jobs/slam.md lists them", path);
 }
 
 }  // namespace outrider::cli

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "outrider/io/landmark_logs.hpp"
+#include "outrider/io/carmen_log.hpp"
 #include "outrider/io/pyfg.hpp"
 
 namespace outrider::cli {
@@ -14,10 +14,12 @@ struct GraphInput {
   std::vector<Pose2> truth;  ///< by node; empty where unknown
 };
 
-using SlamInput = std::variant<GraphInput, LandmarkLog>;
+using SlamInput = std::variant<GraphInput, LandmarkLog, LaserLog>;
 
 /// A g2o or PyFG graph, or a landmark log: a Freiburg log with the map `truth` or "world.dat" beside it; an
-/// MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks beside it; a chain.
-Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise);
+/// MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks beside it; a chain; a
+/// laser log of CARMEN.
+Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
+                                   const CarmenOptions& carmen);
 
 }  // namespace outrider::cli

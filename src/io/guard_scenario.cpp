@@ -103,6 +103,24 @@ Status check_passing(const GuardScenario& scenario) {
       other);
 }
 
+/// Scouting goes with a level yard without things that only a known one has.
+Status check_scouting(const GuardScenario& scenario) {
+  if (!scenario.scout.unknown) return {};
+  const GuardProblem& problem = scenario.problem;
+  const char* other = problem.world.terrain                ? "terrain"
+                      : problem.supplies.any()             ? "supplies"
+                      : problem.targets_block              ? "targets_block"
+                      : scenario.arrivals.any()            ? "arrivals"
+                      : scenario.arrivals.leave < 1.0      ? "arrivals.leave"
+                      : scenario.wander.any()              ? "wander.speed"
+                      : scenario.options.shoot_on_the_move ? "plan.shoot_on_the_move"
+                      : scenario.sim != "kinematic"        ? "sim"
+                                                           : nullptr;
+  if (other == nullptr) return {};
+  return bad_input("a yard that is not known does not go together with this; leave it out, or scout.unknown",
+                   other);
+}
+
 Status need(const std::string& value, const std::string& key, const std::string& what) {
   if (!value.empty()) return {};
   return bad_input(fmt::format("missing; give {}", what), key);
@@ -142,6 +160,9 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"plan", "the planner", describe(scenario.options)},
       {"arrivals", "intruders that keep coming", describe(scenario.arrivals)},
       {"wander", "intruders that walk about", describe(scenario.wander)},
+      {"scout", "a yard that is not known", describe(scenario.scout)},
+      {"laser", "the range finder of a robot that scouts", describe(scenario.sensors.laser)},
+      {"wheels", "the wheels that it counts while it scouts", describe(scenario.sensors.wheels)},
   };
 }
 
@@ -196,6 +217,7 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.intruders = std::move(*intruders);
   if (auto ok = load_hunt(scenario); !ok) return pass_on(ok);
   if (auto ok = check_passing(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_scouting(scenario); !ok) return pass_on(ok);
   return std::move(loaded->warnings);
 }
 

@@ -122,6 +122,26 @@ std::uint8_t shade_of(std::uint8_t occupancy) {
   return occupancy == occupied_cell ? 0 : 205;
 }
 
+Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& keys) {
+  auto bytes = read_file(path);
+  if (!bytes) return pass_on(bytes);
+  auto image = image_from_bytes(*bytes, path);
+  if (!image) return pass_on(image);
+
+  MapServerMap map;
+  map.yaw_rad = keys.origin[2];
+  map.occupancy =
+      Grid<std::uint8_t>({{keys.origin[0], keys.origin[1]}, keys.resolution_m, image->width, image->height});
+  const GridFrame& frame = map.occupancy.frame;
+  for (std::size_t pixel = 0; pixel < image->values.size(); ++pixel) {
+    const Cell from_top = frame.cell(pixel);
+    const bool hidden = !image->transparent.empty() && image->transparent[pixel];
+    map.occupancy[{from_top.x, frame.height - 1 - from_top.y}] =
+        hidden ? unknown_cell : occupancy_of(image->values[pixel], keys);
+  }
+  return map;
+}
+
 Status check_frame(const GridFrame& frame, const std::string& path) {
   const double far = std::max(std::abs(frame.origin.x), std::abs(frame.origin.y));
   if (frame.width >= 1 && frame.height >= 1 && frame.resolution_m > 0.0 &&
@@ -138,24 +158,13 @@ Outcome<MapServerMap> load_map_server(const std::string& path) {
   if (!text) return pass_on(text);
   auto keys = map_keys(*text, path);
   if (!keys) return pass_on(keys);
-  const std::string image_path = (fs::path(path).parent_path() / keys->image).string();
-  auto bytes = read_file(image_path);
-  if (!bytes) return pass_on(bytes);
-  auto image = image_from_bytes(*bytes, image_path);
-  if (!image) return pass_on(image);
+  return map_from_image((fs::path(path).parent_path() / keys->image).string(), *keys);
+}
 
-  MapServerMap map;
-  map.yaw_rad = keys->origin[2];
-  map.occupancy = Grid<std::uint8_t>(
-      {{keys->origin[0], keys->origin[1]}, keys->resolution_m, image->width, image->height});
-  const GridFrame& frame = map.occupancy.frame;
-  for (std::size_t pixel = 0; pixel < image->values.size(); ++pixel) {
-    const Cell from_top = frame.cell(pixel);
-    const bool hidden = !image->transparent.empty() && image->transparent[pixel];
-    map.occupancy[{from_top.x, frame.height - 1 - from_top.y}] =
-        hidden ? unknown_cell : occupancy_of(image->values[pixel], *keys);
-  }
-  return map;
+Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m) {
+  MapKeys keys;
+  keys.resolution_m = resolution_m;
+  return map_from_image(path, keys);
 }
 
 Status save_map_server(const std::string& path, const MapServerMap& map) {

@@ -3,6 +3,7 @@
 #include "outrider/report/pictures.hpp"
 #include "svg_chase.hpp"
 #include "svg_drive.hpp"
+#include "svg_explore.hpp"
 #include "svg_scene.hpp"
 #include "text.hpp"
 
@@ -111,6 +112,7 @@ std::string to_animated_svg(const Report& report, double seconds) {
   const double loop_s = std::isfinite(seconds) ? std::clamp(seconds, 1.0, 600.0) : 20.0;
   if (report.chase) return chase_picture(report, loop_s);
   if (report.drive) return drive_picture(report);
+  if (report.explore && report.shots.empty()) return explore_picture(report, loop_s);
   Scene scene{.report = report, .clock = LoopClock(report, loop_s), .area = drawn_area(report)};
   const double across_m = std::max(scene.area.size().x, 1e-3);
   scene.scale = (card_width_px - 2.0 * pad_px) / across_m;

@@ -17,5 +17,8 @@ extern const std::string_view transport_js;
 extern const std::string_view replay_js;
 extern const std::string_view chase_html;
 extern const std::string_view chase_js;
+extern const std::string_view discovery_js;
+extern const std::string_view explore_html;
+extern const std::string_view explore_js;
 
 }  // namespace outrider::page

@@ -1,5 +1,7 @@
 """`outrider slam` and `bench slam` on small files and, where it is, on published data."""
+import gzip
 import math
+import os
 import unittest
 
 from tool import DATA, SOURCE, ToolTest, main
@@ -104,6 +106,57 @@ class Slam(ToolTest):
         found = self.run_tool("bench", "slam", "--data", "out")
         self.assertEqual((found.returncode, found.stdout), (2, ""))
         self.assertIn(".g2o", self.sentence(found))
+
+    def laser_log(self, name, scans=None):
+        """A published log, cut after so many scans."""
+        path = DATA / "slam" / "lidar" / f"{name}-corrected.log.gz"
+        if not path.exists():
+            self.skipTest(f"{path} is absent; set OUTRIDER_DATA")
+        if scans is None:
+            return path
+        with gzip.open(path, "rt") as lines:
+            kept = []
+            for line in lines:
+                kept.append(line)
+                scans -= line.startswith("FLASER")
+                if scans == 0:
+                    break
+        self.write(f"{name}.log", "".join(kept))
+        return f"{name}.log"
+
+    def mapped(self, *args):
+        run = self.run_tool("slam", *args, "--json", timeout=900)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return self.json_of(run)
+
+    def test_laser_log(self):
+        log = self.laser_log("intel", 120)
+        found = self.mapped(log, "--out", "a")
+        self.assertEqual((found["engine"], found["steps"], found["steps_matched"]), ("laser", 120, 119))
+        self.assertLess(found["mean_absolute_error_m"], 0.1)
+        self.assertLess(found["ate_m"], 0.15)
+        self.assertGreater(found["real_time_factor"], 1)
+        self.mapped(log, "--out", "b")
+        for name in ("track.csv", "slam.svg", "map.yaml", "map.pgm"):
+            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
+        self.assertEqual(len((self.folder / "a" / "track.csv").read_text().splitlines()), 121)
+        path = self.run_tool("plan", "a/map.yaml", "--from", "0,0", "--to", "0.5,0", "--json")
+        self.assertEqual(path.returncode, 0, path.stderr)
+
+    def test_whole_laser_logs(self):
+        if "OUTRIDER_CASES" not in os.environ:
+            self.skipTest("long; set OUTRIDER_CASES")
+        for name in ("intel", "aces", "csail", "freiburg-079", "freiburg-101"):
+            with self.subTest(name):
+                self.assertLess(self.mapped(self.laser_log(name))["mean_absolute_error_m"], 0.1)
+
+    def test_laser_refusals(self):
+        self.write("bad.log", "PARAM a b\nFLASER 2 1 x 0 0 0 0 0 0 0 h 0\n")
+        self.refused("slam", "bad.log", says=["bad.log:2: ", "'x'", "FLASER n r1"])
+        self.write("none.log", "ODOM 0 0 0 0 0 0 0 h 0\n")
+        self.refused("slam", "none.log", says=["none.log: ", "no scan"])
+        self.write("nan.log", "FLASER 0 0 0 0 0 0 0 0 h 0\nFLASER 2 nan nan 0 0 0 0 0 0 1 h 1\n")
+        self.assertEqual(self.mapped("nan.log", "--out", "out")["steps_matched"], 0)
 
     def test_published(self):
         folder = DATA / "slam"

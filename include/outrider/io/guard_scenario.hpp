@@ -6,8 +6,10 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/execute/explorer_truth.hpp"
 #include "outrider/guard/arrivals.hpp"
 #include "outrider/guard/problem.hpp"
+#include "outrider/guard/scout.hpp"
 #include "outrider/guard/wander.hpp"
 
 namespace outrider {
@@ -30,9 +32,12 @@ struct GuardScenario {
   WanderOptions wander;
   std::vector<double> preferences;  ///< of `wander`, once loaded
   std::vector<Track> history;       ///< of `wander`, once loaded
+  ScoutOptions scout;
+  ExplorerTruth sensors;  ///< of a robot that scouts
 };
 
-/// Top-level keys first, then the sections robot, gun, air, errors, supplies, plan, arrivals and wander.
+/// Top-level keys first, then the sections robot, gun, air, errors, supplies, plan, arrivals, wander,
+/// scout, laser and wheels.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
 /// Makes the paths in a scenario, which are relative to its file, relative to here.

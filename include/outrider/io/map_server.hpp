@@ -39,6 +39,9 @@ inline Vec2 world_centre(const MapServerMap& map, Cell cell) {
 
 Outcome<MapServerMap> load_map_server(const std::string& path);
 
+/// An image without a YAML file: its lowest corner at the origin, the thresholds those that are usual.
+Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m);
+
 /// Writes `path` (.yaml) and, beside it, the image with the same stem and .pgm: free 254, occupied 0,
 /// unknown 205. The image comes first, so a YAML file never names an image that is not there.
 Status save_map_server(const std::string& path, const MapServerMap& map);

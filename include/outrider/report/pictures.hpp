@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "outrider/report/report.hpp"
 
@@ -11,6 +12,10 @@ namespace outrider {
 /// slider, side view of the selected shot, table of targets, totals; light and dark. Names in the report
 /// are shown as text and can be anything. The address may say where to begin: #t=123&shot=4&theme=dark.
 std::string to_html(const Report& report);
+
+/// The same with a page of another make: `viewer` holds each of the markers @TITLE@ and @REPORT@ once, in
+/// this order. Where it is empty, the page above.
+std::string to_html(const Report& report, std::string_view viewer);
 
 /// A self-contained animated SVG (SMIL, no script) of the plan view, the whole run in one loop of
 /// `seconds` (1 to 600, clamped), fit for an <img>.

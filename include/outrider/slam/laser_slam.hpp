@@ -1,11 +1,23 @@
 // Simultaneous localisation and mapping with a range finder.
 //
-// Each scan is matched with the map of the scans around it, first by search over a window about the odometry
-// (correlative, complete within the window), then by Gauss-Newton to a part of a cell. Places that come again
-// are recognised by the same search against old parts of the map, held against chance, and added to a pose
-// graph as closed loops; when the graph moves, the map is drawn anew.
+// Each scan is matched with the surfaces that the scans around it saw, first by search over a window about
+// the odometry (correlative, complete within the window), then by Gauss-Newton to a part of a cell, with the
+// odometry as prior: where the walls say nothing, as along a corridor, it decides. A scan is kept every
+// key_distance_m or key_turn_rad; kept scans are tied together in a pose graph, to the one before and, where
+// their places by each other are well known, to those of earlier visits, with which the next scans are then
+// matched too. Places that come again after a long way are recognised by the same search of the last scans
+// together against old ones, held against chance (enough points on surfaces, no rival place, the other ties
+// give way), and close a loop; when the graph then moves a scan by a cell, the map is drawn anew from the
+// kept scans.
 //
+// Where a scan fits nothing, the pose is that of the odometry, and the tie is loose. The map has every scan
+// until it is drawn anew.
 // Frames: world_T_robot; the first pose is exact. Same input, same bytes. Thread rule: one at a time.
+// Complexity: a step, the points of a scan and the window; a kept scan, besides, the points of some 30 scans;
+// a loop, a solution of the graph.
+// Sources: Olson, Real-time correlative scan matching, ICRA 2009, 4387-4393; Konolige et al., Efficient
+// sparse pose adjustment for 2D mapping, IROS 2010, 22-29 (the ties); surface_map.hpp in src for the
+// matching.
 #pragma once
 
 #include <memory>
@@ -18,6 +30,16 @@ namespace outrider {
 
 struct LaserSlamOptions {
   bool trust_odometry = false;  ///< poses are those of the odometry: mapping alone
+  bool draw_late = false;       ///< the map is drawn by settle() only
+  bool close_loops = true;
+  double reach_m = 30.0;         ///< readings up to here are matched; the map has them all
+  double key_distance_m = 0.25;  ///< a scan is kept after this way or turn
+  double key_turn_rad = 0.35;
+  double odometry_distance = 0.05;               ///< m of error in the root of a metre driven
+  double odometry_turn = 0.05;                   ///< rad of error in the root of a radian turned
+  double odometry_turn_per_distance_rad = 0.05;  ///< of error in the root of a metre driven
+  double odometry_rest_m = 0.005;                ///< of error of a step besides
+  double odometry_rest_rad = 0.005;
   Pose2 robot_T_laser;
   OccupancyMapOptions map;
 };
@@ -33,6 +55,7 @@ struct LaserSlamStep {
 
 class LaserSlam {
  public:
+  /// Refuses options out of their ranges and a start that is not finite.
   static Outcome<LaserSlam> begin(const LaserSlamOptions& options, const Pose2& start);
 
   LaserSlam(LaserSlam&&) noexcept;
@@ -43,11 +66,18 @@ class LaserSlam {
   /// out, and the step is that of the odometry; nothing else is refused than a motion that is not finite.
   Outcome<LaserSlamStep> advance(const Pose2& motion, const LaserScan& scan);
 
+  /// Brings the poses to the least squares of all that was matched and draws the map anew.
+  void settle();
+
   [[nodiscard]] const Pose2& pose() const;
+  /// Of the last scan kept, given the start: (x, y, heading) in the world, an upper bound along the ties that
+  /// say most; zeros where odometry is trusted.
   [[nodiscard]] Matrix3 pose_covariance() const;
   [[nodiscard]] const OccupancyMap& map() const;
   /// The start and the pose after each step, as known now.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
+  /// Loops closed so far.
+  [[nodiscard]] std::size_t loops() const;
 
  private:
   struct State;

@@ -58,6 +58,9 @@ class PlanView {
       for (const [x, y] of points) path.lineTo(x, y);
       return { height: height_m, path };
     });
+    if (report.explore) {
+      this.found = new Discovery(report.explore.map, { unknown: 0x66808080, free: 0, occupied: 0xb07a45e0 });
+    }
     this.way = new Path2D();
     for (let i = 0; i < track.length; ++i) this.way.lineTo(track.x[i], track.y[i]);
     this.boxes = targets.map((target) => {
@@ -98,6 +101,7 @@ class PlanView {
     ctx.clearRect(0, 0, camera.canvas.width, camera.canvas.height);
     ctx.drawImage(this.still, 0, 0);
     camera.toPlane(ctx);
+    this.drawFound(ctx);
     this.drawWay(ctx);
     this.drawShots(ctx);
     drawStations(ctx, camera);
@@ -105,6 +109,18 @@ class PlanView {
     this.drawRobot(ctx);
     this.drawFlights(ctx);
     this.drawLabels(ctx);
+  }
+
+  /** The map that was found by now: what is unknown is veiled. */
+  drawFound(ctx) {
+    if (!this.found) return;
+    const { origin: [x, y], columns, rows, cell_m: cell } = this.found.map;
+    ctx.save();
+    ctx.imageSmoothingEnabled = false;
+    ctx.translate(x, y + rows * cell);
+    ctx.scale(cell, -cell);
+    ctx.drawImage(this.found.at(this.now.t), 0, 0, columns, rows);
+    ctx.restore();
   }
 
   // What does not move.

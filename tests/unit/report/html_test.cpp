@@ -63,6 +63,19 @@ TEST(ReplayPage, NamesCannotBreakOut) {
   }
 }
 
+TEST(ReplayPage, TakesAPageOfAnotherMake) {
+  Report report = test::sample_report();
+  report.world_name = "@REPORT@ </script>";
+  const std::string page = to_html(
+      report, "<title>@TITLE@</title><script type=\"application/json\" id=\"report\">@REPORT@</script>");
+  EXPECT_TRUE(page.starts_with("<title>guard: @REPORT@ &lt;/script"));
+  EXPECT_EQ(count(page, "</script"), 1U);
+  const auto back = report_from_json(embedded(page));
+  ASSERT_TRUE(back) << to_string(back.error());
+  EXPECT_EQ(to_json(*back), to_json(report));
+  EXPECT_EQ(to_html(report, {}), to_html(report));
+}
+
 TEST(ReplayPage, IsTheSameTwice) {
   EXPECT_EQ(to_html(test::sample_report()), to_html(test::sample_report()));
   EXPECT_FALSE(to_html(Report{}).empty());

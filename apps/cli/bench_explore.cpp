@@ -1,0 +1,245 @@
+// bench explore: every way to choose the next view, in every world, over many seeds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "outrider/explore/bound.hpp"
+#include "outrider/explore/catalog.hpp"
+#include "outrider/io/explore_scenario.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/sim/explore_run.hpp"
+#include "progress.hpp"
+
+namespace outrider::cli {
+namespace {
+
+struct BenchCommand {
+  std::vector<std::string> scenarios = {"scenarios/explore/office.yaml"};
+  std::string data;
+  std::vector<std::string> strategies;
+  std::int64_t seeds = 20;
+  bool json = false;
+};
+
+struct BenchWorld {
+  std::string name;
+  ExploreSetup setup;
+  double least_s = 0.0;  ///< no run takes less (explore/bound.hpp)
+};
+
+/// One strategy in one world; a value a seed.
+struct Row {
+  std::string world;
+  std::string strategy;
+  double least_s = 0.0;
+  int runs = 0;
+  int done = 0;
+  std::vector<double> explored, time_s, distance_m, decisions, max_decision_s, map_error_m, contacts;
+};
+
+/// The cells of 5 cm whose centres something at the height of the laser covers.
+Grid<std::uint8_t> solid_cells(const ExploreSetup& setup) {
+  const auto pieces = cut_at(setup.world, setup.truth.laser.height_m);
+  Box2 box;
+  box.include(setup.task.start.position);
+  for (const RoundedPolygon& piece : pieces) {
+    box.include(piece.bounds().low);
+    box.include(piece.bounds().high);
+  }
+  Grid<std::uint8_t> solid(covering(box.grown(0.1), 0.05));
+  for (const RoundedPolygon& piece : pieces) {
+    const Cell low = solid.frame.cell_at(piece.bounds().low), high = solid.frame.cell_at(piece.bounds().high);
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) {
+        if (signed_distance(solid.frame.centre({x, y}), piece) <= 0.0) solid[{x, y}] = 1;
+      }
+    }
+  }
+  return solid;
+}
+
+Outcome<BenchWorld> loaded(const std::string& name, const ExploreScenario& scenario) {
+  auto setup = load_explore(scenario);
+  if (!setup) return pass_on(setup);
+  const auto bound = explore_bound(solid_cells(*setup), setup->task.start.position, setup->truth.laser.most_m,
+                                   setup->task.robot, {.return_home = setup->task.rules.return_home});
+  if (!bound) return tl::unexpected<Fault>(bound.error());
+  return BenchWorld{name, std::move(*setup), bound->least_s};
+}
+
+/// The scenarios that were named, then the worlds of the reference report in the data.
+Outcome<std::vector<BenchWorld>> load_worlds(const BenchCommand& command) {
+  std::vector<BenchWorld> worlds;
+  for (const std::string& path : command.scenarios) {
+    ExploreScenario scenario;
+    if (auto ok = load_scenario(path, describe(scenario)); !ok) return pass_on(ok);
+    resolve_paths(scenario, path);
+    auto world = loaded(std::filesystem::path(path).stem().string(), scenario);
+    if (!world) return pass_on(world);
+    worlds.push_back(std::move(*world));
+  }
+  if (command.data.empty()) return worlds;
+  for (const auto& [name, start] : {std::pair{"closed_maze", "-1,0,0"}, {"house_closed", "-3,1,0"}}) {
+    ExploreScenario scenario;
+    scenario.world.world = fmt::format("{}/{}.world", command.data, name);
+    scenario.start = start;
+    auto world = loaded(name, scenario);
+    if (!world) return pass_on(world);
+    worlds.push_back(std::move(*world));
+  }
+  return worlds;
+}
+
+Outcome<std::vector<std::string>> chosen_strategies(const BenchCommand& command) {
+  std::vector<std::string> names = command.strategies;
+  if (names.empty()) {
+    for (const ExploreStrategy& row : explore_strategies()) names.emplace_back(row.name);
+  }
+  for (const std::string& name : names) {
+    if (auto row = find_explore_strategy(name); !row) return bad_input(row.error().sentence, "--strategies");
+  }
+  return names;
+}
+
+/// Of this thread alone.
+double processor_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Outcome<Row> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
+                      const std::function<void(double)>& progress) {
+  Row row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
+  ExploreTask task = world.setup.task;
+  task.explore.strategy = strategy;
+  for (std::int64_t seed = 1; seed <= seeds; ++seed) {
+    ExploreWatch watch;
+    watch.processor_s = processor_s;
+    const auto run =
+        run_explore(world.setup.world, task, world.setup.truth, static_cast<std::uint64_t>(seed), watch);
+    if (!run) return tl::unexpected<Fault>(run.error());
+    ++row.runs;
+    row.done += run->report.status == "done" ? 1 : 0;
+    const auto keep = [&](std::vector<double>& values, std::string_view name) {
+      values.push_back(metric(run->report, name));
+    };
+    keep(row.explored, "explored_fraction");
+    keep(row.time_s, "time_s");
+    keep(row.distance_m, "distance_m");
+    keep(row.decisions, "decisions");
+    keep(row.max_decision_s, "max_decision_s");
+    keep(row.map_error_m, "map_error_m");
+    keep(row.contacts, "contacts");
+    progress(static_cast<double>(seed) / static_cast<double>(seeds));
+  }
+  return row;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+double least(const std::vector<double>& values) { return *std::ranges::min_element(values); }
+double most(const std::vector<double>& values) { return *std::ranges::max_element(values); }
+
+nlohmann::ordered_json row_json(const Row& row) {
+  return {{"world", row.world},
+          {"strategy", row.strategy},
+          {"runs", row.runs},
+          {"done", row.done},
+          {"median_explored_fraction", median(row.explored)},
+          {"least_explored_fraction", least(row.explored)},
+          {"median_time_s", median(row.time_s)},
+          {"least_time_s", least(row.time_s)},
+          {"lower_bound_s", row.least_s},
+          {"most_time_s", most(row.time_s)},
+          {"median_distance_m", median(row.distance_m)},
+          {"median_decisions", median(row.decisions)},
+          {"max_decision_s", most(row.max_decision_s)},
+          {"median_map_error_m", median(row.map_error_m)},
+          {"most_map_error_m", most(row.map_error_m)},
+          {"most_contacts", most(row.contacts)}};
+}
+
+void print_table(const std::vector<Row>& rows) {
+  fmt::print("  {:<14} {:<18} {:>5} {:>18} {:>20} {:>8} {:>9} {:>9} {:>15} {:>9} {:>8}\n", "world",
+             "strategy", "done", "explored % (least)", "time s (median, most)", "bound s", "driven m",
+             "decisions", "longest think", "error mm", "contacts");
+  for (const Row& row : rows) {
+    fmt::print(
+        "  {:<14} {:<18} {:>2}/{:<2} {:>9.2f} {:>8.2f} {:>12.1f} {:>8.1f} {:>8.1f} {:>9.1f} {:>9.0f} "
+        "{:>12.1f} ms "
+        "{:>9.1f} "
+        "{:>8.0f}\n",
+        row.world, row.strategy, row.done, row.runs, 100.0 * median(row.explored),
+        100.0 * least(row.explored), median(row.time_s), most(row.time_s), row.least_s,
+        median(row.distance_m), median(row.decisions), 1e3 * most(row.max_decision_s),
+        1e3 * most(row.map_error_m), most(row.contacts));
+  }
+}
+
+Outcome<std::vector<Row>> measure(const BenchCommand& command) {
+  const auto strategies = chosen_strategies(command);
+  if (!strategies) return tl::unexpected<Fault>(strategies.error());
+  const auto worlds = load_worlds(command);
+  if (!worlds) return tl::unexpected<Fault>(worlds.error());
+  Progress progress(static_cast<int>(worlds->size() * strategies->size()));
+  std::vector<Row> rows;
+  for (const BenchWorld& world : *worlds) {
+    for (const std::string& strategy : *strategies) {
+      progress.next(fmt::format("{} in {}", strategy, world.name));
+      auto row = measured(world, strategy, command.seeds, [&](double part) { progress.part(part); });
+      if (!row) return pass_on(row);
+      rows.push_back(std::move(*row));
+    }
+  }
+  return rows;
+}
+
+int execute(const BenchCommand& command) {
+  const auto rows = measure(command);
+  if (!rows) return say(rows.error(), command.json);
+  if (command.json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Row& row : *rows) list.push_back(row_json(row));
+    print({{"status", "done"}, {"job", "bench explore"}, {"rows", std::move(list)}});
+  } else {
+    print_table(*rows);
+  }
+  return job_done;
+}
+
+}  // namespace
+
+void add_bench_explore(Command& bench) {
+  Command& explore =
+      bench.add("explore", "ways to choose the next view: worlds explored with SLAM in the loop");
+  auto command = std::make_shared<BenchCommand>();
+  explore.option("--scenarios", &command->scenarios, "scenario files [scenarios/explore/office.yaml]")
+      .separated_by(',')
+      .type("FILE,...");
+  explore
+      .option("--data", &command->data,
+              "folder with closed_maze.world and house_closed.world, for these worlds too")
+      .type("DIR");
+  explore.option("--strategies", &command->strategies, "names from 'outrider list'; all unless given")
+      .separated_by(',')
+      .type("NAME,...");
+  explore.option("--seeds", &command->seeds, "runs of each strategy in each world, with seeds from 1 on [20]")
+      .between(1, 10'000)
+      .type("N");
+  explore.flag("--json", &command->json, "print one JSON object on standard output");
+  explore.does([command](const Command&) { return execute(*command); });
+  explore.footer("\nExample: outrider bench explore --strategies tour,nearest --seeds 5");
+}
+
+}  // namespace outrider::cli

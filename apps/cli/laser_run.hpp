@@ -1,0 +1,29 @@
+// A laser log through LaserSlam, timed and held against its reference.
+#pragma once
+
+#include <functional>
+
+#include "outrider/io/carmen_log.hpp"
+#include "outrider/slam/laser_slam.hpp"
+
+namespace outrider::cli {
+
+/// For recorded logs: odometry that is worse than a wheel's, and a map that is drawn once.
+LaserSlamOptions options_for_logs();
+
+struct LaserRun {
+  LaserSlam slam;
+  std::size_t matched = 0;
+  double time_s = 0.0;  ///< of the processor
+  double max_step_s = 0.0;
+  double log_s = 0.0;                  ///< from the first scan to the last; 0 where times say nothing
+  std::optional<double> mean_error_m;  ///< mean distance of the poses from the reference, once aligned
+  std::optional<double> rms_error_m;   ///< and the root of the mean square
+  std::vector<Vec2> reference;         ///< moved onto the track by the rigid motion of least squares
+};
+
+/// `part` hears how much is done, from 0 to 1.
+Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options,
+                                const std::function<void(double)>& part);
+
+}  // namespace outrider::cli

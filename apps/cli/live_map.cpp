@@ -1,0 +1,139 @@
+#include "live_map.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace outrider::cli {
+namespace {
+
+constexpr int dots_across = 2, dots_up = 4;  // of a character
+constexpr auto period = std::chrono::milliseconds(100);
+
+/// Cells low <= c < high that are known; low is high where none is.
+struct Extent {
+  Cell low, high;
+};
+
+Extent known_part(const Grid<std::uint8_t>& occupancy) {
+  Extent part{{occupancy.frame.width, occupancy.frame.height}, {0, 0}};
+  std::size_t at = 0;
+  for (int y = 0; y < occupancy.frame.height; ++y) {
+    for (int x = 0; x < occupancy.frame.width; ++x, ++at) {
+      if (occupancy.cells[at] == unknown_cell) continue;
+      part.low = {std::min(part.low.x, x), std::min(part.low.y, y)};
+      part.high = {std::max(part.high.x, x + 1), std::max(part.high.y, y + 1)};
+    }
+  }
+  return part.high.x == 0 ? Extent{} : part;
+}
+
+/// The state of a square of cells: occupied where one is, else free where one is.
+Occupancy state_of(const Grid<std::uint8_t>& occupancy, Cell low, int side) {
+  Occupancy state = unknown_cell;
+  for (int y = low.y; y < low.y + side; ++y) {
+    for (int x = low.x; x < low.x + side; ++x) {
+      if (!occupancy.contains({x, y})) continue;
+      const std::uint8_t cell = occupancy[{x, y}];
+      if (cell == occupied_cell) return occupied_cell;
+      if (cell == free_cell) state = free_cell;
+    }
+  }
+  return state;
+}
+
+std::string utf8(unsigned code) {
+  return {static_cast<char>(0xe0U | (code >> 12U)), static_cast<char>(0x80U | ((code >> 6U) & 0x3fU)),
+          static_cast<char>(0x80U | (code & 0x3fU))};
+}
+
+/// The character whose dots are the squares from its top left one on.
+std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side) {
+  static constexpr std::array<std::array<unsigned, dots_across>, dots_up> bits = {
+      {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
+  unsigned dots = 0;
+  bool is_free = false;
+  for (std::size_t row = 0; row < bits.size(); ++row) {
+    for (std::size_t column = 0; column < bits[row].size(); ++column) {
+      const Cell low{top_left.x + side * static_cast<int>(column), top_left.y - side * static_cast<int>(row)};
+      const Occupancy state = state_of(occupancy, low, side);
+      if (state == occupied_cell) dots |= bits[row][column];
+      is_free = is_free || state == free_cell;
+    }
+  }
+  const std::string text = dots == 0 ? " " : utf8(0x2800U + dots);
+  return is_free ? "\x1b[48;5;238m" + text + "\x1b[0m" : text;
+}
+
+}  // namespace
+
+std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<MapSign>& signs, int columns,
+                      int rows) {
+  const Extent part = known_part(occupancy);
+  int side = 1;
+  while ((part.high.x - part.low.x) > side * dots_across * columns ||
+         (part.high.y - part.low.y) > side * dots_up * rows) {
+    ++side;
+  }
+  const auto sign_at = [&](Cell low, Cell high) -> const MapSign* {
+    const MapSign* found = nullptr;  // the last one is on top
+    for (const MapSign& sign : signs) {
+      const Cell cell = occupancy.frame.cell_at(sign.position);
+      if (cell.x >= low.x && cell.y >= low.y && cell.x < high.x && cell.y < high.y) found = &sign;
+    }
+    return found;
+  };
+  std::string text;
+  for (int row = 0; row < rows; ++row) {
+    const int top = part.high.y - row * dots_up * side;
+    for (int column = 0; column < columns && top > part.low.y; ++column) {
+      const int left = part.low.x + column * dots_across * side;
+      if (left >= part.high.x) break;
+      const MapSign* const sign = sign_at({left, top - dots_up * side}, {left + dots_across * side, top});
+      text += sign != nullptr ? sign->text : braille(occupancy, {left, top - side}, side);
+    }
+    text += "\x1b[K\n";
+  }
+  return text;
+}
+
+LiveMap::LiveMap() : terminal_(::isatty(STDERR_FILENO) == 1) {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return;
+  columns_ = std::clamp<int>(size.ws_col - 1, 20, 200);
+  rows_ = std::clamp<int>(size.ws_row - 3, 8, 80);
+}
+
+LiveMap::~LiveMap() {
+  if (drawn_) fmt::print(stderr, "\n");
+}
+
+void LiveMap::show(const ExploreMission& mission, const Pose2& home) {
+  if (!terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_ && mission.stage != ExploreStage::over) return;
+  next_ = now + period;
+  draw(mission, home);
+}
+
+void LiveMap::draw(const ExploreMission& mission, const Pose2& home) {
+  const auto& occupancy = mission.slam.map().occupancy();
+  const std::vector<MapSign> signs = {{home.position, "\x1b[1;32m⌂\x1b[0m"},
+                                      {mission.decision.goal.position, "\x1b[1;35m×\x1b[0m"},
+                                      {mission.pose.position, "\x1b[1;33m●\x1b[0m"}};
+  const double cell_m2 = occupancy.frame.resolution_m * occupancy.frame.resolution_m;
+  const auto free = static_cast<double>(std::ranges::count(occupancy.cells, free_cell));
+  const std::string map = map_lines(occupancy, signs, columns_, rows_);
+  if (drawn_) fmt::print(stderr, "\r\x1b[{}A", rows_);
+  fmt::print(stderr, "{}\x1b[K{:.0f} s, {:.0f} m driven, {:.1f} m2 free, {} frontiers", map, mission.time_s,
+             mission.driven_m, cell_m2 * free, mission.frontiers.frontiers().size());
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+}  // namespace outrider::cli

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app.hpp"
+#include "commands.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "outrider/io/cover_scenario.hpp"
+#include "outrider/io/drive_scenario.hpp"
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/pursuit_scenario.hpp"
+#include "web_server.hpp"
+
+namespace outrider::cli {
+namespace {
+
+struct ServeCommand {
+  std::string folder = ".";
+  std::int64_t port = 8080;
+  std::string listen = "127.0.0.1";
+  std::string token;
+  std::int64_t jobs = 2;
+};
+
+OptionGroup describe(ServeCommand& command) {
+  return {"",
+          "serve",
+          {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
+           {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
+           {"token", "", 0, 0, "what every request must show; 16 letters or more", &command.token},
+           {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs}}};
+}
+
+constexpr std::size_t shortest_token = 16;
+
+Status check_token(const ServeCommand& command) {
+  const auto plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+  };
+  if (command.token.empty()) {
+    if (server::is_loopback(command.listen)) return {};
+    return bad_input(
+        fmt::format("{} can be reached from other machines; give --token with 16 letters or more, as "
+                    "'openssl rand -hex 16' prints",
+                    command.listen),
+        "--listen");
+  }
+  if (command.token.size() >= shortest_token &&
+      std::all_of(command.token.begin(), command.token.end(), plain)) {
+    return {};
+  }
+  return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
+}
+
+/// The options of the jobs, for as long as the server runs.
+struct Scenarios {
+  GuardScenario guard;
+  PursuitScenario pursuit;
+  CoverScenario cover;
+  DriveScenario drive;
+
+  std::vector<server::JobForm> forms() {
+    return {{"guard", "Hit every target in a yard with a ballistic water gun, soonest.", describe(guard)},
+            {"pursue", "Catch a moving target on a grid of costs, at the least cost.", describe(pursuit)},
+            {"cover", "Pass over every spot of an area, in a guaranteed time.", describe(cover)},
+            {"drive", "Drive to waypoints by the tags in sight, or open loop by time.", describe(drive)}};
+  }
+};
+
+/// This program, to run missions with.
+std::string own_path() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).string();
+}
+
+void print_address(const ServeCommand& command, int port, const server::Folder& folder) {
+  const bool six = command.listen.find(':') != std::string::npos;
+  const std::string host = six ? "[" + command.listen + "]" : command.listen;
+  const std::string query = command.token.empty() ? "" : "?token=" + command.token;
+  fmt::print("  page     http://{}:{}/{}\n  files    {}\n  Ctrl-C ends it.\n", host, port, query,
+             folder.root().string());
+  std::fflush(stdout);
+  if (page::files().empty()) {
+    fmt::print(stderr, "outrider: warning: {}; the interface under /api/v1 works\n", page::missing);
+  }
+}
+
+int execute(ServeCommand& command, const Command& flags) {
+  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), false);
+  if (auto ok = check_token(command); !ok) return say(ok.error(), false);
+  auto folder = server::Folder::open(command.folder);
+  if (!folder) return say(folder.error(), false);
+
+  sigset_t ends;  // of the server, for whichever thread they reach: this one waits for them
+  ::sigemptyset(&ends);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ends, number);
+  ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+
+  Scenarios scenarios;
+  server::AppSettings settings;
+  settings.version = OUTRIDER_VERSION;
+  settings.token = command.token;
+  settings.jobs = scenarios.forms();
+  settings.runs.tool = own_path();
+  settings.runs.at_once = static_cast<std::size_t>(command.jobs);
+  server::App app(*folder, std::move(settings));
+  auto web = server::WebServer::start(app, {command.listen, static_cast<int>(command.port)});
+  if (!web) return say(web.error(), false);
+  print_address(command, (*web)->port(), *folder);
+  int number = 0;
+  ::sigwait(&ends, &number);
+  return job_done;
+}
+
+}  // namespace
+
+void add_serve(Command& tool) {
+  Command& serve = tool.add("serve", "the page: watch, try, and run missions live, in a browser");
+  auto command = std::make_shared<ServeCommand>();
+  serve.positional("folder", &command->folder, "folder with scenarios, maps and reports [.]").type("DIR");
+  add_flags(serve, {describe(*command)});
+  serve.does([command](const Command& flags) { return execute(*command, flags); });
+  serve.footer("\nExample: outrider serve scenarios");
+}
+
+}  // namespace outrider::cli

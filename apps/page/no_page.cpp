@@ -1,0 +1,9 @@
+#include "page.hpp"
+
+namespace outrider::page {
+
+std::span<const File> files() { return {}; }
+
+std::string_view viewer() { return {}; }
+
+}  // namespace outrider::page

@@ -1,0 +1,290 @@
+#include "app.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base64.hpp"
+#include "gunzip.hpp"
+
+namespace outrider::server {
+namespace {
+
+constexpr double requests_per_second = 500.0;
+constexpr double requests_at_once = 2000.0;
+constexpr std::string_view page_policy =
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+    "connect-src 'self' ws:; worker-src 'self' blob:; object-src 'none'; frame-ancestors 'none'; "
+    "base-uri 'none'; form-action 'none'";
+constexpr std::string_view data_policy = "default-src 'none'; frame-ancestors 'none'; sandbox";
+
+std::ptrdiff_t planning_slots() {
+  return std::clamp<std::ptrdiff_t>(std::thread::hardware_concurrency(), 1, 64);
+}
+
+/// The parts of a path, decoded one by one, so that an encoded slash stays within its part.
+Outcome<std::vector<std::string>> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  path.remove_prefix(std::min<std::size_t>(1, path.size()));
+  for (bool more = true; more;) {
+    const std::size_t slash = path.find('/');
+    more = slash != std::string_view::npos;
+    auto part = percent_decoded(path.substr(0, slash));
+    if (!part) return pass_on(part);
+    if (part->find('/') != std::string::npos) return bad_input("a name holds a slash", "path");
+    parts.push_back(std::move(*part));
+    if (more) path.remove_prefix(slash + 1);
+  }
+  return parts;
+}
+
+/// What the names of the pattern stand for; nothing when the path is another.
+std::optional<std::vector<std::string>> matched(std::string_view pattern,
+                                                const std::vector<std::string>& path) {
+  std::vector<std::string> found;
+  const auto wanted = *parts_of(pattern);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (i >= path.size()) return std::nullopt;
+    if (wanted[i] == "{path}") {
+      std::string rest = path[i];
+      for (std::size_t k = i + 1; k < path.size(); ++k) rest += "/" + path[k];
+      found.push_back(std::move(rest));
+      return found;
+    }
+    if (wanted[i].starts_with('{')) {
+      found.push_back(path[i]);
+    } else if (wanted[i] != path[i]) {
+      return std::nullopt;
+    }
+  }
+  if (wanted.size() != path.size()) return std::nullopt;
+  return found;
+}
+
+/// The files of a request about a map, name and bytes.
+Outcome<std::vector<std::pair<std::string, std::string>>> files_of(const Json& list) {
+  std::vector<std::pair<std::string, std::string>> files;
+  if (list.empty() || list.size() > 8) return bad_input("it takes 1 to 8 files", "files");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Fields fields(list[i], "files[" + std::to_string(i) + "]");
+    std::string name = fields.text("name");
+    auto bytes = base64_decoded(fields.text("base64"));
+    if (!bytes) fields.refuse("base64", "this is no base64");
+    if (auto ok = fields.end(); !ok) return pass_on(ok);
+    files.emplace_back(std::move(name), std::move(*bytes));
+  }
+  return files;
+}
+
+/// The map of a request in JSON: lying in the folder, sent as files, or drawn.
+Outcome<KnownMap> map_of(const Json& request, const Folder& folder) {
+  Fields fields(request, "");
+  const bool path = fields.has("path"), files = fields.has("files"), grid = fields.has("grid");
+  if (path + files + grid + fields.has("polygons") != 1) {
+    return bad_input("give one of path, files, grid and polygons", "");
+  }
+  const std::string name = path ? fields.text("path") : "";
+  const Json* sent = fields.list("files");
+  const Json* shape = path || files ? nullptr : fields.object(grid ? "grid" : "polygons");
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  if (grid) return grid_map_from_json(*shape, "grid");
+  if (shape != nullptr) return polygon_map_from_json(*shape, "polygons");
+  if (files) {
+    auto named = files_of(*sent);
+    if (!named) return pass_on(named);
+    return read_dropped_map(*named);
+  }
+  const auto place = folder.resolve(name);
+  if (!place) return tl::unexpected(place.error());
+  return load_known_map(*place, folder);
+}
+
+void add_headers(Response& response, std::string_view policy, std::string_view cache) {
+  response.headers.emplace_back("Content-Security-Policy", policy);
+  response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  response.headers.emplace_back("Referrer-Policy", "no-referrer");
+  response.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+  response.headers.emplace_back("Cache-Control", cache);
+}
+
+}  // namespace
+
+App::App(Folder folder, AppSettings settings)
+    : folder_(std::move(folder)),
+      settings_(std::move(settings)),
+      rate_(requests_per_second, requests_at_once),
+      slots_(planning_slots()),
+      runs_(folder_, settings_.runs),
+      live_(runs_, memory_, slots_, settings_.version) {}
+
+void App::close() {
+  stop_.request_stop();
+  live_.close();
+  runs_.cancel_all();
+}
+
+std::span<const App::Row> App::table() {
+  static constexpr Row rows[] = {
+      {"GET", "/api/v1/version", &App::version},
+      {"GET", "/api/v1/files", &App::list_files},
+      {"GET", "/api/v1/files/{path}", &App::read_file},
+      {"PUT", "/api/v1/files/{path}", &App::save_file},
+      {"GET", "/api/v1/catalogue", &App::catalogue},
+      {"POST", "/api/v1/maps", &App::read_map},
+      {"POST", "/api/v1/plan", &App::plan},
+      {"POST", "/api/v1/runs", &App::start_run},
+      {"GET", "/api/v1/runs", &App::list_runs},
+      {"GET", "/api/v1/runs/{id}", &App::run_state},
+      {"DELETE", "/api/v1/runs/{id}", &App::cancel_run},
+      {"GET", "/api/v1/runs/{id}/report", &App::run_report},
+      {"GET", "/api/v1/live", &App::live_by_http},
+  };
+  return rows;
+}
+
+std::vector<Route> App::routes() {
+  std::vector<Route> routes;
+  for (const Row& row : table()) routes.push_back({row.method, row.pattern});
+  return routes;
+}
+
+std::optional<Response> App::refuse_socket(const Request& request) {
+  if (!rate_.take(RateLimit::Clock::now()))
+    return error_response(429, "too_many", "too many requests; wait a second");
+  if (request.path != "/api/v1/live") return not_found("the live interface is at /api/v1/live");
+  return refusal(request, settings_.token);
+}
+
+Response App::answer(const Request& request) {
+  if (!rate_.take(RateLimit::Clock::now())) {
+    Response response = error_response(429, "too_many", "too many requests; wait a second");
+    response.headers.emplace_back("Retry-After", "1");
+    return response;
+  }
+  Response response;
+  const bool api = request.path == "/api" || request.path.starts_with("/api/");
+  try {
+    auto refused = refusal(request, settings_.token);
+    response = refused ? std::move(*refused) : api ? dispatch(request) : page_file(request);
+  } catch (const std::bad_alloc&) {
+    response = error_response(503, "too_large", "there is not enough memory for that; ask for less");
+  } catch (const std::exception& broken) {
+    response = error_response(500, "internal", std::string("this is a bug: ") + broken.what());
+  }
+  if (api || response.status != 200) add_headers(response, data_policy, "no-store");
+  return response;
+}
+
+Response App::dispatch(const Request& request) {
+  if (request.body.size() > largest_body_bytes) {
+    return error_response(413, "too_large", "a request has at most 32 MiB");
+  }
+  const auto path = parts_of(request.path);
+  if (!path) return error_response(path.error());
+  std::string allowed;
+  const std::string method = request.method == "HEAD" ? "GET" : request.method;
+  for (const Row& row : table()) {
+    const auto parts = matched(row.pattern, *path);
+    if (!parts) continue;
+    if (row.method == method) return (this->*row.handler)(request, *parts);
+    allowed += (allowed.empty() ? "" : ", ") + std::string(row.method);
+  }
+  if (allowed.empty()) return not_found("there is nothing here; docs/server.md lists what there is");
+  Response response =
+      error_response(405, "method_not_allowed", "it takes " + allowed, request.method.substr(0, 16));
+  response.headers.emplace_back("Allow", allowed);
+  return response;
+}
+
+Response App::version(const Request&, const Parts&) {
+  return json_response({{"name", "outrider"}, {"version", settings_.version}, {"api", 1}});
+}
+
+Response App::list_files(const Request&, const Parts&) { return json_response(folder_.list()); }
+
+Response App::read_file(const Request&, const Parts& parts) { return folder_.read(parts[0]); }
+
+Response App::save_file(const Request& request, const Parts& parts) {
+  return folder_.save(parts[0], request.body, request.header("if-none-match") == "*");
+}
+
+Response App::catalogue(const Request&, const Parts&) {
+  return json_response(catalogue_json(settings_.jobs));
+}
+
+Response App::read_map(const Request& request, const Parts&) {
+  Outcome<KnownMap> map = bad_input("");
+  if (request.header("content-type").starts_with("application/json")) {
+    const auto body = parse_json(request.body, "body");
+    if (!body) return error_response(body.error());
+    map = map_of(*body, folder_);
+  } else {
+    const std::string name = request.parameter("name");
+    if (name.empty())
+      return error_response(400, "bad_input", "name the file, as in /api/v1/maps?name=room.map", "name");
+    map = read_dropped_map({{name, request.body}});
+  }
+  if (!map) return error_response(map.error());
+  return json_response(map_json(*memory_.maps.keep(std::move(*map))));
+}
+
+Response App::plan(const Request& request, const Parts&) {
+  const auto body = parse_json(request.body, "body");
+  if (!body) return error_response(body.error());
+  if (!slots_.try_acquire_for(longest_planning)) {
+    return error_response(503, "too_many", "other plans are being made; ask again");
+  }
+  struct Released {
+    Slots& slots;
+    ~Released() { slots.release(); }
+  } const released{slots_};
+  Workspace workspace;
+  const auto plan = answer_plan(*body, memory_, workspace, stop_.get_token());
+  return plan ? json_response(*plan) : error_response(plan.error());
+}
+
+Response App::start_run(const Request& request, const Parts&) {
+  const auto body = parse_json(request.body, "body");
+  if (!body) return error_response(body.error());
+  const auto run = run_request(*body);
+  return run ? runs_.start(*run) : error_response(run.error());
+}
+
+Response App::list_runs(const Request&, const Parts&) { return json_response(runs_.list()); }
+
+Response App::run_state(const Request&, const Parts& parts) { return runs_.state(parts[0]); }
+
+Response App::cancel_run(const Request&, const Parts& parts) { return runs_.cancel(parts[0]); }
+
+Response App::run_report(const Request&, const Parts& parts) { return runs_.report(parts[0]); }
+
+Response App::live_by_http(const Request&, const Parts&) {
+  return error_response(400, "bad_input", "this is a WebSocket; open it as one");
+}
+
+Response App::page_file(const Request& request) {
+  if (request.method != "GET" && request.method != "HEAD") {
+    return error_response(405, "method_not_allowed", "it takes GET", request.method.substr(0, 16));
+  }
+  if (settings_.files.empty()) return error_response(503, "no_page", std::string(page::missing));
+  // A path without a dot is a place in the page, which index.html shows.
+  const bool place = request.path.find('.') == std::string::npos;
+  const std::string path = place ? "index.html" : request.path.substr(1);
+  const auto found = std::find_if(settings_.files.begin(), settings_.files.end(),
+                                  [&](const page::File& file) { return file.path == path; });
+  if (found == settings_.files.end()) return not_found("the page has no such file", path.substr(0, 200));
+  Response response{200, std::string(found->type), {}, {}};
+  if (request.header("accept-encoding").find("gzip") != std::string::npos) {
+    response.body = found->gzip;
+    response.headers.emplace_back("Content-Encoding", "gzip");
+  } else {
+    response.body = gunzipped(found->gzip);
+  }
+  response.headers.emplace_back("Vary", "Accept-Encoding");
+  const bool hashed = path.starts_with("assets/");
+  add_headers(response, page_policy, hashed ? "public, max-age=31536000, immutable" : "no-cache");
+  return response;
+}
+
+}  // namespace outrider::server

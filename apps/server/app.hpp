@@ -1,0 +1,89 @@
+// The server without sockets: a request in, a response out. docs/server.md is the manual of the interface,
+// and docs/openapi.yaml says the same to machines.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "catalogue.hpp"
+#include "folder.hpp"
+#include "guard.hpp"
+#include "live.hpp"
+#include "message.hpp"
+#include "page.hpp"
+#include "planning.hpp"
+#include "runs.hpp"
+
+namespace outrider::server {
+
+inline constexpr std::size_t largest_body_bytes = std::size_t{32} << 20U;
+
+struct AppSettings {
+  std::string version;
+  std::string token;          ///< empty: loopback only, no token
+  std::vector<JobForm> jobs;  ///< for the catalogue
+  std::span<const page::File> files = page::files();
+  RunSettings runs;
+};
+
+/// What a request is answered with: a path with {names} for one part each, or at the end {path...} for all.
+struct Route {
+  std::string method;
+  std::string pattern;
+};
+
+/// Thread rule: any thread may call.
+class App {
+ public:
+  App(Folder folder, AppSettings settings);
+
+  Response answer(const Request& request);
+  /// The refusal of a WebSocket, or nothing.
+  std::optional<Response> refuse_socket(const Request& request);
+  Live& live() { return live_; }
+  /// Cancels what runs and lets every viewer go.
+  void close();
+
+  /// Of the interface, in the order of docs/server.md.
+  static std::vector<Route> routes();
+
+ private:
+  using Parts = std::vector<std::string>;  // of the path, where the pattern has names
+  using Handler = Response (App::*)(const Request&, const Parts&);
+  struct Row {
+    const char* method;
+    const char* pattern;
+    Handler handler;
+  };
+  static std::span<const Row> table();
+
+  Response dispatch(const Request& request);
+  Response version(const Request& request, const Parts& parts);
+  Response list_files(const Request& request, const Parts& parts);
+  Response read_file(const Request& request, const Parts& parts);
+  Response save_file(const Request& request, const Parts& parts);
+  Response catalogue(const Request& request, const Parts& parts);
+  Response read_map(const Request& request, const Parts& parts);
+  Response plan(const Request& request, const Parts& parts);
+  Response start_run(const Request& request, const Parts& parts);
+  Response list_runs(const Request& request, const Parts& parts);
+  Response run_state(const Request& request, const Parts& parts);
+  Response cancel_run(const Request& request, const Parts& parts);
+  Response run_report(const Request& request, const Parts& parts);
+  Response live_by_http(const Request& request, const Parts& parts);
+  Response page_file(const Request& request);
+
+  Folder folder_;
+  AppSettings settings_;
+  RateLimit rate_;
+  std::stop_source stop_;
+  PlanningMemory memory_;
+  Slots slots_;
+  Runs runs_;
+  Live live_;
+};
+
+}  // namespace outrider::server

@@ -1,0 +1,13 @@
+// Base64 as RFC 4648 has it, to bytes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace outrider::server {
+
+/// Nothing when the text is no base64: other letters, or a length that is no multiple of four.
+std::optional<std::string> base64_decoded(std::string_view text);
+
+}  // namespace outrider::server

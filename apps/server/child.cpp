@@ -1,0 +1,178 @@
+#include "child.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <string_view>
+
+extern char** environ;
+
+namespace outrider::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t most_output = std::size_t{16} << 20U;
+constexpr std::size_t most_errors = std::size_t{64} << 10U;
+constexpr std::size_t longest_line = 4096;
+constexpr int progress_descriptor = 3;
+constexpr int poll_ms = 20;
+constexpr std::chrono::seconds grace{1};  // between asking it to end and ending it
+
+/// The end of a pipe that we read; closed with the object.
+class Reader {
+ public:
+  Reader() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+    if (ends_[0] >= 0) ::fcntl(ends_[0], F_SETFL, O_NONBLOCK);
+  }
+  ~Reader() {
+    close_writer();
+    if (ends_[0] >= 0) ::close(ends_[0]);
+  }
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  [[nodiscard]] int descriptor() const { return ends_[0]; }
+  [[nodiscard]] int writer() const { return ends_[1]; }
+  void close_writer() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+  /// Adds what there is to `text`, and drops what is beyond `most`. False at the end.
+  bool read(std::string& text, std::size_t most) const {
+    std::array<char, 65536> buffer;  // NOLINT: read() fills it
+    for (;;) {
+      const ssize_t count = ::read(ends_[0], buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return count < 0 && errno == EAGAIN;
+      text.append(buffer.data(),
+                  std::min(static_cast<std::size_t>(count), most - std::min(most, text.size())));
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+/// The environment with the descriptor of progress; made before the fork, where memory may be had.
+std::vector<std::string> environment() {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("OUTRIDER_PROGRESS=")) all.emplace_back(*entry);
+  }
+  all.push_back("OUTRIDER_PROGRESS=" + std::to_string(progress_descriptor));
+  return all;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+/// In the child, where only calls that are safe after a fork may be made.
+[[noreturn]] void become(char* const* words, char* const* environment, const char* folder, pid_t parent,
+                         int out, int err, int progress) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent || ::chdir(folder) != 0) ::_exit(127);  // it ended before that
+  const rlimit none{0, 0};
+  ::setrlimit(RLIMIT_CORE, &none);
+  ::setpriority(PRIO_PROCESS, 0, 5);  // the page stays quick while a mission is planned
+  sigset_t all;
+  ::sigemptyset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(number, SIG_DFL);
+  const int empty = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  // Moved out of the way first: one of them may be the number that another is to have.
+  const int from[] = {::fcntl(empty, F_DUPFD_CLOEXEC, 10), ::fcntl(out, F_DUPFD_CLOEXEC, 10),
+                      ::fcntl(err, F_DUPFD_CLOEXEC, 10), ::fcntl(progress, F_DUPFD_CLOEXEC, 10)};
+  for (int to = 0; to <= progress_descriptor; ++to) {
+    if (::dup2(from[to], to) < 0) ::_exit(127);
+  }
+  ::execve(words[0], words, environment);
+  ::_exit(127);
+}
+
+/// Gives the whole lines of `pending` on, and keeps the rest.
+void give_lines(std::string& pending, const std::function<void(const std::string&)>& on_progress) {
+  for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
+    on_progress(pending.substr(0, end));
+    pending.erase(0, end + 1);
+  }
+  if (pending.size() > longest_line) pending.clear();
+}
+
+/// Asks the child to end, and ends it when the grace is over.
+class Ending {
+ public:
+  explicit Ending(pid_t child) : child_(child) {}
+  void ask() {
+    if (!asked_) ::kill(-child_, SIGTERM);
+    if (!asked_) last_moment_ = Clock::now() + grace;
+    asked_ = true;
+    if (Clock::now() > last_moment_) ::kill(-child_, SIGKILL);
+  }
+
+ private:
+  pid_t child_;
+  bool asked_ = false;
+  Clock::time_point last_moment_;
+};
+
+}  // namespace
+
+ChildResult run_child(const std::vector<std::string>& words, const std::string& folder,
+                      std::chrono::seconds limit, const std::stop_token& stop,
+                      const std::function<void(const std::string& line)>& on_progress) {
+  ChildResult result;
+  Reader out, err, progress;
+  std::vector<std::string> word_copies = words, variables = environment();
+  const std::vector<char*> word_pointers = pointers(word_copies), variable_pointers = pointers(variables);
+  const pid_t parent = ::getpid();
+  const pid_t child =
+      out.descriptor() < 0 || err.descriptor() < 0 || progress.descriptor() < 0 ? -1 : ::fork();
+  if (child == 0) {
+    become(word_pointers.data(), variable_pointers.data(), folder.c_str(), parent, out.writer(), err.writer(),
+           progress.writer());
+  }
+  if (child < 0) {
+    result.errors = "the mission could not be started: the system has no room for another process";
+    return result;
+  }
+  ::setpgid(child, child);  // so too if the child has not come to it yet
+  for (Reader* reader : {&out, &err, &progress}) reader->close_writer();
+
+  Ending ending(child);
+  const auto end = Clock::now() + limit;
+  std::string pending;
+  int status = 0;
+  for (bool running = true; running;) {
+    std::array<pollfd, 3> waits = {
+        {{out.descriptor(), POLLIN, 0}, {err.descriptor(), POLLIN, 0}, {progress.descriptor(), POLLIN, 0}}};
+    ::poll(waits.data(), waits.size(), poll_ms);
+    result.timed_out = result.timed_out || Clock::now() > end;
+    result.cancelled = result.cancelled || stop.stop_requested();
+    if (result.cancelled || result.timed_out) ending.ask();
+    running = ::waitpid(child, &status, WNOHANG) != child;
+    const bool open = out.read(result.output, most_output);
+    err.read(result.errors, most_errors);
+    progress.read(pending, std::size_t{1} << 20U);
+    give_lines(pending, on_progress);
+    if (running && !open) ::usleep(1000 * poll_ms);  // a closed pipe does not wait
+  }
+  ::kill(-child, SIGKILL);  // what it may have left behind
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,216 @@
+#include "folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "named_files.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/scenario.hpp"
+
+namespace outrider::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool good_name(std::string_view name) {
+  const auto bad = [](unsigned char c) { return c < 0x20 || c == '\\' || c == 0x7f; };
+  return !name.empty() && name.size() <= 255 && name[0] != '.' && std::none_of(name.begin(), name.end(), bad);
+}
+
+tl::unexpected<Fault> bad_path(std::string_view path) {
+  return bad_input("it is no path under the folder; names stand between slashes and begin with no dot",
+                   std::string(path.substr(0, 200)));
+}
+
+std::string lower_extension(const fs::path& path) {
+  fs::path name = path;
+  if (name.extension() == ".gz") name.replace_extension();
+  std::string extension = name.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+std::string first_bytes(const fs::path& path, std::size_t count) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(count, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  return bytes;
+}
+
+/// The job that a report names in its first keys; empty for other JSON.
+std::string job_of_report(const std::string& head) {
+  if (head.find("\"outrider_report\"") == std::string::npos) return {};
+  std::size_t at = head.find("\"job\"");
+  if (at == std::string::npos) return {};
+  at = head.find('"', head.find(':', at));
+  if (at == std::string::npos) return {};
+  return head.substr(at + 1, head.find('"', at + 1) - at - 1);
+}
+
+bool has_key(const std::string& yaml, const std::string& key) {
+  return yaml.starts_with(key + ":") || yaml.find("\n" + key + ":") != std::string::npos;
+}
+
+struct Kind {
+  const char* name;
+  std::string job;
+};
+
+Kind kind_of(const fs::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".json") {
+    std::string job = job_of_report(first_bytes(path, 400));
+    return {job.empty() ? "other" : "report", job};
+  }
+  if (extension == ".yaml" || extension == ".yml") {
+    if (has_key(first_bytes(path, 4000), "image")) return {"map", {}};
+    auto job = scenario_job(path.string());
+    if (job && job->empty()) *job = "guard";  // what `outrider run` takes it for
+    return job ? Kind{"scenario", *job} : Kind{"other", {}};
+  }
+  for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {
+    if (extension == map) return {"map", {}};
+  }
+  const bool polygons = extension == ".txt" && first_bytes(path, 65536).find("---") != std::string::npos;
+  return {polygons ? "map" : "other", {}};
+}
+
+/// Nothing that a browser would run is ever named as such.
+std::string type_of(const fs::path& path) {
+  const std::string extension = path.extension().string();
+  if (extension == ".json" || extension == ".geojson") return "application/json";
+  if (extension == ".png") return "image/png";
+  if (extension == ".jpg" || extension == ".jpeg") return "image/jpeg";
+  for (const char* text :
+       {".yaml", ".yml", ".txt", ".csv", ".map", ".sdf", ".world", ".md", ".svg", ".obj"}) {
+    if (extension == text) return "text/plain; charset=utf-8";
+  }
+  return "application/octet-stream";
+}
+
+}  // namespace
+
+Outcome<Folder> Folder::open(const std::string& path) {
+  std::error_code error;
+  const fs::path root = fs::canonical(path, error);
+  if (error || !fs::is_directory(root)) {
+    return bad_input(fmt::format("'{}' is no folder that can be read; name one with scenarios", path), "DIR");
+  }
+  return Folder(root);
+}
+
+bool Folder::holds(const fs::path& place) const {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(place, error);
+  if (error) return false;
+  const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), real.begin(), real.end());
+  return end == root_.end();
+}
+
+Outcome<fs::path> Folder::resolve(std::string_view path) const {
+  fs::path place = root_;
+  std::string_view rest = path;
+  for (bool more = true; more;) {
+    const std::size_t slash = rest.find('/');
+    more = slash != std::string_view::npos;
+    const std::string_view name = rest.substr(0, slash);
+    if (!good_name(name)) return bad_path(path);
+    place /= name;
+    if (more) rest.remove_prefix(slash + 1);
+  }
+  if (!holds(place)) return bad_path(path);
+  std::error_code error;
+  return fs::weakly_canonical(place, error);
+}
+
+nlohmann::ordered_json Folder::list() const {
+  std::vector<std::pair<std::string, fs::path>> found;
+  bool truncated = false;
+  std::error_code error;
+  fs::recursive_directory_iterator it(root_, fs::directory_options::skip_permission_denied, error);
+  for (const fs::recursive_directory_iterator end; !error && it != end; it.increment(error)) {
+    const fs::path& path = it->path();
+    if (!good_name(path.filename().string()) || it.depth() >= deepest_folder) {
+      it.disable_recursion_pending();
+      continue;
+    }
+    if (!it->is_regular_file(error) || (it->is_symlink(error) && !holds(path))) continue;
+    if (found.size() == most_listed_files) {
+      truncated = true;
+      break;
+    }
+    found.emplace_back(path.lexically_relative(root_).generic_string(), path);
+  }
+  std::sort(found.begin(), found.end());
+  auto files = nlohmann::ordered_json::array();
+  for (const auto& [name, path] : found) {
+    const Kind kind = kind_of(path);
+    nlohmann::ordered_json file = {{"path", name}, {"kind", kind.name}};
+    if (!kind.job.empty()) file["job"] = kind.job;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    file["bytes"] = error ? 0 : bytes;
+    files.push_back(std::move(file));
+  }
+  return {{"folder", name()}, {"files", std::move(files)}, {"truncated", truncated}};
+}
+
+Response Folder::read(std::string_view path) const {
+  const auto place = resolve(path);
+  std::error_code error;
+  if (!place || !fs::is_regular_file(*place, error)) {
+    return not_found("there is no such file", std::string(path.substr(0, 200)));
+  }
+  const std::uintmax_t bytes = fs::file_size(*place, error);
+  if (error || bytes > largest_served_bytes) {
+    return error_response(413, "too_large",
+                          fmt::format("the file is larger than {} MiB", largest_served_bytes >> 20U),
+                          std::string(path));
+  }
+  return {200, type_of(*place), first_bytes(*place, bytes), {}};
+}
+
+Response Folder::save(std::string_view path, std::string_view text, bool only_new) const {
+  const auto place = resolve(path);
+  if (!place) return error_response(place.error());
+  const std::string where(path.substr(0, 200));
+  if (place->extension() != ".yaml" || !path.ends_with(".yaml")) {
+    return error_response(403, "forbidden", "only scenarios are saved; give it a name that ends in .yaml",
+                          where);
+  }
+  if (text.size() > largest_saved_bytes) {
+    return error_response(413, "too_large", "a scenario has at most 1 MiB", where);
+  }
+  std::error_code error;
+  if (!fs::is_directory(place->parent_path(), error)) return not_found("there is no such folder", where);
+  const bool there = fs::exists(*place, error);
+  if (there && only_new) {
+    return error_response(412, "precondition_failed", "there is a file of that name; choose another", where);
+  }
+  if (auto ok = write_file(place->string(), text); !ok) {
+    return error_response(403, "forbidden", ok.error().sentence, where);
+  }
+  return json_response({{"path", path}, {"bytes", text.size()}}, there ? 200 : 201);
+}
+
+Status Folder::check_references(const fs::path& file) const { return check_references(file, 0); }
+
+Status Folder::check_references(const fs::path& file, int depth) const {
+  const auto named = files_named_in(file);
+  if (!named) return tl::unexpected(named.error());
+  for (const NamedFile& one : *named) {
+    if (!holds(one.place)) {
+      return bad_input(fmt::format("'{}' lies outside the folder that is served", one.text),
+                       file.filename().string());
+    }
+    if (depth >= 4) continue;
+    if (auto ok = check_references(one.place, depth + 1); !ok) return ok;
+  }
+  return {};
+}
+
+}  // namespace outrider::server

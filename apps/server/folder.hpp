@@ -1,0 +1,56 @@
+// The files that are served: those under one folder, and nothing that a name or a link leads out of it to.
+//
+// A path has names between slashes. Names that begin with a dot, empty ones and those with a backslash or a
+// control character are refused before the disk is asked; what is left is resolved, links and all, and must
+// lie under the folder then. Thread rule: any thread may ask.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+#include "message.hpp"
+#include "outrider/core/outcome.hpp"
+
+namespace outrider::server {
+
+inline constexpr std::size_t most_listed_files = 5000;
+inline constexpr int deepest_folder = 8;
+inline constexpr std::size_t largest_served_bytes = std::size_t{64} << 20U;
+inline constexpr std::size_t largest_saved_bytes = std::size_t{1} << 20U;
+
+class Folder {
+ public:
+  /// Refuses what is no folder. `path` may be relative.
+  static Outcome<Folder> open(const std::string& path);
+
+  [[nodiscard]] const std::filesystem::path& root() const { return root_; }
+  /// Its last name, for people.
+  [[nodiscard]] std::string name() const { return root_.filename().string(); }
+
+  /// Where the path of a request lies on the disk, with links resolved. Its last name need not exist.
+  [[nodiscard]] Outcome<std::filesystem::path> resolve(std::string_view path) const;
+  /// Whether a place on the disk lies under the folder once links are resolved.
+  [[nodiscard]] bool holds(const std::filesystem::path& place) const;
+
+  /// {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}: scenario, report, map or other,
+  /// by name and first bytes. In order of their paths.
+  [[nodiscard]] nlohmann::ordered_json list() const;
+  [[nodiscard]] Response read(std::string_view path) const;
+  /// Writes a scenario, whole or not at all. `only_new` refuses to replace one.
+  [[nodiscard]] Response save(std::string_view path, std::string_view text, bool only_new) const;
+
+  /// Refuses a scenario, map or world that names a file outside the folder, or that does so by a file it
+  /// names: every text of a YAML file that is the path of something that exists, every uri of an SDF world.
+  [[nodiscard]] Status check_references(const std::filesystem::path& file) const;
+
+ private:
+  explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
+  Status check_references(const std::filesystem::path& file, int depth) const;
+
+  std::filesystem::path root_;
+};
+
+}  // namespace outrider::server

@@ -1,0 +1,174 @@
+#include "ground.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "outrider/path/from_occupancy.hpp"
+#include "outrider/path/from_polygons.hpp"
+#include "outrider/world/occupancy.hpp"
+
+namespace outrider::server {
+namespace {
+
+constexpr std::size_t most_grounds = 16;
+constexpr std::size_t most_edits = 10'000;
+
+Vec2 turned(Vec2 v, double angle_rad) {
+  const Vec2 along = direction(angle_rad);
+  return v.x * along + v.y * perpendicular(along);
+}
+
+Edit cell_edit(Fields& fields) {
+  const bool blocks = fields.has("block");
+  const auto numbers = fields.integers(blocks ? "block" : "free", 4);
+  const auto whole = [&](std::size_t i) { return static_cast<int>(numbers[i]); };
+  return {blocks ? Edit::Kind::block : Edit::Kind::free,
+          {{whole(0), whole(1)}, whole(2), whole(3), blocks},
+          0,
+          {}};
+}
+
+Edit polygon_edit(Fields& fields) {
+  Edit edit;
+  constexpr auto most = static_cast<std::int64_t>(most_polygon_corners);
+  if (fields.has("add")) return {Edit::Kind::add, {}, 0, fields.polygon("add")};
+  edit.kind = fields.has("set") ? Edit::Kind::set : Edit::Kind::remove;
+  const bool sets = edit.kind == Edit::Kind::set;
+  edit.obstacle = static_cast<std::size_t>(fields.integer(sets ? "set" : "remove", 0, most));
+  if (sets) edit.corners = fields.polygon("polygon");
+  return edit;
+}
+
+/// The cells after the edits, all of which lie on the grid.
+Outcome<Grid<std::uint8_t>> edited(const CellMap& map, const std::vector<Edit>& edits) {
+  Grid<std::uint8_t> cells = map.occupancy;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const CellChange& change = edits[i].cells;
+    const GridFrame& frame = cells.frame;
+    const auto within = [](int low, int size, int all) { return low >= 0 && size > 0 && size <= all - low; };
+    if (!within(change.low.x, change.width, frame.width) ||
+        !within(change.low.y, change.height, frame.height)) {
+      return bad_input(fmt::format("the rectangle leaves the grid of {} x {} cells, or is empty", frame.width,
+                                   frame.height),
+                       fmt::format("edits[{}]", i));
+    }
+    for (int y = change.low.y; y < change.low.y + change.height; ++y) {
+      const auto row = cells.cells.begin() + static_cast<std::ptrdiff_t>(frame.index({change.low.x, y}));
+      std::fill_n(row, change.width, change.blocked ? occupied_cell : free_cell);
+    }
+  }
+  return cells;
+}
+
+/// The obstacles after the edits.
+Outcome<std::vector<std::vector<Vec2>>> edited(const PolygonMap& map, const std::vector<Edit>& edits) {
+  std::vector<std::vector<Vec2>> obstacles = map.obstacles;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const Edit& edit = edits[i];
+    if (edit.kind == Edit::Kind::add) {
+      obstacles.push_back(edit.corners);
+      continue;
+    }
+    if (edit.obstacle >= obstacles.size()) {
+      return bad_input(
+          fmt::format("there is no obstacle {}; the map has {}", edit.obstacle, obstacles.size()),
+          fmt::format("edits[{}]", i));
+    }
+    obstacles[edit.obstacle] = edit.corners;  // none: removed
+  }
+  std::erase_if(obstacles, [](const auto& corners) { return corners.empty(); });
+  return obstacles;
+}
+
+Status add_grid(PreparedGround& ground, GridModel model) {
+  auto grid = GridGround::of(ground.blocked, model);
+  if (!grid) return pass_on(grid);
+  ground.grid = std::make_shared<const GridGround>(std::move(*grid));
+  return {};
+}
+
+Outcome<PreparedGround> prepare_cells(const GroundRequest& request, const CellMap& map) {
+  if (request.polygons) {
+    return bad_input(
+        "this planner takes polygons, and the map has cells; the catalogue tells which take what", "planner");
+  }
+  auto cells = edited(map, request.edits);
+  if (!cells) return pass_on(cells);
+  auto blocked = inflated(*cells, request.radius_m);
+  if (!blocked) return pass_on(blocked);
+  PreparedGround ground{std::move(*blocked), map.yaw_rad, {}, {}};
+  if (auto ok = add_grid(ground, request.model); !ok) return pass_on(ok);
+  return ground;
+}
+
+Outcome<PreparedGround> prepare_polygons(const GroundRequest& request, const PolygonMap& map) {
+  auto obstacles = edited(map, request.edits);
+  if (!obstacles) return pass_on(obstacles);
+  auto polygons = PolygonGround::of(map.boundary, std::move(*obstacles), request.radius_m);
+  if (!polygons) return pass_on(polygons);
+  PreparedGround ground;
+  ground.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));
+  if (request.polygons) return ground;
+  GridOptions options{.resolution_m = request.resolution_m};
+  options.most_cells = static_cast<std::int64_t>(most_map_cells);
+  auto blocked = blocked_for_disk(*ground.polygons, options);
+  if (!blocked) return pass_on(blocked);
+  ground.blocked = std::move(*blocked);
+  if (auto ok = add_grid(ground, request.model); !ok) return pass_on(ok);
+  return ground;
+}
+
+}  // namespace
+
+Vec2 PreparedGround::to_grid(Vec2 world) const {
+  if (yaw_rad == 0.0) return world;
+  return blocked.frame.origin + turned(world - blocked.frame.origin, -yaw_rad);
+}
+
+Vec2 PreparedGround::to_world(Vec2 grid_point) const {
+  if (yaw_rad == 0.0) return grid_point;
+  return blocked.frame.origin + turned(grid_point - blocked.frame.origin, yaw_rad);
+}
+
+Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map) {
+  std::vector<Edit> edits;
+  if (list.size() > most_edits)
+    return bad_input("more than 10,000 edits; post the map as it is now", "edits");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Fields fields(list[i], fmt::format("edits[{}]", i));
+    edits.push_back(std::holds_alternative<CellMap>(map.shape) ? cell_edit(fields) : polygon_edit(fields));
+    if (auto ok = fields.end(); !ok) return pass_on(ok);
+  }
+  return edits;
+}
+
+Outcome<PreparedGround> prepare(const GroundRequest& request) {
+  if (const auto* cells = std::get_if<CellMap>(&request.map->shape)) return prepare_cells(request, *cells);
+  return prepare_polygons(request, std::get<PolygonMap>(request.map->shape));
+}
+
+Outcome<std::shared_ptr<const PreparedGround>> GroundStore::get(const GroundRequest& request) {
+  std::string name =
+      fmt::format("{} {} {} {} {} {}", request.map->id, request.polygons, to_string(request.model),
+                  request.radius_m, request.resolution_m, request.edits_text);
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });
+    if (found != rows_.end()) {
+      rows_.splice(rows_.begin(), rows_, found);
+      return rows_.front().ground;
+    }
+  }
+  auto made = prepare(request);
+  if (!made) return pass_on(made);
+  auto ground = std::make_shared<const PreparedGround>(std::move(*made));
+  const std::lock_guard lock(mutex_);
+  rows_.push_front({std::move(name), ground});
+  if (rows_.size() > most_grounds) rows_.pop_back();
+  return ground;
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,67 @@
+// A known map made ready for one robot: edited, grown by the radius, prepared for searching. What was made is
+// kept, so that dragging a start or a goal makes nothing anew.
+#pragma once
+
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "maps.hpp"
+#include "outrider/path/problem.hpp"
+
+namespace outrider::server {
+
+/// A change to a map, as the page drew it.
+struct Edit {
+  enum class Kind : std::uint8_t { block, free, set, remove, add };
+  Kind kind = Kind::block;
+  CellChange cells;             ///< block, free: cells that become occupied or free
+  std::size_t obstacle = 0;     ///< set, remove: counted as the map was, those added after them
+  std::vector<Vec2> corners{};  ///< set, add
+};
+
+/// What a question asks of the ground.
+struct GroundRequest {
+  std::shared_ptr<const KnownMap> map;
+  std::vector<Edit> edits;
+  std::string edits_text;                ///< the same as JSON: a name for them
+  bool polygons = false;                 ///< the planner takes polygons
+  GridModel model = GridModel::corners;  ///< else the grid that it takes
+  double radius_m = 0.18;
+  double resolution_m = 0.1;  ///< of a grid that is made of polygons
+};
+
+struct PreparedGround {
+  Grid<std::uint8_t> blocked;  ///< cells where the centre must not be; empty for planners on polygons
+  double yaw_rad = 0.0;        ///< of the grid about its origin
+  std::shared_ptr<const GridGround> grid;
+  std::shared_ptr<const PolygonGround> polygons;
+
+  [[nodiscard]] Vec2 to_grid(Vec2 world) const;
+  [[nodiscard]] Vec2 to_world(Vec2 grid) const;
+};
+
+/// Edits from their JSON form, for a map of cells or of polygons.
+Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map);
+
+/// Faults: bad_input on edits that leave the map, polygons that cross themselves, polygons asked of cells.
+Outcome<PreparedGround> prepare(const GroundRequest& request);
+
+/// The grounds that were used last. Thread rule: any thread may ask.
+class GroundStore {
+ public:
+  Outcome<std::shared_ptr<const PreparedGround>> get(const GroundRequest& request);
+
+ private:
+  struct Row {
+    std::string name;
+    std::shared_ptr<const PreparedGround> ground;
+  };
+  std::mutex mutex_;
+  std::list<Row> rows_;  // newest use first
+};
+
+}  // namespace outrider::server

@@ -1,0 +1,99 @@
+// The live interface: what one WebSocket says, and what it is told. docs/server.md describes the messages.
+//
+// A viewer has a thread of its own that writes; nobody else waits for it. It holds no queue of what a run
+// tells, only a place in the run's log, and of plans that are asked for while one is being made only the
+// newest: so a viewer that reads slowly, or not at all, costs its own connection and nothing more.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <semaphore>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "planning.hpp"
+#include "runs.hpp"
+
+namespace outrider::server {
+
+/// So many plans are made at the same time; the others wait.
+using Slots = std::counting_semaphore<64>;
+
+class Viewer {
+ public:
+  Viewer(Runs& runs, PlanningMemory& memory, Slots& slots, std::string hello);
+
+  /// A message from the other end. False when the connection must end: no JSON object, or answers that nobody
+  /// fetches pile up. Never waits.
+  bool receive(const std::string& text);
+  /// Writes until close(), or until `send` fails. On a thread of its own.
+  void serve(const std::function<bool(const std::string&)>& send);
+  void wake();
+  void close();
+
+ private:
+  using Message = std::shared_ptr<const Json>;
+  struct Work {
+    std::deque<std::string> replies;
+    Message plan;  ///< the newest that is asked for; null without one
+    std::string run;
+    std::uint64_t from = 0;
+    bool list = false;
+  };
+
+  Status obey(const Message& message);
+  void want_plan(const Message& message);
+  Work next_work();
+  bool tell_run(const Work& work, const std::function<bool(const std::string&)>& send);
+  std::string answer(const Json& message);
+
+  Runs& runs_;
+  PlanningMemory& memory_;
+  Slots& slots_;
+  Workspace workspace_;  // of the thread that serves
+  std::mutex mutex_;     // guards what follows
+  std::condition_variable changed_;
+  bool awake_ = true;
+  bool closed_ = false;
+  std::deque<std::string> replies_;
+  Message plan_;
+  std::stop_source planning_;
+  std::chrono::steady_clock::time_point planning_since_;
+  std::string run_;
+  std::uint64_t from_ = 0;
+  bool wants_list_ = false;
+  std::optional<std::uint64_t> list_seen_;
+};
+
+/// All viewers. Thread rule: any thread may call.
+class Live {
+ public:
+  Live(Runs& runs, PlanningMemory& memory, Slots& slots, std::string version);
+  ~Live();
+  Live(const Live&) = delete;
+  Live& operator=(const Live&) = delete;
+
+  std::shared_ptr<Viewer> open();
+  /// Ends the serving of every viewer, and of those that come.
+  void close();
+
+ private:
+  struct Register {
+    std::mutex mutex;
+    std::vector<std::weak_ptr<Viewer>> viewers;
+    bool closed = false;
+  };
+  Runs& runs_;
+  PlanningMemory& memory_;
+  Slots& slots_;
+  std::string hello_;
+  std::shared_ptr<Register> register_;
+};
+
+}  // namespace outrider::server

@@ -1,0 +1,92 @@
+#include "message.hpp"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+namespace outrider::server {
+
+std::string Request::header(const std::string& name) const {
+  const auto found = headers.find(name);
+  return found == headers.end() ? std::string{} : found->second;
+}
+
+std::string Request::parameter(std::string_view key) const {
+  std::string_view rest = query;
+  while (!rest.empty()) {
+    const std::string_view pair = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string_view::npos || pair.substr(0, equals) != key) continue;
+    return percent_decoded(pair.substr(equals + 1)).value_or(std::string{});
+  }
+  return {};
+}
+
+Outcome<std::string> percent_decoded(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    unsigned value = 0;
+    const std::string_view digits = text.substr(i + 1, 2);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (digits.size() != 2 || error != std::errc{} || end != digits.data() + 2) {
+      return bad_input("a percent sign stands before two hexadecimal digits, such as %20", "path");
+    }
+    decoded += static_cast<char>(value);
+    i += 2;
+  }
+  return decoded;
+}
+
+std::string text_of(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+Response json_response(const nlohmann::ordered_json& value, int status) {
+  return {status, "application/json", text_of(value) + "\n", {}};
+}
+
+nlohmann::ordered_json error_json(const std::string& sentence, std::string_view code,
+                                  const std::string& where) {
+  return {{"error", sentence}, {"code", code}, {"where", where}};
+}
+
+Response error_response(int status, std::string_view code, const std::string& sentence,
+                        const std::string& where) {
+  return json_response(error_json(sentence, code, where), status);
+}
+
+Response error_response(const Fault& fault) {
+  return error_response(400, to_string(fault.code), fault.sentence, fault.where);
+}
+
+Response not_found(const std::string& sentence, const std::string& where) {
+  return error_response(404, "not_found", sentence, where);
+}
+
+std::string_view reason_phrase(int status) {
+  switch (status) {
+    case 200: return "OK";
+    case 201: return "Created";
+    case 202: return "Accepted";
+    case 400: return "Bad Request";
+    case 401: return "Unauthorized";
+    case 403: return "Forbidden";
+    case 404: return "Not Found";
+    case 405: return "Method Not Allowed";
+    case 408: return "Request Timeout";
+    case 409: return "Conflict";
+    case 411: return "Length Required";
+    case 412: return "Precondition Failed";
+    case 413: return "Content Too Large";
+    case 429: return "Too Many Requests";
+    case 500: return "Internal Server Error";
+    case 503: return "Service Unavailable";
+    default: return "Error";
+  }
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,29 @@
+// A question of a path planner as JSON, and its answer: the plan, judged, with what the search did.
+#pragma once
+
+#include <chrono>
+#include <stop_token>
+
+#include "ground.hpp"
+#include "outrider/search/workspace.hpp"
+
+namespace outrider::server {
+
+inline constexpr std::int64_t most_traced = 100'000;
+inline constexpr std::chrono::seconds longest_planning{10};
+
+/// What questions share. Thread rule: any thread may use it.
+struct PlanningMemory {
+  MapStore maps;
+  GroundStore grounds;
+};
+
+/// {"map" or "grid" or "polygons", "edits", "start", "goal", "planner", "options", "model", "radius_m",
+/// "resolution_m", "trace", "blocked", "legs"} -> {"status": "done", ...}. That there is no path, or that the
+/// start or the goal is blocked, is an answer: {"status": "not_done" or "refused", "error", "code", "where",
+/// ...}. Fault: bad_input on a request that is wrong. `workspace` keeps what a planner built for the next
+/// question on the same ground.
+Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace& workspace,
+                          const std::stop_token& stop);
+
+}  // namespace outrider::server

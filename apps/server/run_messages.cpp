@@ -1,0 +1,102 @@
+#include "run_messages.hpp"
+
+#include <algorithm>
+
+namespace outrider::server {
+namespace {
+
+constexpr std::size_t events_at_once = 200;
+constexpr std::size_t rows_at_once = 500;
+
+void replace_all(std::string& text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+}
+
+/// The last line of what a program said in the end.
+std::string last_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t newline = text.rfind('\n');
+  if (newline != std::string::npos) text.erase(0, newline + 1);
+  return text.substr(0, 500);
+}
+
+/// Parts of a list, each of at most `size`.
+std::vector<Json> parts_of(const Json& list, std::size_t size) {
+  std::vector<Json> parts;
+  for (std::size_t begin = 0; begin < list.size(); begin += size) {
+    const auto first = list.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), begin + size));
+    parts.push_back(Json(Json::array_t(first, last)));
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::optional<Json> progress_of(const std::string& line) {
+  const Json value = Json::parse(line, nullptr, false);
+  if (!value.is_object()) return std::nullopt;
+  Fields fields(value, "");
+  Json progress = {{"step", fields.integer("step", 0, 1000)},
+                   {"steps", fields.integer("steps", 1, 1000)},
+                   {"name", fields.text("name")},
+                   {"part", fields.number("part", 0.0, 1.0)}};
+  return fields.end() ? std::optional(std::move(progress)) : std::nullopt;
+}
+
+Conclusion conclusion_of(const ChildResult& child) {
+  if (child.cancelled) return {"cancelled", {FaultCode::cancelled, "the mission was cancelled", {}}, {}};
+  if (child.timed_out) {
+    return {
+        "failed", {FaultCode::budget_exhausted, "the mission took longer than the server allows", {}}, {}};
+  }
+  Json summary = Json::parse(child.output, nullptr, false);
+  const char* const states[] = {"done", "not_done", "refused"};
+  if (child.status < 0 || child.status > 2 || !summary.is_object()) {
+    const std::string said = last_line(child.errors);
+    return {"failed",
+            {FaultCode::bad_input,
+             "the mission ended before it had an answer" + (said.empty() ? "" : ": " + said),
+             {}},
+            {}};
+  }
+  Conclusion conclusion{states[child.status], {FaultCode::bad_input, {}, {}}, {}};
+  conclusion.fault.sentence = child.status == 0 ? "" : summary.value("reason", "");
+  conclusion.fault.where = child.status == 0 ? "" : summary.value("where", "");
+  if (child.status < 2) conclusion.summary = std::move(summary);
+  return conclusion;
+}
+
+Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::filesystem::path& scenario) {
+  const std::string name = scenario.filename().string();
+  for (std::string* text : {&fault.sentence, &fault.where}) {
+    replace_all(*text, root.string() + "/", "");
+    if (name.starts_with('.')) replace_all(*text, scenario.string(), "scenario");
+    if (name.starts_with('.')) replace_all(*text, name, "scenario");
+  }
+  return fault;
+}
+
+std::vector<Json> messages_of_report(const std::string& report) {
+  std::vector<Json> messages;
+  const Json value = Json::parse(report, nullptr, false);
+  if (!value.is_object() || !value.contains("outrider_report")) return messages;
+  const Json none = Json::array();
+  const Json events = value.value("events", none), track = value.value("track", none);
+  for (Json& part : parts_of(events, events_at_once)) {
+    messages.push_back({{"type", "events"}, {"events", std::move(part)}});
+  }
+  const Json columns = {"time_s", "x", "y", "heading_rad", "gun_yaw_rad", "gun_pitch_rad"};
+  const bool whole = std::all_of(track.begin(), track.end(), [&](const Json& row) {
+    return row.is_array() && row.size() == columns.size();
+  });
+  if (!whole) return messages;
+  for (Json& part : parts_of(track, rows_at_once)) {
+    messages.push_back({{"type", "samples"}, {"columns", columns}, {"rows", std::move(part)}});
+  }
+  return messages;
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,345 @@
+#include "runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "outrider/io/files.hpp"
+#include "outrider/io/scenario.hpp"
+#include "run_messages.hpp"
+
+namespace outrider::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_messages = 20'000;
+constexpr std::size_t most_message_bytes = std::size_t{32} << 20U;
+constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
+
+/// Part of the ids of one server: the moment it began.
+std::string moment() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
+}
+
+Response no_such_run(const std::string& id) {
+  return not_found("there is no such run; the server keeps the newest 32", id.substr(0, 64));
+}
+
+}  // namespace
+
+struct Runs::Run {
+  std::string id;
+  std::string scenario;  // as people named it
+  fs::path file;         // what is run
+  bool owns_file = false;
+  fs::path out;
+  std::string job;
+  std::optional<std::int64_t> seed;
+  std::string state = "queued";
+  Fault fault{FaultCode::bad_input, {}, {}};
+  Json progress;
+  Json summary;
+  bool has_report = false;
+  std::stop_source stop;
+  struct Entry {
+    bool progress;
+    std::shared_ptr<const std::string> text;
+  };
+  std::vector<Entry> log;  // number 1 first
+  std::size_t log_bytes = 0;
+  std::uint64_t newest_progress = 0;
+
+  [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
+  [[nodiscard]] Json json() const {
+    return {{"id", id},
+            {"state", state},
+            {"scenario", scenario},
+            {"job", job},
+            {"seed", seed ? Json(*seed) : Json()},
+            {"progress", progress},
+            {"seq", log.size()},
+            {"error", fault.sentence},
+            {"where", fault.where},
+            {"has_report", has_report},
+            {"summary", summary}};
+  }
+};
+
+Outcome<RunRequest> run_request(const Json& request) {
+  Fields fields(request, "");
+  RunRequest run;
+  const bool text = fields.has("text");
+  if (text == fields.has("scenario")) return bad_input("give one of scenario and text", "scenario");
+  if (text) run.text = fields.text("text");
+  if (text) run.folder = fields.text("folder", "");
+  if (!text) run.scenario = fields.text("scenario");
+  if (fields.has("seed")) run.seed = fields.integer("seed", 0, 1'000'000'000'000'000);
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  if (text && run.text->size() > longest_scenario) return bad_input("a scenario has at most 1 MiB", "text");
+  return run;
+}
+
+Runs::Runs(const Folder& folder, RunSettings settings)
+    : folder_(folder), settings_(std::move(settings)), prefix_(moment()) {
+  for (std::size_t i = 0; i < settings_.at_once; ++i) {
+    workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+  }
+}
+
+Runs::~Runs() {
+  cancel_all();
+  for (std::jthread& worker : workers_) worker.request_stop();
+  workers_.clear();
+}
+
+void Runs::on_change(std::function<void()> call) {
+  const std::lock_guard lock(mutex_);
+  on_change_ = std::move(call);
+}
+
+void Runs::call_on_change() {
+  std::function<void()> call;
+  {
+    const std::lock_guard lock(mutex_);
+    call = on_change_;
+  }
+  if (call) call();
+}
+
+Runs::RunPtr Runs::find(const std::string& id) {
+  const auto found =
+      std::find_if(runs_.begin(), runs_.end(), [&](const RunPtr& run) { return run->id == id; });
+  return found == runs_.end() ? nullptr : *found;
+}
+
+void Runs::forget_old() {
+  const auto ended = [](const RunPtr& run) { return run->ended(); };
+  for (auto kept = std::count_if(runs_.begin(), runs_.end(), ended);
+       kept > static_cast<std::ptrdiff_t>(settings_.kept); --kept) {
+    const auto oldest = std::find_if(runs_.begin(), runs_.end(), ended);
+    std::error_code ignored;
+    fs::remove_all((*oldest)->out, ignored);
+    runs_.erase(oldest);
+  }
+}
+
+Response Runs::start(const RunRequest& request) {
+  auto run = std::make_shared<Run>();
+  run->seed = request.seed;
+  {
+    const std::lock_guard lock(mutex_);
+    if (queue_.size() >= settings_.waiting) {
+      return error_response(429, "too_many",
+                            fmt::format("{} missions wait already; cancel one, or wait", queue_.size()));
+    }
+    if (!home_) {
+      auto home = TemporaryFolder::make();
+      if (!home) return error_response(500, "internal", home.error().sentence);
+      home_ = std::move(*home);
+    }
+    run->id = fmt::format("{}-{}", prefix_, ++number_);
+    run->out = home_->path() / run->id;
+  }
+  if (request.text) {
+    const auto folder =
+        request.folder.empty() ? Outcome<fs::path>(folder_.root()) : folder_.resolve(request.folder);
+    std::error_code error;
+    if (!folder || !fs::is_directory(*folder, error)) return not_found("there is no such folder", "folder");
+    run->scenario = request.folder.empty() ? "unsaved" : request.folder + "/unsaved";
+    run->file = *folder / fmt::format(".outrider-{}.yaml", run->id);
+    if (auto ok = write_file(run->file.string(), *request.text); !ok) {
+      return error_response(403, "forbidden", "the folder cannot be written to, so only saved scenarios run",
+                            "text");
+    }
+    run->owns_file = true;
+  } else {
+    const auto file = folder_.resolve(request.scenario);
+    std::error_code error;
+    if (!file || !fs::is_regular_file(*file, error))
+      return not_found("there is no such scenario", "scenario");
+    run->scenario = request.scenario;
+    run->file = *file;
+  }
+  Status sound = folder_.check_references(run->file);
+  auto job = sound ? scenario_job(run->file.string()) : Outcome<std::string>(tl::unexpected(sound.error()));
+  if (!job) {
+    Fault fault = plain_fault(job.error(), folder_.root(), run->file.lexically_relative(folder_.root()));
+    std::error_code ignored;
+    if (run->owns_file) fs::remove(run->file, ignored);
+    return error_response(fault);
+  }
+  run->job = job->empty() ? "guard" : *job;
+  {
+    const std::lock_guard lock(mutex_);
+    runs_.push_back(run);
+    queue_.push_back(run);
+    forget_old();
+  }
+  tell(run, {{"type", "state"}, {"state", "queued"}});
+  queued_.notify_one();
+  const std::lock_guard lock(mutex_);
+  return json_response(run->json(), 202);
+}
+
+Response Runs::state(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const RunPtr run = find(id);
+  return run ? json_response(run->json()) : no_such_run(id);
+}
+
+Json Runs::list() {
+  const std::lock_guard lock(mutex_);
+  Json list = Json::array();
+  for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) list.push_back((*run)->json());
+  return {{"runs", std::move(list)}};
+}
+
+Response Runs::cancel(const std::string& id) {
+  RunPtr run;
+  bool waited = false;
+  {
+    const std::lock_guard lock(mutex_);
+    run = find(id);
+    if (!run) return no_such_run(id);
+    run->stop.request_stop();
+    waited = std::erase(queue_, run) > 0;
+  }
+  if (waited) end(run, "cancelled", {FaultCode::cancelled, "the mission was cancelled before it began", {}});
+  return state(id);
+}
+
+void Runs::cancel_all() {
+  std::vector<std::string> ids;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const RunPtr& run : runs_) ids.push_back(run->id);
+  }
+  for (const std::string& id : ids) (void)cancel(id);
+}
+
+Response Runs::report(const std::string& id) {
+  fs::path file;
+  {
+    const std::lock_guard lock(mutex_);
+    const RunPtr run = find(id);
+    if (!run) return no_such_run(id);
+    if (!run->has_report) {
+      return not_found(run->ended() ? "this run left no report" : "the report comes when the run has ended",
+                       id);
+    }
+    file = run->out / (run->job + ".json");
+  }
+  auto text = read_file(file.string(), largest_served_bytes);
+  if (!text) return error_response(500, "internal", text.error().sentence);
+  return {200, "application/json", std::move(*text), {}};
+}
+
+Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {
+  const std::lock_guard lock(mutex_);
+  const RunPtr run = find(id);
+  if (!run) return bad_input("there is no such run; the server keeps the newest 32", "run");
+  for (std::uint64_t i = from; i < run->log.size(); ++i) {
+    if (run->log[i].progress && i + 1 < run->newest_progress) continue;
+    return Message{i + 1, run->log[i].text};
+  }
+  return Message{from, nullptr};
+}
+
+void Runs::tell(const RunPtr& run, Json message) {
+  {
+    const std::lock_guard lock(mutex_);
+    const bool progress = message["type"] == "progress", last = message["type"] == "end";
+    if (message["type"] == "state") run->state = message["state"].get<std::string>();
+    if (message["type"] == "state" || last) ++states_;
+    const bool full = run->log.size() >= most_messages || run->log_bytes > most_message_bytes;
+    if (full && !last) return;
+    const std::uint64_t seq = run->log.size() + 1;
+    Json numbered = {{"type", message["type"]}, {"run", run->id}, {"seq", seq}};
+    if (last) numbered.update(run->json());
+    numbered.update(message);
+    numbered["seq"] = seq;
+    auto text = std::make_shared<const std::string>(text_of(numbered));
+    run->log_bytes += text->size();
+    run->log.push_back({progress, std::move(text)});
+    if (progress) run->newest_progress = seq;
+  }
+  call_on_change();
+}
+
+void Runs::work(const std::stop_token& stop) {
+  for (;;) {
+    RunPtr run;
+    {
+      std::unique_lock lock(mutex_);
+      if (!queued_.wait(lock, stop, [this] { return !queue_.empty(); })) return;
+      run = queue_.front();
+      queue_.pop_front();
+    }
+    carry_out(run);
+  }
+}
+
+void Runs::carry_out(const RunPtr& run) {
+  tell(run, {{"type", "state"}, {"state", "running"}});
+  // From the folder, so that its report is the one that `outrider run` makes there.
+  std::vector<std::string> words = {
+      settings_.tool, "run",   run->file.lexically_relative(folder_.root()).string(),
+      "--json",       "--out", run->out.string()};
+  if (run->seed) words.insert(words.end(), {"--seed", std::to_string(*run->seed)});
+  const auto on_progress = [&](const std::string& line) {
+    auto progress = progress_of(line);
+    if (!progress) return;
+    {
+      const std::lock_guard lock(mutex_);
+      run->progress = *progress;
+    }
+    Json message = {{"type", "progress"}};
+    message.update(*progress);
+    tell(run, std::move(message));
+  };
+  conclude(run,
+           run_child(words, folder_.root().string(), settings_.limit, run->stop.get_token(), on_progress));
+}
+
+void Runs::conclude(const RunPtr& run, const ChildResult& child) {
+  Conclusion conclusion = conclusion_of(child);
+  conclusion.fault =
+      plain_fault(std::move(conclusion.fault), folder_.root(), run->file.lexically_relative(folder_.root()));
+  if (conclusion.summary.contains("report")) conclusion.summary.erase("report");  // a path of ours
+  {
+    const std::lock_guard lock(mutex_);
+    run->summary = std::move(conclusion.summary);
+  }
+  tell_report(run);
+  end(run, conclusion.state, std::move(conclusion.fault));
+}
+
+void Runs::tell_report(const RunPtr& run) {
+  std::error_code error;
+  const fs::path file = run->out / (run->job + ".json");
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (error || bytes > largest_served_bytes) return;
+  auto text = read_file(file.string(), largest_served_bytes);
+  if (!text || text->substr(0, 64).find("outrider_report") == std::string::npos) return;
+  {
+    const std::lock_guard lock(mutex_);
+    run->has_report = true;
+  }
+  for (Json& message : messages_of_report(*text)) tell(run, std::move(message));
+}
+
+void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
+  std::error_code ignored;
+  if (run->owns_file) fs::remove(run->file, ignored);
+  {
+    const std::lock_guard lock(mutex_);
+    run->state = state;
+    run->fault = std::move(fault);
+  }
+  tell(run, {{"type", "end"}});
+}
+
+}  // namespace outrider::server

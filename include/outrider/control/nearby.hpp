@@ -1,0 +1,32 @@
+// Nearby: what stands around a robot on an occupancy map, for questions asked many times before it moves on.
+//
+// The occupied cells in a square around a middle are gathered once; each query goes through them.
+// Building O(cells in the square); a query O(occupied cells found). Thread rule: const queries may run
+// concurrently.
+#pragma once
+
+#include <vector>
+
+#include "outrider/geometry/convex.hpp"
+#include "outrider/world/grid.hpp"
+#include "outrider/world/occupancy.hpp"
+
+namespace outrider {
+
+class Nearby {
+ public:
+  Nearby() = default;
+  /// The occupied cells whose centres are within `reach_m` of the middle in x and in y.
+  Nearby(const Grid<std::uint8_t>& map, Vec2 middle, double reach_m);
+
+  /// Distance to the nearest of their closed squares, m; infinite where there are none.
+  [[nodiscard]] double clearance(Vec2 p) const;
+  /// The least clearance along a segment, within a tenth of a cell.
+  [[nodiscard]] double clearance(Segment s) const;
+
+ private:
+  std::vector<Vec2> centres_;
+  double half_m_ = 0.0;  // of a cell's side
+};
+
+}  // namespace outrider

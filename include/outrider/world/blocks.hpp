@@ -1,0 +1,18 @@
+// Blocks: what a map of cells says stands somewhere, as solids.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outrider/world/grid.hpp"
+#include "outrider/world/occupancy.hpp"
+#include "outrider/world/solid.hpp"
+
+namespace outrider {
+
+/// Upright boxes from low_z_m to high_z_m that together cover exactly the cells that are not free, each cell
+/// once: runs of a row that the next rows repeat are one box. `occupancy` holds values of Occupancy. Named
+/// "block_1", "block_2", ... in the order of their lowest rows. O(cells).
+std::vector<Solid> blocks(const Grid<std::uint8_t>& occupancy, double low_z_m, double high_z_m);
+
+}  // namespace outrider

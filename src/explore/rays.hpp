@@ -1,0 +1,58 @@
+// Rays over a grid, as the cells that they meet one after another.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "outrider/core/units.hpp"
+#include "outrider/world/grid.hpp"
+
+namespace outrider {
+
+/// visit(cell) for each cell that the straight way from the centre of one cell through the centre of another
+/// meets, from the one after `from` on, until visit says false. Where the way passes a corner exactly, the
+/// next cell is the one across it. Source: Amanatides and Woo (1987), in whole numbers.
+template <class Visit>
+void walk_ray(Cell from, Cell through, Visit visit) {
+  const std::int64_t dx = std::abs(through.x - from.x), dy = std::abs(through.y - from.y);
+  const int step_x = through.x > from.x ? 1 : -1, step_y = through.y > from.y ? 1 : -1;
+  std::int64_t ahead = dy - dx;
+  for (Cell cell = from; dx + dy > 0;) {
+    const std::int64_t before = ahead;
+    if (before <= 0) {
+      cell.x += step_x;
+      ahead += 2 * dy;
+    }
+    if (before >= 0) {
+      cell.y += step_y;
+      ahead -= 2 * dx;
+    }
+    if (!visit(cell)) return;
+  }
+}
+
+/// Rays of one length in evenly spread directions, as offsets.
+struct RayFan {
+  int cells = 0;  ///< length
+  std::vector<std::vector<Cell>> rays;
+
+  static RayFan of(int cells, int count) {
+    RayFan fan{cells, {}};
+    for (int i = 0; i < count; ++i) {
+      const Vec2 along = 4096.0 * direction(2.0 * pi * (i + 0.5) / count);
+      const Cell through{static_cast<int>(std::lround(along.x)), static_cast<int>(std::lround(along.y))};
+      std::vector<Cell> ray;
+      walk_ray({0, 0}, through, [&](Cell cell) {
+        if (cell.x * cell.x + cell.y * cell.y > cells * cells) return false;
+        ray.push_back(cell);
+        return true;
+      });
+      fan.rays.push_back(std::move(ray));
+    }
+    return fan;
+  }
+};
+
+}  // namespace outrider

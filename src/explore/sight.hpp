@@ -1,0 +1,42 @@
+// FrontierSight: the unknown cells beside a frontier, and the places from which they are seen.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outrider/explore/frontier.hpp"
+#include "rays.hpp"
+
+namespace outrider {
+
+/// A place of the robot on the known ground that sees cells of the sample.
+struct Seat {
+  std::uint32_t block = 0;
+  std::uint32_t cell = 0;  ///< in it
+  std::uint32_t seen = 0;  ///< cells of the sample
+};
+
+struct FrontierSight {
+  std::vector<std::uint32_t> sample;  ///< unknown cells, spread evenly over those beside the frontier
+  std::vector<Seat> seats;            ///< those that see half of the sample, or as much as any; by block
+};
+
+/// Scratch of sight_of(), kept between calls.
+struct SightMemory {
+  RayFan fan;
+  std::vector<std::uint32_t> entry;  // of a block in `seats`, one more; 0 but within a call
+  std::vector<std::uint32_t> last;   // of a seat: number of the cell that it saw last
+  std::vector<Seat> seats;
+};
+
+/// Cells that were given up do not count.
+FrontierSight sight_of(const Frontier& frontier, const FrontierMap& map, double view_m, SightMemory& memory);
+
+/// What is unknown in sight of a cell over that range, if only occupied cells hide anything, m2.
+double gain_at(Cell from, const Grid<std::uint8_t>& known, const RayFan& fan);
+
+/// What of it lies along the rays through the sample, each cell counted once, m2.
+double gain_behind(Cell from, const Grid<std::uint8_t>& known, const std::vector<std::uint32_t>& sample,
+                   double range_m);
+
+}  // namespace outrider

@@ -1,0 +1,157 @@
+#include "outrider/io/slices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/io/files.hpp"
+#include "text.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t largest_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_pieces = 200'000;
+constexpr std::size_t most_corners = 1000;
+constexpr double farthest_m = 1e6;
+constexpr double dented_m = 1e-3;       ///< a corner deeper than this below the hull makes a dent
+constexpr double rectangle_m = 2e-4;    ///< how far the corners of a rectangle are from those given
+constexpr double inner_floor_m = 0.15;  ///< above the foot: where the body of a robot is
+
+constexpr const char* form = "it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    std::string_view field = line.substr(0, comma);
+    fields.push_back(take_word(field));
+    if (comma == std::string_view::npos) return fields;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// The corners as a convex polygon.
+Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
+  std::vector<Vec2> hull = convex_hull(corners);
+  if (hull.size() < 3) return bad_input("its corners lie on one line; give a wall by its two ends");
+  for (const Vec2 corner : corners) {
+    double depth_m = farthest_m;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      depth_m = std::min(depth_m, distance(corner, Segment{hull[i], hull[(i + 1) % hull.size()]}));
+    }
+    if (depth_m <= dented_m) continue;
+    return bad_input(
+        fmt::format("the polygon is not convex: its corner {:g},{:g} lies {:.3g} m inside; cut it "
+                    "in convex parts",
+                    corner.x, corner.y, depth_m));
+  }
+  return hull;
+}
+
+Outcome<WorldSlice> slice_of(std::string_view line) {
+  const std::vector<std::string_view> fields = fields_of(line);
+  WorldSlice slice;
+  std::size_t first = 0;
+  if (!number<double>(fields[0]) && fields.size() > 2) {
+    first = 2;
+    slice.name = excerpt(fields[0]) + '/' + excerpt(fields[1]);
+  }
+  const std::size_t count = fields.size() - first;
+  if (count < 4 || count % 2 != 0 || (first == 0 && count != 4) || count > 2 * most_corners) {
+    return bad_input(fmt::format("the line has {} numbers; {}", count, form));
+  }
+  for (std::size_t i = first; i < fields.size(); i += 2) {
+    const auto x = number<double>(fields[i]);
+    const auto y = number<double>(fields[i + 1]);
+    const bool good = x && y && std::abs(*x) <= farthest_m && std::abs(*y) <= farthest_m;
+    if (!good) {
+      return bad_input(fmt::format("'{}' is no place within 1e6 m; {}",
+                                   excerpt(fmt::format("{},{}", fields[i], fields[i + 1])), form));
+    }
+    slice.corners.push_back({*x, *y});
+  }
+  if (slice.corners.size() > 2) {
+    auto hull = convex(slice.corners);
+    if (!hull) return pass_on(hull);
+    slice.corners = std::move(*hull);
+  } else if (slice.corners[0] == slice.corners[1]) {
+    return bad_input("a wall whose two ends are one has no length; take the line away");
+  }
+  return slice;
+}
+
+bool is_rectangle(const std::vector<Vec2>& c) {
+  if (c.size() != 4) return false;
+  const Vec2 missing = c[0] + c[2] - c[1] - c[3];
+  const double longer = std::max(distance(c[0], c[1]), distance(c[1], c[2]));
+  const double skew = std::abs(dot(c[1] - c[0], c[2] - c[1])) / longer;
+  return norm(missing) <= rectangle_m && skew <= rectangle_m;
+}
+
+/// The sides of a prism, and a floor inside it, so that nobody starts there.
+MeshShape prism(const std::vector<Vec2>& corners, Vec2 centre, double half_height_m) {
+  MeshShape mesh;
+  const auto at = [&](std::size_t i, double z) {
+    const Vec2 p = corners[i % corners.size()] - centre;
+    return Vec3{p.x, p.y, z};
+  };
+  const double floor_m = std::min(-half_height_m + inner_floor_m, 0.0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 low_a = at(i, -half_height_m);
+    const Vec3 high_b = at(i + 1, half_height_m);
+    mesh.triangles.push_back({low_a, at(i + 1, -half_height_m), high_b});
+    mesh.triangles.push_back({low_a, high_b, at(i, half_height_m)});
+    if (i >= 2) mesh.triangles.push_back({at(0, floor_m), at(i - 1, floor_m), at(i, floor_m)});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Outcome<std::vector<WorldSlice>> slices_from_text(std::string_view text, const std::string& name) {
+  std::vector<WorldSlice> slices;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    std::string_view rest = take_line(text);
+    rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
+    if (rest.empty() || rest.front() == '#') continue;
+    auto slice = slice_of(rest);
+    const std::string where = fmt::format("{}:{}", name, line);
+    if (!slice) return bad_input(slice.error().sentence, where);
+    if (slices.size() == most_pieces) {
+      return bad_input(fmt::format("there are more than {} pieces, the most that is read", most_pieces),
+                       where);
+    }
+    slices.push_back(std::move(*slice));
+  }
+  return slices;
+}
+
+Outcome<std::vector<WorldSlice>> load_slices(const std::string& path) {
+  auto text = read_file(path, largest_bytes);
+  if (!text) return pass_on(text);
+  return slices_from_text(*text, path);
+}
+
+Solid upright(const WorldSlice& slice, const std::string& name, double z_low_m, double z_high_m) {
+  const std::vector<Vec2>& c = slice.corners;
+  const double half_height_m = 0.5 * (z_high_m - z_low_m);
+  const double z_m = 0.5 * (z_low_m + z_high_m);
+  const auto placed = [&](Vec2 centre, Vec2 along, Shape shape) {
+    return Solid{
+        name, {{centre.x, centre.y, z_m}, Rotation::from_rpy(0.0, 0.0, heading_of(along))}, std::move(shape)};
+  };
+  if (c.size() == 2) {
+    const Vec3 half{0.5 * distance(c[0], c[1]), 0.0, half_height_m};
+    return placed(0.5 * (c[0] + c[1]), c[1] - c[0], BoxShape{half});
+  }
+  Vec2 centre;
+  for (const Vec2 corner : c) centre = centre + 1.0 / static_cast<double>(c.size()) * corner;
+  if (!is_rectangle(c)) return placed(centre, {1.0, 0.0}, prism(c, centre, half_height_m));
+  const Vec2 along = c[1] - c[0] + c[2] - c[3];
+  const Vec2 across = c[2] - c[1] + c[3] - c[0];
+  return placed(centre, along, BoxShape{{0.25 * norm(along), 0.25 * norm(across), half_height_m}});
+}
+
+}  // namespace outrider

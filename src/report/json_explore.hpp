@@ -1,0 +1,51 @@
+// The keys of exploring in a report, each named once: `io` writes or reads the member that it is given.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "json_drive.hpp"
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportMap>
+void members(Io& io, T& map) {
+  io.drawn("origin", map.origin);
+  io.drawn("cell_m", map.cell_m);
+  io("columns", map.columns);
+  io("rows", map.rows);
+  io("state_runs", map.state_runs);
+  io.drawn("step_s", map.step_s);
+  io("known_runs", map.known_runs);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportDecision>
+void members(Io& io, T& decision) {
+  io.drawn("time_s", decision.time_s);
+  io("kind", decision.kind);
+  io.drawn("goal", decision.goal);
+  io.drawn("waypoints", decision.waypoints);
+  io("frontiers", decision.frontiers);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportRefusal>
+void members(Io& io, T& refusal) {
+  io.drawn("position", refusal.position);
+  io("reason", refusal.reason);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportExplore>
+void members(Io& io, T& explore) {
+  io("map", explore.map);
+  io.drawn("walls", explore.walls);
+  io("beliefs", explore.beliefs);
+  io("decisions", explore.decisions);
+  io("refused", explore.refused);
+}
+
+}  // namespace outrider

@@ -1,0 +1,21 @@
+// Places that come again: recognised, held against chance, and tied together.
+//
+// The last scans together, as they stand to each other, are searched for among the scans of an earlier visit
+// that may be here, given how uncertain their place is from here. What is found counts when most points lie
+// on a surface, no other place does nearly as well, and the ties already there can give way to it.
+#pragma once
+
+#include "key_graph.hpp"
+#include "surface_map.hpp"
+
+namespace outrider {
+
+struct LoopSearch {
+  std::size_t closed = 0;
+  double tried_at_m = 0.0;  ///< way driven at the last search
+
+  /// Ties the last scan to earlier visits and relaxes the graph; true when it did.
+  bool close(KeyGraph& graph);
+};
+
+}  // namespace outrider

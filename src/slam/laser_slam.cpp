@@ -1,0 +1,281 @@
+#include "outrider/slam/laser_slam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "laser_loops.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::uint32_t recent_keys = 10;
+constexpr int recent_group = 0;
+constexpr int earlier_group = 1;
+
+bool finite(const Pose2& pose) {
+  constexpr double most = 1e6;
+  return std::abs(pose.position.x) <= most && std::abs(pose.position.y) <= most &&
+         std::abs(pose.heading_rad) <= most;
+}
+
+struct TrackPoint {
+  std::uint32_t key = 0;
+  Pose2 key_T_robot;
+};
+
+/// Standard deviations of a motion by odometry.
+struct MotionNoise {
+  double position_m = 0.0;
+  double heading_rad = 0.0;
+
+  [[nodiscard]] Matrix3 information() const {
+    const double p = 1.0 / (position_m * position_m);
+    return diagonal<3>({p, p, 1.0 / (heading_rad * heading_rad)});
+  }
+};
+MotionNoise noise_of(const Pose2& motion, const LaserSlamOptions& o) {
+  const double way_m = norm(motion.position);
+  const double turn_rad = std::abs(motion.heading_rad);
+  return {std::hypot(o.odometry_rest_m, o.odometry_distance * std::sqrt(way_m)),
+          std::hypot(o.odometry_rest_rad, o.odometry_turn * std::sqrt(turn_rad),
+                     o.odometry_turn_per_distance_rad * std::sqrt(way_m))};
+}
+
+}  // namespace
+
+struct LaserSlam::State {
+  LaserSlamOptions options;
+  Pose2 pose;
+  OccupancyMap map;
+  KeyGraph graph;
+  LoopSearch loops;
+  std::vector<Pose2> before_keys;       ///< the track before there was a scan to keep, or of trusted odometry
+  std::vector<TrackPoint> track;        ///< and after that
+  std::vector<Pose2> drawn;             ///< poses of the kept scans as the map has them
+  std::optional<SurfaceMap> near;       ///< of the last scans (group 0) and of earlier visits (group 1)
+  std::optional<std::uint32_t> anchor;  ///< of the earlier visits in `near`, the nearest scan
+
+  [[nodiscard]] Pose2 since_key() const {
+    const Pose2 motion = between(graph.keys.back().pose, pose);
+    return {motion.position, wrap_angle(motion.heading_rad)};
+  }
+  [[nodiscard]] std::optional<Fit> match(const MotionNoise& noise, const Surface& surface) const;
+  [[nodiscard]] bool is_key() const;
+  void add_key(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit);
+  void gather();
+  [[nodiscard]] std::vector<SurfaceMap::Part> earlier_visits();
+  [[nodiscard]] bool stands_as_drawn() const;
+  MapUpdate draw_anew();
+  void note_step();
+};
+
+std::vector<Option> describe(LaserSlamOptions& o) {
+  return {
+      {"trust_odometry", "", 0, 0, "map from the poses of the odometry, without matching scans",
+       &o.trust_odometry},
+      {"draw_late", "", 0, 0, "draw the map at the end only", &o.draw_late},
+      {"close_loops", "", 0, 0, "recognise places that come again", &o.close_loops},
+      {"reach", "m", 0.5, 200, "how far readings are matched", &o.reach_m},
+      {"key_distance", "m", 0.01, 100, "way after which a scan is kept", &o.key_distance_m},
+      {"key_turn", "deg", 0.1, 360, "turn after which a scan is kept", &o.key_turn_rad},
+      {"odometry_distance", "", 0.001, 10, "m of error of odometry in the root of a metre driven",
+       &o.odometry_distance},
+      {"odometry_turn", "", 0.001, 10, "rad of error in the root of a radian turned", &o.odometry_turn},
+      {"odometry_turn_per_distance", "deg", 0.01, 360, "error of its heading in the root of a metre driven",
+       &o.odometry_turn_per_distance_rad},
+      {"odometry_rest", "m", 1e-4, 10, "error of each step besides", &o.odometry_rest_m},
+      {"odometry_rest_turn", "deg", 1e-3, 360, "and of its heading", &o.odometry_rest_rad},
+      {"laser_x", "m", -100, 100, "where the laser stands on the robot, ahead", &o.robot_T_laser.position.x},
+      {"laser_y", "m", -100, 100, "and to the left", &o.robot_T_laser.position.y},
+      {"laser_heading", "deg", -180, 180, "and how it is turned", &o.robot_T_laser.heading_rad}};
+}
+
+Outcome<LaserSlam> LaserSlam::begin(const LaserSlamOptions& options, const Pose2& start) {
+  if (!finite(start)) return bad_input("the start is not finite; give x, y and heading", "start");
+  LaserSlamOptions held = options;
+  for (const std::vector<Option>& group : {describe(held), describe(held.map)}) {
+    for (const Option& option : group) {
+      if (auto ok = assign(option, value_text(option)); !ok) return pass_on(ok);
+    }
+  }
+  return LaserSlam(std::make_unique<State>(
+      State{options, start, OccupancyMap(options.map), {}, {}, {start}, {}, {}, {}, {}}));
+}
+
+LaserSlam::LaserSlam(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LaserSlam::LaserSlam(LaserSlam&&) noexcept = default;
+LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
+LaserSlam::~LaserSlam() = default;
+
+/// Fits the scan to the surfaces nearby: in a window about where odometry puts it, and where little of it
+/// lies on them, in a wider one. Nothing when too little does.
+std::optional<Fit> LaserSlam::State::match(const MotionNoise& noise, const Surface& surface) const {
+  constexpr double sds = 3.0;
+  constexpr MotionNoise least{0.05, 0.02}, wide{0.6, 0.6};
+  constexpr double least_score = 0.1, wide_score = 0.3;
+  constexpr double least_share = 0.25, sure_share = 0.5, better_share = 0.1;
+  MatchWindow window{pose, std::max(least.position_m, sds * noise.position_m),
+                     std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m,
+                     noise.heading_rad};
+  Fit best;
+  if (const auto found = near->find(surface, window, least_score)) {
+    best = near->refine(surface, found->pose, {pose, noise.information()});
+  }
+  if (best.share >= sure_share) return best;
+  window.reach_m = std::max(window.reach_m, wide.position_m);
+  window.turn_rad = std::max(window.turn_rad, wide.heading_rad);
+  if (const auto found = near->find(surface, window, wide_score)) {
+    const Fit fit = near->refine(surface, found->pose, {found->pose, noise.information()});
+    if (fit.share > best.share + better_share) best = fit;
+  }
+  return best.share >= least_share ? std::optional(best) : std::nullopt;
+}
+
+bool LaserSlam::State::is_key() const {
+  if (graph.keys.empty()) return true;
+  const Pose2 motion = since_key();
+  return norm(motion.position) >= options.key_distance_m ||
+         std::abs(motion.heading_rad) >= options.key_turn_rad;
+}
+
+/// Keeps the scan, tied to the one before, and to an earlier visit where it was matched with one.
+void LaserSlam::State::add_key(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit) {
+  constexpr MotionNoise lost{0.3, 0.3};  // whatever odometry says of itself
+  constexpr MotionNoise loose{0.1, 0.1};
+  constexpr double least_share = 0.5;
+  const auto key = static_cast<std::uint32_t>(graph.keys.size());
+  const Pose2 motion = key == 0 ? Pose2{} : since_key();
+  const double way_m = key == 0 ? 0.0 : graph.keys.back().way_m + norm(motion.position);
+  graph.keys.push_back({pose, {}, way_m, scan, std::move(surface)});
+  if (key == 0) return;
+  graph.tie(key - 1, key, pose,
+            fit ? fit->information + noise_of(motion, options).information() : lost.information());
+  if (!fit || !anchor) return;
+  const Fit visit = near->refine(graph.keys[key].surface, pose, {pose, loose.information()}, earlier_group);
+  if (visit.share >= least_share) {
+    graph.tie(*anchor, key, visit.pose, visit.information + diagonal<3>({1.0, 1.0, 1.0}));
+  }
+}
+
+/// Scans of earlier visits that are near, and whose place by the last scan is well known.
+std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
+  constexpr std::uint32_t earlier = 2 * recent_keys;
+  constexpr std::size_t most_keys = 16;
+  constexpr double most_variance = 0.01;  // m^2
+  constexpr double most_reach_m = 5.0;
+  const auto last = static_cast<std::uint32_t>(graph.keys.size() - 1);
+  anchor.reset();
+  if (last < earlier) return {};
+  const std::vector<double> variance = graph.variances_from(last, most_variance);
+  const double reach_m = std::min(0.5 * options.reach_m, most_reach_m);
+  std::vector<std::pair<double, std::uint32_t>> nearest;
+  for (std::uint32_t i = 0; i + earlier <= last; ++i) {
+    if (variance[i] > most_variance) continue;
+    const double away_m = distance(graph.keys[i].pose.position, pose.position);
+    if (away_m <= reach_m) nearest.emplace_back(away_m, i);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  if (nearest.size() > most_keys) nearest.resize(most_keys);
+  if (!nearest.empty()) anchor = nearest.front().second;
+  std::vector<SurfaceMap::Part> parts;
+  for (const auto& [away_m, i] : nearest) {
+    parts.push_back({&graph.keys[i].surface, graph.keys[i].pose, earlier_group});
+  }
+  return parts;
+}
+
+void LaserSlam::State::gather() {
+  std::vector<SurfaceMap::Part> parts = earlier_visits();
+  const std::size_t count = graph.keys.size();
+  for (std::size_t i = count > recent_keys ? count - recent_keys : 0; i < count; ++i) {
+    parts.push_back({&graph.keys[i].surface, graph.keys[i].pose, recent_group});
+  }
+  near.emplace(parts);
+}
+
+/// Whether no kept scan has moved by a cell since it was drawn, nor what it sees a few metres away.
+bool LaserSlam::State::stands_as_drawn() const {
+  constexpr double lever_m = 2.0;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Pose2& now = graph.keys[i].pose;
+    const double moved_m = distance(drawn[i].position, now.position) +
+                           lever_m * std::abs(drawn[i].heading_rad - now.heading_rad);
+    if (moved_m > options.map.resolution_m) return false;
+  }
+  return true;
+}
+
+MapUpdate LaserSlam::State::draw_anew() {
+  map = OccupancyMap(options.map);
+  for (const KeyScan& key : graph.keys) map.insert(composed(key.pose, options.robot_T_laser), key.scan);
+  drawn = graph.poses();
+  return {true, {}};
+}
+
+void LaserSlam::State::note_step() {
+  if (graph.keys.empty()) {
+    before_keys.push_back(pose);
+  } else {
+    track.push_back(
+        {static_cast<std::uint32_t>(graph.keys.size() - 1), between(graph.keys.back().pose, pose)});
+  }
+}
+
+Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& scan) {
+  State& s = *state_;
+  if (!finite(motion) || !finite(composed(s.pose, motion))) {
+    return bad_input("the motion is not finite or leads out of the world; leave it out");
+  }
+  s.pose = composed(s.pose, motion);
+  LaserSlamStep step;
+  if (!s.options.trust_odometry && outrider::check(scan)) {
+    Surface surface = surface_of(scan, s.options.robot_T_laser, s.options.reach_m);
+    constexpr std::size_t least_points = 10;
+    if (surface.size() >= least_points) {
+      const auto fit = s.near ? s.match(noise_of(motion, s.options), surface) : std::nullopt;
+      step.matched = fit.has_value();
+      if (fit) s.pose = fit->pose;
+      if (s.is_key()) {
+        s.add_key(scan, std::move(surface), fit);
+        step.closed_loop = s.options.close_loops && s.loops.close(s.graph);
+        s.pose = s.graph.keys.back().pose;
+        s.gather();
+        if (!s.options.draw_late) s.drawn.push_back(s.pose);
+      }
+    }
+  }
+  s.note_step();
+  step.pose = s.pose;
+  if (step.closed_loop && !s.stands_as_drawn()) {
+    step.update = s.draw_anew();
+  } else if (!s.options.draw_late) {
+    step.update = s.map.insert(composed(s.pose, s.options.robot_T_laser), scan);
+  }
+  return step;
+}
+
+void LaserSlam::settle() {
+  State& s = *state_;
+  if (s.graph.keys.empty()) return;
+  s.graph.relax();
+  s.draw_anew();
+  s.pose = composed(s.graph.keys[s.track.back().key].pose, s.track.back().key_T_robot);
+}
+
+const Pose2& LaserSlam::pose() const { return state_->pose; }
+Matrix3 LaserSlam::pose_covariance() const {
+  return state_->graph.keys.empty() ? Matrix3{} : state_->graph.keys.back().covariance;
+}
+const OccupancyMap& LaserSlam::map() const { return state_->map; }
+std::size_t LaserSlam::loops() const { return state_->loops.closed; }
+std::vector<Pose2> LaserSlam::trajectory() const {
+  std::vector<Pose2> poses = state_->before_keys;
+  for (const TrackPoint& point : state_->track) {
+    poses.push_back(composed(state_->graph.keys[point.key].pose, point.key_T_robot));
+  }
+  return poses;
+}
+
+}  // namespace outrider

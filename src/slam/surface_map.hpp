@@ -1,0 +1,108 @@
+// SurfaceMap: the surfaces that a few scans saw, to match another scan with.
+//
+// Two views of the same points. The field is a grid of how near the next surface is, 255 on it and fading
+// within 15 cm, and a pyramid of maxima over it: what the search bounds with. The surface itself is, about
+// any point, the weighted mean of the lines through the points nearby that face the same way: what the
+// refinement goes to.
+//
+// find() is branch and bound: complete within its window to a cell and to the turn that moves the farthest
+// point by one. refine() is Gauss-Newton on the distances to the lines, with a robust weight.
+// Sources: Olson, M3RSM: many-to-many multi-resolution scan matching, ICRA 2015, 5815-5821 (the pyramid);
+// Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016, 1271-1278 (the search);
+// Censi, An ICP variant using a point-to-line metric, ICRA 2008, 19-25; Kolluri, Provably good moving least
+// squares, ACM Trans. Algorithms 4 (2008) 18 (the surface).
+// Thread rule: const members may be called concurrently.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "outrider/slam/matrix.hpp"
+#include "outrider/world/grid.hpp"
+#include "surface.hpp"
+
+namespace outrider {
+
+/// What is known of a pose beforehand: normal, in the world.
+struct PosePrior {
+  Pose2 mean;
+  Matrix3 information;  ///< of x, y, heading; zeros for nothing
+};
+
+/// Poses to look among: a square of half side `reach_m` about the centre, turned by up to `turn_rad`.
+struct MatchWindow {
+  Pose2 centre;
+  double reach_m = 0.0;
+  double turn_rad = 0.0;
+  double position_sd_m = 1e9;  ///< what a pose costs for its distance from the centre
+  double heading_sd_rad = 1e9;
+};
+
+struct FoundPose {
+  Pose2 pose;
+  double score = 0.0;  ///< mean of the field, 0 to 1, less the cost
+};
+
+struct Fit {
+  Pose2 pose;
+  Matrix3 information;  ///< of the points alone
+  double share = 0.0;   ///< of the points that lie on a surface
+  double rms_m = 0.0;   ///< of the distances of those
+};
+
+/// The robust sum of squares that refine() makes less, about a pose: the gradient with the lines held, and
+/// the Gauss-Newton part of the second derivative.
+struct MatchEquations {
+  Matrix3 hessian;
+  std::array<double, 3> gradient{};
+  double cost = 0.0;
+  std::size_t on_surface = 0;
+  double squares = 0.0;
+};
+
+class SurfaceMap {
+ public:
+  struct Part {
+    const Surface* surface = nullptr;
+    Pose2 pose;     ///< world_T_surface
+    int group = 0;  ///< refine() can be told to look at one alone
+  };
+  static constexpr int all_groups = -1;
+
+  explicit SurfaceMap(std::span<const Part> parts);
+
+  /// The pose with the highest score above `least`. With `except`, only poses that are farther from it than
+  /// `apart_m`.
+  [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window, double least,
+                                              const Vec2* except = nullptr, double apart_m = 0.0) const;
+  [[nodiscard]] Fit refine(const Surface& surface, const Pose2& start, const PosePrior& prior,
+                           int group = all_groups) const;
+  [[nodiscard]] MatchEquations equations(const Surface& surface, const Pose2& pose,
+                                         int group = all_groups) const;
+
+ private:
+  struct Element {
+    Vec2 position;
+    Vec2 normal;
+    double count = 0.0;
+    std::int32_t next = -1;
+    int group = 0;
+  };
+  struct Line {
+    Vec2 normal;
+    double distance_m = 0.0;
+  };
+
+  void add(const SurfacePoint& point, int group);
+  void splat(Vec2 position);
+  void build_pyramid();
+  [[nodiscard]] std::optional<Line> line_at(Vec2 position, Vec2 normal, int group) const;
+
+  std::vector<Grid<std::uint8_t>> levels_;  ///< maxima over windows of 2^level + 1 cells at least
+  GridFrame bucket_frame_;
+  std::vector<std::int32_t> first_;  ///< element, by bucket
+  std::vector<Element> elements_;
+};
+
+}  // namespace outrider

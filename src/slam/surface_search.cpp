@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "surface_map.hpp"
+
+namespace outrider {
+namespace {
+
+/// What a deviation from the centre by one standard deviation costs, twice: a wrong pose scores tenths less.
+constexpr double cost_of_deviation = 0.01;
+constexpr std::size_t most_points = 180;
+
+/// All poses turned alike whose cells lie from `offset` on, 2^level to each side.
+struct Block {
+  int angle = 0;
+  Cell offset;
+  double bound = 0.0;
+};
+
+/// The better first; ties by place.
+bool better(const Block& a, const Block& b) {
+  if (a.bound != b.bound) return a.bound > b.bound;
+  return std::tuple(a.angle, a.offset.y, a.offset.x) < std::tuple(b.angle, b.offset.y, b.offset.x);
+}
+
+class Search {
+ public:
+  Search(const std::vector<Grid<std::uint8_t>>& levels, const Surface& surface, const MatchWindow& window,
+         double least, const Vec2* except, double apart_m)
+      : levels_(levels), window_(window), except_(except), apart_m_(apart_m), best_{{}, least} {
+    const GridFrame& frame = levels.front().frame;
+    reach_ = static_cast<int>(std::ceil(window.reach_m / frame.resolution_m));
+    double farthest_m = 1.0;
+    for (const SurfacePoint& p : surface) farthest_m = std::max(farthest_m, norm(p.position));
+    step_rad_ = frame.resolution_m / farthest_m;
+    turns_ = static_cast<int>(std::ceil(window.turn_rad / step_rad_));
+    if (turns_ > 0) step_rad_ = window.turn_rad / turns_;
+    for (int k = -turns_; k <= turns_; ++k) {
+      const double heading = window.centre.heading_rad + k * step_rad_;
+      auto& cells = cells_.emplace_back();
+      cells.reserve(surface.size());
+      const Vec2 along = direction(heading);
+      for (const SurfacePoint& p : surface) {
+        cells.push_back(frame.cell_at(window.centre.position + p.position.x * along +
+                                      p.position.y * perpendicular(along)));
+      }
+    }
+  }
+
+  std::optional<FoundPose> run() {
+    if (cells_.front().empty()) return std::nullopt;
+    int level = 0;
+    while (level + 1 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
+    std::vector<Block> roots;
+    for (int k = 0; k < static_cast<int>(cells_.size()); ++k) {
+      for (int y = -reach_; y <= reach_; y += 1 << level) {
+        for (int x = -reach_; x <= reach_; x += 1 << level) add(roots, {k, {x, y}, 0.0}, level);
+      }
+    }
+    descend(roots, level);
+    return found_ ? std::optional(best_) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] double cost(const Block& block, int level) const {
+    const auto gap = [&](int low) { return std::max({0, low, -(low + (1 << level) - 1)}); };
+    const double x = gap(block.offset.x), y = gap(block.offset.y);
+    const double side_m = levels_.front().frame.resolution_m;
+    const double squared_m = (x * x + y * y) * side_m * side_m;
+    const double turn = (block.angle - turns_) * step_rad_;
+    return cost_of_deviation * (squared_m / (window_.position_sd_m * window_.position_sd_m) +
+                                turn * turn / (window_.heading_sd_rad * window_.heading_sd_rad));
+  }
+
+  [[nodiscard]] double mean(const Block& block, int level) const {
+    const Grid<std::uint8_t>& field = levels_[static_cast<std::size_t>(level)];
+    const std::vector<Cell>& cells = cells_[static_cast<std::size_t>(block.angle)];
+    const auto width = static_cast<unsigned>(field.frame.width);
+    const auto height = static_cast<unsigned>(field.frame.height);
+    int sum = 0;
+    for (const Cell& cell : cells) {
+      const auto x = static_cast<unsigned>((cell.x + block.offset.x) >> level);
+      const auto y = static_cast<unsigned>((cell.y + block.offset.y) >> level);
+      if (x < width && y < height) sum += field.cells[std::size_t{y} * width + x];
+    }
+    return sum / (255.0 * static_cast<double>(cells.size()));
+  }
+
+  void add(std::vector<Block>& blocks, Block block, int level) const {
+    const double most = 1.0 - cost(block, level);
+    if (most <= best_.score) return;
+    block.bound = mean(block, level) - (1.0 - most);
+    if (block.bound > best_.score) blocks.push_back(block);
+  }
+
+  void descend(std::vector<Block>& blocks, int level) {
+    std::sort(blocks.begin(), blocks.end(), better);
+    for (const Block& block : blocks) {
+      if (block.bound <= best_.score) return;
+      if (level == 0) {
+        take(block);
+        continue;
+      }
+      std::vector<Block> parts;
+      const int half = 1 << (level - 1);
+      for (const auto& [dx, dy] :
+           {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)}) {
+        const Cell offset{block.offset.x + dx, block.offset.y + dy};
+        if (offset.x <= reach_ && offset.y <= reach_) add(parts, {block.angle, offset, 0.0}, level - 1);
+      }
+      descend(parts, level - 1);
+    }
+  }
+
+  void take(const Block& block) {
+    const double side_m = levels_.front().frame.resolution_m;
+    const Vec2 place =
+        window_.centre.position + side_m * Vec2{double(block.offset.x), double(block.offset.y)};
+    if (except_ != nullptr && distance(*except_, place) <= apart_m_) return;
+    best_ = {{place, window_.centre.heading_rad + (block.angle - turns_) * step_rad_}, block.bound};
+    found_ = true;
+  }
+
+  const std::vector<Grid<std::uint8_t>>& levels_;
+  const MatchWindow& window_;
+  const Vec2* except_;
+  double apart_m_;
+  FoundPose best_;
+  bool found_ = false;
+  int reach_ = 0;  ///< cells
+  int turns_ = 0;  ///< steps to each side
+  double step_rad_ = 0.0;
+  std::vector<std::vector<Cell>> cells_;  ///< of the points at the centre, by angle
+};
+
+}  // namespace
+
+std::optional<FoundPose> SurfaceMap::find(const Surface& surface, const MatchWindow& window, double least,
+                                          const Vec2* except, double apart_m) const {
+  const Surface few = thinned(surface, most_points);
+  return Search(levels_, few, window, least, except, apart_m).run();
+}
+
+}  // namespace outrider

@@ -1,0 +1,84 @@
+"""The command explore: worlds and scenarios, its files, planners, the published maze, refusals."""
+import unittest
+
+from tool import DATA, FLOOR, SOURCE, ToolTest, costly_cases, main, wall, world
+
+KEYS = {"status", "stop_reason", "explored_fraction", "time_s", "distance_m", "decisions", "max_decision_s",
+        "map_error_m", "contacts", "returned_home"}
+ROOM = world(FLOOR, wall("north", 0, 1.1, 3.2, 0.2), wall("south", 0, -1.1, 3.2, 0.2), wall("east", 1.5, 0, 0.2, 2),
+             wall("west", -1.5, 0, 0.2, 2), wall("screen", 0, -0.4, 0.1, 1.2))
+
+
+class Explore(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.write("room.sdf", ROOM)
+
+    def explore(self, *args, verb="explore"):
+        result = self.run_tool(verb, *args, "--json", timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = self.json_of(result)
+        self.assertLessEqual(KEYS, set(answer))
+        self.assertEqual((answer["status"], answer["stop_reason"]), ("done", "complete"))
+        self.assertTrue(answer["returned_home"])
+        self.assertEqual(answer["contacts"], 0)
+        self.assertGreaterEqual(answer["explored_fraction"], 0.99)
+        self.assertLessEqual(answer["map_error_m"], 0.05)
+        return answer
+
+    def test_a_room_and_its_files(self):
+        answer = self.explore("room.sdf", "--start=-0.8,-0.5,30", "--out", "out", "--html")
+        self.assertEqual(answer["report"], "out/explore.json")
+        self.assertLess(answer["time_s"], 60)
+        self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
+                         {"explore.json", "explore.svg", "explore.html", "track.csv", "map.yaml", "map.pgm"})
+        self.assertGreater(len((self.folder / "out/track.csv").read_text().splitlines()), 20)
+        # What was mapped is a world to explore as well, once more with another seed.
+        self.explore("out/map.yaml", "--start=-0.8,-0.5,30", "--seed", "2")
+
+    def test_a_scenario_repeats_and_flags_win(self):
+        self.write("room.yaml", 'job: explore\nworld: room.sdf\nstart: "0.8,0.5,180"\nseed: 3\n')
+        first = self.explore("room.yaml")
+        again = self.explore("room.yaml", verb="run")
+        for answer in (first, again):
+            del answer["max_decision_s"], answer["max_step_s"]
+        self.assertEqual(first, again)
+        other = self.explore("room.yaml", "--seed", "4", "--planner", "nearest", "--perfect-pose")
+        self.assertLess(other["home_error_m"], 1e-6)
+
+    def test_the_published_maze(self):
+        maze = DATA / "exploration" / "closed_maze.world"
+        if not maze.exists():
+            self.skipTest(f"{maze} is absent; set OUTRIDER_DATA")
+        for seed in range(1, 1 + costly_cases(2)):
+            answer = self.explore(maze, "--start=-1,0,0", "--seed", seed)
+            self.assertLessEqual(answer["time_s"], 195)
+
+    def test_people_get_a_summary(self):
+        result = self.run_tool("explore", "room.sdf", "--start=-0.8,-0.5,30")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("that can be seen is mapped free", result.stdout)
+
+    def test_a_budget_ends_it(self):
+        result = self.run_tool("explore", "room.sdf", "--start=-0.8,-0.5,30", "--rules-most-time", "3", "--json")
+        self.assertEqual(result.returncode, 1)
+        answer = self.json_of(result)
+        self.assertEqual((answer["status"], answer["stop_reason"]), ("not_done", "budget"))
+        self.assertTrue(answer["returned_home"])
+
+    def test_bad_input(self):
+        self.refused("explore", "room.sdf", "--start", "0,0,0", says=["start"])
+        self.refused("explore", "room.sdf", "--start", "x", says=["start", "x"])
+        self.refused("explore", "none.sdf", says=["none.sdf"])
+        self.refused("explore", says=["world"])
+        self.refused("explore", "room.sdf", "--start=-0.8,-0.5,30", "--planner", "turo",
+                     says=["there is no strategy 'turo'", "tour"])
+        self.refused("explore", "room.sdf", "--start=-0.8,-0.5,30", "--explore-planner", "jsp",
+                     says=["there is no planner 'jsp'", "jps"])
+        self.refused("explore", "room.sdf", "--laser-beams", "-1", says=["--laser-beams", "-1"])
+        self.write("bad.yaml", "job: explore\nwolrd: room.sdf\n")
+        self.refused("run", "bad.yaml", says=["bad.yaml:2", "wolrd", "world"])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,186 @@
+"""A small HTTP and WebSocket client on bare sockets, which can also do what no browser would."""
+import base64
+import hashlib
+import json
+import os
+import re
+import socket
+import struct
+import subprocess
+import time
+
+from tool import TOOL
+
+SCENARIO_SECONDS = 60
+
+
+class Server:
+    """`outrider serve` on a port of its own, ended with the block."""
+
+    def __init__(self, folder, *words, port=0):
+        self.process = subprocess.Popen([TOOL, "serve", str(folder), "--port", str(port), *words],
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                                        text=True)
+        first = self.process.stdout.readline()
+        found = re.search(r"http://([^:/\]]+|\[.*\]):(\d+)/", first)
+        if not found:
+            raise AssertionError(first + self.process.stderr.read())
+        self.port = int(found[2])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.end()
+
+    def end(self, kill=False):
+        if self.process.poll() is None:
+            self.process.kill() if kill else self.process.terminate()
+        status = self.process.wait(timeout=30)
+        self.process.stdout.close()
+        self.process.stderr.close()
+        return status
+
+    def connect(self, timeout=20):
+        return socket.create_connection(("127.0.0.1", self.port), timeout=timeout)
+
+    def raw(self, data):
+        """Everything that is answered to these bytes."""
+        with self.connect() as connection:
+            try:
+                connection.sendall(data)
+            except OSError:
+                pass  # it had enough
+            answer = b""
+            try:
+                while chunk := connection.recv(65536):
+                    answer += chunk
+            except ConnectionResetError:
+                pass
+            return answer
+
+    def request(self, method, path, body=None, **headers):
+        """(status, headers, body) of one request; an object is sent as JSON, and a header of None is left out."""
+        data = b""
+        if body is not None:
+            data = body if isinstance(body, bytes) else body.encode() if isinstance(body, str) else json.dumps(body).encode()
+        lines = {"Host": f"127.0.0.1:{self.port}"}
+        if isinstance(body, (dict, list)):
+            lines["Content-Type"] = "application/json"
+        if body is not None:
+            lines["Content-Length"] = str(len(data))
+        lines.update({name.replace("_", "-"): value for name, value in headers.items()})
+        head = f"{method} {path} HTTP/1.1\r\n" + "".join(
+            f"{name}: {value}\r\n" for name, value in lines.items() if value is not None)
+        answer = self.raw(head.encode() + b"\r\n" + data)
+        top, _, rest = answer.partition(b"\r\n\r\n")
+        if not top:
+            return 0, {}, b""
+        first, *others = top.decode().split("\r\n")
+        return int(first.split()[1]), {k.lower(): v for k, v in (line.split(": ", 1) for line in others)}, rest
+
+    def json(self, method, path, body=None, status=200, **headers):
+        got, _, text = self.request(method, path, body, **headers)
+        if got != status:
+            raise AssertionError(f"{method} {path}: {got} instead of {status}: {text[:500]}")
+        return json.loads(text)
+
+    def wait(self, run, timeout=SCENARIO_SECONDS):
+        """The run, once it has ended."""
+        end = time.monotonic() + timeout
+        while time.monotonic() < end:
+            state = self.json("GET", f"/api/v1/runs/{run}")
+            if state["state"] not in ("queued", "running"):
+                return state
+            time.sleep(0.02)
+        raise AssertionError(f"run {run} has not ended")
+
+
+class WebSocket:
+    """One end of /api/v1/live."""
+
+    def __init__(self, server, query="", hello=True, **headers):
+        self.connection = server.connect()
+        self.buffer = b""
+        key = base64.b64encode(os.urandom(16)).decode()
+        lines = {"Host": f"127.0.0.1:{server.port}", "Upgrade": "websocket", "Connection": "Upgrade",
+                 "Sec-WebSocket-Key": key, "Sec-WebSocket-Version": "13"}
+        lines.update({name.replace("_", "-"): value for name, value in headers.items()})
+        head = f"GET /api/v1/live{query} HTTP/1.1\r\n" + "".join(f"{k}: {v}\r\n" for k, v in lines.items())
+        self.connection.sendall(head.encode() + b"\r\n")
+        answer = self._until(b"\r\n\r\n").decode()
+        self.status = int(answer.split()[1])
+        if self.status != 101:
+            self.close()
+            return
+        wanted = base64.b64encode(hashlib.sha1((key + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11").encode()).digest())
+        assert wanted.decode() in answer, answer
+        if hello:
+            assert self.receive()["type"] == "hello"
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.close()
+
+    def close(self):
+        self.connection.close()
+
+    def _more(self):
+        chunk = self.connection.recv(65536)
+        if not chunk:
+            raise ConnectionError("the server closed the connection")
+        self.buffer += chunk
+
+    def _until(self, mark):
+        while mark not in self.buffer:
+            self._more()
+        found, _, self.buffer = self.buffer.partition(mark)
+        return found
+
+    def _take(self, count):
+        while len(self.buffer) < count:
+            self._more()
+        taken, self.buffer = self.buffer[:count], self.buffer[count:]
+        return taken
+
+    def frame(self, opcode, data, last=True, length=None):
+        size = len(data) if length is None else length
+        head = bytes([(0x80 if last else 0) | opcode])
+        if size < 126:
+            head += bytes([0x80 | size])
+        elif size < 65536:
+            head += bytes([0xfe]) + struct.pack(">H", size)
+        else:
+            head += bytes([0xff]) + struct.pack(">Q", size)
+        mask = b"\x05\x06\x07\x08"
+        masked = bytes(byte ^ mask[i % 4] for i, byte in enumerate(data))
+        self.connection.sendall(head + mask + masked)
+
+    def send(self, message):
+        self.frame(1, json.dumps(message).encode())
+
+    def receive(self):
+        """The next message."""
+        while True:
+            first, second = self._take(2)
+            size = second & 0x7f
+            if size == 126:
+                size = struct.unpack(">H", self._take(2))[0]
+            elif size == 127:
+                size = struct.unpack(">Q", self._take(8))[0]
+            data = self._take(size)
+            if first & 0x0f == 8:
+                raise ConnectionError("the server ended the connection")
+            if first & 0x0f == 1:
+                return json.loads(data)
+            if first & 0x0f == 9:
+                self.frame(10, data)
+
+    def until(self, kind):
+        """All messages up to the first of this type."""
+        messages = []
+        while not messages or messages[-1]["type"] != kind:
+            messages.append(self.receive())
+        return messages

@@ -1,0 +1,71 @@
+// A server without sockets over a folder of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app.hpp"
+
+namespace outrider::server {
+
+class AppTest : public testing::Test {
+ protected:
+  AppTest() : home_(std::move(*TemporaryFolder::make())) {}
+
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return home_.path() / name; }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(path(name).parent_path());
+    std::ofstream(path(name)) << text;
+  }
+
+  /// A program that stands in for the tool: a shell script that sees `run SCENARIO --json --out FOLDER`.
+  void write_tool(const std::string& script) {
+    write("tool", "#!/bin/sh\n" + script);
+    ::chmod(path("tool").c_str(), 0700);
+    settings_.runs.tool = path("tool").string();
+  }
+
+  App& app() {
+    if (!app_) app_ = std::make_unique<App>(*Folder::open(home_.path().string()), settings_);
+    return *app_;
+  }
+
+  Response ask(const std::string& method, const std::string& where, const std::string& body = {},
+               std::map<std::string, std::string> headers = {}) {
+    headers.emplace("host", "127.0.0.1:8080");
+    if (body.starts_with('{')) headers.emplace("content-type", "application/json");
+    const std::size_t question = std::min(where.find('?'), where.size());
+    const std::string query = question == where.size() ? "" : where.substr(question + 1);
+    return app().answer({method, where.substr(0, question), query, std::move(headers), body});
+  }
+
+  Json json(const std::string& method, const std::string& where, const std::string& body = {},
+            int status = 200) {
+    const Response response = ask(method, where, body);
+    EXPECT_EQ(response.status, status) << response.body;
+    return Json::parse(response.body);
+  }
+
+  /// The run once its state is one of those that last.
+  Json ended(const std::string& id) {
+    for (int i = 0; i < 2000; ++i) {
+      Json run = json("GET", "/api/v1/runs/" + id);
+      if (run["state"] != "queued" && run["state"] != "running") return run;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ADD_FAILURE() << "run " << id << " does not end";
+    return {};
+  }
+
+  TemporaryFolder home_;
+  AppSettings settings_{"1.2.3", "", {}, {}, {}};
+  std::unique_ptr<App> app_;
+};
+
+}  // namespace outrider::server

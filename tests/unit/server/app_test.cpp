@@ -1,0 +1,193 @@
+#include "app_fixture.hpp"
+#include "base64.hpp"
+
+namespace outrider::server {
+namespace {
+
+// "page" by gzip, as made once by that program.
+constexpr char page_gzip[] =
+    "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\x2b\x48\x4c\x4f\x05\x00\x20\xb6\x0a\x14\x04\x00\x00\x00";
+const std::vector<page::File> page_files = {
+    {"assets/a-1.js", "text/javascript", {page_gzip, sizeof page_gzip - 1}},
+    {"index.html", "text/html", {page_gzip, sizeof page_gzip - 1}}};
+
+TEST_F(AppTest, ThePageIsServedAsItWasBuilt) {
+  settings_.files = page_files;
+  for (const char* place : {"/", "/watch", "/index.html", "/try?map=a.map"}) {
+    const Response plain = ask("GET", place);
+    EXPECT_EQ(plain.status, 200) << place;
+    EXPECT_EQ(plain.body, "page") << place;
+    EXPECT_EQ(plain.type, "text/html");
+  }
+  const Response packed = ask("GET", "/assets/a-1.js", {}, {{"accept-encoding", "br, gzip"}});
+  EXPECT_EQ(packed.body, page_files[0].gzip);
+  const std::map<std::string, std::string> headers(packed.headers.begin(), packed.headers.end());
+  EXPECT_EQ(headers.at("Content-Encoding"), "gzip");
+  EXPECT_NE(headers.at("Cache-Control").find("immutable"), std::string::npos);
+  EXPECT_NE(headers.at("Content-Security-Policy").find("script-src 'self'"), std::string::npos);
+  EXPECT_EQ(ask("GET", "/absent.js").status, 404);
+  EXPECT_EQ(ask("POST", "/").status, 405);
+}
+
+TEST_F(AppTest, WithoutThePageItSaysSo) {
+  settings_.files = {};
+  const Json answer = json("GET", "/", {}, 503);
+  EXPECT_EQ(answer["code"], "no_page");
+}
+
+TEST_F(AppTest, AMethodThatIsNotTakenIsNamed) {
+  const Response response = ask("PATCH", "/api/v1/runs");
+  EXPECT_EQ(response.status, 405);
+  const std::map<std::string, std::string> headers(response.headers.begin(), response.headers.end());
+  EXPECT_EQ(headers.at("Allow"), "POST, GET");
+  for (const char* nowhere :
+       {"/api", "/api/", "/api/v1", "/api/v1/", "/api/v1/runs/a/b", "/api/v2/version"}) {
+    EXPECT_EQ(ask("GET", nowhere).status, 404) << nowhere;
+  }
+}
+
+TEST_F(AppTest, FilesHaveAKind) {
+  write("a/scenario.yaml", "job: cover\n");
+  write("a/plain.yaml", "seed: 1\n");
+  write("a/map.yaml", "image: map.pgm\n");
+  write("out/run.json", "{\"outrider_report\": 1, \"status\": \"done\", \"job\": \"guard\"}");
+  write("out/other.json", "{}");
+  write("room.txt", "(0,0)\n---\n");
+  write("notes.txt", "notes");
+  write(".git/config.yaml", "job: guard\n");
+  std::filesystem::create_symlink("/etc/hostname", path("out/link.yaml"));
+  std::map<std::string, std::string> kinds;
+  const Json listed = json("GET", "/api/v1/files");
+  for (const Json& file : listed["files"]) {
+    kinds[file["path"].get<std::string>()] =
+        file["kind"].get<std::string>() + " " + file.value("job", std::string());
+  }
+  const std::map<std::string, std::string> expected = {
+      {"a/map.yaml", "map "},  {"a/plain.yaml", "scenario guard"}, {"a/scenario.yaml", "scenario cover"},
+      {"notes.txt", "other "}, {"out/other.json", "other "},       {"out/run.json", "report guard"},
+      {"room.txt", "map "}};
+  EXPECT_EQ(kinds, expected);
+}
+
+TEST_F(AppTest, WhatABrowserWouldRunIsTextToIt) {
+  write("page.html", "<script>1</script>");
+  write("picture.svg", "<svg/>");
+  EXPECT_EQ(ask("GET", "/api/v1/files/page.html").type, "application/octet-stream");
+  EXPECT_EQ(ask("GET", "/api/v1/files/picture.svg").type, "text/plain; charset=utf-8");
+}
+
+TEST_F(AppTest, AWorldMayNameFilesInItsFolderOnly) {
+  const auto folder = *Folder::open(home_.path().string());
+  write("yard/world.sdf", "<uri>model://rock</uri><uri> rock.obj </uri><uri>http://a/b</uri>");
+  write("yard/mission.yaml", "world: world.sdf\nmodels: rock.obj:world.sdf\nstart: 0,1\n");
+  EXPECT_TRUE(folder.check_references(path("yard/mission.yaml")));
+  for (const char* uri : {"/etc/passwd", "file:///etc/passwd", "file://../../x", "model://../../etc",
+                          "&#47;etc", "<!-- -->/etc"}) {
+    write("yard/world.sdf", std::string("<sdf><uri>") + uri + "</uri></sdf>");
+    EXPECT_FALSE(folder.check_references(path("yard/mission.yaml"))) << uri;
+  }
+  for (const char* value : {"/etc/passwd", "../../etc/passwd", "a:/etc/passwd", "[{deep: [/etc]}]"}) {
+    write("yard/other.yaml", std::string("job: guard\nworld: ") + value + "\n");
+    EXPECT_FALSE(folder.check_references(path("yard/other.yaml"))) << value;
+  }
+  std::string bomb = "a: &a [1,1,1,1,1,1,1,1,1,1]\n";
+  for (char c = 'b'; c < 'k'; ++c) {
+    const std::string last(1, static_cast<char>(c - 1));
+    bomb += std::string(1, c) + ": &" + c + " [";
+    for (int i = 0; i < 10; ++i) bomb += (i == 0 ? "*" : ", *") + last;
+    bomb += "]\n";
+  }
+  write("yard/bomb.yaml", bomb);
+  EXPECT_FALSE(folder.check_references(path("yard/bomb.yaml")));
+}
+
+TEST_F(AppTest, MapsComeBackAsTheyWereDrawn) {
+  const std::string grid =
+      R"({"origin":[1.5,-2.0],"resolution_m":0.5,"width":3,"height":2,"runs":[0,2,1,1,2,3],"yaw_rad":0.1})";
+  const Json map = json("POST", "/api/v1/maps", "{\"grid\":" + grid + "}");
+  EXPECT_EQ(map["grid"], Json::parse(grid));
+  for (const char* runs :
+       {"[0,5]", "[0,7]", "[0,6,1]", "[3,6]", "[0,-6]", "[0,1e99]", "{}", "[0,9007199254740993]"}) {
+    Json wrong = Json::parse(grid);
+    wrong["runs"] = Json::parse(runs);
+    EXPECT_EQ(ask("POST", "/api/v1/maps", Json{{"grid", wrong}}.dump()).status, 400) << runs;
+  }
+  const std::string room =
+      R"({"boundary":[[0,0],[4,0],[4,3],[0,3]],"obstacles":[[[1,1],[2,1],[2,2]]],"queries":[]})";
+  EXPECT_EQ(json("POST", "/api/v1/maps", "{\"polygons\":" + room + "}")["polygons"], Json::parse(room));
+}
+
+TEST_F(AppTest, APictureAloneIsAMap) {
+  const std::string picture("P5 2 2 255\n\xff\x00\xff\xff", 15);
+  const Json map = json("POST", "/api/v1/maps?name=it%27s.pgm", picture);
+  EXPECT_EQ(map["grid"]["runs"], Json::parse("[0,3,1,1]"));
+  EXPECT_EQ(map["grid"]["resolution_m"], 0.05);
+  EXPECT_EQ(map["warnings"].size(), 1U);
+}
+
+TEST_F(AppTest, EditsKeepTheNumbersOfObstacles) {
+  const std::string room =
+      R"({"boundary":[[0,0],[9,0],[9,3],[0,3]],"obstacles":[[[1,0],[2,0],[2,3],[1,3]],[[4,0],[5,0],[5,3],[4,3]]]})";
+  const auto plan = [&](const std::string& edits, double from, double to) {
+    return json("POST", "/api/v1/plan",
+                "{\"polygons\":" + room + ",\"edits\":" + edits + ",\"radius_m\":0.1,\"start\":[" +
+                    std::to_string(from) + ",1.5],\"goal\":[" + std::to_string(to) +
+                    ",1.5],\"planner\":\"visibility_graph_implicit\"}")["status"];
+  };
+  EXPECT_EQ(plan("[]", 0.5, 3), "not_done");
+  EXPECT_EQ(plan(R"([{"remove":0}])", 0.5, 3), "done");
+  EXPECT_EQ(plan(R"([{"remove":0},{"remove":1}])", 0.5, 8), "done");
+  EXPECT_EQ(plan(R"([{"remove":1}])", 0.5, 3), "not_done");
+  EXPECT_EQ(
+      plan(
+          R"([{"remove":0},{"add":[[6,0],[7,0],[7,3],[6,3]]},{"remove":1},{"set":2,"polygon":[[6,0],[7,0],[7,1],[6,1]]}])",
+          0.5, 8),
+      "done");
+}
+
+/// Each expansion of a trace has a parent that was expanded before it, and the cost of the way there.
+TEST_F(AppTest, ATraceTellsWhatTheSearchDid) {
+  const std::string grid = R"({"resolution_m":0.5,"width":20,"height":20,"runs":[0,190,1,15,0,195]})";
+  const Json plan = json(
+      "POST", "/api/v1/plan",
+      "{\"grid\":" + grid +
+          R"(,"start":[1.1,1.1],"goal":[1.1,9.1],"planner":"a_star","model":"cells","radius_m":0,"trace":100000})");
+  ASSERT_EQ(plan["status"], "done");
+  std::map<std::pair<int, int>, double> cost;
+  for (const Json& row : plan["trace"]["rows"]) {
+    const std::pair<int, int> v = {row[0], row[1]}, parent = {row[2], row[3]};
+    if (cost.empty()) {
+      EXPECT_EQ(v, parent);
+      EXPECT_EQ(row[5], 0.0);
+    } else {
+      ASSERT_TRUE(cost.contains(parent));
+      const double step = std::hypot(v.first - parent.first, v.second - parent.second);
+      EXPECT_NEAR(row[5].get<double>(), cost[parent] + step, 1e-9);
+    }
+    cost[v] = row[5];
+  }
+  const std::pair<int, int> goal = {2, 18};
+  EXPECT_NEAR(0.5 * cost.at(goal), plan["cost"].get<double>(), 1e-9);
+  const Json part =
+      json("POST", "/api/v1/plan",
+           "{\"grid\":" + grid +
+               R"(,"start":[1.1,1.1],"goal":[1.1,9.1],"planner":"a_star","radius_m":0,"trace":5})");
+  EXPECT_EQ(part["trace"]["rows"].size(), 5U);
+  EXPECT_EQ(part["trace"]["truncated"], true);
+}
+
+TEST(Base64, ReadsWhatTheStandardSays) {  // RFC 4648, section 10
+  const std::pair<const char*, const char*> vectors[] = {{"", ""},
+                                                         {"Zg==", "f"},
+                                                         {"Zm8=", "fo"},
+                                                         {"Zm9v", "foo"},
+                                                         {"Zm9vYg==", "foob"},
+                                                         {"Zm9vYmE=", "fooba"},
+                                                         {"Zm9vYmFy", "foobar"}};
+  for (const auto& [text, bytes] : vectors) EXPECT_EQ(base64_decoded(text), bytes);
+  for (const char* wrong : {"Z", "Zg=", "Zg", "Z g=", "Zm9v\n", "===="})
+    EXPECT_FALSE(base64_decoded(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace outrider::server

@@ -1,0 +1,171 @@
+#include "app_fixture.hpp"
+
+namespace outrider::server {
+namespace {
+
+// The folder of the report is the fifth word: run SCENARIO --json --out FOLDER.
+const std::string report_script = R"sh(
+mkdir -p "$5"
+echo '{"step":1,"steps":2,"name":"thinking","part":0.00}' >&3
+echo 'this is no progress' >&3
+echo '{"step":2,"steps":2,"name":"driving","part":0.50}' >&3
+printf '{"outrider_report":1,"job":"guard","events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5],[1,1,2,3,4,5]]}' > "$5/guard.json"
+echo '{"status":"done","report":"/x"}'
+)sh";
+
+/// Sends what a viewer is told into a list, until it has had the message of that type.
+class Listener {
+ public:
+  explicit Listener(App& app) : viewer_(app.live().open()) {
+    thread_ = std::thread([this] {
+      viewer_->serve([this](const std::string& text) {
+        const std::lock_guard lock(mutex_);
+        told_.push_back(Json::parse(text));
+        return true;
+      });
+    });
+  }
+  ~Listener() {
+    viewer_->close();
+    thread_.join();
+  }
+  bool say(const std::string& text) { return viewer_->receive(text); }
+  /// What was told, up to the first message of that type.
+  std::vector<Json> until(const std::string& type) {
+    for (int i = 0; i < 2000; ++i) {
+      {
+        const std::lock_guard lock(mutex_);
+        const auto found = std::find_if(told_.begin(), told_.end(),
+                                        [&](const Json& message) { return message["type"] == type; });
+        if (found != told_.end()) return {told_.begin(), found + 1};
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    ADD_FAILURE() << "nothing of type " << type;
+    return {};
+  }
+
+ private:
+  std::shared_ptr<Viewer> viewer_;
+  std::mutex mutex_;
+  std::vector<Json> told_;
+  std::thread thread_;
+};
+
+TEST_F(AppTest, ARunTellsWhatItIsAtAndLeavesItsReport) {
+  write("a.yaml", "job: guard\n");
+  write_tool(report_script);
+  const std::string id = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  const Json run = ended(id);
+  EXPECT_EQ(run["state"], "done");
+  EXPECT_EQ(run["progress"], Json::parse(R"({"step":2,"steps":2,"name":"driving","part":0.5})"));
+  EXPECT_EQ(run["summary"], Json::parse(R"({"status":"done"})")) << "paths of ours are none of theirs";
+  EXPECT_EQ(json("GET", "/api/v1/runs/" + id + "/report")["job"], "guard");
+
+  Listener viewer(app());
+  EXPECT_TRUE(viewer.say(R"({"type":"watch","run":")" + id + "\"}"));
+  std::vector<std::string> types;
+  for (const Json& message : viewer.until("end")) types.push_back(message["type"]);
+  const std::vector<std::string> expected = {"hello",  "state",   "state", "progress",
+                                             "events", "samples", "end"};
+  EXPECT_EQ(types, expected) << "of two tellings of progress the newer";
+}
+
+TEST_F(AppTest, ARunIsCancelledWhileItWaitsAndWhileItWorks) {
+  write("a.yaml", "job: guard\n");
+  write_tool("trap '' TERM\nsleep 1000 & wait\nsleep 1000\n");  // it will not end when it is asked to
+  settings_.runs.at_once = 1;
+  settings_.runs.waiting = 1;
+  const std::string first = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  while (json("GET", "/api/v1/runs/" + first)["state"] == "queued") std::this_thread::yield();
+  const std::string second = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  EXPECT_EQ(ask("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})").status, 429);
+  EXPECT_EQ(json("DELETE", "/api/v1/runs/" + second)["state"], "cancelled");
+  json("DELETE", "/api/v1/runs/" + first);
+  EXPECT_EQ(ended(first)["state"], "cancelled");
+  EXPECT_EQ(json("DELETE", "/api/v1/runs/" + first)["state"], "cancelled");
+  EXPECT_EQ(ask("GET", "/api/v1/runs/" + first + "/report").status, 404);
+}
+
+TEST_F(AppTest, ARunThatBreaksIsSaidToHaveFailed) {
+  write("a.yaml", "job: guard\n");
+  write_tool("echo 'something broke' >&2\nkill -9 $$\n");
+  const Json broken = ended(json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"]);
+  EXPECT_EQ(broken["state"], "failed");
+  EXPECT_EQ(broken["error"], "the mission ended before it had an answer: something broke");
+  write_tool(R"(echo '{"reason":"no such word","where":"'$2':3"}'; exit 2)");
+  const Json refused = ended(json("POST", "/api/v1/runs", R"({"text":"job: guard"})", 202)["id"]);
+  EXPECT_EQ(refused["state"], "refused");
+  EXPECT_EQ(refused["where"], "scenario:3");
+  const Json named = ended(json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"]);
+  EXPECT_EQ(named["where"], "a.yaml:3");
+}
+
+TEST_F(AppTest, ARunThatTakesTooLongIsEnded) {
+  write("a.yaml", "job: guard\n");
+  write_tool("exec sleep 1000\n");
+  settings_.runs.limit = std::chrono::seconds(0);
+  EXPECT_EQ(ended(json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"])["state"], "failed");
+}
+
+TEST_F(AppTest, TheNewestRunsAreKept) {
+  write("a.yaml", "job: guard\n");
+  write_tool("echo '{}'\n");
+  std::string last;
+  settings_.runs.kept = 3;
+  for (int i = 0; i < 6; ++i) {
+    last = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+    ended(last);
+  }
+  const Json runs = json("GET", "/api/v1/runs")["runs"];
+  EXPECT_EQ(runs.size(), 4U) << "and the last, which had not ended when it came";
+  EXPECT_EQ(runs[0]["id"], last);
+}
+
+TEST_F(AppTest, ManyMissionsGoWithTheServer) {
+  write("a.yaml", "job: guard\n");
+  write_tool("exec sleep 1000\n");
+  for (int i = 0; i < 6; ++i) json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202);
+  app_.reset();  // would hang if it waited for them
+}
+
+TEST_F(AppTest, AViewerThatSaysNonsenseIsToldOrLetGo) {
+  Listener viewer(app());
+  EXPECT_TRUE(viewer.say(R"({"type":"dance","id":3})"));
+  const Json error = viewer.until("error").back();
+  EXPECT_EQ(error["id"], 3);
+  for (const char* text : {"", "[]", "1", "{", "\xff"}) EXPECT_FALSE(viewer.say(text)) << text;
+}
+
+TEST_F(AppTest, AViewerWhoseAnswersNobodyFetchesIsLetGo) {
+  const auto viewer = app().live().open();  // nobody serves it
+  bool taken = true;
+  for (int i = 0; i < 5000 && taken; ++i) taken = viewer->receive(R"({"type":"ping","id":1})");
+  EXPECT_FALSE(taken);
+}
+
+/// A send that never comes back holds up its own thread, and nobody else.
+TEST_F(AppTest, AViewerThatStallsHoldsNobodyUp) {
+  write("a.yaml", "job: guard\n");
+  write_tool(report_script);
+  const auto stalled = app().live().open();
+  std::mutex mutex;
+  std::unique_lock held(mutex);
+  std::thread serving([&] {
+    stalled->serve([&](const std::string&) {
+      const std::lock_guard waits(mutex);
+      return false;
+    });
+  });
+  Listener viewer(app());
+  viewer.say(R"({"type":"runs"})");
+  const std::string id = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  stalled->receive(R"({"type":"watch","run":")" + id + "\"}");
+  viewer.say(R"({"type":"watch","run":")" + id + "\"}");
+  EXPECT_EQ(viewer.until("end").back()["run"], id);
+  held.unlock();
+  serving.join();
+}
+
+}  // namespace
+}  // namespace outrider::server

@@ -1,0 +1,211 @@
+// Matching and mapping against rooms whose walls are known.
+#include "outrider/slam/laser_slam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "laser_room.hpp"
+#include "outrider/core/units.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+Pose2 then(const Pose2& a, const Pose2& b) {
+  return {a.position + rotated(a.heading_rad, b.position), a.heading_rad + b.heading_rad};
+}
+/// A robot that drives along corners at 0.22 m/s and turns in place at 1.5 rad/s, sensing at 5 Hz; its wheels
+/// are off by a percent, one up and one down, and by a little noise.
+struct Drive {
+  std::vector<Pose2> poses;
+  std::vector<Pose2> motions;
+};
+Drive drive_along(const std::vector<Vec2>& corners, double heading_rad, Rng& rng) {
+  constexpr double period_s = 0.2;
+  constexpr double wheels_apart_m = 0.16;
+  Drive drive;
+  Pose2 pose{corners.front(), heading_rad};
+  const auto go = [&](double way_m, double turn_rad) {
+    pose = then(pose, {{way_m, 0.0}, turn_rad});
+    const double right = (way_m + 0.5 * wheels_apart_m * turn_rad) * (1.01 + 0.01 * rng.normal());
+    const double left = (way_m - 0.5 * wheels_apart_m * turn_rad) * (0.99 + 0.01 * rng.normal());
+    drive.poses.push_back(pose);
+    drive.motions.push_back({{0.5 * (right + left), 0.0}, (right - left) / wheels_apart_m});
+  };
+  go(0.0, 0.0);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    double turn = wrap_angle(heading_of(corners[i] - pose.position) - pose.heading_rad);
+    for (const double step = 1.5 * period_s; std::abs(turn) > 1e-9;) {
+      const double part = std::clamp(turn, -step, step);
+      go(0.0, part);
+      turn -= part;
+    }
+    double way = distance(corners[i], pose.position);
+    for (const double step = 0.22 * period_s; way > 1e-9;) {
+      const double part = std::min(way, step);
+      go(part, 0.0);
+      way -= part;
+    }
+  }
+  return drive;
+}
+
+struct Mapped {
+  double mean_m = 0.0;
+  double most_m = 0.0;
+  double odometry_m = 0.0;
+  int matched = 0;
+  int steps = 0;
+};
+Mapped map_along(LaserSlam& slam, const std::vector<testing::Wall>& walls, const Drive& drive, Rng& rng,
+                 const testing::Finder& finder = {}) {
+  Mapped result;
+  Pose2 odometry = drive.poses.front();
+  for (std::size_t i = 0; i < drive.poses.size(); ++i) {
+    odometry = then(odometry, drive.motions[i]);
+    const auto step = slam.advance(drive.motions[i], testing::scan_from(walls, drive.poses[i], finder, rng));
+    EXPECT_TRUE(step);
+    const double off = distance(step->pose.position, drive.poses[i].position);
+    result.mean_m += off;
+    result.most_m = std::max(result.most_m, off);
+    result.matched += step->matched ? 1 : 0;
+    ++result.steps;
+  }
+  result.mean_m /= result.steps;
+  result.odometry_m = distance(odometry.position, drive.poses.back().position);
+  return result;
+}
+
+TEST(LaserSlam, FollowsADriftingRobotThroughARoom) {
+  Rng rng(1);
+  for (int trial = 0; trial < testing::cases(1); ++trial) {
+    const Drive drive = drive_along({{0.5, 0.5},
+                                     {2.4, 0.5},
+                                     {2.4, 3.5},
+                                     {5.5, 3.5},
+                                     {5.5, 0.5},
+                                     {3.5, 0.6},
+                                     {3.5, 3.4},
+                                     {0.5, 3.5},
+                                     {0.5, 0.5}},
+                                    0.0, rng);
+    auto slam = LaserSlam::begin({}, drive.poses.front());
+    ASSERT_TRUE(slam);
+    const Mapped mapped = map_along(*slam, testing::furnished_room(), drive, rng);
+    EXPECT_GT(mapped.odometry_m, 0.3) << "else there is nothing to show";
+    EXPECT_LT(mapped.mean_m, 0.025);
+    EXPECT_LT(mapped.most_m, 0.05);
+    EXPECT_GE(mapped.matched, mapped.steps - 1);
+    const Matrix3 covariance = slam->pose_covariance();
+    EXPECT_GT(covariance(0, 0), 0.0);
+    EXPECT_LT(covariance(0, 0), 0.01);
+  }
+}
+
+/// A corridor of 1.6 m about a block: its length is hard to tell from within.
+std::vector<testing::Wall> ring() {
+  std::vector<testing::Wall> walls = testing::box_walls({0, 0}, {13, 9});
+  for (const testing::Wall& wall : testing::box_walls({1.6, 1.6}, {11.4, 7.4})) walls.push_back(wall);
+  for (const Vec2 post : {Vec2{1.5, 0.1}, {6.0, 0.1}, {12.7, 4.0}}) {
+    for (const testing::Wall& wall : testing::box_walls(post, post + Vec2{0.2, 0.2})) walls.push_back(wall);
+  }
+  return walls;
+}
+Drive round_the_ring(Rng& rng) {
+  return drive_along({{3, 0.8}, {12.2, 0.8}, {12.2, 8.2}, {0.8, 8.2}, {0.8, 0.8}, {7, 0.8}}, 0.0, rng);
+}
+
+TEST(LaserSlam, ClosesALoopThatOpenedByDrift) {
+  const auto driven = [&](bool close_loops, bool late) {
+    Rng rng(3);
+    const Drive drive = round_the_ring(rng);
+    LaserSlamOptions options;
+    options.close_loops = close_loops;
+    options.draw_late = late;
+    options.odometry_distance = 0.1;
+    auto slam = LaserSlam::begin(options, drive.poses.front());
+    map_along(*slam, ring(), drive, rng);
+    slam->settle();
+    return std::pair(std::move(*slam), distance(slam->pose().position, drive.poses.back().position));
+  };
+  const auto [open, open_m] = driven(false, true);
+  const auto [closed, closed_m] = driven(true, true);
+  const auto [drawn, drawn_m] = driven(true, false);
+  EXPECT_EQ(open.loops(), 0U);
+  EXPECT_GE(closed.loops(), 1U);
+  EXPECT_GT(open_m, 2.0 * closed_m) << "else there is nothing to show";
+  EXPECT_LT(closed_m, 0.1);
+  EXPECT_EQ(closed.trajectory(), drawn.trajectory()) << "drawing changes no pose";
+  EXPECT_EQ(closed.map().occupancy().cells, drawn.map().occupancy().cells);
+}
+
+TEST(LaserSlam, ItsMapIsTheOneThatItsUpdatesTellOf) {
+  Rng rng(4);
+  const Drive drive = drive_along({{0.5, 0.5}, {2.4, 0.5}, {2.4, 2.0}}, 0.0, rng);
+  auto slam = LaserSlam::begin({}, drive.poses.front());
+  Grid<std::uint8_t> told;
+  for (std::size_t i = 0; i < drive.poses.size(); ++i) {
+    const auto step = slam->advance(drive.motions[i],
+                                    testing::scan_from(testing::furnished_room(), drive.poses[i], {}, rng));
+    if (step->update.redrawn) told = slam->map().occupancy();
+    for (const std::size_t cell : step->update.cells) told.cells[cell] = slam->map().occupancy().cells[cell];
+    ASSERT_EQ(told.cells, slam->map().occupancy().cells);
+  }
+}
+
+TEST(LaserSlam, TrustedOdometryIsThePose) {
+  Rng rng(5);
+  LaserSlamOptions options;
+  options.trust_odometry = true;
+  options.robot_T_laser = {{0.1, 0.0}, 0.0};
+  auto slam = LaserSlam::begin(options, {{1.0, 1.0}, 0.5});
+  ASSERT_TRUE(slam);
+  Pose2 pose{{1.0, 1.0}, 0.5};
+  OccupancyMap map(options.map);
+  for (int i = 0; i < 5; ++i) {
+    const Pose2 motion{{0.2, 0.0}, 0.1};
+    pose = then(pose, motion);
+    const LaserScan scan =
+        testing::scan_from(testing::furnished_room(), then(pose, options.robot_T_laser), {}, rng);
+    const auto step = slam->advance(motion, scan);
+    map.insert(then(pose, options.robot_T_laser), scan);
+    EXPECT_EQ(step->pose, pose);
+    EXPECT_FALSE(step->matched);
+  }
+  EXPECT_EQ(slam->map().occupancy().cells, map.occupancy().cells);
+  EXPECT_EQ(slam->trajectory().size(), 6U);
+}
+
+TEST(LaserSlam, OneBadScanKillsNoRun) {
+  Rng rng(6);
+  const Drive drive = drive_along({{0.5, 0.5}, {2.4, 0.5}, {2.4, 2.4}}, 0.0, rng);
+  auto slam = LaserSlam::begin({}, drive.poses.front());
+  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < drive.poses.size(); ++i) {
+    LaserScan scan = testing::scan_from(testing::furnished_room(), drive.poses[i], {}, rng);
+    if (i % 7 == 1) scan.ranges_m.clear();
+    if (i % 7 == 2) scan.ranges_m.assign(360, nothing);
+    if (i % 7 == 3) scan.ranges_m.assign(360, 0.5F);  // a hand before the laser, all round
+    if (i % 7 == 4) scan.step_rad = std::nan("");
+    if (i % 7 == 5) scan.ranges_m.resize(3);
+    const auto step = slam->advance(drive.motions[i], scan);
+    ASSERT_TRUE(step);
+    EXPECT_LT(distance(step->pose.position, drive.poses[i].position), 0.15);
+  }
+  EXPECT_FALSE(slam->advance({{std::nan(""), 0.0}, 0.0}, {}));
+  EXPECT_FALSE(slam->advance({{1e300, 0.0}, 0.0}, {}));
+  EXPECT_EQ(slam->trajectory().size(), drive.poses.size() + 1);
+}
+
+TEST(LaserSlam, RefusesInASentence) {
+  LaserSlamOptions options;
+  options.map.resolution_m = 0.0;
+  const auto refused = LaserSlam::begin(options, {});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(to_string(refused.error()).find("resolution"), std::string::npos);
+  EXPECT_FALSE(LaserSlam::begin({}, {{std::nan(""), 0.0}, 0.0}));
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,135 @@
+// The server's interface (docs/server.md): requests that answer with a value or throw its sentence.
+
+export interface FileRow { path: string; kind: "scenario" | "report" | "map" | "other"; job?: string; bytes: number }
+export interface OptionRow {
+  name: string;
+  type: "number" | "integer" | "boolean" | "string";
+  unit: string;
+  low?: number;
+  high?: number;
+  default: number | boolean | string;
+  sentence: string;
+}
+export interface PlannerRow {
+  name: string;
+  sentence: string;
+  paper: string;
+  guarantee: { sentence: string; measure: string; cost_unit: string };
+  grounds: ("cells" | "corners" | "polygons")[];
+  traces: boolean;
+  index: boolean;
+  options: OptionRow[];
+}
+export interface Grid { origin: [number, number]; resolution_m: number; width: number; height: number; runs: number[]; yaw_rad?: number }
+export interface Polygons {
+  boundary: [number, number][];
+  obstacles: [number, number][][];
+  queries: { start: [number, number]; goal: [number, number] }[];
+}
+export interface MapAnswer { id: string; name: string; radius_m?: number; warnings: string[]; grid?: Grid; polygons?: Polygons }
+export type Edit = { block: number[] } | { free: number[] } | { set: number; polygon: [number, number][] } | { remove: number } | { add: [number, number][] };
+export interface PlanRequest {
+  map: string;
+  edits: Edit[];
+  start: [number, number];
+  goal: [number, number];
+  planner: string;
+  options: Record<string, number | boolean | string>;
+  radius_m?: number;
+  trace?: number;
+  /** Tell the cells that the centre must not be in. */
+  blocked?: boolean;
+  /** Tell the edges of the visibility graph. */
+  legs?: boolean;
+}
+/** A straight line, or an arc about a centre. */
+export interface Piece { from: [number, number]; to: [number, number]; centre?: [number, number]; turn_rad?: number }
+export interface TraceAnswer {
+  columns: string[];
+  rows: number[][];
+  model: "cells" | "corners";
+  frame: { origin: [number, number]; resolution_m: number; width: number; height: number };
+  truncated: boolean;
+}
+export interface PlanAnswer {
+  status: "done" | "not_done" | "refused";
+  planner: string;
+  cost?: number | null;
+  cost_unit?: string;
+  lower_bound?: number | null;
+  length_m?: number | null;
+  clearance_m?: number | null;
+  time_ms?: number;
+  counters?: Record<string, number>;
+  waypoints?: [number, number][];
+  pieces?: Piece[];
+  blocked?: Grid;
+  trace?: TraceAnswer;
+  legs?: [number, number, number, number][];
+  error?: string;
+  code?: string;
+  where?: string;
+}
+export interface RunRow {
+  id: string;
+  state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed";
+  scenario: string;
+  job: string;
+  seed: number | null;
+  progress: { step: number; steps: number; name: string; part: number } | null;
+  seq: number;
+  error: string;
+  has_report: boolean;
+}
+
+const base = "api/v1/";
+
+/** Given once in the address of the page, kept for this tab only. */
+export function token(): string {
+  const given = new URLSearchParams(location.search).get("token");
+  if (given) {
+    sessionStorage.setItem("token", given);
+    history.replaceState(history.state, "", location.pathname + location.hash);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+
+export const filePath = (path: string): string => `files/${path.split("/").map(encodeURIComponent).join("/")}`;
+
+async function answer(path: string, init: RequestInit = {}): Promise<Response> {
+  const headers = new Headers(init.headers);
+  if (token()) headers.set("Authorization", `Bearer ${token()}`);
+  const response = await fetch(base + path, { ...init, headers }).catch(() => {
+    throw new Error("the server does not answer; is `outrider serve` still running?");
+  });
+  if (response.ok) return response;
+  const fault = await response.json().catch(() => null) as { error?: string; where?: string } | null;
+  const sentence = fault?.error ?? `the server answered with status ${response.status}`;
+  throw new Error(fault?.where && !sentence.includes(fault.where) ? `${fault.where}: ${sentence}` : sentence);
+}
+
+export async function getJson<T>(path: string): Promise<T> {
+  return await (await answer(path)).json() as T;
+}
+
+export async function getText(path: string): Promise<string> {
+  return (await answer(path)).text();
+}
+
+export async function send<T>(method: "POST" | "DELETE", path: string, body?: unknown): Promise<T> {
+  const init: RequestInit = body === undefined ? { method }
+    : { method, body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
+  return await (await answer(path, init)).json() as T;
+}
+
+async function base64(file: File): Promise<string> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  return btoa(text);
+}
+
+/** A map that was dropped on the page; map_server's maps are two files. */
+export async function postMap(files: File[]): Promise<MapAnswer> {
+  return send("POST", "maps", { files: await Promise.all(files.map(async (file) => ({ name: file.name, base64: await base64(file) }))) });
+}

@@ -1,0 +1,114 @@
+// The app: one view at a time, as the address says.
+import "./base/style.css";
+import "./base/app.css";
+import { filePath, getJson, getText, postMap, send, type FileRow, type MapAnswer, type PlannerRow } from "./api";
+import { emblem, title, tools } from "./banner";
+import { h } from "./base/dom";
+import { showHelp } from "./base/help";
+import { keys } from "./base/keys";
+import { startTheme, toggleTheme } from "./base/theme";
+import { parseAddress, type Address } from "./base/url";
+import { home } from "./home";
+import { parseReport } from "./report/types";
+
+interface View { element: HTMLElement; close?: () => void }
+
+const main = h("main");
+const links = ([["Files", ""], ["Plan", "draw"], ["Live", "live"]] as const).map(([name, view]) => h("a", { href: `#${view}`, "data-view": view }, name));
+let present: View | null = null;
+let visit = 0;
+
+function refusalView(sentence: string): View {
+  return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the files"))) };
+}
+
+async function watchText(text: string, query: Record<string, string>): Promise<View> {
+  const report = parseReport(text);
+  if (typeof report === "string") return refusalView(report);
+  const { Watch } = await import("./watch/watch");
+  const watch = new Watch(report, query);
+  const head = h("div", { class: "run-head" }, ...title(report, text.match(/"seed": ?(\d+)/)?.[1] ?? ""));
+  return { element: h("div", { class: "live-page" }, head, watch.element), close: () => watch.close() };
+}
+
+async function planView(map: MapAnswer, query: Record<string, string>): Promise<View> {
+  const [{ path_planners }, { openPlan }] = await Promise.all([getJson<{ path_planners: PlannerRow[] }>("catalogue"), import("./plan/plan_page")]);
+  const page = openPlan(map, path_planners, query);
+  return typeof page === "string" ? refusalView(page) : page;
+}
+
+const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs: [0, 64 * 44] };
+
+async function viewOf({ view, path, query }: Address): Promise<View> {
+  if (view === "watch") return watchText(await getText(filePath(path)), query);
+  if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query);
+  if (view === "draw") return planView(await send<MapAnswer>("POST", "maps", { grid: blank }), query);
+  if (view === "live" && path) {
+    const { LivePage } = await import("./live/live_page");
+    return new LivePage(path, query);
+  }
+  const { folder, files } = await getJson<{ folder: string; files: FileRow[] }>("files");
+  if (view === "live") {
+    const { RunsPage } = await import("./live/runs_page");
+    return new RunsPage(files, query.scenario ?? "");
+  }
+  return { element: home(folder, files, (dropped) => void openFiles(dropped)) };
+}
+
+async function show(make: () => Promise<View>): Promise<void> {
+  const mine = ++visit;
+  let view: View;
+  try {
+    view = await make();
+  } catch (error) {
+    view = refusalView(error instanceof Error ? error.message : String(error));
+  }
+  if (mine !== visit) {  // another view was asked for meanwhile
+    view.close?.();
+    return;
+  }
+  present?.close?.();
+  present = view;
+  main.replaceChildren(view.element);
+}
+
+function route(): void {
+  const address = parseAddress(location.hash);
+  const at = address.view === "plan" ? "draw" : address.view === "watch" ? "" : address.view;
+  for (const link of links) link.toggleAttribute("aria-current", link.dataset.view === at);
+  void show(() => viewOf(address));
+}
+
+/** A report is watched, anything else is a map for the server to read. */
+async function openFiles(files: File[]): Promise<void> {
+  const [first] = files;
+  if (!first) return;
+  await show(async () => {
+    if (files.length === 1 && first.name.endsWith(".json")) return watchText(await first.text(), {});
+    const map = await postMap(files);
+    history.replaceState(null, "", "#plan");
+    return planView(map, {});
+  });
+}
+
+function listen(): void {
+  addEventListener("hashchange", route);
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    void openFiles([...(event.dataTransfer?.files ?? [])]);
+  });
+  addEventListener("keydown", (event) => keys.handle(event));
+  keys.set("Page", [
+    { key: "?", words: "this help", act: showHelp },
+    { key: "d", words: "light or dark", act: toggleTheme },
+    { key: "F", words: "files", act: () => { location.hash = ""; } },
+    { key: "P", words: "plan on a map of your own", act: () => { location.hash = "draw"; } },
+    { key: "L", words: "missions", act: () => { location.hash = "live"; } },
+  ]);
+}
+
+startTheme(parseAddress(location.hash).query.theme ?? null);
+document.body.append(h("header", { class: "top" }, h("a", { href: "#", class: "home" }, emblem(), "Outrider"), h("nav", {}, ...links), tools()), main);
+listen();
+route();

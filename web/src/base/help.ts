@@ -1,0 +1,19 @@
+// The help overlay: every key of the present view.
+import { h } from "./dom";
+import { keyName, keys } from "./keys";
+
+export function showHelp(): void {
+  document.querySelector("dialog.help")?.remove();
+  const groups = keys.list().map(([name, list]) =>
+    h("section", {}, h("h3", {}, name),
+      h("dl", {}, ...list.map((one) => h("div", {}, h("dt", {}, h("kbd", {}, keyName(one.key))), h("dd", {}, one.words))))));
+  const dialog = h("dialog", { class: "help", "aria-label": "Keys" },
+    h("header", {}, h("h2", {}, "Keys"),
+      h("button", { type: "button", class: "quiet", onclick: () => dialog.close() }, "Close")),
+    h("div", { class: "columns" }, ...groups));
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
+  dialog.addEventListener("keydown", (event) => { if (event.key === "?") dialog.close(); });
+  document.body.append(dialog);
+  dialog.showModal();
+}

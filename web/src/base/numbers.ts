@@ -1,0 +1,48 @@
+// Numbers: small arithmetic, and how they are written for people.
+
+/** A number of a report: null there means that it is infinite or not known. */
+export type Num = number | null;
+
+export const finite = (value: Num | undefined, otherwise = 0): number =>
+  Number.isFinite(value) ? (value as number) : otherwise;
+export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+export const mix = (a: number, b: number, share: number): number => a + (b - a) * share;
+
+export const minus = (text: string): string => text.replace("-", "\u2212");
+export const fixed = (value: Num | undefined, digits: number): string =>
+  Number.isFinite(value) ? minus((value as number).toFixed(digits)) : "\u2013";
+export const figures = (value: number): string =>
+  fixed(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2);
+export const degrees = (radians: Num, digits = 1): string =>
+  Number.isFinite(radians) ? fixed((finite(radians) * 180) / Math.PI, digits) + "\u00b0" : "\u2013";
+/** In (-pi, pi]. */
+export const wrapped = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
+
+/** Minutes and seconds: 1:02.5. */
+export function clockText(seconds: Num, digits = 0): string {
+  if (!Number.isFinite(seconds)) return "\u2013";
+  const whole = Number(finite(seconds).toFixed(digits));
+  const rest = (whole % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
+  return `${Math.floor(whole / 60)}:${rest}`;
+}
+
+/** 1, 2 or 5 times a power of ten, at least `least`. */
+export function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * ([1, 2, 5, 10].find((k) => k * power >= least * (1 - 1e-9)) ?? 10);
+}
+
+/** A metric's label, value and unit from its name: mission_s, driven_m, turned_rad, ... */
+export function metric(name: string, value: Num): { label: string; value: string; unit: string } {
+  const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|rad|mps|j))?$/) ?? [];
+  const label = stem.replaceAll("_", " ");
+  if (!Number.isFinite(value)) return { label, value: "\u2013", unit: "" };
+  const v = value as number;
+  if (unit === "s" && v >= 100) return { label, value: clockText(v), unit: "min" };
+  if (unit === "s") return { label, value: figures(v), unit: "s" };
+  if (unit === "m") return { label, value: figures(v), unit: "m" };
+  if (unit === "j") return { label, value: figures(v), unit: "J" };
+  if (unit === "mps") return { label, value: figures(v), unit: "m/s" };
+  if (unit === "rad") return { label, value: figures(v / (2 * Math.PI)), unit: "turns" };
+  return { label, value: Number.isInteger(v) ? minus(v.toLocaleString("en")) : figures(v), unit: "" };
+}

@@ -1,0 +1,38 @@
+// The address of a view: #watch/scenarios/yard.json?t=12.5&view=plan. Everything after # stays in the browser.
+
+export interface Address {
+  view: string;
+  path: string;
+  query: Record<string, string>;
+}
+
+export function parseAddress(hash: string): Address {
+  const text = hash.replace(/^#\/?/, "");
+  const [place = "", query = ""] = text.split(/\?(.*)/s);
+  const [view = "", ...path] = place.split("/");
+  return { view, path: path.map(decoded).join("/"), query: Object.fromEntries(new URLSearchParams(query)) };
+}
+
+/** A broken escape stands for itself. */
+function decoded(part: string): string {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part;
+  }
+}
+
+export function formatAddress({ view, path, query }: Address): string {
+  const place = [view, ...path.split("/").filter(Boolean).map(encodeURIComponent)].join("/");
+  const text = new URLSearchParams(Object.entries(query).filter(([, value]) => value !== "")).toString()
+    .replaceAll("%2C", ",").replaceAll("%2F", "/");
+  return `#${place}${text ? `?${text}` : ""}`;
+}
+
+/** Changes the query of the present address without a step in the history; an empty value removes its key. */
+export function keepInAddress(changes: Record<string, string>): void {
+  const address = parseAddress(location.hash);
+  address.query = { ...address.query, ...changes };
+  const next = formatAddress(address);
+  if (next !== location.hash) history.replaceState(history.state, "", next);
+}

@@ -1,0 +1,49 @@
+// Plans while one drags: one question at a time on its way, and after its answer the newest, if there is one.
+import type { PlanAnswer, PlanRequest } from "../api";
+import { Socket, type Message } from "../live/socket";
+
+export class Asker {
+  private socket: Socket;
+  private next: PlanRequest | null = null;
+  private asked: { id: number; request: PlanRequest } | null = null;
+  private id = 0;
+
+  constructor(private answered: (answer: PlanAnswer, request: PlanRequest) => void) {
+    this.socket = new Socket(() => this.resumed(), (message) => this.hear(message));
+  }
+
+  ask(request: PlanRequest): void {
+    this.next = request;
+    if (!this.asked) this.send();
+  }
+
+  get busy(): boolean { return this.asked !== null; }
+
+  close(): void { this.socket.close(); }
+
+  /** What was under way when the line broke is asked again, unless something newer waits. */
+  private resumed(): Message[] {
+    this.next ??= this.asked?.request ?? null;
+    this.asked = null;
+    queueMicrotask(() => this.send());
+    return [];
+  }
+
+  private send(): void {
+    if (!this.next || !this.socket.ready) return;
+    this.asked = { id: ++this.id, request: this.next };
+    this.next = null;
+    this.socket.send({ type: "plan", id: this.id, request: this.asked.request });
+  }
+
+  private hear(message: Message): void {
+    if (!this.asked || message.id !== this.asked.id) return;
+    const { request } = this.asked;
+    this.asked = null;
+    if (message.type === "plan" && message.result) this.answered(message.result as PlanAnswer, request);
+    if (message.type === "error") {
+      this.answered({ status: "refused", planner: request.planner, error: String(message.error), where: String(message.where ?? "") }, request);
+    }
+    this.send();
+  }
+}

@@ -1,0 +1,40 @@
+// The choice of a planner: its name, what it promises, and its options in a form.
+import type { PlannerRow } from "../api";
+import { h } from "../base/dom";
+import { optionForm, type Values } from "./form";
+
+export class Choice {
+  readonly element: HTMLElement;
+  private given: Values = {};
+  private row: PlannerRow;
+  private select: HTMLSelectElement;
+  private about = h("p", { class: "about" });
+  private options = h("details", {});
+
+  /** `changed` hears of every choice, with a sentence when it was refused. */
+  constructor(planners: PlannerRow[], name: string, private changed: (refusal: string) => void) {
+    this.row = planners.find((one) => one.name === name) ?? planners[0]!;
+    this.select = h("select", { "aria-label": "Planner" }, ...planners.map((one) => h("option", { value: one.name, selected: one === this.row }, one.name)));
+    this.select.addEventListener("change", () => {
+      this.row = planners.find((one) => one.name === this.select.value)!;
+      this.given = {};
+      this.show();
+      changed("");
+    });
+    this.element = h("section", { class: "choice" }, this.select, this.about, this.options);
+    this.show();
+  }
+
+  get planner(): PlannerRow { return this.row; }
+  get name(): string { return this.row.name; }
+  get values(): Values { return { ...this.given }; }
+
+  private show(): void {
+    const { sentence, guarantee } = this.row;
+    this.about.textContent = `${sentence} ${guarantee.sentence.charAt(0).toUpperCase()}${guarantee.sentence.slice(1)}.`.replaceAll("`", "");
+    this.about.title = this.row.paper;
+    this.options.hidden = this.row.options.length === 0;
+    this.options.replaceChildren(h("summary", {}, this.row.options.length === 1 ? "1 option" : `${this.row.options.length} options`),
+      optionForm(this.row.options, this.given, this.changed));
+  }
+}

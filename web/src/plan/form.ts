@@ -1,0 +1,48 @@
+// A form made of the descriptions of options. It answers with those that differ from their defaults.
+import type { OptionRow } from "../api";
+import { h } from "../base/dom";
+
+export type Values = Record<string, number | boolean | string>;
+
+/** The value of a field's text, or a sentence why it is none. */
+export function valueOf(option: OptionRow, text: string): { value: number | string } | { refusal: string } {
+  if (option.type === "string") return { value: text };
+  const value = Number(text.trim() === "" ? NaN : text);
+  const { low = -Infinity, high = Infinity } = option;
+  const whole = option.type !== "integer" || Number.isInteger(value);
+  if (Number.isFinite(value) && whole && value >= low && value <= high) return { value };
+  const kind = option.type === "integer" ? "a whole number" : "a number";
+  const range = Number.isFinite(low) && Number.isFinite(high) ? ` from ${low} to ${high}` : "";
+  return { refusal: `${option.name}: '${text}' is no good; it takes ${kind}${range}${option.unit ? ` ${option.unit}` : ""}` };
+}
+
+function field(option: OptionRow, given: Values, changed: (refusal: string) => void): HTMLElement {
+  const now = given[option.name] ?? option.default;
+  const keep = (value: number | boolean | string): void => {
+    if (value === option.default) delete given[option.name];
+    else given[option.name] = value;
+    changed("");
+  };
+  const id = `option-${option.name}`;
+  if (option.type === "boolean") {
+    const box = h("input", { type: "checkbox", id, checked: now === true });
+    box.addEventListener("change", () => keep(box.checked));
+    return box;
+  }
+  const input = h("input", { type: option.type === "string" ? "text" : "number", id, value: String(now), min: option.low, max: option.high, step: option.type === "integer" ? 1 : "any" });
+  input.addEventListener("change", () => {
+    const read = valueOf(option, input.value);
+    input.setAttribute("aria-invalid", String("refusal" in read));
+    if ("refusal" in read) changed(read.refusal);
+    else keep(read.value);
+  });
+  return input;
+}
+
+/** Fields for all options; `given` keeps what was chosen, `changed` hears of it or why it was refused. */
+export function optionForm(options: OptionRow[], given: Values, changed: (refusal: string) => void): HTMLElement {
+  const rows = options.map((option) => h("div", { class: "option", title: option.sentence },
+    h("label", { for: `option-${option.name}` }, option.name.replaceAll("_", " "), option.unit ? h("span", {}, ` ${option.unit}`) : null),
+    field(option, given, changed)));
+  return h("form", { class: "options", onsubmit: (event: Event) => event.preventDefault() }, ...rows);
+}

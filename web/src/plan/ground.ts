@@ -1,0 +1,195 @@
+// The ground one plans on: a grid of cells or polygons, with what was changed by hand.
+import type { Edit, Grid, MapAnswer, Polygons } from "../api";
+import type { Box } from "../base/camera";
+import { nearestOnPolygon, type Vec2 } from "../base/outline";
+
+export const free = 0;
+export const occupied = 1;
+
+/** Values row by row from the lowest, of runs of value and count. */
+export function cellsOf({ width, height, runs }: Pick<Grid, "width" | "height" | "runs">): Uint8Array {
+  const cells = new Uint8Array(width * height);
+  let at = 0;
+  for (let i = 0; i + 1 < runs.length; i += 2) {
+    cells.fill(runs[i]!, at, at + runs[i + 1]!);
+    at += runs[i + 1]!;
+  }
+  return cells;
+}
+
+export class GridGround {
+  readonly kind = "grid";
+  readonly cells: Uint8Array;
+  private before: Uint8Array;
+  /** Counts changes, so that pictures know when they are stale. */
+  version = 0;
+
+  constructor(readonly grid: Grid) {
+    this.cells = cellsOf(grid);
+    this.before = this.cells.slice();
+  }
+
+  get box(): Box {
+    const { origin: [x, y], width, height, resolution_m: r } = this.grid;
+    return [x, y, x + width * r, y + height * r];
+  }
+
+  cellAt([x, y]: Vec2): [number, number] {
+    const { origin, resolution_m: r } = this.grid;
+    return [Math.floor((x - origin[0]) / r), Math.floor((y - origin[1]) / r)];
+  }
+
+  centre(x: number, y: number): Vec2 {
+    const { origin, resolution_m: r } = this.grid;
+    return [origin[0] + (x + 0.5) * r, origin[1] + (y + 0.5) * r];
+  }
+
+  /** Sets the cells within `reach` cells of the straight way between two cells. */
+  paint(from: [number, number], to: [number, number], value: number, reach: number): void {
+    const { width, height } = this.grid;
+    const steps = Math.max(1, Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1]));
+    for (let i = 0; i <= steps; ++i) {
+      const x = Math.round(from[0] + (to[0] - from[0]) * i / steps);
+      const y = Math.round(from[1] + (to[1] - from[1]) * i / steps);
+      for (let v = Math.max(0, y - reach); v <= Math.min(height - 1, y + reach); ++v) {
+        const low = Math.max(0, x - reach);
+        const high = Math.min(width, x + reach + 1);
+        if (low < high) this.cells.fill(value, v * width + low, v * width + high);
+      }
+    }
+    this.version += 1;
+  }
+
+  /** The changes as runs along rows. */
+  edits(): Edit[] {
+    const { width, height } = this.grid;
+    const edits: Edit[] = [];
+    for (let y = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        const at = y * width + x;
+        const value = this.cells[at]!;
+        if (value === this.before[at]) continue;
+        let end = x + 1;
+        while (end < width && this.cells[y * width + end] === value && this.before[y * width + end] !== value) ++end;
+        edits.push(value === free ? { free: [x, y, end - x, 1] } : { block: [x, y, end - x, 1] });
+        x = end - 1;
+      }
+    }
+    return edits;
+  }
+
+  /** Places that are free, with as much room about them as the map has: near two opposite corners. */
+  ends(): [Vec2, Vec2] {
+    const [start, goal] = [[0.06, 0.08], [0.94, 0.92]].map(([x = 0, y = 0]) =>
+      this.openNear(x, y, 2) ?? this.openNear(x, y, 1) ?? this.openNear(x, y, 0) ?? this.centre(0, 0));
+    return [start!, goal!];
+  }
+
+  /** The place with `room` free cells about it nearest to one in shares of width and height. O(cells). */
+  private openNear(right: number, up: number, room: number): Vec2 | null {
+    const { width, height } = this.grid;
+    const open = (x: number, y: number): boolean => {
+      for (let v = y - room; v <= y + room; ++v) {
+        for (let u = x - room; u <= x + room; ++u) {
+          if (u < 0 || v < 0 || u >= width || v >= height || this.cells[v * width + u] !== free) return false;
+        }
+      }
+      return true;
+    };
+    let best: Vec2 | null = null;
+    let least = Infinity;
+    for (let y = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        const distance = (x - right * width) ** 2 + (y - up * height) ** 2;
+        if (distance < least && open(x, y)) [least, best] = [distance, this.centre(x, y)];
+      }
+    }
+    return best;
+  }
+}
+
+export class PolygonGround {
+  readonly kind = "polygons";
+  /** By number: the obstacles of the map and those added after them; null for one that was removed. */
+  readonly obstacles: (Vec2[] | null)[];
+  private count: number;
+  private moved = new Set<number>();
+  version = 0;
+
+  constructor(readonly polygons: Polygons) {
+    this.obstacles = polygons.obstacles.map((polygon) => polygon.map(([x, y]): Vec2 => [x, y]));
+    this.count = this.obstacles.length;
+  }
+
+  get box(): Box {
+    const points = [...this.polygons.boundary, ...this.obstacles.flatMap((one) => one ?? [])];
+    return points.reduce<Box>(([x0, y0, x1, y1], [x, y]) => [Math.min(x0, x), Math.min(y0, y), Math.max(x1, x), Math.max(y1, y)],
+      [Infinity, Infinity, -Infinity, -Infinity]);
+  }
+
+  /** The obstacle over a place; -1 for none. */
+  at([x, y]: Vec2): number {
+    return this.obstacles.findLastIndex((one) => one !== null && nearestOnPolygon(x, y, one).distance <= 0);
+  }
+
+  shift(index: number, [dx, dy]: Vec2): void {
+    const polygon = this.obstacles[index];
+    if (!polygon) return;
+    this.obstacles[index] = polygon.map(([x, y]) => [x + dx, y + dy]);
+    this.moved.add(index);
+    this.version += 1;
+  }
+
+  remove(index: number): void {
+    if (!this.obstacles[index]) return;
+    this.obstacles[index] = null;
+    this.version += 1;
+  }
+
+  /** A square about a place; its number. */
+  add([x, y]: Vec2, half: number): number {
+    this.obstacles.push([[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]);
+    this.version += 1;
+    return this.obstacles.length - 1;
+  }
+
+  edits(): Edit[] {
+    const edits: Edit[] = [];
+    this.obstacles.forEach((polygon, i) => {
+      if (i >= this.count) edits.push({ add: polygon ?? [] });
+      else if (polygon && this.moved.has(i)) edits.push({ set: i, polygon });
+    });
+    // Removing last: an added one must first stand under its number.
+    this.obstacles.forEach((polygon, i) => { if (!polygon) edits.push({ remove: i }); });
+    return edits;
+  }
+
+  ends(): [Vec2, Vec2] {
+    const query = this.polygons.queries[0];
+    if (query) return [query.start, query.goal];
+    const [x0, y0, x1, y1] = this.box;
+    const open = (p: Vec2): boolean => this.obstacles.every((one) => one === null || nearestOnPolygon(p[0], p[1], one).distance > 0.03 * (x1 - x0)) &&
+      (this.polygons.boundary.length < 3 || nearestOnPolygon(p[0], p[1], this.polygons.boundary).distance === 0);
+    const along = (from: number, to: number): Vec2 => {
+      for (let i = 0; i <= 60; ++i) {
+        const s = from + ((to - from) * i) / 60;
+        for (const v of [s, 1 - s, 0.5]) {
+          const p: Vec2 = [x0 + s * (x1 - x0), y0 + v * (y1 - y0)];
+          if (open(p)) return p;
+        }
+      }
+      return [x0 + from * (x1 - x0), y0 + from * (y1 - y0)];
+    };
+    return [along(0.15, 0.5), along(0.85, 0.5)];
+  }
+}
+
+export type Ground = GridGround | PolygonGround;
+
+/** The map as ground, or a sentence why the page cannot draw it. */
+export function groundOf(map: MapAnswer): Ground | string {
+  if (map.grid?.yaw_rad) return `${map.name}: this map is turned by ${map.grid.yaw_rad} rad, and the page draws only maps whose yaw is 0`;
+  if (map.grid) return new GridGround(map.grid);
+  if (map.polygons) return new PolygonGround(map.polygons);
+  return `${map.name}: this map has neither cells nor polygons`;
+}

@@ -1,0 +1,298 @@
+// Plan: the ground, one or two planners on the same question, their answers and their searches; it plans as one drags.
+import { send, type MapAnswer, type PlanAnswer, type PlannerRow, type PlanRequest } from "../api";
+import { h, iconButton } from "../base/dom";
+import { keys } from "../base/keys";
+import type { Vec2 } from "../base/outline";
+import { saveCanvas, saveText } from "../base/save";
+import { keepInAddress } from "../base/url";
+import { Asker } from "./asker";
+import { Choice } from "./choice";
+import { free, occupied, groundOf, type Ground } from "./ground";
+import { Pane, type Scene } from "./pane";
+import { resultTable } from "./results";
+import { Steps } from "./steps";
+import { pathSvg } from "./path_svg";
+
+type Tool = "move" | "block" | "free" | "add" | "remove";
+const words: Record<Tool, string> = {
+  move: "Drag start, goal, obstacles or the view", block: "Paint walls", free: "Erase walls", add: "Add an obstacle", remove: "Remove an obstacle",
+};
+const most = 50000;
+
+interface Seat { pane: Pane; asker: Asker; choice: Choice }
+
+const point = (text: string | undefined): Vec2 | null => {
+  const [x, y] = (text ?? "").split(",").map(Number);
+  return Number.isFinite(x) && Number.isFinite(y) ? [x!, y!] : null;
+};
+
+export class PlanPage {
+  readonly element: HTMLElement;
+  private scene: Scene;
+  private ground: Ground;
+  private seats: Seat[] = [];
+  private panes = h("div", { class: "panes" });
+  private choices = h("div", { class: "choices" });
+  private results = h("div", { class: "results" });
+  private notice = h("p", { class: "notice", role: "status" });
+  private sentence = h("p", { class: "action" });
+  private steps = new Steps(() => this.invalidate(), this.sentence);
+  private tools: HTMLElement;
+  private compare = h("button", { type: "button", class: "button", onclick: () => this.setVersus(this.seats.length > 1 ? null : this.planners[0]!.name) });
+  private tool: Tool = "move";
+  private held: { what: "start" | "goal" | "paint" | number; last: Vec2 } | null = null;
+  private frame = 0;
+  private firstStep: number | null;
+  private planners: PlannerRow[];
+
+  constructor(private map: MapAnswer, ground: Ground, planners: PlannerRow[], query: Record<string, string>) {
+    this.ground = ground;
+    this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
+    const [start, goal] = ground.ends();
+    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal" };
+    this.firstStep = query.step === undefined ? null : Number(query.step);
+    this.tools = this.madeTools();
+    const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
+      h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results));
+    this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
+      h("div", { class: "stage" }, this.panes, h("div", { class: "stage-bar" }, this.tools, legend(ground)),
+        h("div", { class: "stage-tools" }, iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
+    this.steps.element, aside);
+    for (const text of map.warnings) this.notice.append(h("span", {}, text));
+    this.sit(query.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
+    if (query.versus) this.sit(query.versus);
+    this.rebuilt();
+    this.bindKeys();
+    this.planSoon(true);
+  }
+
+  close(): void {
+    cancelAnimationFrame(this.frame);
+    this.steps.close();
+    for (const seat of this.seats) this.leave(seat);
+    for (const group of ["Search", "Map"]) keys.set(group, []);
+  }
+
+  // The planners.
+
+  private sit(name: string): void {
+    const pane: Pane = new Pane(this.scene, { redraw: () => this.invalidate(), grab: (at, reach) => this.grab(at, reach), drag: (at) => this.drag(at), drop: () => this.drop() },
+      (): number => Math.min(this.steps.step, pane.trace?.length ?? 0));
+    const asker = new Asker((answer, request) => this.take(pane, answer, request));
+    const choice = new Choice(this.planners, name, (refusal) => {
+      this.notice.textContent = refusal;
+      if (refusal) return;
+      this.rebuilt();
+      this.planSoon(true);
+    });
+    this.seats.push({ pane, asker, choice });
+  }
+
+  private leave({ pane, asker }: Seat): void {
+    asker.close();
+    pane.close();
+  }
+
+  private setVersus(name: string | null): void {
+    for (const seat of this.seats.splice(1)) this.leave(seat);
+    if (name) this.sit(name);
+    this.rebuilt();
+    this.planSoon(true);
+  }
+
+  private rebuilt(): void {
+    this.panes.replaceChildren(...this.seats.map(({ pane }) => pane.element));
+    this.choices.replaceChildren(...this.seats.map(({ choice }) => choice.element));
+    this.compare.textContent = this.seats.length > 1 ? "Only one planner" : "Compare with another";
+    keepInAddress({ planner: this.seats[0]!.choice.name, versus: this.seats[1]?.choice.name ?? "" });
+  }
+
+  private radiusField(): HTMLElement {
+    const input = h("input", { type: "number", min: 0, step: 0.05, value: this.scene.radius_m, id: "radius" });
+    input.addEventListener("change", () => {
+      this.scene.radius_m = Math.max(0, Number(input.value) || 0);
+      keepInAddress({ radius: String(this.scene.radius_m) });
+      this.planSoon(true);
+    });
+    return h("label", { class: "radius", title: "Radius of the disk that drives" }, "radius ", input, " m");
+  }
+
+  /** With the trace only once the hand rests: it is large. */
+  private planSoon(traced: boolean): void {
+    const { start, goal, radius_m } = this.scene;
+    const edits = this.ground.edits();
+    for (const { asker, choice } of this.seats) {
+      const request: PlanRequest = { map: this.map.id, edits, start, goal, planner: choice.name, options: choice.values, radius_m };
+      if (traced && choice.planner.traces) request.trace = most;
+      if (traced && this.ground.kind === "grid") request.blocked = true;
+      if (traced && this.ground.kind === "polygons") request.legs = true;
+      asker.ask(request);
+    }
+    this.invalidate();
+  }
+
+  private take(pane: Pane, answer: PlanAnswer, request: PlanRequest): void {
+    if (answer.where === "map" && !answer.trace) {
+      void this.postAgain();
+      return;
+    }
+    pane.take(answer);
+    const longest = Math.max(0, ...this.seats.map((seat) => seat.pane.trace?.length ?? 0));
+    if (request.trace || longest !== this.steps.end) {
+      this.steps.take(longest, this.firstStep ?? longest);
+      if (this.seats.every((seat) => seat.pane.answer)) this.firstStep = null;
+    }
+    this.results.replaceChildren(resultTable(this.seats.map((seat) => seat.pane.answer)));
+    const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
+    this.sentence.textContent = failed?.error ?? "";
+    this.sentence.classList.toggle("refused", failed !== undefined);
+    this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
+  }
+
+  /** The server keeps few maps; it forgot this one, so it is told again. */
+  private async postAgain(): Promise<void> {
+    const { grid, polygons } = this.map;
+    try {
+      const { id } = await send<MapAnswer>("POST", "maps", grid ? { grid } : { polygons });
+      this.map = { ...this.map, id };
+      this.planSoon(true);
+    } catch (error) {
+      this.notice.textContent = String(error instanceof Error ? error.message : error);
+    }
+  }
+
+  // The hand.
+
+  private madeTools(): HTMLElement {
+    const tools: Tool[] = this.ground.kind === "grid" ? ["move", "block", "free"] : ["move", "add", "remove"];
+    return h("div", { class: "segments", role: "group", "aria-label": "Tool" }, ...tools.map((name) =>
+      h("button", { type: "button", "data-tool": name, title: words[name], "aria-pressed": String(name === this.tool), onclick: () => this.takeUp(name) },
+        name === "move" ? "Drag" : name[0]!.toUpperCase() + name.slice(1))));
+  }
+
+  private takeUp(tool: Tool): void {
+    this.tool = tool;
+    for (const button of this.tools.children) button.setAttribute("aria-pressed", String(button.getAttribute("data-tool") === tool));
+  }
+
+  private grab(at: Vec2, reach: number): boolean {
+    const { scene, ground } = this;
+    const near = ([x, y]: Vec2): boolean => Math.hypot(x - at[0], y - at[1]) <= reach;
+    if (this.tool === "move") {
+      const what = near(scene.goal) ? "goal" : near(scene.start) ? "start" : ground.kind === "polygons" ? ground.at(at) : -1;
+      if (what === -1) return false;
+      if (typeof what === "string") scene.selected = what;
+      this.held = { what, last: at };
+      return true;
+    }
+    if (ground.kind === "grid") {
+      this.held = { what: "paint", last: at };
+      this.drag(at);
+      return true;
+    }
+    const [x0, , x1] = ground.box;
+    if (this.tool === "add") this.held = { what: ground.add(at, 0.03 * (x1 - x0)), last: at };
+    else ground.remove(ground.at(at));
+    this.planSoon(false);
+    return true;
+  }
+
+  private drag(at: Vec2): void {
+    const { held, ground, scene } = this;
+    if (!held) return;
+    if (held.what === "start" || held.what === "goal") scene[held.what] = at;
+    else if (held.what === "paint" && ground.kind === "grid") {
+      const reach = Math.floor(Math.max(ground.grid.width, ground.grid.height) / 120);
+      ground.paint(ground.cellAt(held.last), ground.cellAt(at), this.tool === "free" ? free : occupied, reach);
+    } else if (typeof held.what === "number" && ground.kind === "polygons") {
+      ground.shift(held.what, [at[0] - held.last[0], at[1] - held.last[1]]);
+    }
+    held.last = at;
+    this.planSoon(false);
+  }
+
+  private drop(): void {
+    this.held = null;
+    this.keepEnds();
+    this.planSoon(true);
+  }
+
+  private keepEnds(): void {
+    const text = (p: Vec2): string => p.map((value) => String(+value.toFixed(3))).join(",");
+    keepInAddress({ start: text(this.scene.start), goal: text(this.scene.goal) });
+  }
+
+  /** Moves the selected end by so many cells, or hundredths of the width. */
+  private nudge(dx: number, dy: number): void {
+    const { scene, ground } = this;
+    const [x0, , x1] = ground.box;
+    const stride = ground.kind === "grid" ? ground.grid.resolution_m : (x1 - x0) / 100;
+    const end = scene.selected ?? "goal";
+    scene[end] = [scene[end][0] + dx * stride, scene[end][1] + dy * stride];
+    this.keepEnds();
+    this.planSoon(true);
+  }
+
+  private select(end: "start" | "goal"): void {
+    this.scene.selected = end;
+    this.invalidate();
+  }
+
+  private invalidate(): void {
+    if (this.frame !== 0) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      for (const { pane } of this.seats) pane.draw();
+      const { step, end } = this.steps;
+      keepInAddress({ step: step < end ? String(step) : "" });
+    });
+  }
+
+  private savePicture(): void {
+    saveCanvas(this.seats[0]!.pane.canvas, `${this.map.name}-${this.seats[0]!.choice.name}.png`);
+  }
+
+  private bindKeys(): void {
+    const { steps } = this;
+    keys.set("Search", [
+      { key: " ", words: "play or pause the search", act: () => steps.toggle() },
+      { key: "ArrowLeft", words: "one expansion back", act: () => steps.go(steps.step - 1) },
+      { key: "ArrowRight", words: "one expansion on", act: () => steps.go(steps.step + 1) },
+      { key: "Shift+ArrowLeft", words: "100 expansions back", act: () => steps.go(steps.step - 100) },
+      { key: "Shift+ArrowRight", words: "100 expansions on", act: () => steps.go(steps.step + 100) },
+      { key: "Home", words: "before the search", act: () => steps.go(0) },
+      { key: "End", words: "the whole search", act: () => steps.go(steps.end) },
+    ]);
+    const tools = [...this.tools.children].map((one) => one.getAttribute("data-tool") as Tool);
+    keys.set("Map", [
+      { key: "1", words: "take the start", act: () => this.select("start") },
+      { key: "2", words: "take the goal", act: () => this.select("goal") },
+      { key: "h", words: "move it left", act: () => this.nudge(-1, 0) },
+      { key: "j", words: "move it down", act: () => this.nudge(0, -1) },
+      { key: "k", words: "move it up", act: () => this.nudge(0, 1) },
+      { key: "l", words: "move it right", act: () => this.nudge(1, 0) },
+      ...tools.map((tool, i) => ({ key: "qwe"[i]!, words: words[tool].toLowerCase(), act: () => this.takeUp(tool) })),
+      { key: "c", words: "compare two planners", act: () => this.compare.click() },
+      { key: "+", words: "zoom in", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1.5)) },
+      { key: "-", words: "zoom out", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1 / 1.5)) },
+      { key: "0", words: "show everything", act: () => this.seats.forEach(({ pane }) => pane.camera.reset()) },
+      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
+      { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
+    ]);
+  }
+}
+
+function legend(ground: Ground): HTMLElement {
+  const swatch = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "swatch", style: `background:var(--${colour})` }), name);
+  const line = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "line", style: `border-color:var(--${colour})` }), name);
+  const search = ground.kind === "grid" ? [swatch("closed", "closed"), swatch("in the queue", "open"), line("parents", "belief")]
+    : [line("visibility graph", "closed")];
+  return h("ul", { class: "legend", "aria-label": "Legend" }, line("path", "robot"), ...search);
+}
+
+/** Opens a map, or says in a sentence why not. */
+export function openPlan(map: MapAnswer, planners: PlannerRow[], query: Record<string, string>): PlanPage | string {
+  const ground = groundOf(map);
+  return typeof ground === "string" ? ground : new PlanPage(map, ground, planners, query);
+}
+

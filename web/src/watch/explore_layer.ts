@@ -1,0 +1,129 @@
+// Exploring: the map as it was discovered, the walls as they are, where the robot decided to go.
+import { theme } from "../base/theme";
+import { spread, type Run } from "../report/run";
+import type { Explore } from "../report/types";
+import { beliefDrawer } from "./belief";
+import { disk, type Layer, type Pen } from "./layer";
+
+const occupied = 1;
+const unknown = 2;
+
+/** Cells of the map in the order of their discovery, painted onto a picture of one pixel a cell as time goes on. */
+export class Discovery {
+  readonly canvas = document.createElement("canvas");
+  private order: Uint32Array;
+  private step: Int16Array;
+  private state: Int16Array;
+  private painted = 0;
+  private colours = "";
+
+  constructor(private map: Explore["map"]) {
+    const size = map.columns * map.rows;
+    this.state = spread(map.state_runs, new Int16Array(size));
+    this.step = spread(map.known_runs, new Int16Array(size));
+    const known = Array.from({ length: size }, (_, i) => i).filter((i) => this.state[i] !== unknown);
+    this.order = Uint32Array.from(known.sort((a, b) => this.step[a]! - this.step[b]! || a - b));
+    this.canvas.width = Math.max(1, map.columns);
+    this.canvas.height = Math.max(1, map.rows);
+  }
+
+  /** How many cells were known at t. O(log cells). */
+  knownAt(t: number): number {
+    let low = 0;
+    let high = this.order.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.step[this.order[middle]!]! * this.map.step_s <= t) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  get cells(): number { return this.order.length; }
+
+  /** Paints or takes away just the cells between the present picture and that of t. */
+  paint(t: number): void {
+    const colours = `${theme.yard} ${theme["solid-high"]}`;
+    const ctx = this.canvas.getContext("2d")!;
+    if (colours !== this.colours) {
+      ctx.clearRect(0, 0, this.canvas.width, this.canvas.height);
+      this.colours = colours;
+      this.painted = 0;
+    }
+    const wanted = this.knownAt(t);
+    for (let i = this.painted; i < wanted; ++i) this.cell(ctx, this.order[i]!, true);
+    for (let i = wanted; i < this.painted; ++i) this.cell(ctx, this.order[i]!, false);
+    this.painted = wanted;
+  }
+
+  private cell(ctx: CanvasRenderingContext2D, index: number, shown: boolean): void {
+    const { columns, rows } = this.map;
+    const [x, y] = [index % columns, rows - 1 - Math.floor(index / columns)];
+    if (!shown) {
+      ctx.clearRect(x, y, 1, 1);
+      return;
+    }
+    ctx.fillStyle = this.state[index] === occupied ? theme["solid-high"] : theme.yard;
+    ctx.fillRect(x, y, 1, 1);
+  }
+}
+
+function drawDecision({ ctx, camera }: Pen, decision: Explore["decisions"][number]): void {
+  ctx.strokeStyle = theme.open;
+  ctx.lineWidth = camera.px(1.6);
+  ctx.beginPath();
+  for (const [x, y] of decision.waypoints) ctx.lineTo(x, y);
+  ctx.stroke();
+  disk(ctx, decision.goal[0], decision.goal[1], camera.px(6));
+  ctx.stroke();
+}
+
+export function explore(run: Run): Layer | null {
+  const found = run.report.explore;
+  if (!found) return null;
+  const { map, walls, decisions } = found;
+  const discovery = new Discovery(map);
+  const drawBelief = beliefDrawer(run, found.beliefs);
+  return {
+    still({ ctx, camera }) {
+      ctx.fillStyle = theme.grid;
+      ctx.fillRect(map.origin[0], map.origin[1], map.columns * map.cell_m, map.rows * map.cell_m);
+      ctx.strokeStyle = theme.soft;
+      ctx.lineWidth = camera.px(1);
+      for (const wall of walls) {
+        ctx.beginPath();
+        for (const [x, y] of wall) ctx.lineTo(x, y);
+        ctx.closePath();
+        ctx.stroke();
+      }
+    },
+    moving(pen) {
+      const { ctx, camera, now } = pen;
+      discovery.paint(now.t);
+      ctx.save();
+      ctx.imageSmoothingEnabled = false;
+      ctx.globalAlpha = 0.85;
+      ctx.translate(map.origin[0], map.origin[1] + map.rows * map.cell_m);
+      ctx.scale(map.cell_m, -map.cell_m);
+      ctx.drawImage(discovery.canvas, 0, 0);
+      ctx.restore();
+      const decision = decisions.findLast((one) => one.time_s <= now.t);
+      if (decision) drawDecision(pen, decision);
+      drawBelief(pen);
+      if (now.t < run.duration - 1e-6) return;
+      ctx.strokeStyle = theme.unreachable;
+      ctx.lineWidth = camera.px(1.6);
+      for (const { position: [x, y] } of found.refused) {
+        const r = camera.px(5);
+        ctx.strokeRect(x - r, y - r, 2 * r, 2 * r);
+      }
+    },
+    find(at, { camera }) {
+      const refused = found.refused.find(({ position }) => {
+        const place = camera.screen(...position);
+        return Math.hypot(place.x - at.x, place.y - at.y) < 9;
+      });
+      return refused ? { lines: [refused.reason] } : null;
+    },
+  };
+}

@@ -1,0 +1,159 @@
+// The world from above: solids in tones of their height, where the robot's centre cannot be, slopes.
+import { finite, clamp, fixed } from "../base/numbers";
+import { nearestOnPolygon, traceRounded, type Vec2 } from "../base/outline";
+import { theme } from "../base/theme";
+import type { Run } from "../report/run";
+import type { Solid } from "../report/types";
+import type { Layer, Pen } from "./layer";
+
+interface Shape extends Solid { path: Path2D; top: number }
+
+export function highestOf(run: Run): number {
+  return run.report.world.solids.reduce((most, solid) =>
+    (solid.footprint.length > 0 ? Math.max(most, finite(solid.high_z_m)) : most), 0);
+}
+
+export function tone(top: number, highest: number): string {
+  const share = Math.sqrt(clamp(top / Math.max(1e-3, highest), 0, 1));
+  return `color-mix(in srgb, ${theme["solid-high"]} ${(100 * share).toFixed(1)}%, ${theme["solid-low"]})`;
+}
+
+/** Where the robot's centre cannot be: solids in its way grown by its radius, and a rim inside the bounds. */
+function inflationOf(run: Run, shapes: Shape[]): Path2D {
+  const { world, robot } = run.report;
+  const r = finite(robot.radius_m);
+  const path = new Path2D();
+  for (const solid of shapes.filter((one) => one.blocks_driving)) {
+    for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m + r);
+  }
+  if (!world.bounds) return path;
+  const [[x0, y0], [x1, y1]] = world.bounds;
+  const rim = (points: Vec2[]): void => {
+    points.forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
+    path.closePath();
+  };
+  rim([[x0 - 1, y0 - 1], [x1 + 1, y0 - 1], [x1 + 1, y1 + 1], [x0 - 1, y1 + 1]]);
+  rim([[x0 + r, y0 + r], [x0 + r, y1 - r], [x1 - r, y1 - r], [x1 - r, y0 + r]]);
+  return path;
+}
+
+function hatch(ctx: CanvasRenderingContext2D, dpr: number): CanvasPattern {
+  const tile = document.createElement("canvas");
+  const size = Math.max(4, Math.round(5 * dpr));
+  tile.width = tile.height = size;
+  const line = tile.getContext("2d")!;
+  line.strokeStyle = theme.inflated;
+  line.lineWidth = 0.8 * dpr;
+  line.beginPath();
+  for (const shift of [-size, 0, size]) {
+    line.moveTo(shift - 1, size + 1);
+    line.lineTo(shift + size + 1, -1);
+  }
+  line.stroke();
+  return ctx.createPattern(tile, "repeat")!;
+}
+
+/** The union of overlapping outlines: hatched, with one contour around it. */
+export function drawUnion({ ctx, camera }: Pen, union: Path2D): void {
+  const layer = document.createElement("canvas");
+  layer.width = ctx.canvas.width;
+  layer.height = ctx.canvas.height;
+  const pen = layer.getContext("2d")!;
+  const put = (): void => {
+    ctx.save();
+    ctx.setTransform(1, 0, 0, 1, 0, 0);
+    ctx.drawImage(layer, 0, 0);
+    ctx.restore();
+  };
+  camera.toPlane(pen);
+  pen.fill(union);
+  pen.globalCompositeOperation = "source-in";
+  pen.setTransform(1, 0, 0, 1, 0, 0);
+  pen.fillStyle = hatch(pen, camera.dpr);
+  pen.fillRect(0, 0, layer.width, layer.height);
+  put();
+  pen.globalCompositeOperation = "source-over";
+  pen.clearRect(0, 0, layer.width, layer.height);
+  camera.toPlane(pen);
+  pen.strokeStyle = theme.inflated;
+  pen.lineWidth = camera.px(2.2);
+  pen.stroke(union);
+  pen.globalCompositeOperation = "destination-out";
+  pen.fillStyle = "#000";
+  pen.fill(union);
+  put();
+}
+
+function drawSolid({ ctx, camera }: Pen, solid: Shape, highest: number): void {
+  ctx.fillStyle = tone(solid.top, highest);
+  if (solid.blocks_driving) {
+    ctx.fill(solid.path);
+    return;
+  }
+  ctx.globalAlpha = 0.28;
+  ctx.fill(solid.path);
+  ctx.globalAlpha = 1;
+  if (solid.footprint.length !== 1) return;
+  ctx.strokeStyle = theme.soft;
+  ctx.lineWidth = camera.px(1);
+  ctx.setLineDash([camera.px(4), camera.px(3)]);
+  ctx.stroke(solid.path);
+  ctx.setLineDash([]);
+}
+
+/** Ground too steep to drive on, and lines of equal height, the higher the stronger. */
+function drawTerrain({ ctx, camera }: Pen, run: Run): void {
+  const { terrain } = run.report.world;
+  if (!terrain) return;
+  const steep = new Path2D();
+  for (const piece of terrain.steep) traceRounded(steep, piece.core, piece.radius_m);
+  ctx.fillStyle = theme.failed;
+  ctx.globalAlpha = 0.12;
+  ctx.fill(steep);
+  const heights = terrain.contours.map((line) => line.height_m);
+  const low = Math.min(...heights);
+  const span = Math.max(...heights) - low || 1;
+  ctx.strokeStyle = theme.soft;
+  ctx.lineWidth = camera.px(1);
+  for (const { height_m, points } of terrain.contours) {
+    ctx.globalAlpha = 0.35 + (0.5 * (height_m - low)) / span;
+    ctx.beginPath();
+    for (const [x, y] of points) ctx.lineTo(x, y);
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}
+
+export function ground(run: Run): Layer {
+  const { bounds, solids } = run.report.world;
+  const shapes: Shape[] = solids.filter((solid) => solid.footprint.length > 0).map((solid) => {
+    const path = new Path2D();
+    for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m);
+    return { ...solid, path, top: finite(solid.high_z_m, Infinity) };
+  }).sort((a, b) => a.top - b.top);
+  const highest = highestOf(run);
+  const inflated = run.report.chase ? null : inflationOf(run, shapes);
+  return {
+    still(pen) {
+      const { ctx } = pen;
+      drawTerrain(pen, run);
+      if (inflated && shapes.length > 0) {
+        ctx.save();
+        ctx.beginPath();
+        if (bounds) ctx.rect(bounds[0][0], bounds[0][1], bounds[1][0] - bounds[0][0], bounds[1][1] - bounds[0][1]);
+        else ctx.rect(-1e6, -1e6, 2e6, 2e6);
+        ctx.clip();
+        drawUnion(pen, inflated);
+        ctx.restore();
+      }
+      for (const solid of shapes) drawSolid(pen, solid, highest);
+    },
+    find(at, { camera }) {
+      const { x, y } = camera.plane(at);
+      const under = shapes.filter((solid) => solid.footprint.some(({ core, radius_m }) =>
+        nearestOnPolygon(x, y, core).distance <= radius_m + 1e-9)).reverse().slice(0, 3);
+      if (under.length === 0) return null;
+      return { lines: under.map((solid) => `${solid.name}: ${fixed(solid.low_z_m, 2)} to ${fixed(solid.high_z_m, 2)} m${solid.blocks_driving ? "" : ", does not block driving"}`) };
+    },
+  };
+}

@@ -1,0 +1,48 @@
+// The plan view is made of layers, one for each kind of thing that a report may tell of.
+import type { Camera, Point } from "../base/camera";
+import type { Flight, Run } from "../report/run";
+import type { Target } from "../report/types";
+
+export interface Now {
+  t: number;
+  shot: Flight | null;
+  target: Target | null;
+  /** Of playing; 0 while it stands still. */
+  speed: number;
+}
+
+export interface Found { target?: Target; shot?: Flight; lines: string[] }
+
+export interface Pen {
+  ctx: CanvasRenderingContext2D;
+  camera: Camera;
+  now: Now;
+}
+
+export interface Layer {
+  /** What does not move: drawn again only when the view moved. The context draws in metres. */
+  still?(pen: Pen): void;
+  moving?(pen: Pen): void;
+  /** What is under the pointer. */
+  find?(at: Point, pen: Pen): Found | null;
+}
+
+/** Makes the layer, or nothing where the report has no such thing. */
+export type LayerOf = (run: Run) => Layer | null;
+
+export function disk(ctx: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+/** A name with a rim, so that it can be read over anything. In pixels. */
+export function label(ctx: CanvasRenderingContext2D, text: string, x: number, y: number, ink: string, rim: string): void {
+  ctx.lineJoin = "round";
+  ctx.strokeStyle = rim;
+  ctx.lineWidth = 3.5;
+  ctx.globalAlpha = 0.85;
+  ctx.strokeText(text, x, y);
+  ctx.globalAlpha = 1;
+  ctx.fillStyle = ink;
+  ctx.fillText(text, x, y);
+}

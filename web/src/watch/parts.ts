@@ -1,0 +1,28 @@
+// Small parts of the stage: its legend of the states and colours that this run has.
+import { h } from "../base/dom";
+import { signElement, statuses } from "../base/signs";
+import type { Run } from "../report/run";
+
+export { h, iconButton } from "../base/dom";
+
+/** Colour alone tells nothing: each line has its name, each state its sign. */
+export function signedLegend(run: Run): HTMLElement {
+  const { report } = run;
+  const items: HTMLElement[] = [];
+  const line = (name: string, style: string): void => { items.push(h("li", {}, h("i", { class: "line", style }), name)); };
+  if (report.targets.length > 0) {
+    const present = statuses.filter((status) => status === "waiting" || report.targets.some((one) => one.status === status));
+    items.push(...present.map((status) => h("li", {}, signElement(status), status)));
+  }
+  if (report.drive || report.explore) {
+    line("true", "border-color:var(--robot)");
+    line("believed, 2\u03c3", "border-color:var(--belief);border-top-style:dashed");
+  }
+  if (report.explore) line("way chosen", "border-color:var(--open)");
+  if (report.explore && report.explore.refused.length > 0) line("frontier refused", "border-color:var(--unreachable)");
+  if (report.chase) {
+    line("target", "border-color:var(--failed)");
+    line(report.chase.robots.length > 1 ? "robots" : "robot", "border-color:var(--water)");
+  }
+  return h("ul", { class: "legend", "aria-label": "Legend" }, ...items);
+}

@@ -1,0 +1,175 @@
+// The plan view: the world from above, drawn by layers on one canvas.
+import { Camera, type Box, type Point } from "../base/camera";
+import { h, iconButton } from "../base/dom";
+import { clamp, finite, roundStep } from "../base/numbers";
+import { theme, onTheme } from "../base/theme";
+import type { Flight, Run } from "../report/run";
+import type { Target } from "../report/types";
+import { chase } from "./chase_layer";
+import { drive } from "./drive_layer";
+import { explore } from "./explore_layer";
+import { flights } from "./flight_layer";
+import { ground } from "./ground_layer";
+import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
+import { robot } from "./robot_layer";
+import { scales } from "./scale_layer";
+import { stations } from "./station_layer";
+import { targets } from "./target_layer";
+
+/** What the view shows when nobody moved it: the bounds, or all that the report tells of. */
+export function areaOf(run: Run): Box {
+  const { world, chase: hunt, explore: found, drive: driven } = run.report;
+  if (world.bounds) return [...world.bounds[0], ...world.bounds[1]];
+  const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
+  const add = (x: number, y: number, r = 0): void => {
+    box[0] = Math.min(box[0], x - r);
+    box[1] = Math.min(box[1], y - r);
+    box[2] = Math.max(box[2], x + r);
+    box[3] = Math.max(box[3], y + r);
+  };
+  const reach = Math.max(0.3, finite(run.report.robot.radius_m));
+  for (let i = 0; i < run.track.length; ++i) add(run.track.x[i]!, run.track.y[i]!, reach);
+  for (const solid of world.solids) {
+    for (const { core, radius_m } of solid.footprint) for (const [x, y] of core) add(x, y, radius_m);
+  }
+  for (const tag of driven?.tags ?? []) add(...tag.position);
+  for (const stop of driven?.stops ?? []) add(stop.pose[0], stop.pose[1], reach);
+  for (const way of hunt ? [hunt.target, ...hunt.robots] : []) for (const [x, y] of way) add(x, y);
+  if (found) {
+    const { origin, columns, rows, cell_m } = found.map;
+    add(...origin);
+    add(origin[0] + columns * cell_m, origin[1] + rows * cell_m);
+  }
+  return [box[0] - 0.25, box[1] - 0.25, box[2] + 0.25, box[3] + 0.25];
+}
+
+export interface Choices {
+  redraw: () => void;
+  selectShot: (shot: Flight) => void;
+  selectTarget: (target: Target) => void;
+}
+
+export class PlanView {
+  readonly element: HTMLElement;
+  readonly canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": "Plan view" });
+  readonly camera: Camera;
+  follow = false;
+  private tip = h("div", { class: "tip", hidden: true });
+  private still = document.createElement("canvas");
+  private stillVersion = "";
+  private layers: Layer[];
+  private now: Now = { t: 0, shot: null, target: null, speed: 0 };
+  private area: Box;
+  private off: () => void;
+
+  constructor(private run: Run, private choices: Choices) {
+    this.area = areaOf(run);
+    const makers = [ground, chase, explore, flights, drive, stations, targets, robot];
+    this.layers = [...makers.map((make: LayerOf) => make(run)).filter((one) => one !== null), scales(this.area, run)];
+    this.element = h("div", { class: "view plan-view" }, this.canvas, this.tip,
+      h("div", { class: "camera", role: "group", "aria-label": "View" },
+        iconButton("in", "Zoom in", () => this.camera.zoom(1.5), "+"),
+        iconButton("out", "Zoom out", () => this.camera.zoom(1 / 1.5), "-"),
+        iconButton("fit", "Show everything", () => this.reset(), "0")));
+    this.camera = new Camera(this.canvas, this.area, {
+      redraw: () => choices.redraw(),
+      click: (at) => this.click(at),
+      hover: (at) => this.hover(at),
+    });
+    this.off = onTheme(() => { this.stillVersion = ""; choices.redraw(); });
+  }
+
+  close(): void {
+    this.off();
+    this.camera.close();
+  }
+
+  reset(): void {
+    this.follow = false;
+    this.camera.reset();
+  }
+
+  draw(now: Now): void {
+    this.now = now;
+    const { camera } = this;
+    if (this.follow) {
+      const at = this.run.track.at(now.t);
+      camera.centre(at.x, at.y);
+    }
+    const version = `${camera.version} ${this.canvas.width} ${this.canvas.height}`;
+    if (version !== this.stillVersion) {
+      this.drawStill();
+      this.stillVersion = version;
+    }
+    const { ctx } = camera;
+    ctx.setTransform(1, 0, 0, 1, 0, 0);
+    ctx.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    ctx.drawImage(this.still, 0, 0);
+    this.drawLayers("moving", { ctx, camera, now });
+  }
+
+  private drawStill(): void {
+    const { camera, still } = this;
+    still.width = this.canvas.width;
+    still.height = this.canvas.height;
+    const ctx = still.getContext("2d")!;
+    ctx.fillStyle = theme.panel;
+    ctx.fillRect(0, 0, still.width, still.height);
+    camera.toPlane(ctx);
+    const [x0, y0, x1, y1] = this.area;
+    ctx.fillStyle = theme.yard;
+    ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
+    drawGrid(ctx, camera, this.area);
+    this.drawLayers("still", { ctx, camera, now: this.now });
+  }
+
+  private drawLayers(part: "still" | "moving", pen: Pen): void {
+    for (const layer of this.layers) {
+      if (!layer[part]) continue;
+      pen.ctx.save();
+      pen.camera.toPlane(pen.ctx);
+      layer[part](pen);
+      pen.ctx.restore();
+    }
+  }
+
+  private find(at: Point): Found {
+    const pen = { ctx: this.camera.ctx, camera: this.camera, now: this.now };
+    const all = this.layers.toReversed().flatMap((layer) => layer.find?.(at, pen) ?? []);
+    return all.reduce((sum, one) => ({ ...one, ...sum, lines: [...sum.lines, ...one.lines] }), { lines: [] as string[] });
+  }
+
+  private click(at: Point): void {
+    const { target, shot } = this.find(at);
+    if (target) this.choices.selectTarget(target);
+    else if (shot) this.choices.selectShot(shot);
+  }
+
+  private hover(at: Point | null): void {
+    this.tip.hidden = true;
+    if (!at) return;
+    const found = this.find(at);
+    this.canvas.style.cursor = found.target || found.shot ? "pointer" : "crosshair";
+    if (found.lines.length > 0) placeTip(this.tip, found.lines.slice(0, 5), at, this.camera);
+  }
+}
+
+export function drawGrid(ctx: CanvasRenderingContext2D, camera: Camera, [x0, y0, x1, y1]: Box): void {
+  const step = roundStep(18 / camera.scale);
+  ctx.lineWidth = camera.px(1);
+  ctx.strokeStyle = theme.grid;
+  ctx.beginPath();
+  for (let x = Math.ceil(x0 / step) * step; x <= x1; x += step) { ctx.moveTo(x, y0); ctx.lineTo(x, y1); }
+  for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) { ctx.moveTo(x0, y); ctx.lineTo(x1, y); }
+  ctx.stroke();
+}
+
+/** Shows lines beside a place of a canvas, inside of it. */
+export function placeTip(tip: HTMLElement, lines: string[], at: Point, camera: Camera): void {
+  tip.textContent = lines.join("\n");
+  tip.hidden = false;
+  const room = camera.width - tip.offsetWidth - 8;
+  tip.style.left = `${clamp(at.x + 14, 4, Math.max(4, room))}px`;
+  const above = at.y + 18 + tip.offsetHeight > camera.height;
+  tip.style.top = `${above ? at.y - 10 - tip.offsetHeight : at.y + 18}px`;
+}

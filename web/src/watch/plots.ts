@@ -1,0 +1,83 @@
+// Plots of a run over its time. Their cursors follow the clock; a click or a drag on one moves the clock.
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { h } from "../base/dom";
+import { figures } from "../base/numbers";
+import { onTheme, theme } from "../base/theme";
+import type { Run } from "../report/run";
+import { nearest } from "../report/track";
+import { seriesOf, type Series } from "./series";
+
+const height = 128;
+
+export class Plots {
+  readonly element = h("section", { class: "plots scrolls", tabindex: 0, "aria-label": "Plots" });
+  private plots: uPlot[] = [];
+  private all: Series[];
+  private t = 0;
+  private off: () => void;
+  private watcher = new ResizeObserver(() => this.resize());
+
+  constructor(run: Run, private seek: (t: number) => void) {
+    this.all = seriesOf(run);
+    this.off = onTheme(() => this.build());
+    this.watcher.observe(this.element);
+  }
+
+  get empty(): boolean { return this.all.length === 0; }
+
+  close(): void {
+    this.off();
+    this.watcher.disconnect();
+    for (const plot of this.plots) plot.destroy();
+  }
+
+  private build(): void {
+    for (const plot of this.plots) plot.destroy();
+    this.element.replaceChildren();
+    const width = this.element.clientWidth - 20;
+    this.plots = width > 0 ? this.all.map((series) => this.made(series, width)) : [];
+    this.show(this.t);
+  }
+
+  private resize(): void {
+    const width = this.element.clientWidth - 20;
+    if (this.plots.length === 0 && width > 0) this.build();
+    else if (width > 0) for (const plot of this.plots) plot.setSize({ width, height });
+  }
+
+  private made(series: Series, width: number): uPlot {
+    const place = h("figure", {}, h("figcaption", {}, series.title, series.unit ? h("span", {}, ` ${series.unit}`) : null));
+    this.element.append(place);
+    const axis: uPlot.Axis = { stroke: theme.soft, font: `10.5px ${theme.sans}`, grid: { stroke: theme.grid, width: 1 }, ticks: { show: false } };
+    const plot = new uPlot({
+      width, height,
+      padding: [6, 18, 0, 0],
+      scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.05 : 1] } },
+      axes: [{ ...axis, size: 22, values: (_, values) => values.map((v) => `${v} s`) }, { ...axis, size: 46 }],
+      cursor: { y: false, drag: { x: false, y: false }, points: { size: 7 } },
+      series: [{ label: "time", value: (_, v) => (v === null ? "" : `${v.toFixed(1)} s`) }, ...series.lines.map((line) => ({
+        label: line.name, stroke: theme[line.colour], width: 1.6, points: { show: false },
+        value: (_: uPlot, v: number | null) => (v === null ? "\u2013" : figures(v)),
+        ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
+      }))],
+    }, [series.time, ...series.lines.map((line) => line.values)], place);
+    this.seekOn(plot);
+    return plot;
+  }
+
+  private seekOn(plot: uPlot): void {
+    const go = (event: PointerEvent): void => {
+      if (event.buttons & 1) this.seek(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
+    };
+    plot.over.addEventListener("pointerdown", go);
+    plot.over.addEventListener("pointermove", go);
+    plot.over.addEventListener("pointerleave", () => this.show(this.t));
+  }
+
+  show(t: number): void {
+    this.t = t;
+    for (const plot of this.plots) plot.setCursor({ left: plot.valToPos(t, "x"), top: 0 }, false);
+    for (const plot of this.plots) plot.setLegend({ idx: nearest(plot.data[0] as number[], t) }, false);
+  }
+}

@@ -1,0 +1,71 @@
+// The robot: the way it drove, and the disk with its heading and its gun.
+import { finite } from "../base/numbers";
+import { theme } from "../base/theme";
+import { lastNotAfter } from "../report/track";
+import type { Run } from "../report/run";
+import { disk, type Layer, type Pen } from "./layer";
+
+/** A disk of the robot's size with a wedge that shows its heading. In metres. */
+export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: number, radius: number, colour: string): number {
+  const r = Math.max(radius, camera.px(7));
+  disk(ctx, x, y, r);
+  ctx.fillStyle = theme.yard;
+  ctx.fill();
+  ctx.lineWidth = camera.px(2);
+  ctx.strokeStyle = colour;
+  ctx.stroke();
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.rotate(heading);
+  ctx.beginPath();
+  ctx.moveTo(0.84 * r, 0);
+  ctx.lineTo(0.34 * r, 0.4 * r);
+  ctx.lineTo(0.34 * r, -0.4 * r);
+  ctx.closePath();
+  ctx.fillStyle = colour;
+  ctx.fill();
+  ctx.restore();
+  return r;
+}
+
+export function robot(run: Run): Layer | null {
+  const { track, report } = run;
+  if (report.track.length === 0 && report.chase) return null;
+  const whole = new Path2D();
+  for (let i = 0; i < track.length; ++i) whole.lineTo(track.x[i]!, track.y[i]!);
+  const radius = finite(report.robot.radius_m);
+  const gunLength = finite(report.robot.gun_length_m);
+  return {
+    still({ ctx, camera }) {
+      ctx.strokeStyle = theme.robot;
+      ctx.globalAlpha = 0.3;
+      ctx.lineWidth = camera.px(1.2);
+      ctx.stroke(whole);
+    },
+    moving(pen) {
+      const { ctx, camera, now } = pen;
+      const index = lastNotAfter(track.time, now.t);
+      const at = track.at(now.t);
+      ctx.beginPath();
+      for (let i = 0; i <= index; ++i) ctx.lineTo(track.x[i]!, track.y[i]!);
+      ctx.lineTo(at.x, at.y);
+      ctx.strokeStyle = theme.robot;
+      ctx.lineWidth = camera.px(2.2);
+      ctx.lineJoin = ctx.lineCap = "round";
+      ctx.stroke();
+      const r = drawBody(pen, at.x, at.y, at.heading, radius, theme.robot);
+      if (gunLength <= 0) return;
+      ctx.translate(at.x, at.y);
+      ctx.rotate(at.yaw);
+      ctx.beginPath();
+      ctx.moveTo(0, 0);
+      ctx.lineTo(Math.max(gunLength, 1.3 * r), 0);
+      ctx.lineWidth = Math.max(camera.px(3.5), 0.16 * r);
+      ctx.strokeStyle = theme.water;
+      ctx.stroke();
+      disk(ctx, 0, 0, 0.28 * r);
+      ctx.fillStyle = theme.water;
+      ctx.fill();
+    },
+  };
+}

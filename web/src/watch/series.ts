@@ -1,0 +1,83 @@
+// What can be plotted of a run over its time: columns of one length with their names and colours.
+import { finite } from "../base/numbers";
+import type { Colour } from "../base/theme";
+import type { Run } from "../report/run";
+import { Discovery } from "./explore_layer";
+import { ellipseOf } from "./ellipse";
+
+export interface Series {
+  title: string;
+  unit: string;
+  time: number[];
+  lines: { name: string; colour: Colour; values: (number | null)[]; steps?: boolean }[];
+}
+
+/** Speed along the track between each row and the next, m/s. */
+export function speedOf(run: Run): Series | null {
+  const { track } = run;
+  if (track.length < 3) return null;
+  const values = Array.from(track.time, (_, i) => {
+    const next = Math.min(i + 1, track.length - 1);
+    const before = Math.max(0, next - 1);
+    const span = track.time[next]! - track.time[before]!;
+    return span > 0 ? Math.hypot(track.x[next]! - track.x[before]!, track.y[next]! - track.y[before]!) / span : 0;
+  });
+  return { title: "Speed", unit: "m/s", time: [...track.time], lines: [{ name: "robot", colour: "robot", values }] };
+}
+
+function targetsOf(run: Run): Series | null {
+  if (run.report.targets.length === 0) return null;
+  const times = [...new Set([0, ...run.report.targets.map((one) => run.doneAt(one)), run.duration])].sort((a, b) => a - b);
+  const count = (status: string) => times.map((t) => run.report.targets.filter((one) => run.status(one, t) === status).length);
+  return { title: "Targets", unit: "", time: times, lines: [
+    { name: "reached", colour: "reached", values: count("reached"), steps: true },
+    { name: "waiting", colour: "waiting", values: count("waiting"), steps: true }] };
+}
+
+function suppliesOf(run: Run): Series[] {
+  const { supplies } = run.report;
+  if (!supplies) return [];
+  const time = supplies.levels.map((row) => finite(row[0]));
+  const made = (title: string, unit: string, column: number, colour: Colour, full: number | null): Series[] =>
+    (Number.isFinite(full) ? [{ title, unit, time, lines: [{ name: title.toLowerCase(), colour, values: supplies.levels.map((row) => row[column] ?? null) }] }] : []);
+  return [...made("Water", "", 1, "water", supplies.tank), ...made("Charge", "J", 2, "robot", supplies.battery_j)];
+}
+
+/** How far the belief is from the truth, and its own doubt. */
+function beliefOf(run: Run): Series | null {
+  const beliefs = run.report.drive?.beliefs ?? run.report.explore?.beliefs ?? [];
+  if (beliefs.length < 2) return null;
+  const off = beliefs.map(({ time_s, pose }) => {
+    const at = run.track.at(time_s);
+    return 1000 * Math.hypot(pose[0] - at.x, pose[1] - at.y);
+  });
+  return { title: "Belief", unit: "mm", time: beliefs.map((one) => one.time_s), lines: [
+    { name: "off the truth", colour: "failed", values: off },
+    { name: "2 \u03c3", colour: "belief", values: beliefs.map((one) => 2000 * ellipseOf(one).major) }] };
+}
+
+function chaseOf(run: Run): Series | null {
+  const { chase } = run.report;
+  if (!chase) return null;
+  const time = chase.paid.map((_, s) => s);
+  const held = (column: number) => time.map((t) => chase.bounds.findLast((row) => finite(row[0]) <= t)?.[column] ?? null);
+  return { title: "Cost", unit: "", time, lines: [
+    { name: "paid", colour: "robot", values: chase.paid },
+    { name: "best catch known", colour: "failed", values: held(2), steps: true },
+    { name: "lower bound", colour: "reached", values: held(3), steps: true }] };
+}
+
+function knownOf(run: Run): Series | null {
+  const { explore } = run.report;
+  if (!explore) return null;
+  const discovery = new Discovery(explore.map);
+  const time = Array.from({ length: 201 }, (_, i) => (run.duration * i) / 200);
+  const area = explore.map.cell_m ** 2;
+  return { title: "Area known", unit: "m\u00b2", time, lines: [
+    { name: "known", colour: "water", values: time.map((t) => discovery.knownAt(t) * area) }] };
+}
+
+export function seriesOf(run: Run): Series[] {
+  return [knownOf(run), chaseOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), speedOf(run)]
+    .filter((one): one is Series => one !== null);
+}

@@ -1,0 +1,266 @@
+// The view in space: the same run in three dimensions. Loaded when it is first asked for, since three.js is large.
+import { AmbientLight, BoxGeometry, BufferGeometry, type CanvasTexture, Color, CylinderGeometry, DirectionalLight, EdgesGeometry, EllipseCurve, Float32BufferAttribute,
+  Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, RingGeometry, Scene, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Box } from "../base/camera";
+import { h, iconButton } from "../base/dom";
+import { clamp, finite } from "../base/numbers";
+import { statusColour } from "../base/signs";
+import { chaserColours, onTheme, theme } from "../base/theme";
+import { lastNotAfter } from "../report/track";
+import type { Flight, Run } from "../report/run";
+import type { Target } from "../report/types";
+import { costPicture, placeOnWay } from "./chase_layer";
+import { beliefFinder, ellipseOf } from "./ellipse";
+import { Discovery } from "./explore_layer";
+import type { Now } from "./layer";
+import { areaOf } from "./plan_view";
+import { carpet, lineOf, stillWorld } from "./space_solids";
+
+const lambert = (colour: string, opacity = 1): MeshLambertMaterial =>
+  new MeshLambertMaterial({ color: colour, transparent: opacity < 1, opacity });
+
+export class SpaceView {
+  readonly element: HTMLElement;
+  readonly canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": "View in space" });
+  follow = false;
+  private renderer: WebGLRenderer;
+  private camera = new PerspectiveCamera(42, 1, 0.05, 500);
+  private controls: OrbitControls;
+  private scene = new Scene();
+  private actors: ((now: Now) => void)[] = [];
+  private area: Box;
+  private watcher: ResizeObserver;
+  private off: () => void;
+  private body = new Group();
+
+  constructor(private run: Run, private redraw: () => void) {
+    this.area = areaOf(run);
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
+    this.element = h("div", { class: "view space-view" }, this.canvas,
+      h("div", { class: "camera", role: "group", "aria-label": "View" },
+        iconButton("in", "Zoom in", () => this.zoom(1 / 1.3), "+"), iconButton("out", "Zoom out", () => this.zoom(1.3), "-"),
+        iconButton("fit", "Show everything", () => this.reset(), "0")));
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.maxPolarAngle = 0.495 * Math.PI;
+    this.controls.addEventListener("change", redraw);
+    this.build();
+    this.frameAll();
+    this.watcher = new ResizeObserver(() => this.resize());
+    this.watcher.observe(this.canvas);
+    this.off = onTheme(() => { this.build(); redraw(); });
+  }
+
+  close(): void {
+    this.off();
+    this.watcher.disconnect();
+    this.controls.dispose();
+    this.clear();
+    this.renderer.dispose();
+  }
+
+  private clear(): void {
+    this.scene.traverse((thing) => {
+      if (!(thing instanceof Mesh || thing instanceof Line)) return;
+      (thing.geometry as BufferGeometry).dispose();
+      for (const material of [thing.material].flat()) material.dispose();
+    });
+    this.scene.clear();
+    this.actors = [];
+  }
+
+  private build(): void {
+    this.clear();
+    this.scene.background = new Color(theme.panel);
+    const sun = new DirectionalLight("#ffffff", 1.7);
+    sun.position.set(-6, -9, 14);
+    this.scene.add(new AmbientLight("#ffffff", 1.9), sun, stillWorld(this.run, this.area));
+    this.addRobot();
+    for (const target of this.run.report.targets) this.addTarget(target);
+    if (this.run.flights.length > 0) this.addWater();
+    this.addBelief();
+    this.addChase();
+    this.addDiscovery();
+  }
+
+  private addRobot(): void {
+    const { robot, track, chase } = this.run.report;
+    if (track.length === 0 && chase) return;
+    const radius = Math.max(0.05, finite(robot.radius_m));
+    const height = Math.max(0.08, 0.8 * radius);
+    this.body = new Group();
+    const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(theme.robot));
+    hull.rotation.x = Math.PI / 2;
+    hull.position.z = height / 2;
+    const nose = new Mesh(new BoxGeometry(0.5 * radius, 0.24 * radius, 0.02), lambert(theme.yard));
+    nose.position.set(0.6 * radius, 0, height + 0.01);
+    this.body.add(hull, nose);
+    const gun = new Group();
+    const length = finite(robot.gun_length_m);
+    if (length > 0) {
+      const barrel = new Mesh(new CylinderGeometry(0.025, 0.025, length, 12), lambert(theme.water));
+      barrel.rotation.z = -Math.PI / 2;
+      barrel.position.x = length / 2;
+      gun.add(barrel);
+      gun.rotation.order = "ZYX";
+    }
+    const way = lineOf(Array.from(this.run.track.x, (x, i) => [x, this.run.track.y[i]!, 0.02]), theme.robot);
+    this.scene.add(this.body, gun, way);
+    this.actors.push(({ t }) => {
+      const at = this.run.track.at(t);
+      this.body.position.set(at.x, at.y, 0);
+      this.body.rotation.z = at.heading;
+      gun.position.set(at.x, at.y, finite(this.run.flights[0]?.from[2], height));
+      gun.rotation.set(0, -at.pitch, at.yaw);
+      way.geometry.setDrawRange(0, 1 + lastNotAfter(this.run.track.time, t));
+    });
+  }
+
+  private addTarget(target: Target): void {
+    const [length = 0.3, width = 0.3, height = 0.3] = target.size.map((value) => Math.max(0.02, finite(value)));
+    const material = lambert(theme.waiting, 0.92);
+    const box = new Mesh(new BoxGeometry(length, width, height), material);
+    box.rotation.z = finite(target.box_yaw_rad);
+    box.add(new LineSegments(new EdgesGeometry(box.geometry), new LineBasicMaterial({ color: theme.ink })));
+    const halo = new Mesh(new RingGeometry(0.32, 0.38, 40), lambert(theme.ink));
+    this.scene.add(box, halo);
+    this.actors.push((now) => {
+      const place = this.run.place(target, now.t);
+      box.visible = place !== null;
+      halo.visible = place !== null && now.target === target;
+      if (!place) return;
+      box.position.set(place[0], place[1], finite(target.centre[2]));
+      halo.position.set(place[0], place[1], finite(target.centre[2]) - height / 2 + 0.015);
+      material.color.set(statusColour(this.run.status(target, now.t)));
+    });
+  }
+
+  /** The flight of the ball, or of the selected shot while none is in the air. */
+  private addWater(): void {
+    const ball = new Mesh(new SphereGeometry(Math.max(0.05, 2 * finite(this.run.report.robot.ball_radius_m)), 20, 14), lambert(theme.water));
+    const samples = 48;
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(new Float32Array(3 * (samples + 1)), 3));
+    const material = new LineBasicMaterial({ color: theme.water });
+    const curve = new Line(geometry, material);
+    curve.frustumCulled = false;
+    this.scene.add(ball, curve);
+    const draw = (shot: Flight, until: number): void => {
+      const positions = geometry.getAttribute("position");
+      for (let i = 0; i <= samples; ++i) {
+        const { x, y, z } = this.run.ball(shot, (until * i) / samples);
+        positions.setXYZ(i, x, y, z);
+      }
+      positions.needsUpdate = true;
+      material.color.set(shot.hit ? theme.water : theme.failed);
+    };
+    this.actors.push(({ t, shot }) => {
+      const flying = this.run.flights.find((one) => t >= one.start && t < one.end);
+      ball.visible = flying !== undefined;
+      const shown = flying ?? shot;
+      curve.visible = shown !== null;
+      if (shown) draw(shown, flying ? t - shown.start : shown.end - shown.start);
+      if (!flying) return;
+      const { x, y, z } = this.run.ball(flying, t - flying.start);
+      ball.position.set(x, y, z);
+    });
+  }
+
+  private addBelief(): void {
+    const beliefs = this.run.report.drive?.beliefs ?? this.run.report.explore?.beliefs ?? [];
+    if (beliefs.length === 0) return;
+    const find = beliefFinder(beliefs);
+    const outline = new EllipseCurve(0, 0, 1, 1, 0, 2 * Math.PI).getPoints(48).map(({ x, y }) => [x, y, 0]);
+    const ellipse = lineOf(outline, theme.belief);
+    const way = lineOf(beliefs.map(({ pose }) => [pose[0], pose[1], 0.025]), theme.belief);
+    this.scene.add(ellipse, way);
+    this.actors.push(({ t }) => {
+      const index = find(t);
+      const belief = beliefs[index];
+      ellipse.visible = belief !== undefined;
+      way.geometry.setDrawRange(0, index + 1);
+      if (!belief) return;
+      const { major, minor, angle } = ellipseOf(belief);
+      ellipse.position.set(belief.pose[0], belief.pose[1], 0.03);
+      ellipse.rotation.z = angle;
+      ellipse.scale.set(Math.max(0.02, 2 * major), Math.max(0.02, 2 * minor), 1);
+    });
+  }
+
+  private addChase(): void {
+    const { chase, world } = this.run.report;
+    if (!chase || !world.bounds) return;
+    const [x, y] = world.bounds[0];
+    this.scene.add(carpet(costPicture(this.run), [x, y, x + chase.columns * chase.cell_m, y + chase.rows * chase.cell_m], 0).mesh);
+    const size = 0.6 * chase.cell_m;
+    [chase.target, ...chase.robots].forEach((way, i) => {
+      const colour = i === 0 ? theme.failed : chaserColours()[(i - 1) % chaserColours().length]!;
+      const body = new Mesh(new SphereGeometry(size, 20, 14), lambert(colour));
+      this.scene.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
+      this.actors.push(({ t }) => body.position.set(...placeOnWay(way, t), size));
+    });
+  }
+
+  private addDiscovery(): void {
+    const { explore } = this.run.report;
+    if (!explore) return;
+    const { origin: [x, y], columns, rows, cell_m } = explore.map;
+    const discovery = new Discovery(explore.map);
+    const { mesh, texture }: { mesh: Mesh; texture: CanvasTexture } = carpet(discovery.canvas, [x, y, x + columns * cell_m, y + rows * cell_m], 0.005);
+    this.scene.add(mesh);
+    this.actors.push(({ t }) => {
+      discovery.paint(t);
+      texture.needsUpdate = true;
+    });
+  }
+
+  zoom(factor: number): void {
+    const away = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    this.camera.position.copy(this.controls.target).add(away);
+    this.controls.update();
+  }
+
+  reset(): void {
+    this.follow = false;
+    this.frameAll();
+  }
+
+  private frameAll(): void {
+    const [x0, y0, x1, y1] = this.area;
+    const size = Math.max((x1 - x0) / Math.max(0.6, this.camera.aspect) * 1.1, y1 - y0);
+    this.controls.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
+    this.camera.position.set((x0 + x1) / 2, (y0 + y1) / 2 - 0.85 * size, 1.1 * size);
+    this.camera.near = 0.01 * size;
+    this.camera.far = 10 * size;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.redraw();
+  }
+
+  private resize(): void {
+    const [width, height] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+    this.renderer.setSize(width, height, false);
+    const first = this.camera.aspect === 1;
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (first) this.frameAll();
+    this.redraw();
+  }
+
+  draw(now: Now): void {
+    for (const act of this.actors) act(now);
+    if (this.follow) this.chase(now.t);
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Keeps the robot in the middle, from the side that was chosen. */
+  private chase(t: number): void {
+    const at = this.run.track.at(t);
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const reach = clamp(offset.length(), 1, 6 * Math.max(1, finite(this.run.report.robot.radius_m)));
+    this.controls.target.set(at.x, at.y, 0.2);
+    this.camera.position.copy(new Vector3(at.x, at.y, 0.2)).add(offset.setLength(reach));
+  }
+}

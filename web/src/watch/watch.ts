@@ -1,0 +1,233 @@
+// Watch: one run from its report. One time, one selected shot and target, and the views that show them.
+import { h, iconButton, signedLegend } from "./parts";
+import { keepInAddress } from "../base/url";
+import { keys } from "../base/keys";
+import { clockText, finite } from "../base/numbers";
+import { saveCanvas, saveText } from "../base/save";
+import type { Flight } from "../report/run";
+import { Run } from "../report/run";
+import type { Report, Target } from "../report/types";
+import { Clock, neighbour } from "./clock";
+import { EventList } from "./event_list";
+import { facts } from "./facts";
+import { marksOf, type Mark } from "./marks";
+import { PlanView } from "./plan_view";
+import { Plots } from "./plots";
+import { SideView } from "./side_view";
+import type { SpaceView } from "./space_view";
+import { Tabs } from "./tabs";
+import { TargetTable } from "./target_table";
+import { Timeline } from "./timeline";
+
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+export class Watch {
+  readonly element: HTMLElement;
+  private run: Run;
+  private clock: Clock;
+  private marks: Mark[];
+  private selected: { mark: Mark | null; shot: Flight | null; target: Target | null } = { mark: null, shot: null, target: null };
+  private stage = h("div", { class: "stage" });
+  private plan: PlanView;
+  private space: SpaceView | null = null;
+  private inSpace = false;
+  private side: SideView | null = null;
+  private table: TargetTable | null = null;
+  private events: EventList;
+  private plots: Plots;
+  private tabs: Tabs;
+  private timeline: Timeline;
+  private frameAsked = 0;
+  private before = 0;
+  private last: Flight | undefined;
+  private switcher: HTMLElement;
+  private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
+  private following = false;
+
+  constructor(report: Report, query: Record<string, string>) {
+    this.run = new Run(report);
+    this.clock = new Clock(this.run.duration, () => this.invalidate());
+    this.marks = marksOf(this.run);
+    this.plan = new PlanView(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one) });
+    this.events = new EventList(this.run, (t) => this.clock.seek(t));
+    this.plots = new Plots(this.run, (t) => this.clock.seek(t));
+    this.timeline = new Timeline(this.run, this.clock, this.marks, { step: (d) => this.step(d), select: (mark) => this.selectMark(mark) });
+    this.tabs = this.madeTabs();
+    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
+      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
+    this.stage.append(this.plan.element, h("div", { class: "stage-bar" }, this.switcher, signedLegend(this.run)),
+      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", () => this.savePicture(), "s")));
+    this.element = h("div", { class: "watch" }, h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage),
+      this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
+    this.bindKeys();
+    this.begin(query);
+  }
+
+  close(): void {
+    cancelAnimationFrame(this.frameAsked);
+    this.frameAsked = -1;
+    keys.set("Playing", []);
+    keys.set("View", []);
+    this.plan.close();
+    this.space?.close();
+    this.side?.close();
+    this.plots.close();
+  }
+
+  private madeTabs(): Tabs {
+    const { report } = this.run;
+    const pages: [string, HTMLElement][] = [];
+    if (report.targets.length > 0) {
+      this.side = new SideView(this.run, () => this.invalidate());
+      this.table = new TargetTable(this.run, (target) => this.selectTarget(target));
+      pages.push(["Targets", h("div", { class: "split" }, this.side.element, this.table.element)]);
+    }
+    if (!this.plots.empty) pages.push(["Plots", this.plots.element]);
+    if (report.events.length > 0) pages.push(["Events", this.events.element]);
+    pages.push(["Numbers", facts(report)]);
+    return new Tabs(pages, (name) => { keepInAddress({ tab: name.toLowerCase() }); this.invalidate(); });
+  }
+
+  /** As the address says: t, shot, view, tab, follow. Without a time it plays. */
+  private begin(query: Record<string, string>): void {
+    this.tabs.choose(query.tab ?? "", false);
+    const shot = this.run.flights[Number(query.shot ?? 1) - 1] ?? this.run.flights[0] ?? null;
+    this.choose(shot, this.run.targetOf(shot) ?? this.run.report.targets[0] ?? null);
+    if (query.view === "3d") void this.show(true);
+    if (query.follow) this.setFollow(true);
+    if (query.t !== undefined) this.clock.seek(finite(Number(query.t)));
+    else if (query.shot !== undefined && shot) this.clock.seek(shot.start);
+    else if (!calm.matches) this.clock.toggle(true);
+    else this.invalidate();
+  }
+
+  private invalidate(): void {
+    if (this.frameAsked === 0) this.frameAsked = requestAnimationFrame((now) => this.frame(now));
+  }
+
+  private frame(now: number): void {
+    this.frameAsked = 0;
+    const { clock, selected } = this;
+    clock.advance((now - this.before) / 1000);
+    this.before = now;
+    this.followShots();
+    const present = { t: clock.t, shot: selected.shot, target: selected.target, speed: clock.playing && !calm.matches ? clock.speed : 0 };
+    if (this.inSpace) this.space?.draw(present);
+    else this.plan.draw(present);
+    this.side?.draw(clock.t);
+    this.table?.show(clock.t, selected.target);
+    this.events.show(clock.t);
+    this.plots.show(clock.t);
+    this.timeline.show(selected.mark);
+    if (clock.playing) this.invalidate();
+    else keepInAddress({ t: clock.t.toFixed(2) });
+  }
+
+  /** While playing, the side view shows the shot that was fired last. */
+  private followShots(): void {
+    if (!this.clock.playing) return;
+    const last = this.run.flights.findLast((shot) => shot.start <= this.clock.t);
+    if (last && last !== this.last) this.choose(last, this.run.targetOf(last));
+    this.last = last;
+  }
+
+  private choose(shot: Flight | null, target: Target | null): void {
+    this.selected = { shot, target, mark: this.marks.find((mark) => shot !== null && mark.shot === shot) ?? null };
+    this.side?.select(shot, target);
+    if (target) this.table?.reveal(target);
+    this.invalidate();
+  }
+
+  private selectShot(shot: Flight): void {
+    this.choose(shot, this.run.targetOf(shot));
+    this.last = shot;
+    this.clock.seek(shot.start);
+    keepInAddress({ shot: String(shot.index + 1) });
+  }
+
+  /** Again and again: the target's shots in turn, the last one first. */
+  private selectTarget(target: Target): void {
+    const fired = this.run.flights.filter((shot) => shot.target === target.name);
+    const shown = fired.findIndex((shot) => shot === this.selected.shot);
+    const next = fired.at(shown < 0 ? -1 : (shown + 1) % fired.length);
+    if (next) this.selectShot(next);
+    else this.choose(null, target);
+  }
+
+  private selectMark(mark: Mark): void {
+    if (mark.shot) {
+      this.selectShot(mark.shot);
+      return;
+    }
+    this.selected.mark = mark;
+    this.clock.seek(mark.t);
+  }
+
+  private step(direction: 1 | -1): void {
+    const mark = neighbour(this.marks, this.clock.t, direction);
+    if (mark) this.selectMark(mark);
+  }
+
+  private setFollow(on: boolean): void {
+    this.following = on;
+    this.followButton.setAttribute("aria-pressed", String(on));
+    this.plan.follow = on;
+    if (this.space) this.space.follow = on;
+    if (on && this.plan.camera.home) this.plan.camera.zoom(2);
+    keepInAddress({ follow: on ? "1" : "" });
+    this.invalidate();
+  }
+
+  private async show(space: boolean): Promise<void> {
+    this.inSpace = space;
+    const [plan, three] = this.switcher.children;
+    plan?.setAttribute("aria-pressed", String(!space));
+    three?.setAttribute("aria-pressed", String(space));
+    keepInAddress({ view: space ? "3d" : "" });
+    if (space && !this.space) {
+      const { SpaceView: View } = await import("./space_view");
+      this.space ??= new View(this.run, () => this.invalidate());
+      this.space.follow = this.following;
+      this.stage.prepend(this.space.element);
+    }
+    this.plan.element.hidden = this.inSpace;
+    if (this.space) this.space.element.hidden = !this.inSpace;
+    this.invalidate();
+  }
+
+  private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
+
+  private savePicture(): void {
+    saveCanvas(this.view.canvas, `${this.run.report.world.name || "run"}-${clockText(this.clock.t, 1).replace(":", "m")}s.png`);
+  }
+
+  private bindKeys(): void {
+    const { clock } = this;
+    keys.set("Playing", [
+      { key: " ", words: "play or pause", act: () => clock.toggle() },
+      { key: "ArrowLeft", words: "1 s back", act: () => clock.seek(clock.t - 1) },
+      { key: "ArrowRight", words: "1 s on", act: () => clock.seek(clock.t + 1) },
+      { key: "Shift+ArrowLeft", words: "10 s back", act: () => clock.seek(clock.t - 10) },
+      { key: "Shift+ArrowRight", words: "10 s on", act: () => clock.seek(clock.t + 10) },
+      { key: ",", words: "a frame back", act: () => clock.seek(clock.t - 0.05) },
+      { key: ".", words: "a frame on", act: () => clock.seek(clock.t + 0.05) },
+      { key: "p", words: "previous event", act: () => this.step(-1) },
+      { key: "n", words: "next event", act: () => this.step(1) },
+      { key: "Home", words: "to the start", act: () => clock.seek(0) },
+      { key: "End", words: "to the end", act: () => clock.seek(clock.duration) },
+      { key: "<", words: "slower", act: () => clock.shift(-1) },
+      { key: ">", words: "faster", act: () => clock.shift(1) },
+    ]);
+    keys.set("View", [
+      { key: "v", words: "plan or space", act: () => void this.show(!this.inSpace) },
+      { key: "f", words: "follow the robot", act: () => this.setFollow(!this.following) },
+      { key: "+", words: "zoom in", act: () => (this.inSpace ? this.space?.zoom(1 / 1.3) : this.plan.camera.zoom(1.5)) },
+      { key: "-", words: "zoom out", act: () => (this.inSpace ? this.space?.zoom(1.3) : this.plan.camera.zoom(1 / 1.5)) },
+      { key: "0", words: "show everything", act: () => { this.setFollow(false); this.view.reset(); } },
+      { key: "t", words: "next tab", act: () => this.tabs.next() },
+      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
+      { key: "j", words: "save the report as JSON", act: () => saveText(JSON.stringify(this.run.report), `${this.run.report.job}.json`) },
+    ]);
+  }
+}

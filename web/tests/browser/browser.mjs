@@ -1,0 +1,47 @@
+// A browser for tests: Debian's Chromium without a screen, and what the cases need of it.
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { difference, readPng, shrunk, writePng } from "./png.mjs";
+
+const shots = fileURLToPath(new URL("../shots/", import.meta.url));
+
+export const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+
+export async function launch() {
+  return chromium.launch({
+    executablePath: executable,
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+      "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"],
+  });
+}
+
+/** Waits until `ask` answers with something true, which is returned. */
+export async function until(what, ask, seconds = 15) {
+  const end = Date.now() + 1000 * seconds;
+  for (;;) {
+    const answer = await ask();
+    if (answer) return answer;
+    if (Date.now() > end) throw new Error(`${what}: not within ${seconds} s`);
+    await new Promise((resolve) => setTimeout(resolve, 40));
+  }
+}
+
+/**
+ * Keeps a screenshot in the folder of the test's output and compares it, at a quarter of its size, with the stored
+ * one: at most 4 % of the pixels may differ, since fonts are not the same everywhere. OUTRIDER_NEW_SHOTS=1 stores it.
+ */
+export async function compareShot(page, name, folder) {
+  const shot = await page.screenshot();
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, `${name}.png`), shot);
+  const small = shrunk(readPng(shot), 4);
+  const stored = join(shots, `${name}.png`);
+  if (process.env.OUTRIDER_NEW_SHOTS) {
+    writeFileSync(stored, writePng(small));
+    return;
+  }
+  const off = difference(small, readPng(readFileSync(stored)));
+  if (off > 0.04) throw new Error(`${name}: ${(100 * off).toFixed(1)} % of the picture differs from tests/shots/${name}.png`);
+}

@@ -1,0 +1,60 @@
+import { describe, expect, it } from "vitest";
+import { Clock, neighbour } from "../../src/watch/clock";
+import { marksOf } from "../../src/watch/marks";
+import { Run } from "../../src/report/run";
+import { nearest } from "../../src/report/track";
+import { report } from "./report";
+
+describe("the clock", () => {
+  it("plays to the end, stops there, and starts over", () => {
+    const clock = new Clock(1, () => undefined);
+    clock.speed = 1;
+    clock.toggle();
+    for (let i = 0; i < 30; ++i) clock.advance(0.05);
+    expect(clock.t).toBe(1);
+    expect(clock.playing).toBe(false);
+    clock.toggle();
+    expect(clock.t).toBe(0);
+  });
+
+  it("does not leap over a pause of the browser", () => {
+    const clock = new Clock(100, () => undefined);
+    clock.speed = 2;
+    clock.toggle();
+    clock.advance(30);
+    expect(clock.t).toBeCloseTo(0.2);
+  });
+
+  it("keeps within the run and shows a long one in about a minute", () => {
+    const clock = new Clock(600, () => undefined);
+    clock.seek(-3);
+    expect(clock.t).toBe(0);
+    clock.seek(1e9);
+    expect(clock.t).toBe(600);
+    expect(600 / clock.speed).toBeLessThan(90);
+  });
+});
+
+describe("marks", () => {
+  it("steps to what is next in time, either way", () => {
+    const marks = [{ t: 1 }, { t: 2 }, { t: 2 }, { t: 5 }];
+    expect(neighbour(marks, 2, 1)).toEqual({ t: 5 });
+    expect(neighbour(marks, 2, -1)).toEqual({ t: 1 });
+    expect(neighbour(marks, 5, 1)).toBeUndefined();
+  });
+
+  it("leaves out events that a shot tells already", () => {
+    const shot = { target: "cat", attempt: 1, time_s: 2, flight_s: 1, muzzle: [0, 0, 0], velocity_mps: [1, 0, 0], contact: "cat", contact_point: [1, 0, 0], hit: true, clearance_m: 1, profile: [] };
+    const events = ["drive", "shot", "hit", "enter"].map((kind, i) => ({ time_s: i, kind, text: kind }));
+    expect(marksOf(new Run(report({ shots: [shot], events }))).map((mark) => mark.kind)).toEqual(["drive", "hit", "enter"]);
+    expect(marksOf(new Run(report({ events }))).length).toBe(4);
+  });
+
+  it("finds the sample nearest to a time", () => {
+    const column = [0, 1, 1.5, 4];
+    for (let t = -1; t < 5; t += 0.2) {
+      const slow = Math.min(...column.map((value) => Math.abs(value - t)));
+      expect(Math.abs(column[nearest(column, t)]! - t)).toBeCloseTo(slow);
+    }
+  });
+});

@@ -1,0 +1,120 @@
+// @vitest-environment jsdom
+import { describe, expect, it } from "vitest";
+import type { Edit, OptionRow, PlanAnswer } from "../../src/api";
+import { optionForm, valueOf, type Values } from "../../src/plan/form";
+import { free, GridGround, groundOf, occupied, PolygonGround } from "../../src/plan/ground";
+import { pathSvg } from "../../src/plan/path_svg";
+import { resultTable } from "../../src/plan/results";
+
+const grid = { origin: [0, 0] as [number, number], resolution_m: 1, width: 8, height: 6, runs: [0, 20, 1, 4, 0, 24] };
+
+describe("a grid", () => {
+  it("tells exactly what was changed", () => {
+    const ground = new GridGround(grid);
+    expect(ground.edits()).toEqual([]);
+    ground.paint([1, 1], [5, 4], occupied, 0);
+    ground.paint([4, 2], [7, 2], free, 1);
+    const again = new GridGround(grid).cells.slice();
+    for (const edit of ground.edits()) {
+      const [[x, y, width, height], value] = "block" in edit ? [edit.block, 1] : [(edit as { free: number[] }).free, 0];
+      for (let v = y!; v < y! + height!; ++v) again.fill(value, v * 8 + x!, v * 8 + x! + width!);
+    }
+    expect([...again]).toEqual([...ground.cells]);
+  });
+
+  it("paints only inside, and forgets what was painted back", () => {
+    const ground = new GridGround(grid);
+    ground.paint([-3, -3], [20, 20], occupied, 1);
+    expect(ground.cells.length).toBe(48);
+    ground.paint([0, 0], [7, 5], free, 9);
+    for (const edit of ground.edits()) expect(edit).toHaveProperty("free");
+    expect(ground.edits()).toEqual([{ free: [4, 2, 4, 1] }]);
+  });
+
+  it("puts start and goal where there is room", () => {
+    const ground = new GridGround({ ...grid, width: 30, height: 20, runs: [0, 600] });
+    const [start, goal] = ground.ends();
+    expect(start[0]).toBeLessThan(5);
+    expect(goal[0]).toBeGreaterThan(25);
+    const narrow = new GridGround({ ...grid, height: 1, runs: [1, 3, 0, 2, 1, 3] });
+    expect(narrow.ends()).toEqual([[3.5, 0.5], [4.5, 0.5]]);
+  });
+});
+
+describe("polygons", () => {
+  const polygons = { boundary: [] as [number, number][], obstacles: [[[1, 1], [2, 1], [2, 2], [1, 2]], [[4, 4], [5, 4], [5, 5]]] as [number, number][][], queries: [] };
+
+  it("tell what was moved, added and removed, by numbers that stay", () => {
+    const ground = new PolygonGround(polygons);
+    expect(ground.at([1.5, 1.5])).toBe(0);
+    ground.shift(0, [1, 0]);
+    const added = ground.add([8, 8], 0.5);
+    ground.shift(added, [0, 1]);
+    ground.remove(1);
+    expect(ground.at([4.6, 4.2])).toBe(-1);
+    expect(ground.edits()).toEqual<Edit[]>([
+      { set: 0, polygon: [[2, 1], [3, 1], [3, 2], [2, 2]] },
+      { add: [[7.5, 8.5], [8.5, 8.5], [8.5, 9.5], [7.5, 9.5]] }, { remove: 1 }]);
+    expect(polygons.obstacles[0]![0]).toEqual([1, 1]);  // what was given stays
+  });
+});
+
+describe("grounds", () => {
+  it("are refused with a sentence", () => {
+    expect(groundOf({ id: "", name: "m", warnings: [], grid: { ...grid, yaw_rad: 0.3 } })).toMatch(/turned by 0.3 rad/);
+    expect(groundOf({ id: "", name: "m", warnings: [] })).toMatch(/neither cells nor polygons/);
+  });
+});
+
+const options: OptionRow[] = [
+  { name: "weight", type: "number", unit: "m", low: 1, high: 10, default: 1, sentence: "how much" },
+  { name: "turns", type: "integer", unit: "", low: 0, high: 9, default: 4, sentence: "how many" },
+  { name: "fast", type: "boolean", unit: "", default: false, sentence: "whether" },
+  { name: "word", type: "string", unit: "", default: "a", sentence: "which" }];
+
+describe("the form of options", () => {
+  it("takes a value or says what would be right", () => {
+    expect(valueOf(options[0]!, "2.5")).toEqual({ value: 2.5 });
+    expect(valueOf(options[0]!, "12")).toEqual({ refusal: "weight: '12' is no good; it takes a number from 1 to 10 m" });
+    expect(valueOf(options[1]!, "2.5")).toHaveProperty("refusal");
+    expect(valueOf(options[1]!, "")).toHaveProperty("refusal");
+    expect(valueOf(options[3]!, "b")).toEqual({ value: "b" });
+  });
+
+  it("keeps what differs from the defaults", () => {
+    const given: Values = {};
+    const heard: string[] = [];
+    const form = optionForm(options, given, (refusal) => heard.push(refusal));
+    const set = (name: string, value: string | boolean): void => {
+      const input = form.querySelector<HTMLInputElement>(`#option-${name}`)!;
+      if (typeof value === "boolean") input.checked = value;
+      else input.value = value;
+      input.dispatchEvent(new Event("change"));
+    };
+    set("weight", "3");
+    set("fast", true);
+    expect(given).toEqual({ weight: 3, fast: true });
+    set("weight", "99");
+    expect(given.weight).toBe(3);
+    expect(heard.at(-1)).toMatch(/weight: '99'/);
+    set("weight", "1");
+    set("fast", false);
+    expect(given).toEqual({});
+  });
+});
+
+describe("answers", () => {
+  const answer: PlanAnswer = { status: "done", planner: "a_star", cost: 3, cost_unit: "m", waypoints: [[0, 0], [3, 0]], time_ms: 0.5 };
+
+  it("stand side by side", () => {
+    const table = resultTable([answer, null, { status: "not_done", planner: "dijkstra", error: "no way" }]);
+    expect([...table.querySelectorAll('[data-row="answer"]')].map((cell) => cell.textContent)).toEqual(["path found", "no path"]);
+  });
+
+  it("become a drawing", () => {
+    const svg = pathSvg({ ground: new GridGround(grid), start: [0, 0], goal: [3, 0], radius_m: 0, selected: null }, answer);
+    const drawn = new DOMParser().parseFromString(svg, "image/svg+xml");
+    expect(drawn.querySelector("polyline")!.getAttribute("points")).toBe("0,0 3,0");
+    expect(drawn.querySelectorAll("rect").length).toBe(1);
+  });
+});

@@ -1,0 +1,56 @@
+// @vitest-environment jsdom
+import { describe, expect, it } from "vitest";
+import { formatAddress, keepInAddress, parseAddress } from "../../src/base/url";
+import { keyName, keyOf, Keys } from "../../src/base/keys";
+
+describe("addresses", () => {
+  it("come back as they were written", () => {
+    for (const address of [
+      { view: "watch", path: "out/yard/guard.json", query: { t: "12.5", view: "3d" } },
+      { view: "plan", path: "a folder/ümlaut & more.map", query: { start: "1,2", goal: "3,-4" } },
+      { view: "", path: "", query: {} },
+      { view: "watch", path: "100%.json", query: { a: "x=y&z?" } },
+    ]) expect(parseAddress(formatAddress(address))).toEqual(address);
+  });
+
+  it("can be typed by hand", () => {
+    expect(parseAddress("#/watch/a.json?t=3")).toEqual({ view: "watch", path: "a.json", query: { t: "3" } });
+    expect(parseAddress("#watch/100%.json").path).toBe("100%.json");
+    expect(formatAddress({ view: "plan", path: "m", query: { start: "1,2", empty: "" } })).toBe("#plan/m?start=1,2");
+  });
+
+  it("keep the present view", () => {
+    location.hash = "#watch/a.json?t=1&view=3d";
+    keepInAddress({ t: "2", view: "" });
+    expect(location.hash).toBe("#watch/a.json?t=2");
+  });
+});
+
+describe("keys", () => {
+  it("act once, and leave fields and buttons alone", () => {
+    const keys = new Keys();
+    let acted = 0;
+    keys.set("a", [{ key: " ", words: "", act: () => { acted += 1; } }, { key: "Shift+Home", words: "", act: () => { acted += 10; } }]);
+    const press = (key: string, on: Element, shiftKey = false): void => {
+      const event = new KeyboardEvent("keydown", { key, shiftKey, bubbles: true });
+      Object.defineProperty(event, "target", { value: on });
+      keys.handle(event);
+    };
+    press(" ", document.body);
+    press(" ", document.createElement("input"));
+    press(" ", document.createElement("button"));
+    press("Home", document.body);
+    expect(acted).toBe(1);
+    press("Home", document.body, true);
+    expect(acted).toBe(11);
+    keys.set("a", []);
+    press(" ", document.body);
+    expect(acted).toBe(11);
+  });
+
+  it("have names", () => {
+    expect(keyOf({ key: "?", shiftKey: true })).toBe("?");
+    expect(keyOf({ key: "ArrowLeft", shiftKey: true })).toBe("Shift+ArrowLeft");
+    expect([" ", "+", "Shift+ArrowLeft"].map(keyName)).toEqual(["space", "+", "Shift \u2190"]);
+  });
+});

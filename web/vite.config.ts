@@ -1,0 +1,47 @@
+// Two pages from the same sources: the app with its assets, and (--mode viewer) one self-contained file that
+// shows the report which is put into it.
+import type { Plugin } from "vite";
+import { defineConfig } from "vitest/config";
+
+/** Puts the one script and the one style sheet of the bundle into its HTML. */
+function oneFile(): Plugin {
+  return {
+    name: "one-file",
+    enforce: "post",
+    generateBundle: { order: "post", handler(_, bundle) {
+      const files = Object.values(bundle);
+      const page = files.find((file) => file.fileName.endsWith(".html"));
+      if (page?.type !== "asset") throw new Error("the bundle has no HTML file");
+      let html = String(page.source);
+      for (const file of files) {
+        if (file === page) continue;
+        const content = file.type === "chunk" ? file.code : String(file.source);
+        const tag = file.type === "chunk"
+          ? `<script type="module">${content.replaceAll("</script", "<\\/script")}</script>`
+          : `<style>${content}</style>`;
+        const link = new RegExp(`<(script|link)[^>]*${file.fileName.replace(/[.]/g, "\\.")}[^>]*>(</script>)?`);
+        if (!link.test(html)) throw new Error(`${file.fileName} is not named in the page`);
+        html = file.type === "chunk" ? html.replace(link, "").replace("</body>", () => `${tag}\n</body>`)
+          : html.replace(link, () => tag);
+        delete bundle[file.fileName];
+      }
+      page.source = html;
+    } },
+  };
+}
+
+export default defineConfig(({ mode }) => ({
+  base: "./",
+  build: {
+    target: "es2022",
+    modulePreload: { polyfill: false },
+    cssCodeSplit: mode !== "viewer",
+    chunkSizeWarningLimit: 1000,
+    rollupOptions: {
+      input: mode === "viewer" ? "viewer.html" : "index.html",
+      output: mode === "viewer" ? { inlineDynamicImports: true } : {},
+    },
+  },
+  plugins: mode === "viewer" ? [oneFile()] : [],
+  test: { include: ["tests/unit/**/*.test.ts"] },
+}));
