@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "jobs.hpp"
 #include "output.hpp"
 #include "outrider/cover/plan.hpp"
 #include "outrider/guard/catalog.hpp"
@@ -13,17 +14,6 @@
 
 namespace outrider::cli {
 namespace {
-
-struct Job {
-  const char* name;
-  const char* sentence;
-};
-constexpr Job jobs[] = {{"cover", "Pass over every spot of an area, in a guaranteed time."},
-                        {"drive", "Drive to waypoints by the tags in sight, or open loop by time."},
-                        {"explore", "Map an unknown world to the last reachable cell, then come home."},
-                        {"guard", "Hit every target in a yard with a ballistic water gun, soonest."},
-                        {"plan", "Find a collision-free path for a disk robot."},
-                        {"pursue", "Catch a moving target on a grid of costs, at the least cost."}};
 
 /// The grids that a planner takes: "cells", "corners".
 std::vector<std::string> models_of(const PathPlanner& planner) {
@@ -72,7 +62,7 @@ void list_cover_methods() {
 
 void list_json() {
   auto job_list = nlohmann::ordered_json::array();
-  for (const Job& job : jobs) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
+  for (const Job& job : jobs()) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
   auto planners = nlohmann::ordered_json::array();
   for (const PathPlanner& planner : path_planners()) {
     planners.push_back({{"name", planner.name},
@@ -109,7 +99,7 @@ void list_json() {
 
 void list_text() {
   fmt::print("Jobs\n");
-  for (const Job& job : jobs) fmt::print("  {}\n      {}\n", job.name, job.sentence);
+  for (const Job& job : jobs()) fmt::print("  {}\n      {}\n", job.name, job.sentence);
   fmt::print("\nGuard planners (outrider guard --planner NAME)\n");
   for (const GuardPlanner& planner : guard_planners()) {
     fmt::print("  {}\n      {}\n      Source: {}.\n", planner.name, planner.sentence, planner.source);

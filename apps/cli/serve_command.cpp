@@ -9,11 +9,8 @@
 #include "app.hpp"
 #include "commands.hpp"
 #include "flags.hpp"
+#include "jobs.hpp"
 #include "output.hpp"
-#include "outrider/io/cover_scenario.hpp"
-#include "outrider/io/drive_scenario.hpp"
-#include "outrider/io/guard_scenario.hpp"
-#include "outrider/io/pursuit_scenario.hpp"
 #include "web_server.hpp"
 
 namespace outrider::cli {
@@ -57,20 +54,14 @@ Status check_token(const ServeCommand& command) {
   return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
 }
 
-/// The options of the jobs, for as long as the server runs.
-struct Scenarios {
-  GuardScenario guard;
-  PursuitScenario pursuit;
-  CoverScenario cover;
-  DriveScenario drive;
-
-  std::vector<server::JobForm> forms() {
-    return {{"guard", "Hit every target in a yard with a ballistic water gun, soonest.", describe(guard)},
-            {"pursue", "Catch a moving target on a grid of costs, at the least cost.", describe(pursuit)},
-            {"cover", "Pass over every spot of an area, in a guaranteed time.", describe(cover)},
-            {"drive", "Drive to waypoints by the tags in sight, or open loop by time.", describe(drive)}};
+std::vector<server::JobForm> forms(BlankScenarios& scenarios) {
+  std::vector<server::JobForm> all;
+  for (const Job& job : jobs()) {
+    if (job.flags.empty()) continue;
+    all.push_back({std::string(job.name), std::string(job.sentence), scenarios.options(job.name)});
   }
-};
+  return all;
+}
 
 /// This program, to run missions with.
 std::string own_path() {
@@ -101,11 +92,11 @@ int execute(ServeCommand& command, const Command& flags) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ends, number);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
 
-  Scenarios scenarios;
+  BlankScenarios scenarios;
   server::AppSettings settings;
   settings.version = OUTRIDER_VERSION;
   settings.token = command.token;
-  settings.jobs = scenarios.forms();
+  settings.jobs = forms(scenarios);
   settings.runs.tool = own_path();
   settings.runs.at_once = static_cast<std::size_t>(command.jobs);
   server::App app(*folder, std::move(settings));

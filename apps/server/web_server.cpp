@@ -2,8 +2,10 @@
 
 #include <arpa/inet.h>
 #include <civetweb.h>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
+#include <pthread.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -14,6 +16,15 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <thread>
+
+/// civetweb gives its threads 100 KiB of stack, of which the thread-local storage of all libraries takes a
+/// part: too little for its own messages, let alone for a search. It has no option for that, so its request
+/// is answered here, in place of the C library: no thread of this program has less than the usual 8 MiB.
+extern "C" int pthread_attr_setstacksize(pthread_attr_t* attributes, std::size_t bytes) noexcept {
+  using Original = int (*)(pthread_attr_t*, std::size_t);
+  static const auto original = reinterpret_cast<Original>(::dlsym(RTLD_NEXT, "pthread_attr_setstacksize"));
+  return original(attributes, std::max(bytes, std::size_t{8} << 20U));
+}
 
 namespace outrider::server {
 namespace {
@@ -34,12 +45,6 @@ struct Socket {
   std::string partial;  // a message that comes in several frames
   RateLimit rate{messages_per_second, messages_at_once};
 };
-
-/// civetweb's threads have stacks of 100 KiB, which is little for a search: work is done beside them.
-template <class Work>
-void on_a_full_stack(Work work) {
-  std::thread(std::move(work)).join();
-}
 
 Request request_of(const mg_connection* connection) {
   const mg_request_info& info = *mg_get_request_info(connection);
@@ -81,16 +86,89 @@ void send(mg_connection* connection, const Response& response, bool with_body) {
   }
 }
 
+/// Where the server listens, in the words of the system.
+struct Address {
+  sockaddr_storage storage{};
+  socklen_t size = 0;
+  [[nodiscard]] const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+};
+
+std::optional<Address> address_of(const Listen& listen) {
+  Address address;
+  auto& four = reinterpret_cast<sockaddr_in&>(address.storage);
+  auto& six = reinterpret_cast<sockaddr_in6&>(address.storage);
+  const auto port = htons(static_cast<std::uint16_t>(listen.port));
+  if (::inet_pton(AF_INET, listen.address.c_str(), &four.sin_addr) == 1) {
+    four.sin_family = AF_INET;
+    four.sin_port = port;
+    address.size = sizeof four;
+  } else if (::inet_pton(AF_INET6, listen.address.c_str(), &six.sin6_addr) == 1) {
+    six.sin6_family = AF_INET6;
+    six.sin6_port = port;
+    address.size = sizeof six;
+  } else {
+    return std::nullopt;
+  }
+  return address;
+}
+
+/// Whether the place can be listened at: the system says in one word why not, which civetweb keeps to itself.
+Status check_place(const Listen& listen) {
+  const auto address = address_of(listen);
+  if (!address) {
+    return bad_input(
+        fmt::format("'{}' is no address; give one of this machine, such as 0.0.0.0 for all", listen.address),
+        "--listen");
+  }
+  const int socket = ::socket(address->storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const int yes = 1;
+  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  const int bound = ::bind(socket, address->get(), address->size);
+  const int why = bound == 0 && ::listen(socket, 1) == 0 ? 0 : errno;
+  ::close(socket);
+  if (why == 0) return {};
+  if (why == EADDRINUSE) {
+    return bad_input(
+        fmt::format("the port {} is taken; give another, or 0 for one that is free", listen.port), "--port");
+  }
+  return bad_input(fmt::format("{}:{} cannot be listened at ({})", listen.address, listen.port,
+                               std::generic_category().message(why)),
+                   why == EACCES ? "--port" : "--listen");
+}
+
+/// Connects to a server and says nothing.
+void knock(const Listen& listen) {
+  const auto address = address_of(listen);
+  const int socket = ::socket(address->storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  ::connect(socket, address->get(), address->size);
+  ::close(socket);
+}
+
+/// Ends the threads of civetweb. Its listener looks up every two seconds, or when somebody connects.
+void stop(mg_context* context, const Listen& listen) {
+  std::atomic<bool> stopped = false;
+  std::thread visitor([&] {
+    while (!stopped) {
+      knock(listen);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  });
+  mg_stop(context);
+  stopped = true;
+  visitor.join();
+}
+
 class Civetweb : public WebServer {
  public:
   explicit Civetweb(App& app) : app_(app) {}
   ~Civetweb() override {
     app_.close();
-    if (context_ != nullptr) mg_stop(context_);
+    if (context_ != nullptr) stop(context_, {address_, port_});
   }
   [[nodiscard]] int port() const override { return port_; }
 
   Status listen(const Listen& listen) {
+    address_ = listen.address;
     const bool six = listen.address.find(':') != std::string::npos;
     const std::string place =
         fmt::format("{}:{}", six ? "[" + listen.address + "]" : listen.address, listen.port);
@@ -142,9 +220,7 @@ class Civetweb : public WebServer {
 
  private:
   static int on_request(mg_connection* connection, void* self) {
-    int status = 500;
-    on_a_full_stack([&] { status = static_cast<Civetweb*>(self)->answer(connection); });
-    return status;
+    return static_cast<Civetweb*>(self)->answer(connection);
   }
 
   int answer(mg_connection* connection) {
@@ -161,8 +237,7 @@ class Civetweb : public WebServer {
 
   static int on_connect(const mg_connection* connection, void* self) {
     auto* server = static_cast<Civetweb*>(self);
-    std::optional<Response> refused;
-    on_a_full_stack([&] { refused = server->app_.refuse_socket(request_of(connection)); });
+    std::optional<Response> refused = server->app_.refuse_socket(request_of(connection));
     if (!refused && server->sockets_ >= most_sockets) {
       refused = error_response(503, "too_many", fmt::format("{} viewers watch already", most_sockets));
     }
@@ -198,9 +273,7 @@ class Civetweb : public WebServer {
     if (!last) return 1;
     if (!socket->rate.take(Clock::now())) return 0;
     const std::string text = std::exchange(socket->partial, {});
-    bool taken = false;
-    on_a_full_stack([&] { taken = socket->viewer->receive(text); });
-    return taken ? 1 : 0;
+    return socket->viewer->receive(text) ? 1 : 0;
   }
 
   static void on_close(const mg_connection* connection, void* self) {
@@ -215,40 +288,10 @@ class Civetweb : public WebServer {
 
   App& app_;
   mg_context* context_ = nullptr;
+  std::string address_;
   int port_ = 0;
   std::atomic<int> sockets_{0};
 };
-
-/// Whether the place can be listened at: the system says in one word why not, which civetweb keeps to itself.
-Status check_place(const Listen& listen) {
-  sockaddr_in four{};
-  sockaddr_in6 six{};
-  four.sin_family = AF_INET;
-  six.sin6_family = AF_INET6;
-  four.sin_port = six.sin6_port = htons(static_cast<std::uint16_t>(listen.port));
-  const bool is_four = ::inet_pton(AF_INET, listen.address.c_str(), &four.sin_addr) == 1;
-  if (!is_four && ::inet_pton(AF_INET6, listen.address.c_str(), &six.sin6_addr) != 1) {
-    return bad_input(
-        fmt::format("'{}' is no address; give one of this machine, such as 0.0.0.0 for all", listen.address),
-        "--listen");
-  }
-  const int socket = ::socket(is_four ? AF_INET : AF_INET6, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const int yes = 1;
-  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  const auto* place =
-      is_four ? reinterpret_cast<const sockaddr*>(&four) : reinterpret_cast<const sockaddr*>(&six);
-  const int bound = ::bind(socket, place, is_four ? sizeof four : sizeof six);
-  const int why = bound == 0 && ::listen(socket, 1) == 0 ? 0 : errno;
-  ::close(socket);
-  if (why == 0) return {};
-  if (why == EADDRINUSE) {
-    return bad_input(
-        fmt::format("the port {} is taken; give another, or 0 for one that is free", listen.port), "--port");
-  }
-  return bad_input(fmt::format("{}:{} cannot be listened at ({})", listen.address, listen.port,
-                               std::generic_category().message(why)),
-                   why == EACCES ? "--port" : "--listen");
-}
 
 }  // namespace
 

@@ -76,7 +76,7 @@ class Manual(ToolTest):
 
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
-        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "guard", "plan", "pursue"])
+        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "guard", "plan", "pursue"])
         text = self.text("list")
         for planner in catalogue["path_planners"]:
             self.assertLessEqual({"name", "sentence", "paper", "guarantee", "complete", "models"}, set(planner))

@@ -325,6 +325,10 @@ class Safety(Serve):
                     viewer.frame(opcode, data)
                     with self.assertRaises(ConnectionError):
                         viewer.receive()
+            with WebSocket(server) as viewer:  # a frame that claims to be as long as no memory is
+                viewer.frame(1, b"x", length=2**62)
+                with self.assertRaises(ConnectionError):
+                    viewer.receive()
             server.json("GET", "/api/v1/version")
 
     def test_half_open_connections(self):
