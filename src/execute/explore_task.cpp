@@ -15,8 +15,12 @@ RobotModel burger() {
 
 LaserSlamOptions near_sighted_slam() {
   LaserSlamOptions slam;
-  slam.close_loops = false;
   slam.key_distance_m = 0.5;
+  slam.learn_odometry = true;
+  // What is left once it is learnt what the wheels always count wrong.
+  slam.odometry_distance = 0.02;
+  slam.odometry_turn = 0.02;
+  slam.odometry_turn_per_distance_rad = 0.03;
   // Beams that graze a wall pass through many of its cells for each one that they end in.
   slam.map.hit_odds = 1.5;
   slam.map.miss_odds = 0.3;

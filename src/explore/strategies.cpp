@@ -1,6 +1,7 @@
 #include "strategies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace outrider {
@@ -41,9 +42,14 @@ std::optional<std::size_t> chosen_before(const Views& views, const ExploreChoice
   return nearest;
 }
 
+double bonus_of_before(const ExploreState& state, const ExploreOptions& options) {
+  constexpr int most_doublings = 10;
+  return std::ldexp(options.momentum_s, std::min(state.before.swings, most_doublings));
+}
+
 std::size_t choose_nearest(const Views& views, const ExploreState& state, const ExploreOptions& options,
                            Workspace& /*workspace*/) {
-  return least(views, state, options.momentum_s, [](const View& view) { return view.reach_s; });
+  return least(views, state, bonus_of_before(state, options), [](const View& view) { return view.reach_s; });
 }
 
 std::size_t choose_by_gain(const Views& views, const ExploreState& state, const ExploreOptions& options,
@@ -53,7 +59,7 @@ std::size_t choose_by_gain(const Views& views, const ExploreState& state, const 
   double most = -1.0;
   for (std::size_t i = 0; i < views.views.size(); ++i) {
     const View& view = views.views[i];
-    const double bonus = before == i ? options.momentum_s : 0.0;
+    const double bonus = before == i ? bonus_of_before(state, options) : 0.0;
     const double rate = view.gain_m2 / std::max(0.5, view.turn_s + view.reach_s - bonus);
     if (rate > most) {
       most = rate;

@@ -49,7 +49,7 @@ std::size_t choose_by_tour(const Views& views, const ExploreState& state, const 
                            Workspace& workspace) {
   std::vector<double> whole_s = wholes(round_through(views, state, workspace));
   const auto before = chosen_before(views, state.before);
-  if (before && *before < whole_s.size()) whole_s[*before] -= options.momentum_s;
+  if (before && *before < whole_s.size()) whole_s[*before] -= bonus_of_before(state, options);
   return static_cast<std::size_t>(std::min_element(whole_s.begin(), whole_s.end()) - whole_s.begin());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "flood.hpp"
@@ -136,14 +137,19 @@ Views find_views(const ExploreState& state, const ExploreOptions& options, Works
 
   std::vector<std::pair<double, const Frontier*>> nearest;
   for (const auto& [id, frontier] : state.map.frontiers()) {
-    nearest.emplace_back(distance_to(frontier.bounds, state.pose.position), &frontier);
+    // The choice before is weighed wherever the robot is by now, or it would swing between two far ones.
+    const bool before = id == state.before.frontier;
+    nearest.emplace_back(before ? 0.0 : distance_to(frontier.bounds, state.pose.position), &frontier);
   }
   std::sort(nearest.begin(), nearest.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first, a.second->id) < std::pair(b.first, b.second->id);
   });
   const Finder finder{state, options, flood, memory};
-  const auto by_reach = [](const View& a, const View& b) {
-    return std::pair(a.reach_s, a.frontier) < std::pair(b.reach_s, b.frontier);
+  const auto by_reach = [&](const View& a, const View& b) {
+    const auto key = [&](const View& v) {
+      return std::tuple(v.frontier != state.before.frontier, v.reach_s, v.frontier);
+    };
+    return key(a) < key(b);
   };
   const auto most = static_cast<std::size_t>(options.most_views);
   for (const auto& [away, frontier] : nearest) {

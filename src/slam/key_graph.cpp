@@ -46,6 +46,7 @@ void KeyGraph::spread_covariance(std::uint32_t from, std::uint32_t to, const Mat
   const Matrix3 sum = by_from * keys[from].covariance * transposed(by_from) + covariance;
   const auto size = [](const Matrix3& c) { return c(0, 0) + c(1, 1); };
   Matrix3& known = keys[to].covariance;
+  covariance_before_ = known;
   if (size(known) == 0.0 || size(sum) < size(known)) known = sum;
 }
 
@@ -53,6 +54,7 @@ void KeyGraph::untie(const std::vector<Pose2>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) keys[i].pose = before[i];
   ways_[edges_.back().from].pop_back();
   ways_[edges_.back().to].pop_back();
+  keys[edges_.back().to].covariance = covariance_before_;
   edges_.pop_back();
 }
 

@@ -46,6 +46,7 @@ class KeyGraph {
 
   std::vector<GraphEdge> edges_;
   std::vector<std::vector<Way>> ways_;  ///< by key
+  Matrix3 covariance_before_;           ///< of the scan that the last tie led to
 };
 
 }  // namespace outrider

@@ -18,6 +18,7 @@ constexpr double sensed_m = 4.0;        // visits nearer than this see the same
 constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
+constexpr double most_deviation = 2.5;  // the covariance is an upper bound: what is farther is a look-alike
 constexpr double least_score = 0.5;
 constexpr double least_share = 0.7;
 constexpr double most_rival = 0.85;  // of the score, at a place apart
@@ -78,6 +79,15 @@ std::optional<Fit> recognised(const SurfaceMap& visit, const Surface& query, con
   return fit.share >= least_share ? std::optional(fit) : std::nullopt;
 }
 
+/// Whether the scan may be there by what is known of it.
+bool believable(const KeyScan& scan, const Pose2& there) {
+  constexpr double least = 1e-4;  // m^2
+  const Matrix3& c = scan.covariance;
+  const auto information = inverse_of_positive(Matrix2{{c(0, 0) + least, c(0, 1), c(1, 0), c(1, 1) + least}});
+  const Vec2 off = there.position - scan.pose.position;
+  return information && quadratic_form<2>(*information, {off.x, off.y}) <= most_deviation * most_deviation;
+}
+
 /// Ties the last scan to that one; undone and false when what is tied already does not give way.
 bool tied(KeyGraph& graph, std::uint32_t scan, const Fit& fit) {
   constexpr double most_tension = 100.0;
@@ -105,7 +115,7 @@ bool LoopSearch::close(KeyGraph& graph) {
     const Pose2 here = graph.keys.back().pose;  // relaxing moves it
     const auto fit =
         recognised(map_of_visit(graph, scan), query, {here, reach_m, turn_rad, reach_m, turn_rad});
-    if (!fit || !tied(graph, scan, *fit)) continue;
+    if (!fit || !believable(graph.keys.back(), fit->pose) || !tied(graph, scan, *fit)) continue;
     any = true;
     ++closed;
   }

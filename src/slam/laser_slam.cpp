@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "laser_loops.hpp"
+#include "odometry_bias.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -35,12 +36,25 @@ struct MotionNoise {
     return diagonal<3>({p, p, 1.0 / (heading_rad * heading_rad)});
   }
 };
-MotionNoise noise_of(const Pose2& motion, const LaserSlamOptions& o) {
-  const double way_m = norm(motion.position);
-  const double turn_rad = std::abs(motion.heading_rad);
-  return {std::hypot(o.odometry_rest_m, o.odometry_distance * std::sqrt(way_m)),
-          std::hypot(o.odometry_rest_rad, o.odometry_turn * std::sqrt(turn_rad),
-                     o.odometry_turn_per_distance_rad * std::sqrt(way_m))};
+/// How far it has driven, and how much it has turned.
+struct Driven {
+  double way_m = 0.0;
+  double turn_rad = 0.0;
+
+  Driven& operator+=(const Pose2& motion) {
+    way_m += norm(motion.position);
+    turn_rad += std::abs(motion.heading_rad);
+    return *this;
+  }
+};
+
+/// A heading that goes astray along the way carries the position with it.
+MotionNoise noise_of(const Driven& driven, const LaserSlamOptions& o) {
+  const double root_m = std::sqrt(driven.way_m);
+  const double heading_rad = std::hypot(o.odometry_rest_rad, o.odometry_turn * std::sqrt(driven.turn_rad),
+                                        o.odometry_turn_per_distance_rad * root_m);
+  const double aside_m = heading_rad * driven.way_m / std::sqrt(3.0);
+  return {std::hypot(o.odometry_rest_m, o.odometry_distance * root_m, aside_m), heading_rad};
 }
 
 }  // namespace
@@ -56,12 +70,19 @@ struct LaserSlam::State {
   std::vector<Pose2> drawn;             ///< poses of the kept scans as the map has them
   std::optional<SurfaceMap> near;       ///< of the last scans (group 0) and of earlier visits (group 1)
   std::optional<std::uint32_t> anchor;  ///< of the earlier visits in `near`, the nearest scan
+  OdometryBias bias;
+  Driven unmatched;    ///< since a scan last fitted
+  Driven unkept;       ///< since a scan was last kept
+  bool blind = false;  ///< the last scan saw next to nothing
 
   [[nodiscard]] Pose2 since_key() const {
     const Pose2 motion = between(graph.keys.back().pose, pose);
     return {motion.position, wrap_angle(motion.heading_rad)};
   }
-  [[nodiscard]] std::optional<Fit> match(const MotionNoise& noise, const Surface& surface) const;
+  void move(const Pose2& motion);
+  [[nodiscard]] std::optional<Fit> match(const Surface& surface) const;
+  void see(const LaserScan& scan, Surface surface, LaserSlamStep& step);
+  void learn(const Fit& fit);
   [[nodiscard]] bool is_key() const;
   void add_key(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit);
   void gather();
@@ -77,6 +98,8 @@ std::vector<Option> describe(LaserSlamOptions& o) {
        &o.trust_odometry},
       {"draw_late", "", 0, 0, "draw the map at the end only", &o.draw_late},
       {"close_loops", "", 0, 0, "recognise places that come again", &o.close_loops},
+      {"learn_odometry", "", 0, 0, "learn from the scans what odometry always counts wrong",
+       &o.learn_odometry},
       {"reach", "m", 0.5, 200, "how far readings are matched", &o.reach_m},
       {"key_distance", "m", 0.01, 100, "way after which a scan is kept", &o.key_distance_m},
       {"key_turn", "deg", 0.1, 360, "turn after which a scan is kept", &o.key_turn_rad},
@@ -101,7 +124,7 @@ Outcome<LaserSlam> LaserSlam::begin(const LaserSlamOptions& options, const Pose2
     }
   }
   return LaserSlam(std::make_unique<State>(
-      State{options, start, OccupancyMap(options.map), {}, {}, {start}, {}, {}, {}, {}}));
+      State{options, start, OccupancyMap(options.map), {}, {}, {start}, {}, {}, {}, {}, {}, {}, {}}));
 }
 
 LaserSlam::LaserSlam(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -110,12 +133,15 @@ LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
 LaserSlam::~LaserSlam() = default;
 
 /// Fits the scan to the surfaces nearby: in a window about where odometry puts it, and where little of it
-/// lies on them, in a wider one. Nothing when too little does.
-std::optional<Fit> LaserSlam::State::match(const MotionNoise& noise, const Surface& surface) const {
+/// lies on them, in a wider one, if there are points enough to tell one place from others. Nothing when too
+/// little does.
+std::optional<Fit> LaserSlam::State::match(const Surface& surface) const {
   constexpr double sds = 3.0;
   constexpr MotionNoise least{0.05, 0.02}, wide{0.6, 0.6};
   constexpr double least_score = 0.1, wide_score = 0.3;
+  constexpr std::size_t least_wide_points = 60;
   constexpr double least_share = 0.25, sure_share = 0.5, better_share = 0.1;
+  const MotionNoise noise = noise_of(unmatched, options);
   MatchWindow window{pose, std::max(least.position_m, sds * noise.position_m),
                      std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m,
                      noise.heading_rad};
@@ -123,7 +149,9 @@ std::optional<Fit> LaserSlam::State::match(const MotionNoise& noise, const Surfa
   if (const auto found = near->find(surface, window, least_score)) {
     best = near->refine(surface, found->pose, {pose, noise.information()});
   }
-  if (best.share >= sure_share) return best;
+  const bool telling = surface.size() >= least_wide_points;
+  if (best.share >= sure_share || !telling)
+    return best.share >= least_share ? std::optional(best) : std::nullopt;
   window.reach_m = std::max(window.reach_m, wide.position_m);
   window.turn_rad = std::max(window.turn_rad, wide.heading_rad);
   if (const auto found = near->find(surface, window, wide_score)) {
@@ -150,8 +178,12 @@ void LaserSlam::State::add_key(const LaserScan& scan, Surface surface, const std
   const double way_m = key == 0 ? 0.0 : graph.keys.back().way_m + norm(motion.position);
   graph.keys.push_back({pose, {}, way_m, scan, std::move(surface)});
   if (key == 0) return;
+  const MotionNoise driven = noise_of(unkept, options);
   graph.tie(key - 1, key, pose,
-            fit ? fit->information + noise_of(motion, options).information() : lost.information());
+            fit     ? fit->information + driven.information()
+            : blind ? driven.information()
+                    : lost.information());
+  unkept = {};
   if (!fit || !anchor) return;
   const Fit visit = near->refine(graph.keys[key].surface, pose, {pose, loose.information()}, earlier_group);
   if (visit.share >= least_share) {
@@ -223,27 +255,63 @@ void LaserSlam::State::note_step() {
   }
 }
 
+/// Moves by odometry, without what it is known to count wrong.
+void LaserSlam::State::move(const Pose2& motion) {
+  bias.count(motion);
+  pose = composed(pose, options.learn_odometry ? bias.corrected(motion) : motion);
+  unmatched += motion;
+  unkept += motion;
+}
+
+/// Holds the odometry since the scan kept before against where the scans are.
+void LaserSlam::State::learn(const Fit& fit) {
+  constexpr double nothing = 1e-3;
+  const auto covariance = inverse_of_positive(fit.information + diagonal<3>({nothing, nothing, nothing}));
+  const MotionNoise noise = noise_of(unkept, options);
+  if (covariance)
+    bias.learn(pose, *covariance, noise.position_m * noise.position_m, noise.heading_rad * noise.heading_rad);
+}
+
+/// Where the surface says that the robot is; the scan is kept when it is time.
+void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
+  if (blind && near) gather();
+  const auto fit = near ? match(surface) : std::nullopt;
+  step.matched = fit.has_value();
+  if (fit) {
+    pose = fit->pose;
+    unmatched = {};
+  } else {
+    bias.forget();
+  }
+  if (is_key()) {
+    if (fit) learn(*fit);
+    add_key(scan, std::move(surface), fit);
+    step.closed_loop = options.close_loops && loops.close(graph);
+    pose = graph.keys.back().pose;
+    gather();
+    if (!options.draw_late) drawn.push_back(pose);
+  }
+  blind = false;
+}
+
 Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& scan) {
   State& s = *state_;
   if (!finite(motion) || !finite(composed(s.pose, motion))) {
     return bad_input("the motion is not finite or leads out of the world; leave it out");
   }
-  s.pose = composed(s.pose, motion);
   LaserSlamStep step;
-  if (!s.options.trust_odometry && outrider::check(scan)) {
-    Surface surface = surface_of(scan, s.options.robot_T_laser, s.options.reach_m);
+  if (s.options.trust_odometry) {
+    s.pose = composed(s.pose, motion);
+  } else {
+    s.move(motion);
+    Surface surface;
+    if (outrider::check(scan)) surface = surface_of(scan, s.options.robot_T_laser, s.options.reach_m);
     constexpr std::size_t least_points = 10;
     if (surface.size() >= least_points) {
-      const auto fit = s.near ? s.match(noise_of(motion, s.options), surface) : std::nullopt;
-      step.matched = fit.has_value();
-      if (fit) s.pose = fit->pose;
-      if (s.is_key()) {
-        s.add_key(scan, std::move(surface), fit);
-        step.closed_loop = s.options.close_loops && s.loops.close(s.graph);
-        s.pose = s.graph.keys.back().pose;
-        s.gather();
-        if (!s.options.draw_late) s.drawn.push_back(s.pose);
-      }
+      s.see(scan, std::move(surface), step);
+    } else {
+      s.blind = true;
+      s.bias.forget();
     }
   }
   s.note_step();

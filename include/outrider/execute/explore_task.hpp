@@ -14,8 +14,9 @@ namespace outrider {
 /// A TurtleBot3 burger. Source: ROBOTIS e-Manual, TurtleBot3 features.
 RobotModel burger();
 
-/// SLAM with a range finder of a few metres. It sees too little to tell places from others like them, so no
-/// loops are closed; where it comes back, its scans fit the map of before.
+/// SLAM with a range finder of a few metres, on wheels that are good but for what they always count wrong.
+/// Away from walls it sees nothing and goes by the odometry, which must not be doubted more than it deserves:
+/// else the place to which it comes back is sought among too many others like it.
 LaserSlamOptions near_sighted_slam();
 
 /// When the executor thinks, waits and gives up.

@@ -4,7 +4,9 @@
 // cells beside the frontier are in sight, within range (explore/view.hpp). A row of the catalogue
 // (explore/catalog.hpp) chooses among them; the way there is planned by an ordinary path planner on the known
 // ground and pulled straight. Ask again whenever the map has changed: the robot need not arrive, and the
-// choice before has a bonus, so that it does not swing between two of like worth.
+// choice before has a bonus, so that it does not swing between two of like worth. Each change of mind that
+// leaves its frontier behind doubles the bonus, until something has come of a choice: it swings for ever
+// between no two.
 //
 // Nothing in a decision goes over all cells but a copy of the ground for the planners. Same state, same
 // decision; it notes on the map which frontier is pursued (FrontierMap::pursue). Thread rule: one map and one
@@ -44,6 +46,7 @@ std::vector<Option> describe(ExploreOptions& options);
 struct ExploreChoice {
   std::uint32_t frontier = 0;  ///< 0: none
   Vec2 place;
+  int swings = 0;  ///< changes of mind in a row that left a frontier behind as it was
 };
 
 struct ExploreState {

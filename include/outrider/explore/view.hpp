@@ -34,7 +34,7 @@ struct View {
 };
 
 struct Views {
-  std::vector<View> views;               ///< by reach_s, then by frontier
+  std::vector<View> views;               ///< that of the choice before, then by reach_s and by frontier
   bool all = true;                       ///< no frontier was left out for its distance
   std::vector<RefusedFrontier> refused;  ///< by id
 };
