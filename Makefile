@@ -40,10 +40,10 @@ test:  ## build everything and run every test
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
 
-asan:  ## run the tests, costly ones in part, under the address and undefined-behaviour sanitizers
+asan:  ## run the test programs, costly tests in part, under the address and undefined-behaviour sanitizers
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
-	@ninja -C build-asan -j $(JOBS)
+	@ninja -C build-asan -j $(JOBS) test_programs
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
 
@@ -52,7 +52,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything under the sanitizers, random tests on 100 times as many cases
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build-asan -j $(JOBS)
