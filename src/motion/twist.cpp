@@ -21,11 +21,6 @@ ArcFactors arc_factors(double angle_rad) {
   return {std::sin(angle_rad) / angle_rad, 2.0 * half * half / angle_rad};
 }
 
-Vec2 turned(Vec2 v, double angle_rad) {
-  const Vec2 axis = direction(angle_rad);
-  return v.x * axis + v.y * perpendicular(axis);
-}
-
 }  // namespace
 
 Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s) {
@@ -44,12 +39,12 @@ Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s) {
 }
 
 Pose2 seen_from(const Pose2& frame, const Pose2& pose) {
-  return {turned(pose.position - frame.position, -frame.heading_rad),
+  return {unrotated(frame.heading_rad, pose.position - frame.position),
           wrap_angle(pose.heading_rad - frame.heading_rad)};
 }
 
 Pose2 placed_in(const Pose2& frame, const Pose2& pose) {
-  return {frame.position + turned(pose.position, frame.heading_rad), frame.heading_rad + pose.heading_rad};
+  return {frame.position + rotated(frame.heading_rad, pose.position), frame.heading_rad + pose.heading_rad};
 }
 
 }  // namespace outrider

@@ -23,7 +23,7 @@ struct LinearEdge {
 Block3 residual(const GraphEdge& edge, const Pose2& from, const Pose2& to);
 LinearEdge linearised(const GraphEdge& edge, const Pose2& from, const Pose2& to);
 Pose2 moved(const Pose2& pose, const Block3& step);
-/// Of `measured` in the frame of `from`, in the world.
+/// placed_in() with the heading wrapped.
 Pose2 composed(const Pose2& from, const Pose2& measured);
 
 /// What a kernel makes of s = r^T W r: the loss, and its derivative by s, the weight of the edge.

@@ -63,7 +63,7 @@ double KeyGraph::tension() const {
   return quadratic_form(edge.information, residual(edge, keys[edge.from].pose, keys[edge.to].pose));
 }
 
-void KeyGraph::relax() {
+bool KeyGraph::relax() {
   PoseGraph graph;
   for (const KeyScan& key : keys) graph.nodes.push_back({{}, key.pose, false});
   graph.edges = edges_;
@@ -73,8 +73,9 @@ void KeyGraph::relax() {
   options.iterations = 20;
   options.tolerance = 1e-5;
   const auto solution = optimise(graph, options, {});
-  if (!solution) return;
+  if (!solution) return false;
   for (std::size_t i = 0; i < keys.size(); ++i) keys[i].pose = solution->poses[i];
+  return true;
 }
 
 std::vector<Pose2> KeyGraph::poses() const {

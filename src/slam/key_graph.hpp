@@ -15,7 +15,8 @@ struct KeyScan {
   Surface surface;
 };
 
-/// The pose of b in the frame of a.
+/// The pose of b in the frame of a. Unlike that of seen_from() the heading is not wrapped: a sum with it is
+/// rounded once.
 Pose2 between(const Pose2& a, const Pose2& b);
 /// Of (x, y, heading) in a frame turned by the heading, from that of the parent's.
 Matrix3 in_frame(const Matrix3& of_parent, double heading_rad);
@@ -30,8 +31,9 @@ class KeyGraph {
   void untie(const std::vector<Pose2>& before);
   /// r^T W r of the last tie as the poses stand.
   [[nodiscard]] double tension() const;
-  /// Brings the poses to the least squares of all ties. The first stays.
-  void relax();
+  /// Brings the poses to the least squares of all ties. The first stays. False, and nothing is done, when the
+  /// ties cannot be solved.
+  bool relax();
   [[nodiscard]] std::vector<Pose2> poses() const;
   /// For each scan, how uncertain its position is from `key`, as a variance (m^2) along the chain of ties
   /// that says most; infinite beyond `bound`.

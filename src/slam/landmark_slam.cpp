@@ -13,19 +13,9 @@ namespace {
 
 constexpr std::string_view state_head = "outrider-landmark-slam-1";
 
-bool finite(const Pose2& pose) {
-  return std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(pose.heading_rad);
-}
-
 template <std::size_t N>
 bool usable(const Matrix<N, N>& covariance) {
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double a = covariance(i, j), b = covariance(j, i);
-      if (!(std::abs(a - b) <= 1e-9 * (std::abs(a) + std::abs(b)))) return false;
-    }
-  }
-  return cholesky(covariance).has_value();
+  return symmetric(covariance) && cholesky(covariance).has_value();
 }
 
 Status check_options(const LandmarkSlamOptions& options) {
@@ -103,7 +93,7 @@ Status check(const LogStep& step) {
     return bad_input("the covariance of its odometry is not positive definite; correct it");
   }
   for (const LandmarkSighting& sighting : step.sightings) {
-    if (!finite({sighting.position, 0.0})) return bad_input("a sighting is not finite; leave it out");
+    if (!finite(sighting.position)) return bad_input("a sighting is not finite; leave it out");
     if (!usable(sighting.covariance)) {
       return bad_input("the covariance of a sighting is not positive definite; correct it");
     }

@@ -18,7 +18,6 @@ constexpr double sensed_m = 4.0;        // visits nearer than this see the same
 constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
-constexpr double most_deviation = 2.5;  // the covariance is an upper bound: what is farther is a look-alike
 constexpr double least_score = 0.5;
 constexpr double least_share = 0.7;
 constexpr double most_rival = 0.85;  // of the score, at a place apart
@@ -80,12 +79,12 @@ std::optional<Fit> recognised(const SurfaceMap& visit, const Surface& query, con
 }
 
 /// Whether the scan may be there by what is known of it.
-bool believable(const KeyScan& scan, const Pose2& there) {
+bool believable(const KeyScan& scan, const Pose2& there, double reach_sd) {
   constexpr double least = 1e-4;  // m^2
   const Matrix3& c = scan.covariance;
   const auto information = inverse_of_positive(Matrix2{{c(0, 0) + least, c(0, 1), c(1, 0), c(1, 1) + least}});
   const Vec2 off = there.position - scan.pose.position;
-  return information && quadratic_form<2>(*information, {off.x, off.y}) <= most_deviation * most_deviation;
+  return information && quadratic_form<2>(*information, {off.x, off.y}) <= reach_sd * reach_sd;
 }
 
 /// Ties the last scan to that one; undone and false when what is tied already does not give way.
@@ -94,15 +93,14 @@ bool tied(KeyGraph& graph, std::uint32_t scan, const Fit& fit) {
   const std::vector<Pose2> before = graph.poses();
   graph.tie(scan, static_cast<std::uint32_t>(graph.keys.size() - 1), fit.pose,
             fit.information + diagonal<3>({1.0, 1.0, 1.0}));
-  graph.relax();
-  if (graph.tension() <= most_tension) return true;
+  if (graph.relax() && graph.tension() <= most_tension) return true;
   graph.untie(before);
   return false;
 }
 
 }  // namespace
 
-bool LoopSearch::close(KeyGraph& graph) {
+bool LoopSearch::close(KeyGraph& graph, double reach_sd) {
   const KeyScan& last = graph.keys.back();
   if (last.way_m - tried_at_m < try_every_m) return false;
   tried_at_m = last.way_m;
@@ -115,7 +113,7 @@ bool LoopSearch::close(KeyGraph& graph) {
     const Pose2 here = graph.keys.back().pose;  // relaxing moves it
     const auto fit =
         recognised(map_of_visit(graph, scan), query, {here, reach_m, turn_rad, reach_m, turn_rad});
-    if (!fit || !believable(graph.keys.back(), fit->pose) || !tied(graph, scan, *fit)) continue;
+    if (!fit || !believable(graph.keys.back(), fit->pose, reach_sd) || !tied(graph, scan, *fit)) continue;
     any = true;
     ++closed;
   }

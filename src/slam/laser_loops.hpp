@@ -14,8 +14,9 @@ struct LoopSearch {
   std::size_t closed = 0;
   double tried_at_m = 0.0;  ///< way driven at the last search
 
-  /// Ties the last scan to earlier visits and relaxes the graph; true when it did.
-  bool close(KeyGraph& graph);
+  /// Ties the last scan to earlier visits and relaxes the graph; true when it did. What lies farther from
+  /// where it is believed to be than `reach_sd` standard deviations is a look-alike.
+  bool close(KeyGraph& graph, double reach_sd);
 };
 
 }  // namespace outrider

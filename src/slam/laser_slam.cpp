@@ -6,7 +6,7 @@
 
 #include "laser_loops.hpp"
 #include "odometry_bias.hpp"
-#include "outrider/core/units.hpp"
+#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint32_t recent_keys = 10;
 constexpr int recent_group = 0;
 constexpr int earlier_group = 1;
 
-bool finite(const Pose2& pose) {
+bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
   return std::abs(pose.position.x) <= most && std::abs(pose.position.y) <= most &&
          std::abs(pose.heading_rad) <= most;
@@ -75,10 +75,10 @@ struct LaserSlam::State {
   Driven unkept;       ///< since a scan was last kept
   bool blind = false;  ///< the last scan saw next to nothing
 
-  [[nodiscard]] Pose2 since_key() const {
-    const Pose2 motion = between(graph.keys.back().pose, pose);
-    return {motion.position, wrap_angle(motion.heading_rad)};
-  }
+  State(const LaserSlamOptions& given, const Pose2& start)
+      : options(given), pose(start), map(given.map), before_keys{start} {}
+
+  [[nodiscard]] Pose2 since_key() const { return seen_from(graph.keys.back().pose, pose); }
   void move(const Pose2& motion);
   [[nodiscard]] std::optional<Fit> match(const Surface& surface) const;
   void see(const LaserScan& scan, Surface surface, LaserSlamStep& step);
@@ -98,6 +98,9 @@ std::vector<Option> describe(LaserSlamOptions& o) {
        &o.trust_odometry},
       {"draw_late", "", 0, 0, "draw the map at the end only", &o.draw_late},
       {"close_loops", "", 0, 0, "recognise places that come again", &o.close_loops},
+      {"loop_reach", "", 0.01, 100,
+       "how far from where it believes that they are, in standard deviations of the bound of its pose",
+       &o.loop_reach_sd},
       {"learn_odometry", "", 0, 0, "learn from the scans what odometry always counts wrong",
        &o.learn_odometry},
       {"reach", "m", 0.5, 200, "how far readings are matched", &o.reach_m},
@@ -116,15 +119,14 @@ std::vector<Option> describe(LaserSlamOptions& o) {
 }
 
 Outcome<LaserSlam> LaserSlam::begin(const LaserSlamOptions& options, const Pose2& start) {
-  if (!finite(start)) return bad_input("the start is not finite; give x, y and heading", "start");
+  if (!in_the_world(start)) return bad_input("the start is not finite; give x, y and heading", "start");
   LaserSlamOptions held = options;
   for (const std::vector<Option>& group : {describe(held), describe(held.map)}) {
     for (const Option& option : group) {
       if (auto ok = assign(option, value_text(option)); !ok) return pass_on(ok);
     }
   }
-  return LaserSlam(std::make_unique<State>(
-      State{options, start, OccupancyMap(options.map), {}, {}, {start}, {}, {}, {}, {}, {}, {}, {}}));
+  return LaserSlam(std::make_unique<State>(options, start));
 }
 
 LaserSlam::LaserSlam(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -286,7 +288,7 @@ void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep
   if (is_key()) {
     if (fit) learn(*fit);
     add_key(scan, std::move(surface), fit);
-    step.closed_loop = options.close_loops && loops.close(graph);
+    step.closed_loop = options.close_loops && loops.close(graph, options.loop_reach_sd);
     pose = graph.keys.back().pose;
     gather();
     if (!options.draw_late) drawn.push_back(pose);
@@ -296,7 +298,7 @@ void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep
 
 Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& scan) {
   State& s = *state_;
-  if (!finite(motion) || !finite(composed(s.pose, motion))) {
+  if (!in_the_world(motion) || !in_the_world(composed(s.pose, motion))) {
     return bad_input("the motion is not finite or leads out of the world; leave it out");
   }
   LaserSlamStep step;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "grid_ray.hpp"
+#include "outrider/world/grid_ray.hpp"
 
 namespace outrider {
 namespace {
@@ -57,18 +57,6 @@ Beams beams_of(const Pose2& world_T_laser, const LaserScan& scan, double resolut
   }
   beams.usable = !beams.all.empty();
   return beams;
-}
-
-template <class T>
-std::vector<T> moved_cells(const std::vector<T>& cells, const GridFrame& from, const GridFrame& to, Cell by,
-                           T rest) {
-  std::vector<T> result(to.size(), rest);
-  for (int y = 0; y < from.height; ++y) {
-    const auto row = cells.begin() + static_cast<std::ptrdiff_t>(from.index({0, y}));
-    std::copy(row, row + from.width,
-              result.begin() + static_cast<std::ptrdiff_t>(to.index({by.x, y + by.y})));
-  }
-  return result;
 }
 
 int block_below(int cell) { return (cell >= 0 ? cell : cell - block_cells + 1) / block_cells * block_cells; }

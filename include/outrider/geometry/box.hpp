@@ -24,6 +24,10 @@ struct Box2 {
   [[nodiscard]] constexpr bool contains(Vec2 p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
+  /// 0 inside.
+  [[nodiscard]] double distance_to(Vec2 p) const {
+    return norm(Vec2{std::max({0.0, low.x - p.x, p.x - high.x}), std::max({0.0, low.y - p.y, p.y - high.y})});
+  }
   [[nodiscard]] constexpr bool overlaps(const Box2& o) const {
     return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y;
   }

@@ -12,6 +12,8 @@ struct Pose2 {
   friend bool operator==(const Pose2&, const Pose2&) = default;
 };
 
+inline bool finite(const Pose2& pose) { return finite(pose.position) && std::isfinite(pose.heading_rad); }
+
 struct Pose3 {
   Vec3 position;
   Rotation rotation;

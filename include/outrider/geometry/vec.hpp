@@ -27,6 +27,16 @@ inline double distance(Vec2 a, Vec2 b) { return norm(b - a); }
 constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 inline double heading_of(Vec2 a) { return std::atan2(a.y, a.x); }
 inline Vec2 direction(double heading_rad) { return {std::cos(heading_rad), std::sin(heading_rad)}; }
+/// A vector of a frame with that heading, in the parent's frame; and back.
+inline Vec2 rotated(double heading_rad, Vec2 v) {
+  const Vec2 x = direction(heading_rad);
+  return {x.x * v.x - x.y * v.y, x.y * v.x + x.x * v.y};
+}
+inline Vec2 unrotated(double heading_rad, Vec2 v) {
+  const Vec2 x = direction(heading_rad);
+  return {x.x * v.x + x.y * v.y, -x.y * v.x + x.x * v.y};
+}
+inline bool finite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 struct Vec3 {
   double x = 0.0;

@@ -32,6 +32,7 @@ struct LaserSlamOptions {
   bool trust_odometry = false;  ///< poses are those of the odometry: mapping alone
   bool draw_late = false;       ///< the map is drawn by settle() only
   bool close_loops = true;
+  double loop_reach_sd = 2.5;    ///< a place is recognised within so many of the bound's standard deviations
   bool learn_odometry = false;   ///< what it always counts wrong is learnt from the scans
   double reach_m = 30.0;         ///< readings up to here are matched; the map has them all
   double key_distance_m = 0.25;  ///< a scan is kept after this way or turn

@@ -71,6 +71,20 @@ constexpr Matrix<Columns, Rows> transposed(const Matrix<Rows, Columns>& a) {
   return result;
 }
 
+/// Whether all is finite and the two halves are alike but for rounding, which follows the diagonal: turning a
+/// diagonal matrix leaves nothing else of them.
+template <std::size_t N>
+bool symmetric(const Matrix<N, N>& a) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double size = std::abs(a(i, i)) + std::abs(a(j, j));
+      if (!(std::abs(a(i, j) - a(j, i)) <= rounding * size)) return false;
+    }
+  }
+  return true;
+}
+
 /// The lower triangle C with C C^T = a; nothing unless `a`, of which the lower triangle is read, is positive
 /// definite.
 template <std::size_t N>
@@ -127,16 +141,6 @@ constexpr double quadratic_form(const Matrix<N, N>& a, const std::array<double, 
 inline Matrix2 rotation2(double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {{c, -s, s, c}};
-}
-
-/// A vector of a frame with that heading, in the parent's frame; and back.
-inline Vec2 rotated(double heading_rad, Vec2 v) {
-  const Vec2 x = direction(heading_rad);
-  return {x.x * v.x - x.y * v.y, x.y * v.x + x.x * v.y};
-}
-inline Vec2 unrotated(double heading_rad, Vec2 v) {
-  const Vec2 x = direction(heading_rad);
-  return {x.x * v.x + x.y * v.y, -x.y * v.x + x.x * v.y};
 }
 
 }  // namespace outrider

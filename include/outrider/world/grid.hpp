@@ -4,6 +4,7 @@
 // is the lowest: images and MovingAI files, whose first row is the top, are flipped when read.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,21 @@ inline GridFrame covering(const Box2& box, double resolution_m) {
       0.5 * (box.low + box.high) -
       0.5 * resolution_m * Vec2{static_cast<double>(frame.width), static_cast<double>(frame.height)};
   return frame;
+}
+
+/// What was at c stands at c + shift of the other frame, where that is in it; elsewhere `rest`. O(cells).
+template <class T>
+std::vector<T> moved_cells(const std::vector<T>& cells, const GridFrame& from, const GridFrame& to,
+                           Cell shift, T rest) {
+  std::vector<T> moved(to.size(), rest);
+  const int begin = std::max(0, -shift.x), end = std::min(from.width, to.width - shift.x);
+  if (begin >= end) return moved;
+  for (int y = std::max(0, -shift.y); y < std::min(from.height, to.height - shift.y); ++y) {
+    const auto at = [](std::size_t index) { return static_cast<std::ptrdiff_t>(index); };
+    std::copy_n(cells.begin() + at(from.index({begin, y})), end - begin,
+                moved.begin() + at(to.index({begin + shift.x, y + shift.y})));
+  }
+  return moved;
 }
 
 template <class T>

@@ -79,6 +79,37 @@ TEST(Box2, GrowsFromNothing) {
   EXPECT_EQ(box.grown(1.0).size(), (Vec2{4, 5}));
 }
 
+TEST(Box2, DistanceIsToTheNearestPointOfIt) {
+  Rng rng(3);
+  const Box2 box{{-1, 2}, {1, 5}};
+  for (int i = 0; i < 50; ++i) {
+    const Vec2 p{rng.uniform(-4, 4), rng.uniform(-1, 8)};
+    double least = box.contains(p) ? 0.0 : 1e9;
+    for (int x = -100; x <= 100; ++x) {
+      for (int y = 200; y <= 500; ++y) least = std::min(least, distance(p, {0.01 * x, 0.01 * y}));
+    }
+    EXPECT_NEAR(box.distance_to(p), least, 0.01);
+  }
+}
+
+TEST(Pose2, IsFiniteWhereAllOfItIs) {
+  EXPECT_TRUE(finite(Pose2{{1, -2}, 3}));
+  for (const double odd : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    EXPECT_FALSE(finite(Pose2{{odd, 0}, 0}));
+    EXPECT_FALSE(finite(Pose2{{0, odd}, 0}));
+    EXPECT_FALSE(finite(Pose2{{0, 0}, odd}));
+  }
+}
+
+TEST(Vec2, RotatedIsByTheHeading) {
+  for (double heading = -3.0; heading < 3.1; heading += 0.3) {
+    const Vec2 v{2.0, -0.5}, turned = rotated(heading, v);
+    EXPECT_NEAR(norm(turned), norm(v), 1e-12);
+    EXPECT_NEAR(std::remainder(heading_of(turned) - heading_of(v) - heading, 2.0 * pi), 0.0, 1e-12);
+    EXPECT_LT(norm(unrotated(heading, turned) - v), 1e-12);
+  }
+}
+
 TEST(Box3, KeepsItsShadow) {
   Box3 box;
   box.include({1, 2, 3});

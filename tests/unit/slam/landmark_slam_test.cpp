@@ -8,6 +8,7 @@
 #include "outrider/slam/localiser.hpp"
 #include "outrider/slam/pose_graph.hpp"
 #include "outrider/slam/tag_course.hpp"
+#include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -309,7 +310,7 @@ TEST(LandmarkSlam, WithoutIdsJointCompatibilityTellsTheTagsApart) {
 /// say: the normalised squared error of the last pose lies within the 95 % band of its mean, that of a tag
 /// within the 99.9 % band.
 TEST(LandmarkSlam, TagsStandWithinFiveCentimetresAndTheirEllipsesAreHonest) {
-  constexpr int seeds = 20;
+  const int seeds = testing::part_of(20);
   std::vector<TagCourse> courses = {{4, 1}, {8, 1}};
   if (testing::cases(1) > 1) courses = {{4, 1}, {4, 2}, {8, 1}, {8, 2}};
   for (const TagCourse course : courses) {
@@ -317,8 +318,8 @@ TEST(LandmarkSlam, TagsStandWithinFiveCentimetresAndTheirEllipsesAreHonest) {
       std::map<std::int64_t, Vec2> error;
       std::map<std::int64_t, double> tag_nees;
       double pose_nees = 0.0;
-      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const TagRun run = tag_run(seed, course);
+      for (int seed = 1; seed <= seeds; ++seed) {
+        const TagRun run = tag_run(static_cast<std::uint64_t>(seed), course);
         LandmarkSlamOptions options;
         options.engine = engine;
         LandmarkSlam slam = after(options, run.log);
@@ -335,6 +336,7 @@ TEST(LandmarkSlam, TagsStandWithinFiveCentimetresAndTheirEllipsesAreHonest) {
         pose_nees += quadratic_form(*inverse_of_positive(slam.pose_covariance()),
                                     {off.x, off.y, wrap_angle(estimate.heading_rad - truth.heading_rad)});
       }
+      if (!testing::in_full()) continue;
       for (const auto& [id, sum] : error) {
         EXPECT_LE(sum.x / seeds, 0.05) << engine << " " << course.sides << " x " << course.laps;
         EXPECT_LE(sum.y / seeds, 0.05) << engine << " " << course.sides << " x " << course.laps;

@@ -48,6 +48,23 @@ TEST(GridFrame, CoveringIsCentredAndTheSmallest) {
   EXPECT_EQ(covering({{-10, -10}, {10, 10}}, 0.1).width, 200) << "rounding adds no column";
 }
 
+TEST(GridFrame, CellsMoveWithTheirValues) {
+  Rng rng(2);
+  const auto side = [&] { return static_cast<int>(rng.below(6)); };
+  for (int i = 0; i < 200; ++i) {
+    const GridFrame from{{}, 1.0, side(), side()}, to{{}, 1.0, side(), side()};
+    const Cell shift{side() - 3, side() - 3};
+    std::vector<int> cells(from.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = static_cast<int>(k);
+    const std::vector<int> moved = moved_cells(cells, from, to, shift, -1);
+    ASSERT_EQ(moved.size(), to.size());
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      const Cell before{to.cell(k).x - shift.x, to.cell(k).y - shift.y};
+      EXPECT_EQ(moved[k], from.contains(before) ? cells[from.index(before)] : -1);
+    }
+  }
+}
+
 TEST(Grid, HoldsAValueACell) {
   Grid<int> grid(GridFrame{{0, 0}, 1.0, 3, 2}, 7);
   EXPECT_EQ((grid[{2, 1}]), 7);

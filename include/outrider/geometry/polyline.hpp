@@ -1,0 +1,13 @@
+// Polylines: points joined by straight legs.
+#pragma once
+
+#include <vector>
+
+#include "outrider/geometry/vec.hpp"
+
+namespace outrider {
+
+/// Sum of the legs, m; 0 of fewer than two points. O(points).
+double length_of(const std::vector<Vec2>& points);
+
+}  // namespace outrider
