@@ -4,16 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "outrider/geometry/polyline.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double there_m = 0.01;
-
-double length_of(const std::vector<Vec2>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-  return length;
-}
 
 /// The point of the path that lies so far along it.
 Vec2 point_at(const std::vector<Vec2>& points, double along_m) {

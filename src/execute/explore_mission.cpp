@@ -15,10 +15,8 @@ namespace {
 constexpr double arrived_m = 0.03;  ///< of the end of a path
 constexpr double moved_m = 0.04, turned_rad = 0.3;
 constexpr double nearby_m = 0.9;
-
-bool finite(const Pose2& pose) {
-  return std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(pose.heading_rad);
-}
+constexpr double here_m = 0.5;
+constexpr double elsewhere_m = 20.0;  ///< driven between two times stuck that have nothing in common
 
 /// Whether anything can be read off it.
 bool usable(const LaserScan& scan) {
@@ -48,9 +46,10 @@ void moved_on(ExploreMission& mission) {
   mission.moved_on_s = mission.time_s;
 }
 
-/// Before it goes home the map is brought to its best, which may show that something is left to see.
-bool settled(ExploreMission& mission) {
-  if (mission.settled) return true;
+/// Whether the map was brought to its best lately; else it will be, with the next scan. Before the robot goes
+/// home that may show that something is left to see, and when it believes that it is home, that it is not.
+bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<double>::infinity()) {
+  if (mission.settled_m && mission.driven_m - *mission.settled_m <= lately_m) return true;
   mission.wants_settling = true;
   mission.path.reset();
   return false;
@@ -63,6 +62,10 @@ void turn_home(ExploreMission& mission, const ExploreTask& task, const std::stri
   mission.stop_reason = stop_reason;
   mission.reason = reason;
   mission.home = distance(mission.pose.position, task.start.position) <= task.rules.home_within_m;
+  if (task.rules.return_home && mission.home && !settled(mission, here_m)) {
+    mission.arriving = true;
+    return;
+  }
   if (!task.rules.return_home || mission.home) return end(mission, stop_reason, reason);
   auto way = way_to(state_of(mission, task), task.start.position, task.explore, mission.workspace);
   if (!way) return end(mission, "stuck", "there is no way home: " + way.error().sentence);
@@ -82,7 +85,7 @@ void take(ExploreMission& mission, Decision decision, const ExploreTask& task) {
     return turn_home(mission, task, "leak", mission.decision.sentence);
   if (elsewhere) {
     ++mission.goal_changes;
-    mission.settled = false;
+    mission.settled_m.reset();
     moved_on(mission);
     say(mission, "goal", mission.decision.sentence);
   }
@@ -137,7 +140,7 @@ void decide_anew(ExploreMission& mission, const ExploreTask& task) {
         mission, task, "budget",
         fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
   }
-  if (mission.stage == ExploreStage::go_home && mission.stop_reason != "complete")
+  if (mission.arriving || (mission.stage == ExploreStage::go_home && mission.stop_reason != "complete"))
     return turn_home(mission, task, mission.stop_reason, mission.reason);
   // Looked at from where it was to be seen, and still there: it will not be seen.
   if (arrived && mission.frontiers.frontiers().contains(goal))
@@ -149,13 +152,16 @@ void decide_anew(ExploreMission& mission, const ExploreTask& task) {
 
 /// Goes back along the way it came, and leaves the goal out for a while.
 void back_off(ExploreMission& mission, const ExploreTask& task) {
+  if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
+  mission.stuck_m = mission.driven_m;
   ++mission.stuck;
+  ++mission.stuck_here;
   say(mission, mission.touching ? "touch" : "stuck",
       fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
                   mission.pose.position.y,
                   mission.touching ? "something was touched" : "it does not move on"));
-  if (mission.stuck > task.rules.most_stuck)
-    return end(mission, "stuck", fmt::format("it got stuck {} times", mission.stuck));
+  if (mission.stuck_here > task.rules.most_stuck)
+    return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
   if (mission.stage == ExploreStage::seek && mission.path)
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
   std::vector<Vec2> way = {mission.pose.position};
@@ -217,10 +223,20 @@ void learn(ExploreMission& mission, MapUpdate update) {
   mission.looked = true;
 }
 
+/// Tells the frontiers. A map of which much has changed is thought over with the next scan.
+void take_news(ExploreMission& mission, const ExploreTask& task) {
+  const bool first = mission.decisions == 0;
+  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.news);
+  mission.news = {};
+  if (!much || first) return;
+  refresh_sights(mission.frontiers, task.explore);
+  mission.looked = false;
+}
+
 void settle(ExploreMission& mission) {
   mission.slam.settle();
   mission.wants_settling = false;
-  mission.settled = true;
+  mission.settled_m = mission.driven_m;
   learn(mission, {true, {}});
 }
 
@@ -294,10 +310,7 @@ std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTas
     end(mission, "blind", fmt::format("no scan that could be used came for {:.1f} s", blind_s));
     return std::nullopt;
   }
-  if (mission.looked) {
-    mission.frontiers.update(mission.slam.map().occupancy(), mission.news);
-    mission.news = {};
-  }
+  if (mission.looked) take_news(mission, task);
   const Twist2 twist = drive(mission, task);
   mission.looked = false;
   if (mission.stage == ExploreStage::over) {

@@ -70,8 +70,8 @@ struct Session {
 class Pursuer {
  public:
   Pursuer(const PursuitProblem& truth, const std::vector<Cell>& robots, const PursuitRules& rules,
-          StopWatch& watch)
-      : truth_(truth), rules_(rules), watch_(watch), belief_(truth, rules) {
+          StopWatch& watch, const std::function<void(const PursuitRun&)>& look)
+      : truth_(truth), rules_(rules), watch_(watch), look_(look), belief_(truth, rules) {
     run.mission = begin_pursuit(robots);
   }
 
@@ -85,6 +85,7 @@ class Pursuer {
       }
       if (settled_) {
         pass_second(mission, truth_);
+        show();
         continue;
       }
       const double planning_s = call();
@@ -93,6 +94,7 @@ class Pursuer {
       const bool taken = step(mission, truth_, belief_.believed, proposals(),
                               rules_.clock == PursuitClock::wall ? planning_s : 0.0);
       note();
+      show();
       settle(taken, planning_s);
     }
     return {};
@@ -101,6 +103,13 @@ class Pursuer {
   PursuitRun run;
 
  private:
+  /// What looking takes is not charged.
+  void show() {
+    if (!look_) return;
+    look_(run);
+    watch_.lap_s();
+  }
+
   void open_sessions() {
     sessions_.clear();
     for (std::size_t i = 0; i < run.mission.robots.size(); ++i) {
@@ -201,6 +210,7 @@ class Pursuer {
     if (run.calls > 1 || sessions_.size() > 1 || !belief_.is_certain()) return;
     const auto cost = session.answer ? std::optional(session.answer->cost) : std::nullopt;
     run.moments.push_back({run.mission.time_s, run.planning_s, run.expansions, cost, session.lower_bound});
+    show();
   }
 
   void note() {
@@ -245,6 +255,7 @@ class Pursuer {
   const PursuitProblem& truth_;
   const PursuitRules& rules_;
   StopWatch& watch_;
+  const std::function<void(const PursuitRun&)>& look_;
   Belief belief_;
   std::vector<Session> sessions_;
   int lead_s_ = 0;
@@ -255,13 +266,14 @@ class Pursuer {
 }  // namespace
 
 Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>& robots,
-                           const PursuitRules& rules, StopWatch& watch) {
+                           const PursuitRules& rules, StopWatch& watch,
+                           const std::function<void(const PursuitRun&)>& look) {
   for (const Cell robot : robots) {
     PursuitProblem problem = truth;
     problem.start = robot;
     if (auto ok = check(problem); !ok) return pass_on(ok);
   }
-  Pursuer pursuer(truth, robots, rules, watch);
+  Pursuer pursuer(truth, robots, rules, watch, look);
   watch.lap_s();
   if (auto ok = pursuer.go(); !ok) return pass_on(ok);
   return std::move(pursuer.run);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "outrider/explore/catalog.hpp"
+#include "outrider/geometry/polyline.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/line_of_sight.hpp"
 #include "reach.hpp"
@@ -52,12 +53,6 @@ Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridGround>& 
   for (const Cell cell : pulled(*ground, plan->vertices)) way.push_back(ground->point(cell));
   if (way.size() > 2 && *start == ground->frame.cell_at(from)) way.erase(way.begin() + 1);
   return way;
-}
-
-double length_of(const std::vector<Vec2>& way) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum += distance(way[i - 1], way[i]);
-  return sum;
 }
 
 std::optional<Decision> leaked(const ExploreState& state, const ExploreOptions& options) {

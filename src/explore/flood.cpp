@@ -48,33 +48,41 @@ void Flood::clear(const Grid<std::uint8_t>& blocks) {
   touched_.clear();
   if (cost_.size() != blocks.cells.size()) cost_.assign(blocks.cells.size(), far);
   for (auto& bucket : buckets_) bucket.clear();
+  next_ = 0;
+}
+
+void Flood::begin(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls) {
+  near_factor_ = walls == Walls::are_shunned ? 2 : 1;
+  clear(blocks);
+  reach(from, 0);
+}
+
+bool Flood::advance(const Grid<std::uint8_t>& blocks, std::uint32_t cost) {
+  const std::array<Step, 8> steps = steps_of(blocks.frame.width);
+  for (std::size_t empty = 0; next_ < cost; ++next_) {
+    std::vector<std::uint32_t>& bucket = buckets_[next_ % buckets_.size()];
+    empty = bucket.empty() ? empty + 1 : 0;
+    if (empty == buckets_.size()) return false;
+    // A step costs from 5 to 14, so nothing joins the bucket in hand.
+    for (const std::uint32_t block : bucket) {
+      if (cost_[block] != next_) continue;
+      const std::uint8_t* const here = at(blocks, block);
+      for (const Step& step : steps) {
+        if (!passes(here, step)) continue;
+        reach(static_cast<std::uint32_t>(block + step.to), next_ + price(here[step.to], step, near_factor_));
+      }
+    }
+    bucket.clear();
+  }
+  return true;
 }
 
 void Flood::run(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls,
                 const std::vector<std::uint32_t>& goals) {
-  near_factor_ = walls == Walls::are_shunned ? 2 : 1;
-  clear(blocks);
-  const std::array<Step, 8> steps = steps_of(blocks.frame.width);
-  reach(from, 0);
-  std::size_t empty = 0, waiting = goals.size();
-  for (std::uint32_t cost = 0; empty < buckets_.size(); ++cost) {
-    std::vector<std::uint32_t>& bucket = buckets_[cost % buckets_.size()];
-    empty = bucket.empty() ? empty + 1 : 0;
-    // A step costs from 5 to 14, so nothing joins the bucket in hand.
-    for (const std::uint32_t block : bucket) {
-      if (cost_[block] != cost) continue;
-      const std::uint8_t* const here = at(blocks, block);
-      for (const Step& step : steps) {
-        if (!passes(here, step)) continue;
-        reach(static_cast<std::uint32_t>(block + step.to), cost + price(here[step.to], step, near_factor_));
-      }
-    }
-    bucket.clear();
-    if (goals.empty() || cost % 64 != 0) continue;
-    waiting = static_cast<std::size_t>(
-        std::count_if(goals.begin(), goals.end(), [&](std::uint32_t goal) { return cost_[goal] > cost; }));
-    if (waiting == 0) return;
-  }
+  begin(blocks, from, walls);
+  const auto is_settled = [&](std::uint32_t goal) { return settled(goal); };
+  std::uint32_t until = goals.empty() ? far : 1;
+  while (advance(blocks, until) && !std::ranges::all_of(goals, is_settled)) until += 64;
 }
 
 std::uint32_t Flood::towards(const Grid<std::uint8_t>& blocks, std::uint32_t block,

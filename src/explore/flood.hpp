@@ -24,6 +24,10 @@ class Flood {
 
   enum class Walls : std::uint8_t { do_not_matter, are_shunned };
 
+  /// Begins at a block.
+  void begin(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls);
+  /// Goes on to all blocks nearer than `cost`; false when no others are reached.
+  bool advance(const Grid<std::uint8_t>& blocks, std::uint32_t cost);
   /// From a block to all that it reaches, or until all of the goals are reached, if there are any.
   void run(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls,
            const std::vector<std::uint32_t>& goals = {});
@@ -33,6 +37,10 @@ class Flood {
 
   /// In fifths of a block; far where it was not reached, or not yet.
   [[nodiscard]] std::uint32_t cost(std::uint32_t block) const { return cost_[block]; }
+  /// Whether cost() is that of the shortest way.
+  [[nodiscard]] bool settled(std::uint32_t block) const { return cost_[block] < next_; }
+  /// Blocks reached so far.
+  [[nodiscard]] std::size_t reached() const { return touched_.size(); }
   /// The first block on a way from the start to that one which costs no less than `from_start`.
   [[nodiscard]] std::uint32_t towards(const Grid<std::uint8_t>& blocks, std::uint32_t block,
                                       std::uint32_t from_start) const;
@@ -43,6 +51,7 @@ class Flood {
   std::vector<std::uint32_t> cost_;  // far but for `touched_`
   std::vector<std::uint32_t> touched_;
   std::uint32_t near_factor_ = 1;
+  std::uint32_t next_ = 0;  // cost of the bucket that comes next
   std::array<std::vector<std::uint32_t>, 16> buckets_;
 };
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "beside.hpp"
-#include "move_cells.hpp"
 
 namespace outrider {
 namespace {
@@ -168,7 +167,7 @@ bool FrontierMap::borders(std::uint32_t cell) const {
          known[cell - row] == unknown_cell || known[cell + row] == unknown_cell;
 }
 
-void FrontierMap::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update) {
+bool FrontierMap::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update) {
   const GridFrame before = frame();
   const KnownGround::Change change = ground_.update(occupancy, update);
   if (change.reframed) reframe(before, change);
@@ -197,6 +196,8 @@ void FrontierMap::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& u
   }
   sort_anew(groups, std::move(cells));
   pursued_ = false;
+  constexpr std::size_t many = 5000;
+  return change.reframed || change.cells.size() > many;
 }
 
 void FrontierMap::pursue(std::uint32_t frontier) {
@@ -208,7 +209,9 @@ void FrontierMap::pursue(std::uint32_t frontier) {
   std::sort(unknown.begin(), unknown.end());
   unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
   for (const std::uint32_t cell : unknown) {
-    if (!given_up(cell)) ++pursuits_[cell];
+    if (given_up(cell)) continue;
+    ++pursuits_[cell];
+    if (given_up(cell)) ground_.touch(cell);
   }
 }
 
@@ -251,7 +254,7 @@ void FrontierMap::sort_anew(const std::set<std::uint32_t>& groups, std::vector<s
 /// Cells are counted otherwise from now on.
 void FrontierMap::reframe(const GridFrame& before, const KnownGround::Change& change) {
   owner_.assign(frame().size(), 0);
-  move_cells(pursuits_, before, frame(), change.shift, std::uint16_t{0});
+  pursuits_ = moved_cells(pursuits_, before, frame(), change.shift, std::uint16_t{0});
   std::map<std::uint32_t, Frontier> kept;
   kept.swap(frontiers_);
   if (change.anew) {

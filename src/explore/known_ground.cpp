@@ -5,12 +5,13 @@
 #include <optional>
 #include <tuple>
 
-#include "move_cells.hpp"
-
 namespace outrider {
 namespace {
 
+constexpr int tile_cells = 16;
 constexpr int least_border = 32;  // cells between the map and the edge of a new frame
+
+int tiles(int cells) { return (cells + tile_cells - 1) / tile_cells; }
 
 /// The cell of `to` that is cell (0, 0) of `from`, when both lie on one lattice.
 std::optional<Cell> shift_between(const GridFrame& from, const GridFrame& to) {
@@ -62,6 +63,7 @@ KnownGround::KnownGround(const KnownGroundOptions& options, double radius_m)
 
 KnownGround::Change KnownGround::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update) {
   Change change;
+  ++clock_;
   const auto place = shift_between(occupancy.frame, known_.frame);
   const Cell far{occupancy.frame.width + 1, occupancy.frame.height + 1};
   const bool fits = place && place->x >= 2 && place->y >= 2 && known_.contains(sum(*place, far));
@@ -104,9 +106,9 @@ void KnownGround::reframe(const GridFrame& frame, Cell shift) {
   const double touch = per_cell * (radius_m_ + options_.margin_m) + 1e-9;
   disk_ = disk_of(touch + per_cell * options_.near_m);
   touch_ = disk_of(touch).size();
-  move_cells(known_.cells, before, frame, shift, static_cast<std::uint8_t>(unknown_cell));
-  move_cells(touching_, before, frame, shift, std::uint16_t{0});
-  move_cells(near_, before, frame, shift, std::uint16_t{0});
+  known_.cells = moved_cells(known_.cells, before, frame, shift, static_cast<std::uint8_t>(unknown_cell));
+  touching_ = moved_cells(touching_, before, frame, shift, std::uint16_t{0});
+  near_ = moved_cells(near_, before, frame, shift, std::uint16_t{0});
   if (before.size() == 0) {
     lowest_ = {0, 0};
     highest_ = {-1, -1};
@@ -120,6 +122,7 @@ void KnownGround::reframe(const GridFrame& frame, Cell shift) {
   halved.width /= 2;
   halved.height /= 2;
   blocks_ = Grid<std::uint8_t>(halved, no_block);
+  tiles_.assign(std::size_t(tiles(frame.width)) * std::size_t(tiles(frame.height)), clock_);
   grid_.reset();
   stale_.clear();
   for (std::uint32_t cell = 0; cell < frame.size(); ++cell) {
@@ -163,9 +166,27 @@ std::uint32_t KnownGround::block_of(std::uint32_t cell) const {
   return static_cast<std::uint32_t>(blocks_.frame.index({c.x / 2, c.y / 2}));
 }
 
-/// Brings the blocks up to date with the stale cells from that one on.
+std::uint64_t& KnownGround::tile_of(Cell cell) {
+  const int row = cell.y / tile_cells * tiles(known_.frame.width);
+  return tiles_[static_cast<std::size_t>(row + cell.x / tile_cells)];
+}
+
+void KnownGround::touch(std::uint32_t cell) { tile_of(known_.frame.cell(cell)) = ++clock_; }
+
+std::uint64_t KnownGround::changed_within(Cell low, Cell high) const {
+  const int across = tiles(known_.frame.width), up = tiles(known_.frame.height);
+  std::uint64_t last = 0;
+  for (int y = std::max(0, low.y / tile_cells); y <= std::min(up - 1, high.y / tile_cells); ++y) {
+    for (int x = std::max(0, low.x / tile_cells); x <= std::min(across - 1, high.x / tile_cells); ++x)
+      last = std::max(last, tiles_[static_cast<std::size_t>(y * across + x)]);
+  }
+  return last;
+}
+
+/// Brings the blocks and the tiles up to date with the stale cells from that one on.
 void KnownGround::settle(std::size_t from) {
   for (std::size_t i = from; i < stale_.size(); ++i) {
+    tile_of(known_.frame.cell(stale_[i])) = clock_;
     const std::uint32_t block = block_of(stale_[i]);
     const Cell at = blocks_.frame.cell(block);
     bool is_free = false, is_wide = false;

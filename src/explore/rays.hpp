@@ -2,35 +2,19 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "outrider/core/units.hpp"
-#include "outrider/world/grid.hpp"
+#include "outrider/world/grid_ray.hpp"
 
 namespace outrider {
 
 /// visit(cell) for each cell that the straight way from the centre of one cell through the centre of another
-/// meets, from the one after `from` on, until visit says false. Where the way passes a corner exactly, the
-/// next cell is the one across it. Source: Amanatides and Woo (1987), in whole numbers.
+/// meets, from the one after `from` on, until visit says false.
 template <class Visit>
 void walk_ray(Cell from, Cell through, Visit visit) {
-  const std::int64_t dx = std::abs(through.x - from.x), dy = std::abs(through.y - from.y);
-  const int step_x = through.x > from.x ? 1 : -1, step_y = through.y > from.y ? 1 : -1;
-  std::int64_t ahead = dy - dx;
-  for (Cell cell = from; dx + dy > 0;) {
-    const std::int64_t before = ahead;
-    if (before <= 0) {
-      cell.x += step_x;
-      ahead += 2 * dy;
-    }
-    if (before >= 0) {
-      cell.y += step_y;
-      ahead -= 2 * dx;
-    }
-    if (!visit(cell)) return;
-  }
+  walk_ray(lattice_centre(from), lattice_centre(through),
+           [&](Cell cell) { return cell == from || visit(cell); });
 }
 
 /// Rays of one length in evenly spread directions, as offsets.

@@ -28,13 +28,10 @@ std::vector<std::uint32_t> spread(const std::vector<std::uint32_t>& all, std::si
   return some;
 }
 
-}  // namespace
-
-FrontierSight sight_of(const Frontier& frontier, const FrontierMap& map, double view_m, SightMemory& memory) {
+/// As the ground is now.
+FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory& memory) {
   const KnownGround& ground = map.ground();
   const Grid<std::uint8_t>& known = ground.known();
-  const int reach = static_cast<int>(view_m / known.frame.resolution_m);
-  if (memory.fan.cells != reach) memory.fan = RayFan::of(reach, directions);
   memory.entry.resize(std::max(memory.entry.size(), ground.blocks().cells.size()), 0);
   memory.seats.clear();
   memory.last.clear();
@@ -73,6 +70,32 @@ FrontierSight sight_of(const Frontier& frontier, const FrontierMap& map, double 
   std::sort(sight.seats.begin(), sight.seats.end(),
             [](const Seat& a, const Seat& b) { return a.block < b.block; });
   return sight;
+}
+
+}  // namespace
+
+const FrontierSight& sight_of(const Frontier& frontier, const FrontierMap& map, double view_m,
+                              SightMemory& memory) {
+  const GridFrame& frame = map.frame();
+  const int reach = static_cast<int>(view_m / frame.resolution_m);
+  if (memory.fan.cells != reach) {
+    memory.fan = RayFan::of(reach, directions);
+    memory.known.clear();
+  }
+  const int wide = reach + 1;  // the rays begin beside the frontier
+  const Cell low = frame.cell_at(frontier.bounds.low), high = frame.cell_at(frontier.bounds.high);
+  SightMemory::Known& known = memory.known[frontier.id];
+  const std::uint64_t changed =
+      map.ground().changed_within({low.x - wide, low.y - wide}, {high.x + wide, high.y + wide});
+  if (known.clock < changed || known.cells != frontier.cells) {
+    known = {map.ground().clock(), frontier.cells, made(frontier, map, memory)};
+    ++memory.made;
+  }
+  return known.sight;
+}
+
+void forget_gone(SightMemory& memory, const FrontierMap& map) {
+  std::erase_if(memory.known, [&](const auto& entry) { return !map.frontiers().contains(entry.first); });
 }
 
 double gain_at(Cell from, const Grid<std::uint8_t>& known, const RayFan& fan) {

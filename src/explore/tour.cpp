@@ -1,5 +1,6 @@
 // The first leg of the fastest round through the nearest views.
 #include <algorithm>
+#include <map>
 
 #include "reach.hpp"
 #include "round_trip.hpp"
@@ -11,35 +12,88 @@ namespace {
 constexpr std::size_t most_stops = 12;
 constexpr double unreached_s = 1e6;
 
-/// Seconds; the first leg with its turn. The round ends at home if that is all there is left to see, or
-/// anywhere.
-RoundTrip round_through(const Views& views, const ExploreState& state, Workspace& workspace) {
+/// The ways from a stop to the others, in s by their frontiers.
+struct Row {
+  std::uint64_t made = 0;  ///< for the how-manieth time that any was; 0: never
+  std::map<std::uint32_t, double> seconds;
+};
+
+/// Of one map, kept between calls: the rows by the frontier of their stop, that of home by 0.
+struct TourMemory {
+  std::uint64_t made = 0;
+  std::map<std::uint32_t, Row> rows;
+};
+
+struct Stop {
+  std::uint32_t frontier = 0;
+  std::uint32_t block = 0;
+};
+
+Row row_from(std::uint32_t block, const Views& views, std::size_t count, const ExploreState& state,
+             Flood& flood) {
   const Grid<std::uint8_t>& blocks = state.map.ground().blocks();
   const double per_cost_s = blocks.frame.resolution_m / Flood::per_block / state.robot.speed_mps;
-  RoundTrip round;
-  round.count = std::min(views.views.size(), most_stops);
-  Flood& flood = workspace.get<OtherFlood>().flood;
   std::vector<std::uint32_t> goals;
-  for (std::size_t i = 0; i < round.count; ++i) {
-    goals.push_back(views.views[i].block);
-    round.out.push_back(views.views[i].turn_s + views.views[i].reach_s);
-  }
-  const auto seconds = [&](std::uint32_t block) {
-    return flood.cost(block) == Flood::far ? unreached_s : per_cost_s * flood.cost(block);
-  };
-  for (std::size_t i = 0; i < round.count; ++i) {
-    flood.run(blocks, views.views[i].block, Flood::Walls::do_not_matter, goals);
-    for (std::size_t j = 0; j < round.count; ++j) {
-      double least = unreached_s;
-      for (const std::uint32_t seat : views.views[j].seats) least = std::min(least, seconds(seat));
-      round.between.push_back(least);
+  for (std::size_t i = 0; i < count; ++i) goals.push_back(views.views[i].block);
+  flood.run(blocks, block, Flood::Walls::do_not_matter, goals);
+  Row row;
+  for (std::size_t i = 0; i < count; ++i) {
+    double& least = row.seconds[views.views[i].frontier] = unreached_s;
+    for (const std::uint32_t seat : views.views[i].seats) {
+      if (flood.cost(seat) != Flood::far) least = std::min(least, per_cost_s * flood.cost(seat));
     }
   }
-  round.home.assign(round.count, 0.0);
+  return row;
+}
+
+/// Makes rows anew, those that were never made and the oldest first, as many as a bounded effort lets.
+void renew(std::vector<Stop> stops, const Views& views, std::size_t count, const ExploreState& state,
+           TourMemory& memory, Flood& flood) {
+  constexpr std::size_t most_blocks = 100'000;
+  std::erase_if(memory.rows, [&](const auto& row) {
+    return row.first != 0 && !state.map.frontiers().contains(row.first);
+  });
+  std::stable_sort(stops.begin(), stops.end(), [&](const Stop& a, const Stop& b) {
+    return memory.rows[a.frontier].made < memory.rows[b.frontier].made;
+  });
+  std::size_t reached = 0;
+  for (const Stop& stop : stops) {
+    Row& row = memory.rows[stop.frontier] = row_from(stop.block, views, count, state, flood);
+    row.made = ++memory.made;
+    reached += flood.reached();
+    if (reached > most_blocks) return;
+  }
+}
+
+/// Seconds; the first leg with its turn. The round ends at home if that is all there is left to see, or
+/// anywhere. A way that is not known yet is that past the robot.
+RoundTrip round_through(const Views& views, const ExploreState& state, Workspace& workspace) {
+  RoundTrip round;
+  round.count = std::min(views.views.size(), most_stops);
+  std::vector<Stop> stops;
+  for (std::size_t i = 0; i < round.count; ++i) {
+    stops.push_back({views.views[i].frontier, views.views[i].block});
+    round.out.push_back(views.views[i].turn_s + views.views[i].reach_s);
+  }
   const auto home = free_block_near(state.map.ground(), state.home.position);
-  if (!home || !views.all || round.count < views.views.size()) return round;  // the round ends elsewhere
-  flood.run(blocks, *home, Flood::Walls::do_not_matter, goals);
-  for (std::size_t i = 0; i < round.count; ++i) round.home[i] = seconds(views.views[i].block);
+  const bool ends_at_home = home && views.all && round.count == views.views.size();
+  if (ends_at_home) stops.push_back({0, *home});
+  auto& memory = state.map.memory().get<TourMemory>();
+  renew(stops, views, round.count, state, memory, workspace.get<OtherFlood>().flood);
+
+  const auto way = [&](std::uint32_t from, const View& to, double else_s) {
+    const std::map<std::uint32_t, double>& seconds = memory.rows[from].seconds;
+    const auto known = seconds.find(to.frontier);
+    return known == seconds.end() ? else_s : known->second;
+  };
+  round.home.assign(round.count, 0.0);
+  for (std::size_t i = 0; i < round.count; ++i) {
+    const View& from = views.views[i];
+    for (std::size_t j = 0; j < round.count; ++j) {
+      round.between.push_back(way(from.frontier, views.views[j], from.reach_s + views.views[j].reach_s));
+    }
+    if (ends_at_home) round.home[i] = way(0, from, from.reach_s);
+  }
   return round;
 }
 

@@ -18,17 +18,22 @@ namespace {
 constexpr int gain_rays = 180;
 constexpr double heading_m = 0.5;  // the way begins in the direction of the place so far along it
 
-struct ViewMemory {
-  SightMemory sight;
+struct GainMemory {
   RayFan fan;
 };
 
-/// Of a seat by the flood from the robot, and whether it may be chosen.
+/// A frontier to which the flood from the robot has not come yet.
+struct Ahead {
+  const Frontier* frontier = nullptr;
+  const FrontierSight* sight = nullptr;
+};
+
 struct Finder {
   const ExploreState& state;
   const ExploreOptions& options;
   const Flood& flood;
-  ViewMemory& memory;
+  const RayFan& fan;
+  SightMemory& sights;
   const KnownGround& ground = state.map.ground();
   double per_cost_s = ground.blocks().frame.resolution_m / Flood::per_block / state.robot.speed_mps;
 
@@ -36,12 +41,12 @@ struct Finder {
     return {frontier.id, frontier.centroid, frontier.cells.size(), std::move(reason)};
   }
 
-  /// The seat that is reached first; null when none is, with the ban that keeps the robot off.
+  /// The seat that is reached first; null when none is so far, with the ban that keeps the robot off.
   [[nodiscard]] std::pair<const Seat*, const Ban*> first(const FrontierSight& sight) const {
     const Seat* best = nullptr;
     const Ban* banned = nullptr;
     for (const Seat& seat : sight.seats) {
-      if (flood.cost(seat.block) == Flood::far) continue;
+      if (!flood.settled(seat.block)) continue;
       if (best != nullptr && flood.cost(seat.block) >= flood.cost(best->block)) continue;
       const Ban* ban = state.blacklist.find(centre(seat.cell), state.time_s);
       if (ban == nullptr)
@@ -73,101 +78,128 @@ struct Finder {
       const double turn = wrap_angle(heading_of(begin - state.pose.position) - state.pose.heading_rad);
       made.turn_s = std::abs(turn) / state.robot.turn_rate_radps;
     }
-    made.gain_m2 = gain_at(ground.frame().cell(seat.cell), ground.known(), memory.fan);
+    made.gain_m2 = gain_at(ground.frame().cell(seat.cell), ground.known(), fan);
     return made;
   }
 
-  void look_at(const Frontier& frontier, Views& found) const {
+  /// Refuses a frontier that cannot be seen from anywhere, or keeps it for when the flood comes there.
+  void look_at(const Frontier& frontier, std::vector<Ahead>& ahead, Views& found) const {
     if (std::ranges::all_of(frontier.cells, [&](std::uint32_t cell) { return ground.blocked(cell); })) {
       found.refused.push_back(refusal(frontier, "a crack between walls: the robot fits nowhere into it"));
       return;
     }
-    const FrontierSight sight = sight_of(frontier, state.map, options.view_m, memory.sight);
+    const FrontierSight& sight = sight_of(frontier, state.map, options.view_m, sights);
     if (sight.sample.empty()) {
       found.refused.push_back(
           refusal(frontier, fmt::format("given up after {} tries to see more", options.frontier.patience)));
-      return;
-    }
-    if (sight.seats.empty()) {
+    } else if (sight.seats.empty()) {
       found.refused.push_back(refusal(
           frontier, fmt::format("the robot fits nowhere within {:g} m in sight of it", options.view_m)));
-      return;
+    } else {
+      ahead.push_back({&frontier, &sight});
     }
-    const auto [seat, ban] = first(sight);
+  }
+
+  /// Finds the view of a frontier, or refuses it; false when the flood, which has `more` to reach, has to go
+  /// on.
+  bool settle(const Ahead& ahead, bool more, Views& found) const {
+    const Frontier& frontier = *ahead.frontier;
+    const auto [seat, ban] = first(*ahead.sight);
     if (seat == nullptr) {
+      if (more) return false;
       found.refused.push_back(refusal(
           frontier, ban == nullptr ? std::string("no known way leads to where it would be seen")
                                    : fmt::format("going there failed {} times; left alone until {:.0f} s",
                                                  ban->failures, ban->until_s)));
-      return;
+      return true;
     }
     const double behind =
-        gain_behind(ground.frame().cell(seat->cell), ground.known(), sight.sample, state.range_m);
+        gain_behind(ground.frame().cell(seat->cell), ground.known(), ahead.sight->sample, state.range_m);
     if (behind < options.least_gain_m2) {
       found.refused.push_back(refusal(
           frontier,
           fmt::format("a crack: {:.4f} m2 behind it are less than {:g} m2", behind, options.least_gain_m2)));
-      return;
+    } else {
+      found.views.push_back(view(frontier, *ahead.sight, *seat));
     }
-    found.views.push_back(view(frontier, sight, *seat));
+    return true;
   }
 };
 
-/// From a point to a box.
-double distance_to(const Box2& box, Vec2 p) {
-  return norm(Vec2{std::max({0.0, box.low.x - p.x, p.x - box.high.x}),
-                   std::max({0.0, box.low.y - p.y, p.y - box.high.y})});
+using Distant = std::pair<double, const Frontier*>;
+
+/// The frontiers by a way that no way to a view of them is shorter than, in m.
+std::vector<Distant> by_distance(const ExploreState& state, const ExploreOptions& options) {
+  constexpr double least_ratio = 0.98;  // of the length of a flood's way and the straight one
+  const double slack_m = options.view_m + snap_m + 4.0 * state.map.frame().resolution_m;
+  std::vector<Distant> all;
+  for (const auto& [id, frontier] : state.map.frontiers()) {
+    // The choice before is weighed wherever the robot is by now, or it would swing between two far ones.
+    const double away_m =
+        id == state.before.frontier ? 0.0 : frontier.bounds.distance_to(state.pose.position) - slack_m;
+    all.emplace_back(least_ratio * std::max(0.0, away_m), &frontier);
+  }
+  std::sort(all.begin(), all.end(), [](const Distant& a, const Distant& b) {
+    return std::pair(a.first, a.second->id) < std::pair(b.first, b.second->id);
+  });
+  return all;
+}
+
+/// Lets the flood from the robot go on until enough views are found, or it has reached all.
+void search(const Finder& finder, Flood& flood, bool more, Views& found) {
+  constexpr double stride_m = 2.0;
+  const Grid<std::uint8_t>& blocks = finder.ground.blocks();
+  const double cost_per_m = Flood::per_block / blocks.frame.resolution_m;
+  const std::vector<Distant> frontiers = by_distance(finder.state, finder.options);
+  const auto most = static_cast<std::size_t>(finder.options.most_views);
+  auto next = frontiers.begin();
+  std::vector<Ahead> ahead;
+  bool enough = false;
+  for (double way_m = stride_m; !enough; way_m += stride_m) {
+    more = more && flood.advance(blocks, static_cast<std::uint32_t>(cost_per_m * way_m));
+    for (; next != frontiers.end() && (!more || next->first <= way_m); ++next)
+      finder.look_at(*next->second, ahead, found);
+    std::erase_if(ahead, [&](const Ahead& each) { return finder.settle(each, more, found); });
+    const bool waits = std::ranges::any_of(
+        ahead, [&](const Ahead& each) { return each.frontier->id == finder.state.before.frontier; });
+    enough = !more || (found.views.size() >= most && !waits);
+  }
+  found.all = !more && found.views.size() <= most;
 }
 
 }  // namespace
 
+void refresh_sights(FrontierMap& map, const ExploreOptions& options) {
+  auto& sights = map.memory().get<SightMemory>();
+  forget_gone(sights, map);
+  for (const auto& [id, frontier] : map.frontiers()) sight_of(frontier, map, options.view_m, sights);
+}
+
 Views find_views(const ExploreState& state, const ExploreOptions& options, Workspace& workspace) {
   Views found;
   const KnownGround& ground = state.map.ground();
-  auto& memory = workspace.get<ViewMemory>();
+  RayFan& fan = workspace.get<GainMemory>().fan;
   const int range = static_cast<int>(state.range_m / ground.frame().resolution_m);
-  if (memory.fan.cells != range) memory.fan = RayFan::of(range, gain_rays);
+  if (fan.cells != range) fan = RayFan::of(range, gain_rays);
+  auto& sights = state.map.memory().get<SightMemory>();
+  forget_gone(sights, state.map);
   Flood& flood = workspace.get<RobotFlood>().flood;
-  const Flood::Walls walls =
-      options.strategy == "nearest" ? Flood::Walls::are_shunned : Flood::Walls::do_not_matter;
-  if (const auto start = free_block_near(ground, state.pose.position))
-    flood.run(ground.blocks(), *start, walls);
+  const auto start = free_block_near(ground, state.pose.position);
+  if (start)
+    flood.begin(ground.blocks(), *start,
+                options.strategy == "nearest" ? Flood::Walls::are_shunned : Flood::Walls::do_not_matter);
   else
     flood.clear(ground.blocks());
+  search({state, options, flood, fan, sights}, flood, start.has_value(), found);
 
-  std::vector<std::pair<double, const Frontier*>> nearest;
-  for (const auto& [id, frontier] : state.map.frontiers()) {
-    // The choice before is weighed wherever the robot is by now, or it would swing between two far ones.
-    const bool before = id == state.before.frontier;
-    nearest.emplace_back(before ? 0.0 : distance_to(frontier.bounds, state.pose.position), &frontier);
-  }
-  std::sort(nearest.begin(), nearest.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first, a.second->id) < std::pair(b.first, b.second->id);
-  });
-  const Finder finder{state, options, flood, memory};
-  const auto by_reach = [&](const View& a, const View& b) {
+  std::sort(found.views.begin(), found.views.end(), [&](const View& a, const View& b) {
     const auto key = [&](const View& v) {
       return std::tuple(v.frontier != state.before.frontier, v.reach_s, v.frontier);
     };
     return key(a) < key(b);
-  };
+  });
   const auto most = static_cast<std::size_t>(options.most_views);
-  for (const auto& [away, frontier] : nearest) {
-    if (found.views.size() >= most) {
-      // No place in sight of it is nearer than this.
-      const double least_s = (away - options.view_m) / state.robot.speed_mps;
-      std::nth_element(found.views.begin(), found.views.begin() + static_cast<std::ptrdiff_t>(most) - 1,
-                       found.views.end(), by_reach);
-      found.all = found.views[most - 1].reach_s > least_s;
-      if (!found.all) break;
-    }
-    finder.look_at(*frontier, found);
-  }
-  std::sort(found.views.begin(), found.views.end(), by_reach);
-  if (found.views.size() > most) {
-    found.views.resize(most);
-    found.all = false;
-  }
+  if (found.views.size() > most) found.views.resize(most);
   std::sort(found.refused.begin(), found.refused.end(),
             [](const RefusedFrontier& a, const RefusedFrontier& b) { return a.frontier < b.frontier; });
   return found;

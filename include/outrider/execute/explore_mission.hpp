@@ -53,10 +53,10 @@ struct ExploreMission {
   double range_m = 3.5;   ///< of the range finder
   double driven_m = 0.0;  ///< by the wheels
   bool touching = false;
-  bool looked = false;          ///< a scan came since the last response
-  bool wants_settling = false;  ///< with the next scan, SLAM brings all poses to their best
-  bool settled = false;         ///< it has, since the goal before
-  MapUpdate news;               ///< of the map, that the frontiers do not know yet
+  bool looked = false;              ///< a scan came since the last response
+  bool wants_settling = false;      ///< with the next scan, SLAM brings all poses to their best
+  std::optional<double> settled_m;  ///< driven when it last did, since the goal before
+  MapUpdate news;                   ///< of the map, that the frontiers do not know yet
 
   ExploreStage stage = ExploreStage::seek;
   Decision decision;  ///< the newest
@@ -67,13 +67,16 @@ struct ExploreMission {
   double moved_on_s = 0.0;  ///< when that was
 
   std::int64_t decisions = 0;
-  std::int64_t stuck = 0;  ///< times
+  std::int64_t stuck = 0;       ///< times
+  std::int64_t stuck_here = 0;  ///< of these, lately
+  double stuck_m = 0.0;         ///< driven at the last
   std::int64_t scans = 0;
   std::int64_t bad_scans = 0;  ///< of these, not of use
   std::int64_t loops = 0;      ///< closed
   std::vector<ExploreEvent> events;
   std::string stop_reason;  ///< once it goes home or has ended
   std::string reason;       ///< a sentence of it
+  bool arriving = false;    ///< it has been home as it believed, and explores no more
   bool home = false;        ///< it is back
 };
 

@@ -26,12 +26,12 @@ struct ExploreRules {
   double patience_s = 4.0;     ///< without moving on, after which it is stuck
   double back_off_m = 0.2;     ///< how far it then goes back along the way it came
   double blind_s = 1.0;        ///< without a usable scan, after which it stands still; ten times that ends it
-  std::int64_t most_stuck = 20;  ///< times that it gets stuck; then it ends
+  std::int64_t most_stuck = 20;  ///< times that it gets stuck within some way; then it ends
   bool return_home = true;
   double home_within_m = 0.1;    ///< of the start, where it is home
   double most_time_s = 36000.0;  ///< after which it goes home
   double most_distance_m = 1e5;  ///< driven, after which it goes home
-  double lost_m = 3.0;           ///< standard deviation of its position at which it is lost
+  double lost_m = 10.0;          ///< bound of the standard deviation of its position at which it is lost
 };
 std::vector<Option> describe(ExploreRules& rules);
 

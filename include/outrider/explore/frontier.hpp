@@ -20,6 +20,7 @@
 
 #include "outrider/explore/known_ground.hpp"
 #include "outrider/geometry/box.hpp"
+#include "outrider/search/workspace.hpp"
 
 namespace outrider {
 
@@ -43,8 +44,9 @@ class FrontierMap {
  public:
   FrontierMap(const FrontierOptions& options, double radius_m);
 
-  /// Takes over what changed on the map since the update before.
-  void update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update);
+  /// Takes over what changed on the map since the update before. True when much has: the frame, or thousands
+  /// of cells.
+  bool update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update);
 
   /// Says that the robot is after a frontier, and near it. Only the first call after an update counts.
   void pursue(std::uint32_t frontier);
@@ -56,6 +58,8 @@ class FrontierMap {
   [[nodiscard]] const KnownGround& ground() const { return ground_; }
   /// By id.
   [[nodiscard]] const std::map<std::uint32_t, Frontier>& frontiers() const { return frontiers_; }
+  /// Of what was worked out about this map, for those who decide.
+  [[nodiscard]] Workspace& memory() { return memory_; }
   /// Id of the frontier that holds the cell, or 0.
   [[nodiscard]] std::uint32_t frontier_of(std::uint32_t cell) const { return owner_[cell]; }
 
@@ -72,6 +76,7 @@ class FrontierMap {
   std::map<std::uint32_t, Frontier> frontiers_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> groups_;  // ids of the frontiers, by the least
   std::uint32_t next_id_ = 1;
+  Workspace memory_;
 };
 
 }  // namespace outrider

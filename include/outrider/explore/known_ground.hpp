@@ -59,6 +59,14 @@ class KnownGround {
   [[nodiscard]] const Grid<std::uint8_t>& blocks() const { return blocks_; }
   [[nodiscard]] std::uint32_t block_of(std::uint32_t cell) const;
 
+  /// Goes up with every change.
+  [[nodiscard]] std::uint64_t clock() const { return clock_; }
+  /// The clock at the last change of known() or blocked() between two corners, or later: by tiles of 16
+  /// cells.
+  [[nodiscard]] std::uint64_t changed_within(Cell low, Cell high) const;
+  /// Counts as a change of the cell.
+  void touch(std::uint32_t cell);
+
   /// The same for the path planners. Made anew when something changed, by GridGround::with().
   std::shared_ptr<const GridGround> grid();
 
@@ -67,6 +75,7 @@ class KnownGround {
   void set(std::uint32_t cell, std::uint8_t value);
   void count(Cell around, int by);
   void settle(std::size_t from);
+  [[nodiscard]] std::uint64_t& tile_of(Cell cell);
 
   double radius_m_;
   KnownGroundOptions options_;
@@ -76,6 +85,8 @@ class KnownGround {
   std::vector<Cell> disk_;               // offsets; the first `touch_` of them touch
   std::size_t touch_ = 0;
   Grid<std::uint8_t> blocks_;
+  std::uint64_t clock_ = 0;
+  std::vector<std::uint64_t> tiles_;  // clock of the last change, by rows
   Cell lowest_{0, 0}, highest_{-1, -1};
   std::shared_ptr<const GridGround> grid_;
   std::vector<std::uint32_t> stale_;  // cells that may have become free or blocked since grid_

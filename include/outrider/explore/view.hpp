@@ -42,4 +42,7 @@ struct Views {
 /// The views of the frontiers that are reached first, at most options.most_views of them.
 Views find_views(const ExploreState& state, const ExploreOptions& options, Workspace& workspace);
 
+/// Looks at every frontier whose surroundings have changed, so that the next decision need not.
+void refresh_sights(FrontierMap& map, const ExploreOptions& options);
+
 }  // namespace outrider

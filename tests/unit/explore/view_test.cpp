@@ -80,6 +80,49 @@ TEST(View, SeatsSeeWhatTheySayAndAreFree) {
   }
 }
 
+TEST(View, SightsThatAreKeptAreThoseOfAFreshLook) {
+  Rng rng(5);
+  const auto rooms = testing::random_rooms(rng, 2, 0.05);
+  testing::GridExplorer robot;
+  robot.truth = rooms.solid;
+  robot.pose = {rooms.start, 0.3};
+  robot.range_m = 1.5;
+  OccupancyMap map{OccupancyMapOptions{}};
+  FrontierOptions options;
+  options.patience = 3;
+  FrontierMap frontiers(options, 0.105);
+  SightMemory kept;
+  std::size_t same = 0, given_up = 0;
+  for (int i = 0; i < 40; ++i) {
+    MapUpdate update = map.insert(robot.pose, robot.scan());
+    if (i % 13 == 12) update = {true, {}};
+    frontiers.update(map.occupancy(), update);
+    forget_gone(kept, frontiers);
+    const std::size_t made = kept.made;
+    for (const auto& [id, frontier] : frontiers.frontiers()) {
+      SightMemory fresh;
+      const FrontierSight& now = sight_of(frontier, frontiers, 1.0, fresh);
+      const FrontierSight& then = sight_of(frontier, frontiers, 1.0, kept);
+      ASSERT_EQ(then.sample, now.sample) << i;
+      ASSERT_EQ(then.seats.size(), now.seats.size()) << i;
+      for (std::size_t k = 0; k < now.seats.size(); ++k) {
+        ASSERT_EQ(then.seats[k].block, now.seats[k].block);
+        ASSERT_EQ(then.seats[k].cell, now.seats[k].cell);
+        ASSERT_EQ(then.seats[k].seen, now.seats[k].seen);
+      }
+      given_up += now.sample.empty() ? 1 : 0;
+    }
+    same += frontiers.frontiers().size() - (kept.made - made);
+    if (!frontiers.frontiers().empty()) frontiers.pursue(frontiers.frontiers().begin()->first);
+    const Vec2 next = robot.pose.position + Vec2{rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2)};
+    if (testing::cast_ray(robot.truth, robot.pose.position, heading_of(next - robot.pose.position), 1.0) >
+        0.4)
+      robot.pose.position = next;
+  }
+  EXPECT_GT(same, 20U);
+  EXPECT_GT(given_up, 0U);
+}
+
 TEST(View, GainOfTheOpenIsTheDisk) {
   Grid<std::uint8_t> known(GridFrame{{0, 0}, 0.05, 100, 100}, unknown_cell);
   const RayFan fan = RayFan::of(40, 180);
