@@ -14,23 +14,26 @@ export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build serve test asan docs soak bench lint check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan docs soak bench lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
 
-demo: build  ## guard the example yard, print the summary, write out/yard/*.html
-	@build/outrider run scenarios/yard/yard.yaml --out out/yard --html
+# Where npm cannot have its packages the tool has no page; the moving picture needs none.
+demo: tool-and-page  ## guard the example yard, print the summary, write a page and a picture to out/yard
+	@build/outrider run scenarios/yard/yard.yaml --out out/yard --svg $$(grep -qs incbin build/web/page_files.cpp && echo --html)
 
 build:  ## build the tool, build/outrider
 	$(INSTALL) build
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) outrider
 
-serve:  ## build the tool with its page, and open the scenarios at 127.0.0.1:8080
+tool-and-page:
 	$(INSTALL) build page
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) outrider
+
+serve: tool-and-page  ## build the tool with its page, and open the scenarios at 127.0.0.1:8080
 	@build/outrider serve scenarios
 
 test:  ## build everything and run every test
@@ -63,7 +66,12 @@ bench:  ## run the benchmarks
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_BENCH=ON $(FIRST)
 	@ninja -C build -j $(JOBS) bench/all
 	@for program in build/bench/bench_*; do $$program || exit 1; done
-	@ninja -C build -j $(JOBS) outrider && OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/bench.mjs
+	@ninja -C build -j $(JOBS) outrider
+	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/bench.mjs || [ $$? -eq 77 ]
+
+pictures: tool-and-page  ## make the pictures of the README and docs/ anew, from the page
+	$(INSTALL) browser picture
+	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/pictures.mjs
 
 lint: check-format  ## static analysis and formatting
 	$(INSTALL) build test lint

@@ -26,6 +26,7 @@ function(outrider_layer)
     POSITION_INDEPENDENT_CODE ON)
   list(TRANSFORM LAYER_USES PREPEND outrider_)
   target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC} PRIVATE ${LAYER_PRIVATE})
+  outrider_precompile(${target} layers)
   set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
 endfunction()
 

@@ -1,4 +1,7 @@
-# Builds the page: NPM, NODE, MODE (AUTO or ON), WEB (its sources), OUT (a folder), SOURCE (the C++ file to write).
+# Builds the page: MODE (AUTO or ON), WEB (its sources), OUT (a folder), SOURCE (the C++ file to write).
+find_program(NPM npm)
+find_program(NODE node)
+
 function(run result)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WEB} RESULT_VARIABLE status
     OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -8,19 +11,28 @@ function(run result)
   set(${result} ${status} PARENT_SCOPE)
 endfunction()
 
-# npm keeps the list of what it installed; it is older than the lock file when that has changed.
+# npm keeps the list of what it installed; it is older than the lock file when that has changed. While it is
+# missing Ninja runs this again: what was built without the page gets it as soon as it can be had.
 set(installed ${WEB}/node_modules/.package-lock.json)
-if(NOT EXISTS ${installed} OR ${WEB}/package-lock.json IS_NEWER_THAN ${installed})
-  run(status ${NPM} ci --no-audit --no-fund --ignore-scripts)
-  if(NOT status EQUAL 0 AND MODE STREQUAL "AUTO")
-    message(WARNING "npm could not install the packages of the page, so the tool is built without it")
-    configure_file(${WEB}/../apps/page/no_page.cpp ${SOURCE} COPYONLY)
-    file(TOUCH ${SOURCE})
-    return()
-  elseif(NOT status EQUAL 0)
-    message(FATAL_ERROR "npm could not install the packages of the page")
+file(WRITE ${SOURCE}.d "${SOURCE}: ${installed}\n")
+set(missing "")
+if(NOT NPM OR NOT NODE)
+  set(missing "npm is not installed")
+elseif(NOT EXISTS ${installed} OR ${WEB}/package-lock.json IS_NEWER_THAN ${installed})
+  run(status ${NPM} ci --no-audit --no-fund --ignore-scripts --prefer-offline --fetch-retries 1
+    --fetch-retry-mintimeout 1000 --fetch-timeout 60000)
+  if(status EQUAL 0)
+    file(TOUCH ${installed})
+  else()
+    set(missing "npm could not get the packages of the page from its registry (its message is above)")
   endif()
-  file(TOUCH ${installed})
+endif()
+if(missing AND MODE STREQUAL "AUTO")
+  message(NOTICE "${missing}, so the tool has no page this time")
+  configure_file(${WEB}/../apps/page/no_page.cpp ${SOURCE} COPYONLY)
+  return()
+elseif(missing)
+  message(FATAL_ERROR "${missing}")
 endif()
 
 set(vite ${NODE} ${WEB}/node_modules/vite/bin/vite.js build --logLevel warn)

@@ -13,4 +13,10 @@ inline int costly_cases(int usual) {
   return factor == nullptr ? usual : std::max(1, static_cast<int>(usual * std::atof(factor)));
 }
 
+/// The same, and never more than `all`: where more of it would tell nothing more.
+inline int part_of(int all) { return std::min(all, costly_cases(all)); }
+
+/// False where only a part is done: too little for counts and averages to mean anything.
+inline bool in_full() { return part_of(10) == 10; }
+
 }  // namespace outrider::testing

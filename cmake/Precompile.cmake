@@ -1,0 +1,31 @@
+# The headers that most files include, parsed once for all targets of a group, which share their flags:
+#
+#   outrider_precompile(unit_world tests HEADERS <gtest/gtest.h> LINKS GTest::gtest)
+#
+# The first target of a group gives the flags; HEADERS and LINKS are what its group shares besides. The code
+# does not depend on it: each file includes what it uses, and builds with ccache, which keeps no file that
+# uses such headers, and with clang++ do without.
+option(OUTRIDER_PCH "Parse the headers that most files include once for many files" OFF)
+
+function(outrider_precompile target group)
+  if(NOT OUTRIDER_PCH OR CMAKE_CXX_COMPILER_LAUNCHER)
+    return()
+  endif()
+  cmake_parse_arguments(GROUP "" "" "HEADERS;LINKS" ${ARGN})
+  set(headers outrider_headers_of_${group})
+  if(NOT TARGET ${headers})
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/pch/${group}.cpp CONTENT "")
+    add_library(${headers} OBJECT ${PROJECT_BINARY_DIR}/pch/${group}.cpp)
+    target_precompile_headers(${headers} PRIVATE <algorithm> <array> <cmath> <functional> <limits> <map>
+      <memory> <optional> <set> <span> <sstream> <string> <variant> <vector> <fmt/format.h> <tl/expected.hpp>
+      ${GROUP_HEADERS})
+    target_link_libraries(${headers} PRIVATE fmt::fmt ${GROUP_LINKS})
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    target_compile_options(${headers} PRIVATE ${options})
+    get_target_property(pic ${target} POSITION_INDEPENDENT_CODE)
+    set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ${pic})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+  # The macros that those headers were compiled with hold for every file after them.
+  target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+endfunction()
