@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "bench_grids.hpp"
+#include "bench_words.hpp"
 #include "commands.hpp"
 #include "flags.hpp"
 #include "output.hpp"
@@ -274,19 +275,13 @@ int execute(const BenchCommand& command) {
   progress.end();
   const bool right =
       std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.mismatches == 0; });
-  if (command.json) {
-    auto list = nlohmann::ordered_json::array();
-    for (const Row& row : rows) list.push_back(row_json(row));
-    print({{"status", right ? "done" : "not_done"}, {"job", "bench path"}, {"rows", std::move(list)}});
-  } else {
-    print_table(rows);
-  }
+  const int status = tell("bench path", rows, right, command.json);
   for (const Row& row : rows) {
     if (row.mismatches == 0) continue;
     fmt::print(stderr, "outrider: {} on {}: {} of {} answers are wrong, the first {}\n", row.planner.name,
                row.map, row.mismatches, row.times_us.size() + row.unanswered, row.first_mismatch);
   }
-  return right ? job_done : job_not_done;
+  return status;
 }
 
 }  // namespace
@@ -299,12 +294,8 @@ void add_bench(Command& tool) {
   path.option("--data", &command->data, "folder with MovingAI .map and .scen files, searched to its depths")
       .required()
       .type("DIR");
-  path.option("--maps", &command->maps, "names of maps, such as lak303d,brc202d; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
-  path.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
+  add_names(path, "--maps", command->maps, "names of maps, such as lak303d,brc202d; all unless given");
+  add_names(path, "--planners", command->planners);
   path.option("--queries", &command->queries, "at most so many a map, spread over its rows [1000]")
       .between(1, 1'000'000)
       .type("N");
@@ -314,7 +305,7 @@ void add_bench(Command& tool) {
       .type("N");
   path.flag("--all-rows", &command->all_rows,
             "the rows of the scenario also where there is a table of shortest lengths");
-  path.flag("--json", &command->json, "print one JSON object on standard output");
+  add_json(path, command->json);
   path.does([command](const Command&) { return execute(*command); });
   path.footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
   add_bench_pursuit(bench);

@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench_words.hpp"
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "outrider/explore/bound.hpp"
@@ -108,13 +109,6 @@ Outcome<std::vector<std::string>> chosen_strategies(const BenchCommand& command)
   return names;
 }
 
-/// Of this thread alone.
-double processor_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 Outcome<Row> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
                       const std::function<void(double)>& progress) {
   Row row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
@@ -208,14 +202,7 @@ Outcome<std::vector<Row>> measure(const BenchCommand& command) {
 int execute(const BenchCommand& command) {
   const auto rows = measure(command);
   if (!rows) return say(rows.error(), command.json);
-  if (command.json) {
-    auto list = nlohmann::ordered_json::array();
-    for (const Row& row : *rows) list.push_back(row_json(row));
-    print({{"status", "done"}, {"job", "bench explore"}, {"rows", std::move(list)}});
-  } else {
-    print_table(*rows);
-  }
-  return job_done;
+  return tell("bench explore", *rows, true, command.json);
 }
 
 }  // namespace
@@ -224,20 +211,14 @@ void add_bench_explore(Command& bench) {
   Command& explore =
       bench.add("explore", "ways to choose the next view: worlds explored with SLAM in the loop");
   auto command = std::make_shared<BenchCommand>();
-  explore.option("--scenarios", &command->scenarios, "scenario files [scenarios/explore/office.yaml]")
-      .separated_by(',')
-      .type("FILE,...");
+  add_scenarios(explore, command->scenarios, "scenario files [scenarios/explore/office.yaml]");
   explore
       .option("--data", &command->data,
               "folder with closed_maze.world and house_closed.world, for these worlds too")
       .type("DIR");
-  explore.option("--strategies", &command->strategies, "names from 'outrider list'; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
-  explore.option("--seeds", &command->seeds, "runs of each strategy in each world, with seeds from 1 on [20]")
-      .between(1, 10'000)
-      .type("N");
-  explore.flag("--json", &command->json, "print one JSON object on standard output");
+  add_names(explore, "--strategies", command->strategies);
+  add_seeds(explore, command->seeds, "runs of each strategy in each world, with seeds from 1 on [20]");
+  add_json(explore, command->json);
   explore.does([command](const Command&) { return execute(*command); });
   explore.footer("\nExample: outrider bench explore --strategies tour,nearest --seeds 5");
 }

@@ -1,13 +1,14 @@
 // bench guard: every guard planner in every yard, the same missions simulated.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "bench_arrivals.hpp"
+#include "bench_words.hpp"
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "outrider/guard/catalog.hpp"
@@ -99,10 +100,6 @@ Outcome<std::vector<GuardPlanner>> chosen_planners(const BenchCommand& command) 
   return planners;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 Row row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report, double planning_s) {
   return {std::filesystem::path(yard.world).stem().string(),
           std::string(planner.name),
@@ -122,14 +119,14 @@ Row row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report&
 /// All planners in one yard: one survey, one plan each, the same seeds.
 Status measure_yard(const BenchCommand& command, const GuardScenario& yard,
                     const std::vector<GuardPlanner>& planners, Progress& progress, std::vector<Row>& rows) {
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   auto site = survey(yard.problem, yard.options);
   if (!site) return pass_on(site);
   const double survey_s = seconds_since(begin);
   const std::size_t first = rows.size();
   for (const GuardPlanner& planner : planners) {
     progress.next(fmt::format("{} in {}", planner.name, yard.problem.world.name));
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     auto plan = planner.plan(yard.problem, *site, yard.options, {});
     if (!plan) return pass_on(plan);
     const double planning_s = survey_s + seconds_since(start);
@@ -207,14 +204,7 @@ int execute(const BenchCommand& command) {
     }
   }
   progress.end();
-  if (command.json) {
-    auto list = nlohmann::ordered_json::array();
-    for (const Row& row : rows) list.push_back(row_json(row));
-    print({{"status", "done"}, {"job", "bench guard"}, {"rows", std::move(list)}});
-  } else {
-    print_table(rows);
-  }
-  return job_done;
+  return tell("bench guard", rows, true, command.json);
 }
 
 }  // namespace
@@ -222,24 +212,18 @@ int execute(const BenchCommand& command) {
 void add_bench_guard(Command& bench) {
   Command& guard = bench.add("guard", "guard planners: missions simulated, and where their time goes");
   auto command = std::make_shared<BenchCommand>();
-  guard.option("--scenarios", &command->scenarios, "scenario files of yards [scenarios/yard/yard.yaml]")
-      .separated_by(',')
-      .type("FILE,...");
+  add_scenarios(guard, command->scenarios, "scenario files of yards [scenarios/yard/yard.yaml]");
   guard
       .option("--data", &command->data,
               "folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf, for these yards too")
       .type("DIR");
-  guard.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
-  guard.option("--seeds", &command->seeds, "missions of each plan, with seeds from 1 on [3]")
-      .between(1, 10'000)
-      .type("N");
+  add_names(guard, "--planners", command->planners);
+  add_seeds(guard, command->seeds, "missions of each plan, with seeds from 1 on [3]");
   guard
       .option("--arrivals", &command->arrivals,
               "a scenario in which intruders keep coming: compare the policies there instead")
       .type("FILE");
-  guard.flag("--json", &command->json, "print one JSON object on standard output");
+  add_json(guard, command->json);
   guard.does([command](const Command&) { return execute(*command); });
   guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
 }

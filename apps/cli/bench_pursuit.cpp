@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bench_words.hpp"
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "outrider/io/pursuit_map.hpp"
@@ -42,10 +44,6 @@ struct Row {
   std::string mismatch;  ///< what the judge or the optimum says against it
 };
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 Budget budget_of(const BenchCommand& command, double used_s) {
   const std::chrono::duration<double> left(std::max(0.0, command.limit_s - used_s));
   Budget budget;
@@ -56,7 +54,7 @@ Budget budget_of(const BenchCommand& command, double used_s) {
 /// The anytime search with the times of its first catch and of its proof.
 Row measure_search(const BenchCommand& command, const PursuitProblem& problem) {
   Row row;
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   AnytimePursuit search(problem);
   while (!search.proven() && row.planning_s < command.limit_s) {
     const auto worked = search.improve(budget_of(command, row.planning_s));
@@ -78,7 +76,7 @@ Row measure_planner(const BenchCommand& command, const PursuitPlanner& planner,
   Row row;
   Workspace workspace;
   const ConfiguredPursuitPlanner configured = planner.configure();
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   auto plan = configured.plan(problem, budget_of(command, 0.0), workspace);
   row.planning_s = seconds_since(begin);
   if (!plan) {
@@ -202,18 +200,12 @@ int execute(const BenchCommand& command) {
   }
   progress.end();
   const bool right = std::ranges::all_of(rows, [](const Row& row) { return row.mismatch.empty(); });
-  if (command.json) {
-    auto list = nlohmann::ordered_json::array();
-    for (const Row& row : rows) list.push_back(row_json(row));
-    print({{"status", right ? "done" : "not_done"}, {"job", "bench pursuit"}, {"rows", std::move(list)}});
-  } else {
-    print_table(rows);
-  }
+  const int status = tell("bench pursuit", rows, right, command.json);
   for (const Row& row : rows) {
     if (row.mismatch.empty()) continue;
     fmt::print(stderr, "outrider: {} on {}: {}\n", row.planner, row.map, row.mismatch);
   }
-  return right ? job_done : job_not_done;
+  return status;
 }
 
 }  // namespace
@@ -224,16 +216,12 @@ void add_bench_pursuit(Command& bench) {
   pursuit.option("--data", &command->data, "folder with pursuit maps, searched to its depths")
       .required()
       .type("DIR");
-  pursuit.option("--maps", &command->maps, "names of maps, such as map3,map1s; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
-  pursuit.option("--planners", &command->planners, "names from 'outrider list'; all unless given")
-      .separated_by(',')
-      .type("NAME,...");
+  add_names(pursuit, "--maps", command->maps, "names of maps, such as map3,map1s; all unless given");
+  add_names(pursuit, "--planners", command->planners);
   pursuit.option("--limit", &command->limit_s, "time of each planner on each map [60]")
       .between(0.001, 86'400.0)
       .type("s");
-  pursuit.flag("--json", &command->json, "print one JSON object on standard output");
+  add_json(pursuit, command->json);
   pursuit.does([command](const Command&) { return execute(*command); });
   pursuit.footer("\nExample: outrider bench pursuit --data DIR --maps map3,map4");
 }

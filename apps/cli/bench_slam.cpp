@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -9,6 +8,8 @@
 
 #include "bench_laser.hpp"
 #include "bench_slam_peer.hpp"
+#include "bench_words.hpp"
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
@@ -66,9 +67,9 @@ Outcome<Row> measure(const std::string& path, int repeat) {
   const std::string name = std::filesystem::path(path).filename().string();
   Row row{name.substr(0, name.find(".g2o")), graph->nodes.size(), graph->edges.size(), {}, HUGE_VAL, {}};
   for (int i = 0; i < repeat; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     auto solution = optimise(*graph, {}, {});
-    const double time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double time_s = seconds_since(begin);
     if (!solution) return bad_input(solution.error().sentence, path);
     row.solution = std::move(*solution);
     row.time_s = std::min(row.time_s, time_s);
@@ -156,7 +157,7 @@ void add_bench_slam(Command& bench) {
   slam.option("--repeat", &command->repeat, "do each so often and keep the shortest time [1]")
       .between(1, 1000)
       .type("N");
-  slam.flag("--json", &command->json, "print one JSON object on standard output");
+  add_json(slam, command->json);
   slam.does([command](const Command&) { return execute(*command); });
   slam.footer("\nExample: outrider bench slam --data DIR --repeat 5");
 }

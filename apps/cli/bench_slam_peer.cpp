@@ -7,9 +7,9 @@
 #include <ceres/solver.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 
+#include "clocks.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider::cli {
@@ -64,9 +64,9 @@ std::optional<PeerResult> solve_with_ceres(const PoseGraph& graph) {
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   ceres::Solve(options, &problem, &summary);
-  const double time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double time_s = seconds_since(begin);
   return PeerResult{2.0 * summary.final_cost, time_s, static_cast<int>(summary.iterations.size()) - 1};
 }
 

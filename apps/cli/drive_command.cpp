@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "drive_summary.hpp"
 #include "flags.hpp"
+#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/io/drive_scenario.hpp"
 #include "outrider/io/scenario.hpp"
@@ -40,9 +41,10 @@ Outcome<Report> carry_out(DriveRequest& command) {
   auto setup = load_drive(command.scenario);
   if (!setup) return pass_on(setup);
   progress.next("driving");
-  Report report =
-      run_drive(setup->task, setup->truth, setup->rendered, static_cast<std::uint64_t>(command.scenario.seed),
-                [&](double done) { progress.part(done); });
+  LiveReport live;
+  Report report = run_drive(
+      setup->task, setup->truth, setup->rendered, static_cast<std::uint64_t>(command.scenario.seed),
+      [&](double done) { progress.part(done); }, live.onlooker());
   if (setup->plan) {
     report.metrics.emplace_back("path_m", length_of(*setup->plan));
     report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "explore_summary.hpp"
 #include "flags.hpp"
 #include "live_map.hpp"
+#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/io/explore_scenario.hpp"
 #include "outrider/io/map_server.hpp"
@@ -46,13 +47,6 @@ OptionGroup describe_output(ExploreCommand& command) {
        {"html", "", 0, 0, "write explore.html as well, a page that plays the exploration", &command.html}}};
 }
 
-/// Of this thread alone: nothing else of the tool counts as thinking.
-double processor_s() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// The wheels count right, and are believed.
 void make_pose_perfect(ExploreScenario& scenario) {
   scenario.task.slam.trust_odometry = true;
@@ -66,13 +60,17 @@ Outcome<ExploreRun> carry_out(ExploreCommand& command) {
   auto setup = load_explore(command.scenario);
   if (!setup) return pass_on(setup);
   progress.next("exploring");
-  ExploreWatch watch{processor_s, [&](double done) { progress.part(done); }};
-  std::optional<LiveMap> live;
+  ExploreWatch watch;
+  watch.processor_s = processor_s;
+  watch.progress = [&](double done) { progress.part(done); };
+  LiveReport live;
+  watch.onlooker = live.onlooker();
+  std::optional<LiveMap> map;
   if (command.live) {
     progress.end();
-    live.emplace();
+    map.emplace();
     watch.scanned = [&](const ExploreMission& mission, const SimulatedExplorer&) {
-      live->show(mission, setup->task.start);
+      map->show(mission, setup->task.start);
     };
   }
   auto run = run_explore(setup->world, setup->task, setup->truth,
@@ -107,6 +105,9 @@ Outcome<std::string> write_files(const ExploreCommand& command, const ExploreRun
 }
 
 int finish(ExploreCommand& command) {
+  if (command.html) {
+    if (auto ok = check_page("--html"); !ok) return say(ok.error(), command.json);
+  }
   const auto run = carry_out(command);
   if (!run) return say(run.error(), command.json);
   const auto path = write_files(command, *run);

@@ -1,17 +1,18 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "cover_command.hpp"
 #include "drive_command.hpp"
 #include "explore_command.hpp"
 #include "flags.hpp"
 #include "guard_summary.hpp"
+#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/guard/catalog.hpp"
 #include "outrider/guard/passing_plan.hpp"
@@ -27,6 +28,7 @@
 #include "outrider/sim/watch_run.hpp"
 #include "page.hpp"
 #include "pddl.hpp"
+#include "plan_command.hpp"
 #include "progress.hpp"
 #include "pursue_command.hpp"
 #include "regions_picture.hpp"
@@ -90,12 +92,6 @@ Outcome<std::vector<std::string>> read_input(GuardCommand& command, const Comman
   return load_problem(scenario);
 }
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
 /// Whether the simulator that the scenario names is one that can carry it out.
 Status check_sim(const GuardScenario& scenario) {
   if (scenario.sim == "kinematic") return {};
@@ -111,23 +107,25 @@ Status check_sim(const GuardScenario& scenario) {
 
 /// The yard is still, or intruders come, or walk about, or those who are hit may survive.
 Outcome<Report> carried_out(const GuardScenario& scenario, const Site& site, const GuardPlan& plan,
-                            std::uint64_t seed, Progress& progress) {
+                            std::uint64_t seed, Progress& progress, Onlooker* onlooker) {
   if (scenario.sim == "physics") {
-    return run_guard_in_physics(scenario.problem, site, plan, scenario.options, seed,
-                                [&progress](double part) { progress.part(part); });
+    return run_guard_in_physics(
+        scenario.problem, site, plan, scenario.options, seed,
+        [&progress](double part) { progress.part(part); }, onlooker);
   }
   if (scenario.wander.any()) {
     return hunt(scenario.problem, site, scenario.preferences, scenario.history, scenario.wander,
-                scenario.options, seed);
+                scenario.options, seed, onlooker);
   }
   const ArrivalOptions& arrivals = scenario.arrivals;
   if (arrivals.any()) {
-    return keep_watch(scenario.problem, site, plan, scenario.intruders, arrivals, scenario.options, seed);
+    return keep_watch(scenario.problem, site, plan, scenario.intruders, arrivals, scenario.options, seed,
+                      onlooker);
   }
   if (arrivals.leave < 1.0) {
-    return wear_down(scenario.problem, site, plan, arrivals, scenario.options, seed);
+    return wear_down(scenario.problem, site, plan, arrivals, scenario.options, seed, onlooker);
   }
-  return run_guard(scenario.problem, site, plan, scenario.options, seed);
+  return run_guard(scenario.problem, site, plan, scenario.options, seed, onlooker);
 }
 
 /// Exploring comes first, and all plans are made on what it found.
@@ -138,6 +136,8 @@ Outcome<GuardResult> carry_out_unknown(const GuardCommand& command, const GuardP
   progress.next("exploring the yard");
   ExploreWatch watch;
   watch.progress = [&](double part) { progress.part(part); };
+  LiveReport live;
+  watch.onlooker = live.onlooker();
   auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, watch);
   if (!yard) return pass_on(yard);
   const auto begin = Clock::now();
@@ -151,7 +151,8 @@ Outcome<GuardResult> carry_out_unknown(const GuardCommand& command, const GuardP
   std::string regions;
   if (command.regions) regions = regions_svg(found, *site);
   progress.next("driving and shooting");
-  auto report = run_guard_on_map(scenario.problem, std::move(*yard), *site, *plan, scenario.options, seed);
+  auto report = run_guard_on_map(scenario.problem, std::move(*yard), *site, *plan, scenario.options, seed,
+                                 live.onlooker());
   if (!report) return pass_on(report);
   return GuardResult{std::move(*report), planning_s, 0.0, std::move(regions)};
 }
@@ -174,7 +175,8 @@ Outcome<GuardResult> carry_out_known(const GuardCommand& command, const GuardPla
   progress.next("driving and shooting");
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const auto launched = Clock::now();
-  auto report = carried_out(scenario, *site, *plan, seed, progress);
+  LiveReport live;
+  auto report = carried_out(scenario, *site, *plan, seed, progress, live.onlooker());
   if (!report) return pass_on(report);
   GuardResult result{std::move(*report), planning_s, 0.0, {}};
   if (result.report.sim) result.physics_s = seconds_since(launched);
@@ -233,11 +235,15 @@ Outcome<std::string> write_files(const GuardCommand& command, const GuardResult&
 
 Status check_output(const GuardCommand& command, const Command& flags) {
   if (auto ok = check(command.pddl, flags); !ok) return ok;
-  if (flags.given("--out")) return check_folder(command.out);
-  if (!command.html && !command.svg && !command.regions) return {};
-  return bad_input("a page or a picture needs a folder; give --out DIR", command.html  ? "--html"
-                                                                         : command.svg ? "--svg"
-                                                                                       : "--regions");
+  if (!flags.given("--out") && (command.html || command.svg || command.regions)) {
+    return bad_input("a page or a picture needs a folder; give --out DIR", command.html  ? "--html"
+                                                                           : command.svg ? "--svg"
+                                                                                         : "--regions");
+  }
+  if (command.html) {
+    if (auto ok = check_page("--html"); !ok) return ok;
+  }
+  return flags.given("--out") ? check_folder(command.out) : Status{};
 }
 
 void print_real_time(const GuardResult& result) {
@@ -314,6 +320,7 @@ void add_run(Command& tool) {
   run.does([command](const Command& flags) {
     const auto job = scenario_job(command->scenario_path);
     if (job && *job == "pursue") return run_pursuit_scenario(command->scenario_path, flags);
+    if (job && *job == "plan") return run_plan_scenario(command->scenario_path, flags);
     if (job && *job == "cover") return run_cover_scenario(command->scenario_path, flags);
     if (job && *job == "drive") return run_drive_scenario(command->scenario_path, flags);
     if (job && *job == "explore") return run_explore_scenario(command->scenario_path, flags);

@@ -22,7 +22,10 @@ const std::vector<Job>& jobs() {
        "`--robot-radius`. Flags win over the file. [scenario.schema.json](scenario.schema.json) lets an "
        "editor\n"
        "check one."},
-      {"plan", "Find a collision-free path for a disk robot.", ""},
+      {"plan", "Find a collision-free path for a disk robot.",
+       "A key stands in a scenario file, which `outrider run` answers and the page writes. The flags of\n"
+       "`outrider plan` have the same names, but that it takes the map without one, and that a radius which\n"
+       "is not given depends there on the kind of map."},
       {"pursue", "Catch a moving target on a grid of costs, at the least cost.",
        "A key stands in a scenario file; as a flag of `outrider pursue` it has `--` in front. Flags win over "
        "the\n"
@@ -36,6 +39,7 @@ std::vector<OptionGroup> BlankScenarios::options(std::string_view job) {
   if (job == "cover") return describe(cover);
   if (job == "drive") return describe(drive);
   if (job == "explore") return describe(explore);
+  if (job == "plan") return describe(plan);
   return {};
 }
 

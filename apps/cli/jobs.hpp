@@ -8,6 +8,7 @@
 #include "outrider/io/drive_scenario.hpp"
 #include "outrider/io/explore_scenario.hpp"
 #include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/plan_scenario.hpp"
 #include "outrider/io/pursuit_scenario.hpp"
 
 namespace outrider::cli {
@@ -28,6 +29,7 @@ struct BlankScenarios {
   CoverScenario cover;
   DriveScenario drive;
   ExploreScenario explore;
+  PlanScenario plan;
 
   /// None for a job without scenarios.
   std::vector<OptionGroup> options(std::string_view job);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "outrider/world/occupancy.hpp"
+#include "outrider/world/known_extent.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -50,19 +50,12 @@ constexpr const char* style =
 
 Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy) {
   const GridFrame& frame = occupancy.frame;
-  Cell low{frame.width, frame.height}, high{-1, -1};
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) {
-      if (occupancy[{x, y}] == unknown_cell) continue;
-      low = {std::min(low.x, x), std::min(low.y, y)};
-      high = {std::max(high.x, x), std::max(high.y, y)};
-    }
-  }
-  if (high.x < 0) return Grid<std::uint8_t>({frame.origin, frame.resolution_m, 1, 1}, unknown_cell);
-  Grid<std::uint8_t> part({frame.corner(low), frame.resolution_m, high.x - low.x + 1, high.y - low.y + 1});
-  for (int y = 0; y < part.frame.height; ++y) {
-    for (int x = 0; x < part.frame.width; ++x) part[{x, y}] = occupancy[{low.x + x, low.y + y}];
-  }
+  const CellExtent known = known_extent(occupancy);
+  Grid<std::uint8_t> part;
+  part.frame = {frame.corner(known.low), frame.resolution_m, std::max(1, known.width()),
+                std::max(1, known.height())};
+  part.cells = moved_cells(occupancy.cells, frame, part.frame, {-known.low.x, -known.low.y},
+                           static_cast<std::uint8_t>(unknown_cell));
   return part;
 }
 

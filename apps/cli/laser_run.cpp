@@ -1,14 +1,12 @@
 #include "laser_run.hpp"
 
 #include <algorithm>
-#include <ctime>
 
+#include "clocks.hpp"
 #include "outrider/slam/map_error.hpp"
 
 namespace outrider::cli {
 namespace {
-
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   if (reference.empty()) return;

@@ -9,29 +9,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "outrider/world/known_extent.hpp"
+
 namespace outrider::cli {
 namespace {
 
 constexpr int dots_across = 2, dots_up = 4;  // of a character
 constexpr auto period = std::chrono::milliseconds(100);
-
-/// Cells low <= c < high that are known; low is high where none is.
-struct Extent {
-  Cell low, high;
-};
-
-Extent known_part(const Grid<std::uint8_t>& occupancy) {
-  Extent part{{occupancy.frame.width, occupancy.frame.height}, {0, 0}};
-  std::size_t at = 0;
-  for (int y = 0; y < occupancy.frame.height; ++y) {
-    for (int x = 0; x < occupancy.frame.width; ++x, ++at) {
-      if (occupancy.cells[at] == unknown_cell) continue;
-      part.low = {std::min(part.low.x, x), std::min(part.low.y, y)};
-      part.high = {std::max(part.high.x, x + 1), std::max(part.high.y, y + 1)};
-    }
-  }
-  return part.high.x == 0 ? Extent{} : part;
-}
 
 /// The state of a square of cells: occupied where one is, else free where one is.
 Occupancy state_of(const Grid<std::uint8_t>& occupancy, Cell low, int side) {
@@ -74,10 +58,9 @@ std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side
 
 std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<MapSign>& signs, int columns,
                       int rows) {
-  const Extent part = known_part(occupancy);
+  const CellExtent part = known_extent(occupancy);
   int side = 1;
-  while ((part.high.x - part.low.x) > side * dots_across * columns ||
-         (part.high.y - part.low.y) > side * dots_up * rows) {
+  while (part.width() > side * dots_across * columns || part.height() > side * dots_up * rows) {
     ++side;
   }
   const auto sign_at = [&](Cell low, Cell high) -> const MapSign* {
@@ -90,10 +73,10 @@ std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<Map
   };
   std::string text;
   for (int row = 0; row < rows; ++row) {
-    const int top = part.high.y - row * dots_up * side;
+    const int top = part.high.y + 1 - row * dots_up * side;
     for (int column = 0; column < columns && top > part.low.y; ++column) {
       const int left = part.low.x + column * dots_across * side;
-      if (left >= part.high.x) break;
+      if (left > part.high.x) break;
       const MapSign* const sign = sign_at({left, top - dots_up * side}, {left + dots_across * side, top});
       text += sign != nullptr ? sign->text : braille(occupancy, {left, top - side}, side);
     }

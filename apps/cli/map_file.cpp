@@ -10,11 +10,6 @@
 namespace outrider::cli {
 namespace {
 
-Vec2 turned(Vec2 v, double angle_rad) {
-  const Vec2 along = direction(angle_rad);
-  return v.x * along + v.y * perpendicular(along);
-}
-
 Outcome<MapFile> from_world_file(const std::string& path, double radius_m, double height_m,
                                  const GridOptions& grid) {
   auto loaded = load_sdf(path);
@@ -51,13 +46,13 @@ bool is_world(const std::string& path) {
 Vec2 MapFile::to_grid(Vec2 world) const {
   if (yaw_rad == 0.0) return world;
   const Vec2 origin = blocked.frame.origin;
-  return origin + turned(world - origin, -yaw_rad);
+  return origin + unrotated(yaw_rad, world - origin);
 }
 
 Vec2 MapFile::to_world(Vec2 grid) const {
   if (yaw_rad == 0.0) return grid;
   const Vec2 origin = blocked.frame.origin;
-  return origin + turned(grid - origin, yaw_rad);
+  return origin + rotated(yaw_rad, grid - origin);
 }
 
 Outcome<MapFile> load_map(const std::string& path, std::optional<double> radius_m, const RobotModel& robot,

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
+#include "page.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -39,6 +40,11 @@ int say(const Fault& fault, bool json) {
   fmt::print(stderr, "outrider: {}\n", to_string(fault));
   if (json) print(fault_json(fault));
   return is_answer(fault) ? job_not_done : refused;
+}
+
+Status check_page(std::string flag) {
+  if (page::viewer().empty()) return bad_input(std::string(page::missing), std::move(flag));
+  return {};
 }
 
 void print(const nlohmann::ordered_json& object) {

@@ -22,6 +22,9 @@ nlohmann::ordered_json fault_json(const Fault& fault);
 /// status.
 int say(const Fault& fault, bool json);
 
+/// Refuses `flag`, which asks for a page, where the tool was built without one.
+Status check_page(std::string flag);
+
 /// Prints one JSON object on standard output.
 void print(const nlohmann::ordered_json& object);
 

@@ -14,12 +14,16 @@
 #include "outrider/core/units.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/plan_scenario.hpp"
+#include "outrider/io/scenario.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/safety.hpp"
 #include "path_picture.hpp"
+#include "plan_command.hpp"
 #include "polygon_plan.hpp"
 #include "progress.hpp"
+#include "scenario_words.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -30,6 +34,14 @@ constexpr int most_goals = 10'000;
 struct Candidate {
   PathPlanner planner;
   ConfiguredPlanner configured;
+};
+
+/// What was said, where silence means something else than the default.
+struct Said {
+  bool radius = false;
+  bool planner = false;
+  bool model = false;
+  bool resolution = false;
 };
 
 struct PlanCommand {
@@ -48,6 +60,8 @@ struct PlanCommand {
   bool trace = false;
   std::string out;
   std::vector<Candidate> catalogue;
+  Said said;
+  const Command* changes = nullptr;  ///< words that change cells of the map; none in a scenario
 };
 
 struct Row {
@@ -233,7 +247,7 @@ struct Answer {
   Trace trace;
 };
 
-void print_json(const PlanCommand& command, const Answer& answer, bool all) {
+nlohmann::ordered_json plan_json(const PlanCommand& command, const Answer& answer, bool all) {
   const auto& [map, question, rows, trace] = answer;
   nlohmann::ordered_json object = {
       {"status", all ? "done" : "not_done"}, {"job", "plan"}, {"radius_m", map.radius_m}};
@@ -249,7 +263,7 @@ void print_json(const PlanCommand& command, const Answer& answer, bool all) {
   }
   if (command.trace) object["trace"] = trace_json(trace, *question.problem.grid);
   object["warnings"] = map.warnings;
-  print(object);
+  return object;
 }
 
 void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
@@ -270,7 +284,7 @@ void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
   }
 }
 
-Status draw(const PlanCommand& command, const Answer& answer) {
+std::string picture_of(const PlanCommand& command, const Answer& answer) {
   const auto& [map, question, rows, trace] = answer;
   PathPicture picture{map.occupied, map.blocked, {}, question.problem.start, question.goals, {}};
   if (map.ground) picture.obstacles = map.ground->obstacles();
@@ -279,21 +293,22 @@ Status draw(const PlanCommand& command, const Answer& answer) {
   for (const Row& row : rows) {
     if (row.plan) picture.paths.push_back({std::string(row.planner.name), *row.plan});
   }
-  return write_file(command.svg, to_svg(picture));
+  return to_svg(picture);
 }
 
-Outcome<Answer> answer(PlanCommand& command, const Command& flags) {
+Outcome<Answer> answer(const PlanCommand& command) {
   auto model = model_of(command);
   if (!model) return pass_on(model);
   auto candidates = chosen(command, *model);
   if (!candidates) return pass_on(candidates);
   Progress progress(1 + static_cast<int>(candidates->size()));
   progress.next("reading the map");
-  const bool radius_given = flags.given("--radius");
-  auto map = load_map(command.map, radius_given ? std::optional(command.robot.radius_m) : std::nullopt,
+  auto map = load_map(command.map, command.said.radius ? std::optional(command.robot.radius_m) : std::nullopt,
                       command.robot, command.grid);
   if (!map) return pass_on(map);
-  if (auto ok = change_cells(flags, *map); !ok) return pass_on(ok);
+  if (command.changes != nullptr) {
+    if (auto ok = change_cells(*command.changes, *map); !ok) return pass_on(ok);
+  }
   auto question = question_on(command, *map, *model);
   if (!question) return pass_on(question);
   Answer answer{std::move(*map), std::move(*question), {}, {}};
@@ -306,8 +321,9 @@ Outcome<Answer> answer(PlanCommand& command, const Command& flags) {
   return answer;
 }
 
-int execute_on_polygons(const PlanCommand& command, const Command& flags, GridModel model) {
-  const auto given = [&](const char* flag) { return flags.given(flag); };
+int execute_on_polygons(const PlanCommand& command) {
+  const auto model = model_of(command);
+  if (!model) return say(model.error(), command.json);
   PolygonPlan request;
   request.map = command.map;
   request.from = command.from;
@@ -315,11 +331,11 @@ int execute_on_polygons(const PlanCommand& command, const Command& flags, GridMo
   request.query = command.query;
   request.out = command.out;
   request.svg = command.svg;
-  if (given("--planner")) request.planner = command.planner;
-  if (given("--model")) request.model = model;
-  if (given("--radius") || !is_polygon_map(command.map)) request.radius_m = command.robot.radius_m;
+  if (command.said.planner) request.planner = command.planner;
+  if (command.said.model) request.model = *model;
+  if (command.said.radius || !is_polygon_map(command.map)) request.radius_m = command.robot.radius_m;
   request.height_m = command.robot.height_m;
-  if (given("--resolution")) request.resolution_m = command.grid.resolution_m;
+  if (command.said.resolution) request.resolution_m = command.grid.resolution_m;
   request.compare = command.compare;
   request.json = command.json;
   for (const Candidate& candidate : command.catalogue) {
@@ -357,33 +373,30 @@ Status check_grid_flags(const Command& flags) {
   return {};
 }
 
-int execute(PlanCommand& command, const Command& flags) {
-  const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
-  command.goals = flags.values("--to");
-  const bool on_polygons = is_polygon_question(command);
-  if (auto ok = check_trace(command, on_polygons); !ok) return say(ok.error(), json);
-  if (on_polygons) {
-    if (auto ok = refuse_changes(flags); !ok) return say(ok.error(), json);
-    const auto model = model_of(command);
-    return model ? execute_on_polygons(command, flags, *model) : say(model.error(), json);
+/// The picture and the answer, where they were asked for.
+Status write_answer(const PlanCommand& command, const Answer& answer, bool all) {
+  if (!command.svg.empty()) {
+    if (auto ok = write_file(command.svg, picture_of(command, answer)); !ok) return ok;
   }
-  if (auto ok = check_grid_flags(flags); !ok) return say(ok.error(), json);
-  const auto found = answer(command, flags);
+  if (command.out.empty()) return {};
+  return cli::write_files(command.out, {{"plan.json", plan_json(command, answer, all).dump(1) + "\n"},
+                                        {"plan.svg", picture_of(command, answer)}});
+}
+
+int execute_on_grid(const PlanCommand& command) {
+  const auto found = answer(command);
   if (!found) return say(found.error(), command.json);
   const auto& [map, question, rows, trace] = *found;
   for (const std::string& warning : map.warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
 
-  const bool draws = flags.given("--svg");
-  if (draws) {
-    if (auto ok = draw(command, *found); !ok) return say(ok.error(), command.json);
-  }
   const bool all = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plan.has_value(); });
+  if (auto ok = write_answer(command, *found, all); !ok) return say(ok.error(), command.json);
   if (command.json) {
-    print_json(command, *found, all);
+    print(plan_json(command, *found, all));
   } else if (all || rows.size() > 1) {
     print_table(rows, map, question.goals.size() > 1);
-    if (draws) fmt::print("\n  picture  {}\n", command.svg);
+    if (!command.svg.empty()) fmt::print("\n  picture  {}\n", command.svg);
+    if (!command.out.empty()) fmt::print("\n  picture  {}/plan.svg\n", command.out);
   }
   const auto failed = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.plan; });
   if (failed == rows.end()) return job_done;
@@ -391,7 +404,70 @@ int execute(PlanCommand& command, const Command& flags) {
   return question.goals.size() > 1 ? job_not_done : status;
 }
 
+int execute(PlanCommand& command, const Command& flags) {
+  const bool json = flags.given("--json");
+  if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
+  command.goals = flags.values("--to");
+  command.said = {flags.given("--radius"), flags.given("--planner"), flags.given("--model"),
+                  flags.given("--resolution")};
+  const bool on_polygons = is_polygon_question(command);
+  if (auto ok = check_trace(command, on_polygons); !ok) return say(ok.error(), json);
+  if (on_polygons) {
+    if (auto ok = refuse_changes(flags); !ok) return say(ok.error(), json);
+    return execute_on_polygons(command);
+  }
+  if (auto ok = check_grid_flags(flags); !ok) return say(ok.error(), json);
+  command.changes = &flags;
+  return execute_on_grid(command);
+}
+
+struct ScenarioRequest {
+  std::string scenario_path;
+  bool json = false;
+  std::string out;
+  PlanScenario scenario;
+};
+
+OptionGroup describe_output(ScenarioRequest& request) {
+  return {"",
+          "output",
+          {{"json", "", 0, 0, "print one JSON object on standard output", &request.json},
+           {"out", "", 0, 0, "folder for plan.json and pictures", &request.out}}};
+}
+
+/// A scenario says everything, so its defaults are what it says.
+PlanCommand command_of(const ScenarioRequest& request) {
+  const PlanScenario& scenario = request.scenario;
+  PlanCommand command;
+  command.map = scenario.map;
+  command.from = scenario.from;
+  command.goals = {scenario.to};
+  command.planner = scenario.planner;
+  command.model = scenario.model;
+  command.robot.radius_m = scenario.radius_m;
+  command.robot.height_m = scenario.height_m;
+  command.grid = scenario.grid;
+  command.json = request.json;
+  command.out = request.out;
+  for (const auto& [planner, configured] : scenario.planners)
+    command.catalogue.push_back({planner, configured});
+  command.said = {true, true, true, true};
+  return command;
+}
+
 }  // namespace
+
+int run_plan_scenario(const std::string& path, const Command& flags) {
+  ScenarioRequest request;
+  if (auto ok = read_run_words(flags, path, "plan", request); !ok)
+    return say(ok.error(), flags.given("--json"));
+  if (auto ok = check(request.scenario); !ok) {
+    ok.error().where = path + ": " + ok.error().where;
+    return say(ok.error(), request.json);
+  }
+  const PlanCommand command = command_of(request);
+  return is_polygon_question(command) ? execute_on_polygons(command) : execute_on_grid(command);
+}
 
 void add_plan(Command& tool) {
   Command& plan = tool.add("plan", "find a collision-free path for a disk robot");

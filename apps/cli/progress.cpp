@@ -3,29 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 namespace outrider::cli {
-namespace {
-
-/// The descriptor that OUTRIDER_PROGRESS names; -1 without one.
-int watching_descriptor() {
-  const char* text = std::getenv("OUTRIDER_PROGRESS");
-  const std::string_view word = text == nullptr ? "" : text;
-  int descriptor = -1;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), descriptor);
-  return error == std::errc{} && end == word.data() + word.size() && descriptor > 2 ? descriptor : -1;
-}
-
-}  // namespace
 
 using Clock = std::chrono::steady_clock;
 
-Progress::Progress(int steps) : steps_(steps), descriptor_(watching_descriptor()) {
+Progress::Progress(int steps) : steps_(steps), program_("OUTRIDER_PROGRESS") {
   if (::isatty(STDERR_FILENO) == 1) watcher_ = std::thread([this] { watch(); });
 }
 
@@ -47,11 +32,9 @@ void Progress::part(double done) {
 }
 
 void Progress::tell() const {
-  if (descriptor_ < 0) return;
-  const std::string line = fmt::format("{{\"step\":{},\"steps\":{},\"name\":\"{}\",\"part\":{:.2f}}}\n",
-                                       done_ + 1, steps_, step_, part_);
-  [[maybe_unused]] const auto written =
-      ::write(descriptor_, line.data(), line.size());  // nobody may be there
+  if (!program_.is_there()) return;
+  program_.tell(fmt::format("{{\"step\":{},\"steps\":{},\"name\":\"{}\",\"part\":{:.2f}}}", done_ + 1, steps_,
+                            step_, part_));
 }
 
 void Progress::end() {

@@ -6,6 +6,8 @@
 #include <string>
 #include <thread>
 
+#include "watcher.hpp"
+
 namespace outrider::cli {
 
 /// Shows "[###..] step, 3 s" from the first second on, and leaves nothing behind. Silent where standard
@@ -38,7 +40,7 @@ class Progress {
   int done_ = -1;
   double part_ = 0.0;
   std::string step_;
-  int descriptor_ = -1;  // of a program that watches
+  Watcher program_;
   std::thread watcher_;
 };
 

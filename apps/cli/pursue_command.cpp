@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "flags.hpp"
+#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/io/pursuit_scenario.hpp"
 #include "outrider/io/scenario.hpp"
@@ -91,7 +92,12 @@ Outcome<PursuitResult> carry_out(PursueCommand& command) {
   const std::string name = std::filesystem::path(command.scenario.map).filename().string();
   progress.next("planning and going");
   WallWatch watch;
-  auto run = pursue(task->problem, task->robots, task->rules, watch);
+  LiveReport live;
+  Onlooker* const onlooker = live.onlooker();
+  const auto look = [&](const PursuitRun& so_far) {
+    if (onlooker != nullptr && onlooker->wants()) onlooker->see(pursuit_report(task->problem, so_far, name));
+  };
+  auto run = pursue(task->problem, task->robots, task->rules, watch, look);
   PursuitResult result;
   if (!run && !is_answer(run.error())) return pass_on(run);
   if (run) {
@@ -103,20 +109,22 @@ Outcome<PursuitResult> carry_out(PursueCommand& command) {
     result.times = {-1.0, watch.lap_s(), peak_mib()};
     result.report = pursuit_report(task->problem, run.error(), name);
   }
+  if (onlooker != nullptr) onlooker->see(result.report);
   result.report.seed = static_cast<std::uint64_t>(command.scenario.seed);
   result.report.settings = settings_of(describe(command.scenario));
   return result;
 }
 
-/// Report, picture and page; the latter two are made from the text of the report, as a replay makes them.
+/// Report, picture and, where the tool has one, page; these are made from the text of the report, as a replay
+/// makes them.
 Outcome<std::string> write_files(const PursueCommand& command, const Report& report) {
   if (command.out.empty()) return std::string{};
   const std::string text = to_json(report);
   auto stored = report_from_json(text);
   if (!stored) return pass_on(stored);
-  const std::vector<NamedText> files = {{report.job + ".json", text},
-                                        {report.job + ".html", to_html(*stored, page::viewer())},
-                                        {report.job + ".svg", to_animated_svg(*stored, 12.0)}};
+  std::vector<NamedText> files = {{report.job + ".json", text},
+                                  {report.job + ".svg", to_animated_svg(*stored, 12.0)}};
+  if (!page::viewer().empty()) files.emplace_back(report.job + ".html", to_html(*stored, page::viewer()));
   if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
   return command.out + "/" + files.front().first;
 }
@@ -134,7 +142,9 @@ int finish(PursueCommand& command) {
     fmt::print("{}{}", pursuit_summary(result->report), times_text(result->times));
     if (!path->empty()) {
       const std::string stem = command.out + "/" + result->report.job;
-      fmt::print("\n  report    {}\n  watch     {}.html\n  picture   {}.svg\n", *path, stem, stem);
+      fmt::print("\n  report    {}\n", *path);
+      if (!page::viewer().empty()) fmt::print("  watch     {}.html\n", stem);
+      fmt::print("  picture   {}.svg\n", stem);
     }
   }
   return result->report.status == "done" ? job_done : job_not_done;

@@ -62,6 +62,9 @@ std::string text_of(const Report& report) {
 int execute(ReplayCommand& command, const Command& flags) {
   const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), json);
+  if (flags.given("--html")) {
+    if (auto ok = check_page("--html"); !ok) return say(ok.error(), command.json);
+  }
   const auto report = load_report(command.path);
   if (!report) return say(report.error(), command.json);
   if (flags.given("--html")) {

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "clocks.hpp"
 #include "commands.hpp"
 #include "flags.hpp"
 #include "laser_run.hpp"
@@ -59,11 +59,6 @@ std::vector<OptionGroup> describe(SlamCommand& command) {
 }
 
 Json known(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 std::vector<Vec2> places(const std::vector<Pose2>& poses) {
   std::vector<Vec2> result;

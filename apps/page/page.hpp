@@ -1,5 +1,5 @@
 // The web page, as it was built with the tool: its files for `outrider serve`, and the viewer of one report
-// for `outrider replay --html`. cmake/Page.cmake makes them of web/; where npm was absent both are empty.
+// for `outrider replay --html`. cmake/Page.cmake makes them of web/; where npm could not, both are empty.
 #pragma once
 
 #include <span>
@@ -23,6 +23,6 @@ std::string_view viewer();
 
 /// What is missing where both are empty.
 constexpr std::string_view missing =
-    "this tool was built without the page; install nodejs and npm, and build it again";
+    "this tool was built without the page; build it again where npm is installed and reaches its registry";
 
 }  // namespace outrider::page

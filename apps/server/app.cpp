@@ -7,6 +7,7 @@
 
 #include "base64.hpp"
 #include "gunzip.hpp"
+#include "scenarios.hpp"
 
 namespace outrider::server {
 namespace {
@@ -130,6 +131,8 @@ std::span<const App::Row> App::table() {
       {"GET", "/api/v1/files", &App::list_files},
       {"GET", "/api/v1/files/{path}", &App::read_file},
       {"PUT", "/api/v1/files/{path}", &App::save_file},
+      {"GET", "/api/v1/scenarios/{path}", &App::read_scenario},
+      {"PUT", "/api/v1/scenarios/{path}", &App::save_scenario},
       {"GET", "/api/v1/catalogue", &App::catalogue},
       {"POST", "/api/v1/maps", &App::read_map},
       {"POST", "/api/v1/plan", &App::plan},
@@ -207,6 +210,24 @@ Response App::read_file(const Request&, const Parts& parts) { return folder_.rea
 
 Response App::save_file(const Request& request, const Parts& parts) {
   return folder_.save(parts[0], request.body, request.header("if-none-match") == "*");
+}
+
+Response App::read_scenario(const Request&, const Parts& parts) {
+  const auto place = folder_.resolve(parts[0]);
+  std::error_code error;
+  if (!place || !std::filesystem::is_regular_file(*place, error)) {
+    return not_found("there is no such scenario", parts[0].substr(0, 200));
+  }
+  auto scenario = shown_scenario(parts[0], folder_, memory_.maps);
+  return scenario ? json_response(*scenario) : error_response(scenario.error());
+}
+
+Response App::save_scenario(const Request& request, const Parts& parts) {
+  const auto body = parse_json(request.body, "body");
+  if (!body) return error_response(body.error());
+  const auto files = scenario_files(parts[0], *body, folder_, memory_);
+  if (!files) return error_response(files.error());
+  return folder_.save_scenario(parts[0], *files, request.header("if-none-match") == "*");
 }
 
 Response App::catalogue(const Request&, const Parts&) {

@@ -62,6 +62,8 @@ class App {
 
   Response dispatch(const Request& request);
   Response version(const Request& request, const Parts& parts);
+  Response read_scenario(const Request& request, const Parts& parts);
+  Response save_scenario(const Request& request, const Parts& parts);
   Response list_files(const Request& request, const Parts& parts);
   Response read_file(const Request& request, const Parts& parts);
   Response save_file(const Request& request, const Parts& parts);

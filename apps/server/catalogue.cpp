@@ -25,15 +25,6 @@ std::string_view name_of(Measure measure) {
   return "";
 }
 
-/// The present value in the unit of the option.
-Json value_json(const Option& option) {
-  if (const auto* text = std::get_if<std::string*>(&option.value)) return **text;
-  if (const auto* flag = std::get_if<bool*>(&option.value)) return **flag;
-  const std::string text = value_text(option);
-  Json number = Json::parse(text, nullptr, false);
-  return number.is_number() ? number : Json(text);
-}
-
 Json options_json(const std::vector<Option>& options) {
   Json list = Json::array();
   for (const Option& option : options) list.push_back(option_json(option));
@@ -60,6 +51,14 @@ Json planner_json(const PathPlanner& planner) {
 }
 
 }  // namespace
+
+Json value_json(const Option& option) {
+  if (const auto* text = std::get_if<std::string*>(&option.value)) return **text;
+  if (const auto* flag = std::get_if<bool*>(&option.value)) return **flag;
+  const std::string text = value_text(option);
+  Json number = Json::parse(text, nullptr, false);
+  return number.is_number() ? number : Json(text);
+}
 
 Json option_json(const Option& option) {
   Json object = {{"name", option.name}, {"type", type_name(option)}, {"unit", option.unit}};

@@ -17,6 +17,9 @@ struct JobForm {
   std::vector<OptionGroup> groups;
 };
 
+/// The present value in the unit of the option.
+Json value_json(const Option& option);
+
 /// {"name", "type", "unit", "low", "high", "default", "sentence"}; low and high of numbers only.
 Json option_json(const Option& option);
 

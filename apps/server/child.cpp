@@ -8,9 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <string_view>
 
 extern char** environ;
 
@@ -21,8 +21,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_output = std::size_t{16} << 20U;
 constexpr std::size_t most_errors = std::size_t{64} << 10U;
-constexpr std::size_t longest_line = 4096;
-constexpr int progress_descriptor = 3;
+constexpr std::size_t longest_line = std::size_t{5} << 20U;  // LiveReport writes 4 MiB at most
+constexpr int telling_descriptor = 3;
 constexpr int poll_ms = 20;
 constexpr std::chrono::seconds grace{1};  // between asking it to end and ending it
 
@@ -62,13 +62,16 @@ class Reader {
   std::array<int, 2> ends_{};
 };
 
-/// The environment with the descriptor of progress; made before the fork, where memory may be had.
+/// The environment with the descriptor for what it tells; made before the fork, where memory may be had.
 std::vector<std::string> environment() {
   std::vector<std::string> all;
+  const std::string_view ours[] = {"OUTRIDER_PROGRESS=", "OUTRIDER_LIVE="};
   for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (!std::string_view(*entry).starts_with("OUTRIDER_PROGRESS=")) all.emplace_back(*entry);
+    const auto is_it = [&](std::string_view name) { return std::string_view(*entry).starts_with(name); };
+    if (std::ranges::none_of(ours, is_it)) all.emplace_back(*entry);
   }
-  all.push_back("OUTRIDER_PROGRESS=" + std::to_string(progress_descriptor));
+  for (const std::string_view name : ours)
+    all.push_back(std::string(name) + std::to_string(telling_descriptor));
   return all;
 }
 
@@ -81,7 +84,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 /// In the child, where only calls that are safe after a fork may be made.
 [[noreturn]] void become(char* const* words, char* const* environment, const char* folder, pid_t parent,
-                         int out, int err, int progress) {
+                         int out, int err, int telling) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent || ::chdir(folder) != 0) ::_exit(127);  // it ended before that
@@ -95,8 +98,8 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   const int empty = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   // Moved out of the way first: one of them may be the number that another is to have.
   const int from[] = {::fcntl(empty, F_DUPFD_CLOEXEC, 10), ::fcntl(out, F_DUPFD_CLOEXEC, 10),
-                      ::fcntl(err, F_DUPFD_CLOEXEC, 10), ::fcntl(progress, F_DUPFD_CLOEXEC, 10)};
-  for (int to = 0; to <= progress_descriptor; ++to) {
+                      ::fcntl(err, F_DUPFD_CLOEXEC, 10), ::fcntl(telling, F_DUPFD_CLOEXEC, 10)};
+  for (int to = 0; to <= telling_descriptor; ++to) {
     if (::dup2(from[to], to) < 0) ::_exit(127);
   }
   ::execve(words[0], words, environment);
@@ -104,11 +107,13 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 }
 
 /// Gives the whole lines of `pending` on, and keeps the rest.
-void give_lines(std::string& pending, const std::function<void(const std::string&)>& on_progress) {
-  for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n')) {
-    on_progress(pending.substr(0, end));
-    pending.erase(0, end + 1);
+void give_lines(std::string& pending, const std::function<void(std::string_view)>& on_line) {
+  std::size_t begin = 0;
+  for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n', begin)) {
+    on_line(std::string_view(pending).substr(begin, end - begin));
+    begin = end + 1;
   }
+  pending.erase(0, begin);
   if (pending.size() > longest_line) pending.clear();
 }
 
@@ -133,24 +138,24 @@ class Ending {
 
 ChildResult run_child(const std::vector<std::string>& words, const std::string& folder,
                       std::chrono::seconds limit, const std::stop_token& stop,
-                      const std::function<void(const std::string& line)>& on_progress) {
+                      const std::function<void(std::string_view line)>& on_line) {
   ChildResult result;
-  Reader out, err, progress;
+  Reader out, err, telling;
   std::vector<std::string> word_copies = words, variables = environment();
   const std::vector<char*> word_pointers = pointers(word_copies), variable_pointers = pointers(variables);
   const pid_t parent = ::getpid();
   const pid_t child =
-      out.descriptor() < 0 || err.descriptor() < 0 || progress.descriptor() < 0 ? -1 : ::fork();
+      out.descriptor() < 0 || err.descriptor() < 0 || telling.descriptor() < 0 ? -1 : ::fork();
   if (child == 0) {
     become(word_pointers.data(), variable_pointers.data(), folder.c_str(), parent, out.writer(), err.writer(),
-           progress.writer());
+           telling.writer());
   }
   if (child < 0) {
     result.errors = "the mission could not be started: the system has no room for another process";
     return result;
   }
   ::setpgid(child, child);  // so too if the child has not come to it yet
-  for (Reader* reader : {&out, &err, &progress}) reader->close_writer();
+  for (Reader* reader : {&out, &err, &telling}) reader->close_writer();
 
   Ending ending(child);
   const auto end = Clock::now() + limit;
@@ -158,7 +163,7 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
   int status = 0;
   for (bool running = true; running;) {
     std::array<pollfd, 3> waits = {
-        {{out.descriptor(), POLLIN, 0}, {err.descriptor(), POLLIN, 0}, {progress.descriptor(), POLLIN, 0}}};
+        {{out.descriptor(), POLLIN, 0}, {err.descriptor(), POLLIN, 0}, {telling.descriptor(), POLLIN, 0}}};
     ::poll(waits.data(), waits.size(), poll_ms);
     result.timed_out = result.timed_out || Clock::now() > end;
     result.cancelled = result.cancelled || stop.stop_requested();
@@ -166,8 +171,8 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
     running = ::waitpid(child, &status, WNOHANG) != child;
     const bool open = out.read(result.output, most_output);
     err.read(result.errors, most_errors);
-    progress.read(pending, std::size_t{1} << 20U);
-    give_lines(pending, on_progress);
+    telling.read(pending, 2 * longest_line);
+    give_lines(pending, on_line);
     if (running && !open) ::usleep(1000 * poll_ms);  // a closed pipe does not wait
   }
   ::kill(-child, SIGKILL);  // what it may have left behind

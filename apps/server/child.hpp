@@ -1,5 +1,5 @@
-// A program run on our behalf: what it prints is collected, its progress told, and it ends when it is told
-// to.
+// A program run on our behalf: what it prints is collected, what it tells of itself given on, and it ends
+// when it is told to.
 //
 // A mission is a process of its own: it can be ended at any moment, what it takes is freed, and no fault of
 // it is one of the server. It ends with us as well, however we end.
@@ -9,6 +9,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace outrider::server {
@@ -22,10 +23,11 @@ struct ChildResult {
 };
 
 /// Runs `words` (the first is the program) in `folder` until it ends, `stop` is raised, or the limit has
-/// passed. Each line that it writes to the descriptor that the variable OUTRIDER_PROGRESS names is given to
-/// `on_progress`, on the calling thread, which must live as long as the child.
+/// passed. Each line that it writes to the descriptor that the variables OUTRIDER_PROGRESS and OUTRIDER_LIVE
+/// name is given to `on_line`, on the calling thread, which must live as long as the child. The child waits
+/// for no longer than that takes.
 ChildResult run_child(const std::vector<std::string>& words, const std::string& folder,
                       std::chrono::seconds limit, const std::stop_token& stop,
-                      const std::function<void(const std::string& line)>& on_progress);
+                      const std::function<void(std::string_view line)>& on_line);
 
 }  // namespace outrider::server

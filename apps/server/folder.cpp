@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_head_bytes = 300;  // of a file, before the mark of those that were saved
+
 bool good_name(std::string_view name) {
   const auto bad = [](unsigned char c) { return c < 0x20 || c == '\\' || c == 0x7f; };
   return !name.empty() && name.size() <= 255 && name[0] != '.' && std::none_of(name.begin(), name.end(), bad);
@@ -94,6 +96,20 @@ std::string type_of(const fs::path& path) {
 }
 
 }  // namespace
+
+bool is_saved_here(std::string_view content) {
+  return content.substr(0, most_head_bytes).find(saved_here) != std::string_view::npos;
+}
+
+Fault without_folder(Fault fault, const fs::path& folder) {
+  const std::string prefix = folder.string() + "/";
+  for (std::string* text : {&fault.where, &fault.sentence}) {
+    for (std::size_t at = text->find(prefix); at != std::string::npos; at = text->find(prefix)) {
+      text->erase(at, prefix.size());
+    }
+  }
+  return fault;
+}
 
 Outcome<Folder> Folder::open(const std::string& path) {
   std::error_code error;
@@ -195,6 +211,37 @@ Response Folder::save(std::string_view path, std::string_view text, bool only_ne
     return error_response(403, "forbidden", ok.error().sentence, where);
   }
   return json_response({{"path", path}, {"bytes", text.size()}}, there ? 200 : 201);
+}
+
+Response Folder::save_scenario(std::string_view path, const std::vector<NamedContent>& files,
+                               bool only_new) const {
+  std::vector<NamedContent> placed;
+  nlohmann::ordered_json names = nlohmann::ordered_json::array();
+  bool there = false;
+  for (const auto& [name, content] : files) {
+    const auto place = resolve(name);
+    if (!place) return error_response(place.error());
+    std::error_code error;
+    if (!fs::is_directory(place->parent_path(), error)) return not_found("there is no such folder", name);
+    if (*place != root_ / name || fs::is_symlink(*place, error)) {
+      return error_response(403, "forbidden", "a link is on the way; scenarios are saved without any", name);
+    }
+    there = fs::exists(*place, error);
+    if (there && only_new) {
+      return error_response(412, "precondition_failed", "there is a file of that name; choose another", name);
+    }
+    if (there && !is_saved_here(first_bytes(*place, most_head_bytes))) {
+      return error_response(403, "forbidden",
+                            "this file was not saved here, so it stays; choose another name", name);
+    }
+    placed.push_back({place->string(), content});
+    names.push_back(name);
+  }
+  if (auto ok = write_files(placed); !ok) {
+    return error_response(403, "forbidden", without_folder(ok.error(), root_).sentence,
+                          std::string(path.substr(0, 200)));
+  }
+  return json_response({{"path", path}, {"files", std::move(names)}}, there ? 200 : 201);
 }
 
 Status Folder::check_references(const fs::path& file) const { return check_references(file, 0); }

@@ -10,9 +10,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "message.hpp"
 #include "outrider/core/outcome.hpp"
+#include "outrider/io/files.hpp"
 
 namespace outrider::server {
 
@@ -20,6 +22,13 @@ inline constexpr std::size_t most_listed_files = 5000;
 inline constexpr int deepest_folder = 8;
 inline constexpr std::size_t largest_served_bytes = std::size_t{64} << 20U;
 inline constexpr std::size_t largest_saved_bytes = std::size_t{1} << 20U;
+
+/// Stands at the beginning of every file that belongs to a saved scenario.
+inline constexpr std::string_view saved_here = "Saved by the page of outrider serve.";
+bool is_saved_here(std::string_view content);
+
+/// Sentences speak of a file as people named it, not of where it lies on the disk.
+Fault without_folder(Fault fault, const std::filesystem::path& folder);
 
 class Folder {
  public:
@@ -41,6 +50,12 @@ class Folder {
   [[nodiscard]] Response read(std::string_view path) const;
   /// Writes a scenario, whole or not at all. `only_new` refuses to replace one.
   [[nodiscard]] Response save(std::string_view path, std::string_view text, bool only_new) const;
+
+  /// Writes the files of a scenario, named as in requests and the scenario last: all or, but for a disk that
+  /// fails while they are renamed, none. Files that are there already are replaced only when they begin as
+  /// those that were saved in this way, and never through a link. `only_new` refuses to replace any.
+  [[nodiscard]] Response save_scenario(std::string_view path, const std::vector<NamedContent>& files,
+                                       bool only_new) const;
 
   /// Refuses a scenario, map or world that names a file outside the folder, or that does so by a file it
   /// names: every text of a YAML file that is the path of something that exists, every uri of an SDF world.

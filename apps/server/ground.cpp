@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "outrider/path/from_occupancy.hpp"
 #include "outrider/path/from_polygons.hpp"
@@ -14,11 +15,6 @@ namespace {
 
 constexpr std::size_t most_grounds = 16;
 constexpr std::size_t most_edits = 10'000;
-
-Vec2 turned(Vec2 v, double angle_rad) {
-  const Vec2 along = direction(angle_rad);
-  return v.x * along + v.y * perpendicular(along);
-}
 
 Edit cell_edit(Fields& fields) {
   const bool blocks = fields.has("block");
@@ -124,12 +120,12 @@ Outcome<PreparedGround> prepare_polygons(const GroundRequest& request, const Pol
 
 Vec2 PreparedGround::to_grid(Vec2 world) const {
   if (yaw_rad == 0.0) return world;
-  return blocked.frame.origin + turned(world - blocked.frame.origin, -yaw_rad);
+  return blocked.frame.origin + unrotated(yaw_rad, world - blocked.frame.origin);
 }
 
 Vec2 PreparedGround::to_world(Vec2 grid_point) const {
   if (yaw_rad == 0.0) return grid_point;
-  return blocked.frame.origin + turned(grid_point - blocked.frame.origin, yaw_rad);
+  return blocked.frame.origin + rotated(yaw_rad, grid_point - blocked.frame.origin);
 }
 
 Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map) {
@@ -144,9 +140,40 @@ Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map
   return edits;
 }
 
+Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits) {
+  KnownMap after = map;
+  if (auto* cells = std::get_if<CellMap>(&after.shape)) {
+    auto occupancy = edited(*cells, edits);
+    if (!occupancy) return pass_on(occupancy);
+    cells->occupancy = std::move(*occupancy);
+  } else {
+    auto obstacles = edited(std::get<PolygonMap>(after.shape), edits);
+    if (!obstacles) return pass_on(obstacles);
+    std::get<PolygonMap>(after.shape).obstacles = std::move(*obstacles);
+  }
+  return after;
+}
+
 Outcome<PreparedGround> prepare(const GroundRequest& request) {
   if (const auto* cells = std::get_if<CellMap>(&request.map->shape)) return prepare_cells(request, *cells);
   return prepare_polygons(request, std::get<PolygonMap>(request.map->shape));
+}
+
+Outcome<PreparedGround> GroundStore::make(const GroundRequest& request) {
+  const bool known = request.polygons && !request.earlier_text.empty();
+  if (!known || request.edits.back().kind != Edit::Kind::add || request.edits.back().corners.empty()) {
+    return prepare(request);
+  }
+  GroundRequest earlier = request;
+  earlier.edits.pop_back();
+  earlier.edits_text = std::exchange(earlier.earlier_text, {});
+  auto ground = get(earlier);
+  if (!ground) return pass_on(ground);
+  auto more = (*ground)->polygons->with_obstacle(request.edits.back().corners);
+  if (!more) return pass_on(more);
+  PreparedGround made;
+  made.polygons = std::make_shared<const PolygonGround>(std::move(*more));
+  return made;
 }
 
 Outcome<std::shared_ptr<const PreparedGround>> GroundStore::get(const GroundRequest& request) {
@@ -162,7 +189,7 @@ Outcome<std::shared_ptr<const PreparedGround>> GroundStore::get(const GroundRequ
       return rows_.front().ground;
     }
   }
-  auto made = prepare(request);
+  auto made = make(request);
   if (!made) return pass_on(made);
   auto ground = std::make_shared<const PreparedGround>(std::move(*made));
   const std::lock_guard lock(mutex_);

@@ -28,6 +28,7 @@ struct GroundRequest {
   std::shared_ptr<const KnownMap> map;
   std::vector<Edit> edits;
   std::string edits_text;                ///< the same as JSON: a name for them
+  std::string earlier_text = {};         ///< all but the last of them; empty: there are none, or not told
   bool polygons = false;                 ///< the planner takes polygons
   GridModel model = GridModel::corners;  ///< else the grid that it takes
   double radius_m = 0.18;
@@ -47,6 +48,9 @@ struct PreparedGround {
 /// Edits from their JSON form, for a map of cells or of polygons.
 Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map);
 
+/// The map after the edits. Fault: bad_input on edits that leave the map.
+Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits);
+
 /// Faults: bad_input on edits that leave the map, polygons that cross themselves, polygons asked of cells.
 Outcome<PreparedGround> prepare(const GroundRequest& request);
 
@@ -60,6 +64,9 @@ class GroundStore {
     std::string name;
     std::shared_ptr<const PreparedGround> ground;
   };
+  /// An obstacle that is added last, and dragged, leaves the ground without it as it was.
+  Outcome<PreparedGround> make(const GroundRequest& request);
+
   std::mutex mutex_;
   std::list<Row> rows_;  // newest use first
 };

@@ -71,14 +71,12 @@ Outcome<KnownMap> from_movingai(const fs::path& file) {
 }
 
 Outcome<KnownMap> from_world(const fs::path& file) {
-  static std::mutex one_at_a_time;  // the rule of load_sdf()
-  const std::lock_guard lock(one_at_a_time);
+  const std::lock_guard lock(reading_worlds());
   auto loaded = load_sdf(file.string());
   if (!loaded) return pass_on(loaded);
-  auto polygons = polygons_from_world(Ground::of(loaded->world, robot_height_m), usual_radius_m);
+  auto polygons = polygons_of(loaded->world, usual_radius_m, robot_height_m);
   if (!polygons) return pass_on(polygons);
-  return KnownMap{
-      {}, {}, PolygonMap{polygons->boundary, polygons->obstacles, {}}, std::move(loaded->warnings)};
+  return KnownMap{{}, {}, std::move(*polygons), std::move(loaded->warnings)};
 }
 
 Outcome<KnownMap> by_extension(const fs::path& file) {
@@ -99,18 +97,18 @@ Outcome<KnownMap> by_extension(const fs::path& file) {
       file.filename().string());
 }
 
-/// Sentences speak of the file as people named it, not of where it lies on the disk.
-Fault without_folder(Fault fault, const fs::path& folder) {
-  const std::string prefix = folder.string() + "/";
-  for (std::string* text : {&fault.where, &fault.sentence}) {
-    for (std::size_t at = text->find(prefix); at != std::string::npos; at = text->find(prefix)) {
-      text->erase(at, prefix.size());
-    }
-  }
-  return fault;
+}  // namespace
+
+std::mutex& reading_worlds() {
+  static std::mutex one_at_a_time;
+  return one_at_a_time;
 }
 
-}  // namespace
+Outcome<PolygonMap> polygons_of(const World& world, double radius_m, double height_m) {
+  auto polygons = polygons_from_world(Ground::of(world, height_m), radius_m);
+  if (!polygons) return pass_on(polygons);
+  return PolygonMap{polygons->boundary, polygons->obstacles, {}};
+}
 
 Outcome<KnownMap> load_known_map(const fs::path& file, const Folder& folder) {
   if (auto ok = folder.check_references(file); !ok) return pass_on(ok);

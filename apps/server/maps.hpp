@@ -16,6 +16,7 @@
 #include "outrider/core/outcome.hpp"
 #include "outrider/io/polygons.hpp"
 #include "outrider/world/grid.hpp"
+#include "outrider/world/world.hpp"
 
 namespace outrider::server {
 
@@ -51,6 +52,12 @@ Outcome<KnownMap> load_known_map(const std::filesystem::path& file, const Folder
 
 /// The same of files that were sent, name and bytes; the first that is no image is the map.
 Outcome<KnownMap> read_dropped_map(const std::vector<std::pair<std::string, std::string>>& files);
+
+/// What stands in the way of a robot of that radius and height in a world, as polygons.
+Outcome<PolygonMap> polygons_of(const World& world, double radius_m, double height_m);
+
+/// Held while an SDF world is read: the rule of load_sdf().
+std::mutex& reading_worlds();
 
 /// The newest 32 maps. Thread rule: any thread may ask.
 class MapStore {

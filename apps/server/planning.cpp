@@ -97,10 +97,26 @@ Outcome<Question> question_of(const Json& request, PlanningMemory& memory) {
   if (!changes) return pass_on(changes);
   ground.edits = std::move(*changes);
   ground.edits_text = edits->dump();
+  if (!edits->empty()) {
+    Json earlier = *edits;
+    earlier.erase(earlier.size() - 1);
+    ground.earlier_text = earlier.dump();
+  }
   return question;
 }
 
 Json point_json(Vec2 p) { return {p.x, p.y}; }
+
+/// x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue.
+Json openings_json(const Trace& trace, const GridGround& grid) {
+  Json list = Json::array();
+  for (const Opening& opening : trace.openings) {
+    const Cell v = grid.at(opening.state);
+    for (const auto value : {static_cast<std::uint32_t>(v.x), static_cast<std::uint32_t>(v.y), opening.after})
+      list.push_back(value);
+  }
+  return list;
+}
 
 Json trace_json(const Trace& trace, const PreparedGround& ground) {
   const GridGround& grid = *ground.grid;
@@ -112,6 +128,7 @@ Json trace_json(const Trace& trace, const PreparedGround& ground) {
   const GridFrame& frame = grid.frame;
   return {{"columns", {"x", "y", "parent_x", "parent_y", "f", "g", "h"}},
           {"rows", std::move(rows)},
+          {"openings", openings_json(trace, grid)},
           {"unit", "cells"},
           {"model", to_string(grid.model)},
           {"frame",
@@ -215,6 +232,31 @@ Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace
   }
   if (question->legs && question->planner.polygons) (*answer)["legs"] = legs_json(*(*ground)->polygons);
   return answer;
+}
+
+Outcome<QuestionScenario> scenario_of_question(const Json& request, PlanningMemory& memory) {
+  auto question = question_of(request, memory);
+  if (!question) return pass_on(question);
+  const GroundRequest& ground = question->ground;
+  auto map = edited(*ground.map, ground.edits);
+  if (!map) return pass_on(map);
+  QuestionScenario found{{}, std::move(*map)};
+  PlanScenario& scenario = found.scenario;
+  scenario.from = fmt::format("{},{}", question->start.x, question->start.y);
+  scenario.to = fmt::format("{},{}", question->goal.x, question->goal.y);
+  scenario.planner = question->planner.name;
+  scenario.model = to_string(ground.model);
+  scenario.radius_m = ground.radius_m;
+  scenario.grid.resolution_m = ground.resolution_m;
+  scenario.grid.most_cells = static_cast<std::int64_t>(most_map_cells);
+  const auto row = std::find_if(scenario.planners.begin(), scenario.planners.end(), [&](const auto& planner) {
+    return planner.first.name == question->planner.name;
+  });
+  row->second = std::move(question->configured);
+  if (auto* polygons = std::get_if<PolygonMap>(&found.map.shape)) {
+    polygons->queries = {{question->start, question->goal}};
+  }
+  return found;
 }
 
 }  // namespace outrider::server

@@ -5,6 +5,7 @@
 #include <stop_token>
 
 #include "ground.hpp"
+#include "outrider/io/plan_scenario.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider::server {
@@ -25,5 +26,14 @@ struct PlanningMemory {
 /// question on the same ground.
 Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace& workspace,
                           const std::stop_token& stop);
+
+/// A question as a scenario, and the map that it asks about with the edits in it.
+struct QuestionScenario {
+  PlanScenario scenario;  ///< but for `map`, the name of a file
+  KnownMap map;
+};
+
+/// Of the same request as answer_plan(). Fault: bad_input on one that is wrong.
+Outcome<QuestionScenario> scenario_of_question(const Json& request, PlanningMemory& memory);
 
 }  // namespace outrider::server

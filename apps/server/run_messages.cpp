@@ -1,12 +1,14 @@
 #include "run_messages.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace outrider::server {
 namespace {
 
 constexpr std::size_t events_at_once = 200;
 constexpr std::size_t rows_at_once = 500;
+constexpr std::array columns = {"time_s", "x", "y", "heading_rad", "gun_yaw_rad", "gun_pitch_rad"};
 
 void replace_all(std::string& text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
@@ -22,9 +24,10 @@ std::string last_line(std::string text) {
   return text.substr(0, 500);
 }
 
-/// Parts of a list, each of at most `size`.
+/// Parts of a list, each of at most `size`; none of what is no list.
 std::vector<Json> parts_of(const Json& list, std::size_t size) {
   std::vector<Json> parts;
+  if (!list.is_array()) return parts;
   for (std::size_t begin = 0; begin < list.size(); begin += size) {
     const auto first = list.begin() + static_cast<std::ptrdiff_t>(begin);
     const auto last = list.begin() + static_cast<std::ptrdiff_t>(std::min(list.size(), begin + size));
@@ -33,17 +36,61 @@ std::vector<Json> parts_of(const Json& list, std::size_t size) {
   return parts;
 }
 
+/// Whether it is a list with something in it, and not in empty lists of it only.
+bool has_items(const Json& value) {
+  return value.is_array() && std::any_of(value.begin(), value.end(),
+                                         [](const Json& item) { return !item.is_array() || !item.empty(); });
+}
+
+/// The lists of a report that have something in them, where they stand in it.
+Json growth_of(const Json& report) {
+  Json growth = Json::object();
+  for (const auto& [key, value] : report.items()) {
+    if (has_items(value)) growth[key] = value;
+    if (key == "world" || key == "robot" || !value.is_object()) continue;
+    for (const auto& [name, list] : value.items()) {
+      if (has_items(list)) growth[key][name] = list;
+    }
+  }
+  return growth;
+}
+
 }  // namespace
 
-std::optional<Json> progress_of(const std::string& line) {
-  const Json value = Json::parse(line, nullptr, false);
-  if (!value.is_object()) return std::nullopt;
-  Fields fields(value, "");
+std::optional<Json> progress_of(const Json& line) {
+  if (!line.is_object() || !line.contains("step")) return std::nullopt;
+  Fields fields(line, "");
   Json progress = {{"step", fields.integer("step", 0, 1000)},
                    {"steps", fields.integer("steps", 1, 1000)},
                    {"name", fields.text("name")},
                    {"part", fields.number("part", 0.0, 1.0)}};
   return fields.end() ? std::optional(std::move(progress)) : std::nullopt;
+}
+
+std::vector<Json> messages_of(Json line) {
+  std::vector<Json> messages;
+  if (!line.is_object() || !line.contains("outrider_report")) return messages;
+  const Json events = std::exchange(line["events"], Json::array());
+  const Json track = std::exchange(line["track"], Json::array());
+  Json map;
+  if (line.contains("explore")) {
+    map = std::move(line["explore"]["map"]);
+    line["explore"].erase("map");
+  }
+  if (line.value("job", "") != "") {
+    messages.push_back({{"type", "scene"}, {"report", std::move(line)}});
+  } else if (Json growth = growth_of(line); !growth.empty()) {
+    messages.push_back({{"type", "growth"}, {"report", std::move(growth)}});
+  }
+  if (map.is_object() && map.value("columns", 0) > 0)
+    messages.push_back({{"type", "map"}, {"map", std::move(map)}});
+  for (Json& part : parts_of(track, rows_at_once)) {
+    messages.push_back({{"type", "samples"}, {"columns", columns}, {"rows", std::move(part)}});
+  }
+  for (Json& part : parts_of(events, events_at_once)) {
+    messages.push_back({{"type", "events"}, {"events", std::move(part)}});
+  }
+  return messages;
 }
 
 Conclusion conclusion_of(const ChildResult& child) {
@@ -77,26 +124,6 @@ Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::fil
     if (name.starts_with('.')) replace_all(*text, name, "scenario");
   }
   return fault;
-}
-
-std::vector<Json> messages_of_report(const std::string& report) {
-  std::vector<Json> messages;
-  const Json value = Json::parse(report, nullptr, false);
-  if (!value.is_object() || !value.contains("outrider_report")) return messages;
-  const Json none = Json::array();
-  const Json events = value.value("events", none), track = value.value("track", none);
-  for (Json& part : parts_of(events, events_at_once)) {
-    messages.push_back({{"type", "events"}, {"events", std::move(part)}});
-  }
-  const Json columns = {"time_s", "x", "y", "heading_rad", "gun_yaw_rad", "gun_pitch_rad"};
-  const bool whole = std::all_of(track.begin(), track.end(), [&](const Json& row) {
-    return row.is_array() && row.size() == columns.size();
-  });
-  if (!whole) return messages;
-  for (Json& part : parts_of(track, rows_at_once)) {
-    messages.push_back({{"type", "samples"}, {"columns", columns}, {"rows", std::move(part)}});
-  }
-  return messages;
 }
 
 }  // namespace outrider::server

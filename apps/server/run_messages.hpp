@@ -13,7 +13,12 @@
 namespace outrider::server {
 
 /// {"step", "steps", "name", "part"} from a line of progress; nothing from a line that is something else.
-std::optional<Json> progress_of(const std::string& line);
+std::optional<Json> progress_of(const Json& line);
+
+/// What viewers are told of a line of a report that grows (report/growth.hpp), in messages of bounded size:
+/// the scene where it begins, what has been added, the map, samples and events. None from a line that is
+/// something else.
+std::vector<Json> messages_of(Json line);
 
 /// How a mission ended: done, not_done, refused, cancelled or failed; why; and the object that it printed.
 struct Conclusion {
@@ -25,8 +30,5 @@ Conclusion conclusion_of(const ChildResult& child);
 
 /// The fault with files named from the root; a scenario that was not saved is "scenario".
 Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::filesystem::path& scenario);
-
-/// The events and samples of a report as messages of bounded size; none when it is no report.
-std::vector<Json> messages_of_report(const std::string& report);
 
 }  // namespace outrider::server

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
@@ -14,14 +16,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_messages = 20'000;
-constexpr std::size_t most_message_bytes = std::size_t{32} << 20U;
+constexpr std::size_t most_messages = 50'000;
+constexpr std::size_t most_message_bytes = std::size_t{16} << 20U;
 constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
 
 /// Part of the ids of one server: the moment it began.
 std::string moment() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
+}
+
+/// Whether a report lies there that can be served.
+bool is_report(const fs::path& file) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  std::string head(64, '\0');
+  std::ifstream(file).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return !error && bytes <= largest_served_bytes && head.find("outrider_report") != std::string::npos;
 }
 
 Response no_such_run(const std::string& id) {
@@ -44,13 +55,9 @@ struct Runs::Run {
   Json summary;
   bool has_report = false;
   std::stop_source stop;
-  struct Entry {
-    bool progress;
-    std::shared_ptr<const std::string> text;
-  };
-  std::vector<Entry> log;  // number 1 first
+  std::vector<std::shared_ptr<const std::string>> log;  // number 1 first; null: overtaken
   std::size_t log_bytes = 0;
-  std::uint64_t newest_progress = 0;
+  std::map<std::string, std::size_t> newest;  // of the kinds that are overtaken: their place in the log
 
   [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
   [[nodiscard]] Json json() const {
@@ -175,12 +182,12 @@ Response Runs::start(const RunRequest& request) {
   {
     const std::lock_guard lock(mutex_);
     runs_.push_back(run);
-    queue_.push_back(run);
     forget_old();
   }
   tell(run, {{"type", "state"}, {"state", "queued"}});
-  queued_.notify_one();
   const std::lock_guard lock(mutex_);
+  queue_.push_back(run);  // only now, or "running" could be told before "queued"
+  queued_.notify_one();
   return json_response(run->json(), 202);
 }
 
@@ -242,29 +249,31 @@ Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {
   const RunPtr run = find(id);
   if (!run) return bad_input("there is no such run; the server keeps the newest 32", "run");
   for (std::uint64_t i = from; i < run->log.size(); ++i) {
-    if (run->log[i].progress && i + 1 < run->newest_progress) continue;
-    return Message{i + 1, run->log[i].text};
+    if (run->log[i]) return Message{i + 1, run->log[i]};
   }
   return Message{from, nullptr};
 }
 
 void Runs::tell(const RunPtr& run, Json message) {
+  const std::string type = message["type"];
+  message["run"] = run->id;
+  const std::string body = text_of(message);  // {"type":...
   {
     const std::lock_guard lock(mutex_);
-    const bool progress = message["type"] == "progress", last = message["type"] == "end";
-    if (message["type"] == "state") run->state = message["state"].get<std::string>();
-    if (message["type"] == "state" || last) ++states_;
+    const bool last = type == "end";
+    if (type == "state") run->state = message["state"].get<std::string>();
+    if (type == "state" || last) ++states_;
     const bool full = run->log.size() >= most_messages || run->log_bytes > most_message_bytes;
     if (full && !last) return;
-    const std::uint64_t seq = run->log.size() + 1;
-    Json numbered = {{"type", message["type"]}, {"run", run->id}, {"seq", seq}};
-    if (last) numbered.update(run->json());
-    numbered.update(message);
-    numbered["seq"] = seq;
-    auto text = std::make_shared<const std::string>(text_of(numbered));
+    auto text = std::make_shared<const std::string>(
+        fmt::format("{{\"seq\":{},{}", run->log.size() + 1, std::string_view(body).substr(1)));
     run->log_bytes += text->size();
-    run->log.push_back({progress, std::move(text)});
-    if (progress) run->newest_progress = seq;
+    if (type == "progress" || type == "map") {
+      const auto [before, first] = run->newest.try_emplace(type, run->log.size());
+      if (!first) run->log_bytes -= std::exchange(run->log[before->second], nullptr)->size();
+      before->second = run->log.size();
+    }
+    run->log.push_back(std::move(text));
   }
   call_on_change();
 }
@@ -289,19 +298,27 @@ void Runs::carry_out(const RunPtr& run) {
       settings_.tool, "run",   run->file.lexically_relative(folder_.root()).string(),
       "--json",       "--out", run->out.string()};
   if (run->seed) words.insert(words.end(), {"--seed", std::to_string(*run->seed)});
-  const auto on_progress = [&](const std::string& line) {
-    auto progress = progress_of(line);
-    if (!progress) return;
+  const auto on_line = [&](std::string_view line) { hear(run, line); };
+  conclude(run, run_child(words, folder_.root().string(), settings_.limit, run->stop.get_token(), on_line));
+}
+
+/// What the mission tells of itself: its progress, or what is new in its report.
+void Runs::hear(const RunPtr& run, std::string_view line) {
+  Json value = Json::parse(line, nullptr, false);
+  if (auto progress = progress_of(value)) {
     {
       const std::lock_guard lock(mutex_);
       run->progress = *progress;
     }
-    Json message = {{"type", "progress"}};
-    message.update(*progress);
-    tell(run, std::move(message));
-  };
-  conclude(run,
-           run_child(words, folder_.root().string(), settings_.limit, run->stop.get_token(), on_progress));
+    progress->emplace("type", "progress");
+    tell(run, std::move(*progress));
+    return;
+  }
+  try {
+    for (Json& message : messages_of(std::move(value))) tell(run, std::move(message));
+  } catch (const Json::exception&) {
+    return;  // nothing that the tool writes
+  }
 }
 
 void Runs::conclude(const RunPtr& run, const ChildResult& child) {
@@ -309,37 +326,28 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->file.lexically_relative(folder_.root()));
   if (conclusion.summary.contains("report")) conclusion.summary.erase("report");  // a path of ours
+  const bool has_report = is_report(run->out / (run->job + ".json"));
   {
     const std::lock_guard lock(mutex_);
     run->summary = std::move(conclusion.summary);
+    run->has_report = has_report;
   }
-  tell_report(run);
   end(run, conclusion.state, std::move(conclusion.fault));
-}
-
-void Runs::tell_report(const RunPtr& run) {
-  std::error_code error;
-  const fs::path file = run->out / (run->job + ".json");
-  const std::uintmax_t bytes = fs::file_size(file, error);
-  if (error || bytes > largest_served_bytes) return;
-  auto text = read_file(file.string(), largest_served_bytes);
-  if (!text || text->substr(0, 64).find("outrider_report") == std::string::npos) return;
-  {
-    const std::lock_guard lock(mutex_);
-    run->has_report = true;
-  }
-  for (Json& message : messages_of_report(*text)) tell(run, std::move(message));
 }
 
 void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
   std::error_code ignored;
   if (run->owns_file) fs::remove(run->file, ignored);
+  Json message;
   {
     const std::lock_guard lock(mutex_);
     run->state = state;
     run->fault = std::move(fault);
+    message = run->json();
   }
-  tell(run, {{"type", "end"}});
+  message.erase("seq");
+  message["type"] = "end";
+  tell(run, std::move(message));
 }
 
 }  // namespace outrider::server

@@ -1,8 +1,8 @@
 // Missions that the page started: a queue, so many at once, and for each a log of what viewers are told.
 //
 // A log only grows, and a viewer keeps its place in it as a number. So a mission never waits for anybody; a
-// viewer that comes late, comes back or is slow reads on from its place, and of progress that was overtaken
-// it sees the newest only. Thread rule: any thread may call.
+// viewer that comes late, comes back or is slow reads on from its place, and of progress and maps that were
+// overtaken, which are not kept, it sees the newest only. Thread rule: any thread may call.
 #pragma once
 
 #include <atomic>
@@ -64,7 +64,7 @@ class Runs {
     std::uint64_t seq = 0;
     std::shared_ptr<const std::string> text;  ///< null while there is none
   };
-  /// The first message after the number `from`; progress that was overtaken is passed over. Fault: there is
+  /// The first message after the number `from`; what was overtaken is passed over. Fault: there is
   /// no such run.
   Outcome<Message> next(const std::string& id, std::uint64_t from);
 
@@ -80,7 +80,7 @@ class Runs {
   void work(const std::stop_token& stop);
   void carry_out(const RunPtr& run);
   void conclude(const RunPtr& run, const ChildResult& child);
-  void tell_report(const RunPtr& run);
+  void hear(const RunPtr& run, std::string_view line);
   void tell(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);
   RunPtr find(const std::string& id);  // with the lock held

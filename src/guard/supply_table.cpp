@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/geometry/polyline.hpp"
 #include "outrider/guard/supply_plan.hpp"
 
 namespace outrider {
 namespace {
-
-double length_of(const std::vector<Vec2>& way) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
-  return length;
-}
 
 /// What is wrong whatever the yard.
 Status check_amounts(const Supplies& supplies) {

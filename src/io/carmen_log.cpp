@@ -9,7 +9,8 @@
 #include <optional>
 
 #include "log_lines.hpp"
-#include "outrider/slam/matrix.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 namespace {
@@ -72,11 +73,6 @@ Outcome<ScanLine> scan_of(Words words, double most_m) {
   return line;
 }
 
-/// Of b in the frame of a.
-Pose2 motion_between(const Pose2& a, const Pose2& b) {
-  return {unrotated(a.heading_rad, b.position - a.position), wrap_angle(b.heading_rad - a.heading_rad)};
-}
-
 }  // namespace
 
 std::vector<Option> describe(CarmenOptions& options) {
@@ -110,7 +106,7 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
     auto line = scan_of(words, options.most_m);
     if (!line) return bad_input(line.error().sentence);
     Pose2 motion;
-    if (!result.reference.empty() && odometry) motion = motion_between(result.reference.back(), *odometry);
+    if (!result.reference.empty() && odometry) motion = seen_from(result.reference.back(), *odometry);
     odometry.reset();
     result.steps.push_back({motion, std::move(line->scan)});
     result.reference.push_back(line->pose);
@@ -121,7 +117,7 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
     return bad_input("the log has no scan; it takes a FLASER line at least", log.name);
   if (!has_odometry) {
     for (std::size_t i = 1; i < result.steps.size(); ++i) {
-      result.steps[i].motion = motion_between(result.reference[i - 1], result.reference[i]);
+      result.steps[i].motion = seen_from(result.reference[i - 1], result.reference[i]);
     }
     result.reference.clear();
   }

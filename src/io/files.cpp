@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace outrider {
 namespace {
@@ -78,6 +79,50 @@ Outcome<int> create_temporary(const fs::path& final_name, fs::path& name) {
   return bad_input(fmt::format("its folder cannot be written to: {}", reason(errno)), final_name.string());
 }
 
+/// A whole file under a temporary name, which is gone with the object unless it took its own.
+class WaitingFile {
+ public:
+  static Outcome<WaitingFile> make(const std::string& path, std::string_view content) {
+    if (path.empty()) return bad_input("the file name is empty");
+    auto final_name = destination(path);
+    if (!final_name) return pass_on(final_name);
+    WaitingFile file;
+    auto descriptor = create_temporary(*final_name, file.temporary_);
+    if (!descriptor) return pass_on(descriptor);
+    file.path_ = path;
+    file.final_name_ = std::move(*final_name);
+    Status status = write_all(*descriptor, content, path);
+    if (::close(*descriptor) != 0 && status) status = cannot_write(path);
+    if (!status) return pass_on(status);
+    return file;
+  }
+
+  WaitingFile(WaitingFile&& other) noexcept
+      : path_(std::move(other.path_)),
+        temporary_(std::exchange(other.temporary_, {})),
+        final_name_(std::move(other.final_name_)) {}
+  WaitingFile& operator=(WaitingFile&&) = delete;
+  ~WaitingFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+
+  Status take_its_name() {
+    if (std::rename(temporary_.c_str(), final_name_.c_str()) != 0) return cannot_write(path_);
+    temporary_.clear();
+    return {};
+  }
+
+ private:
+  WaitingFile() = default;
+  static Status cannot_write(const std::string& path) {
+    return bad_input(fmt::format("it cannot be written: {}", reason(errno)), path);
+  }
+
+  std::string path_;
+  fs::path temporary_;
+  fs::path final_name_;
+};
+
 }  // namespace
 
 Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes) {
@@ -106,21 +151,21 @@ Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes)
 }
 
 Status write_file(const std::string& path, std::string_view content) {
-  if (path.empty()) return bad_input("the file name is empty");
-  auto final_name = destination(path);
-  if (!final_name) return pass_on(final_name);
-  fs::path temporary;
-  auto descriptor = create_temporary(*final_name, temporary);
-  if (!descriptor) return pass_on(descriptor);
-  Status status = write_all(*descriptor, content, path);
-  if (::close(*descriptor) != 0 && status) {
-    status = bad_input(fmt::format("it cannot be written: {}", reason(errno)), path);
+  auto waiting = WaitingFile::make(path, content);
+  return waiting ? waiting->take_its_name() : pass_on(waiting);
+}
+
+Status write_files(const std::vector<NamedContent>& files) {
+  std::vector<WaitingFile> waiting;
+  for (const auto& [path, content] : files) {
+    auto one = WaitingFile::make(path, content);
+    if (!one) return pass_on(one);
+    waiting.push_back(std::move(*one));
   }
-  if (status && std::rename(temporary.c_str(), final_name->c_str()) != 0) {
-    status = bad_input(fmt::format("it cannot be written: {}", reason(errno)), path);
+  for (WaitingFile& one : waiting) {
+    if (auto ok = one.take_its_name(); !ok) return ok;
   }
-  if (!status) ::unlink(temporary.c_str());
-  return status;
+  return {};
 }
 
 }  // namespace outrider

@@ -167,21 +167,30 @@ Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_
   return map_from_image(path, keys);
 }
 
-Status save_map_server(const std::string& path, const MapServerMap& map) {
+Outcome<MapServerText> map_server_text(const MapServerMap& map, const std::string& image_name) {
   const GridFrame& frame = map.occupancy.frame;
-  if (auto good = check_frame(frame, path); !good) return good;
+  if (auto good = check_frame(frame, image_name); !good) return pass_on(good);
   GreyImage image{frame.width, frame.height, std::vector<std::uint8_t>(frame.size()), {}};
   for (std::size_t pixel = 0; pixel < frame.size(); ++pixel) {
     const Cell from_top = frame.cell(pixel);
     image.values[pixel] = shade_of(map.occupancy[{from_top.x, frame.height - 1 - from_top.y}]);
   }
+  return MapServerText{
+      fmt::format("image: {}\nresolution: {}\norigin: [{}, {}, {}]\nnegate: 0\n"
+                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                  image_name, frame.resolution_m, frame.origin.x, frame.origin.y, map.yaw_rad),
+      to_pgm(image)};
+}
+
+Status save_map_server(const std::string& path, const MapServerMap& map) {
   const fs::path image_path = fs::path(path).replace_extension(".pgm");
   if (image_path == fs::path(path)) return bad_input("the YAML file cannot end in .pgm; name it .yaml", path);
-  if (auto written = write_file(image_path.string(), to_pgm(image)); !written) return written;
-  return write_file(path, fmt::format("image: {}\nresolution: {}\norigin: [{}, {}, {}]\nnegate: 0\n"
-                                      "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
-                                      image_path.filename().string(), frame.resolution_m, frame.origin.x,
-                                      frame.origin.y, map.yaw_rad));
+  auto text = map_server_text(map, image_path.filename().string());
+  if (!text) {
+    text.error().where = path;
+    return pass_on(text);
+  }
+  return write_files({{image_path.string(), std::move(text->image)}, {path, std::move(text->yaml)}});
 }
 
 }  // namespace outrider

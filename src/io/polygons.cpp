@@ -55,6 +55,12 @@ Outcome<std::vector<Vec2>> points_of(std::string_view line, const std::string& w
   return points;
 }
 
+std::string line_of(const std::vector<Vec2>& points) {
+  std::string line;
+  for (const Vec2 p : points) line += fmt::format("{}({},{})", line.empty() ? "" : " ", p.x, p.y);
+  return line + "\n";
+}
+
 enum Block { boundary_block, obstacle_block, query_block };
 
 Status take_line_of(Block block, std::string_view line, const std::string& where, PolygonMap& map,
@@ -116,6 +122,14 @@ Outcome<PolygonMap> polygon_map_from_text(std::string_view text, const std::stri
     return bad_input("no line --- after the boundary; then come the obstacles, --- and the queries", name);
   }
   return map;
+}
+
+std::string polygon_map_text(const PolygonMap& map) {
+  std::string text = line_of(map.boundary) + "---\n";
+  for (const auto& corners : map.obstacles) text += line_of(corners);
+  if (!map.queries.empty()) text += "---\n";
+  for (const PointQuery& query : map.queries) text += line_of({query.start, query.goal});
+  return text;
 }
 
 Outcome<PolygonMap> load_polygon_map(const std::string& path) {

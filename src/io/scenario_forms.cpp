@@ -55,12 +55,15 @@ Json option_schema(const Option& option) {
   return schema;
 }
 
+std::string yaml_value(const Option& option) {
+  const std::string text = value_text(option);
+  return std::holds_alternative<std::string*>(option.value) ? quoted(text) : text;
+}
+
 std::string option_line(const Option& option, std::string_view indent) {
   const std::string range = unit_and_range(option);
-  const std::string value =
-      std::holds_alternative<std::string*>(option.value) ? quoted(value_text(option)) : value_text(option);
   return fmt::format("{0}# {1}{2}\n{0}{3}: {4}\n", indent, option.sentence,
-                     range.empty() ? range : fmt::format(" [{}]", range), option.name, value);
+                     range.empty() ? range : fmt::format(" [{}]", range), option.name, yaml_value(option));
 }
 
 std::string table_cell(std::string_view text) {
@@ -103,6 +106,24 @@ std::string scenario_text(const std::vector<OptionGroup>& groups) {
     std::string& text = group.name.empty() ? top : sections;
     if (!group.name.empty()) text += fmt::format("\n# {}\n{}:\n", group.sentence, group.name);
     for (const Option& option : group.options) text += option_line(option, group.name.empty() ? "" : "  ");
+  }
+  return top + sections;
+}
+
+std::string scenario_changes(const std::vector<OptionGroup>& groups,
+                             const std::vector<OptionGroup>& defaults) {
+  std::string top;
+  std::string sections;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const bool is_top = groups[i].name.empty();
+    std::string lines;
+    for (std::size_t k = 0; k < groups[i].options.size(); ++k) {
+      const Option& option = groups[i].options[k];
+      if (value_text(option) == value_text(defaults[i].options[k])) continue;
+      lines += fmt::format("{}{}: {}\n", is_top ? "" : "  ", option.name, yaml_value(option));
+    }
+    if (is_top) top += lines;
+    if (!is_top && !lines.empty()) sections += fmt::format("\n{}:\n{}", groups[i].name, lines);
   }
   return top + sections;
 }

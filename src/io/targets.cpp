@@ -147,6 +147,15 @@ Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std:
   return targets;
 }
 
+std::string targets_text(const std::vector<Target>& targets) {
+  std::string text;
+  for (const auto& [name, base, size, heading_rad] : targets) {
+    text += fmt::format("name={} size={},{},{} x={} y={} z={} rz={}\n", name, size.x, size.y, size.z, base.x,
+                        base.y, base.z, heading_rad);
+  }
+  return text;
+}
+
 Outcome<std::vector<Target>> load_targets(const std::string& path, const HeightField* terrain) {
   auto text = read_file(path);
   if (!text) return pass_on(text);

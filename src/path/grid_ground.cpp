@@ -78,8 +78,7 @@ Status check_change(const GridFrame& frame, const CellChange& change) {
 std::string_view to_string(GridModel model) { return model == GridModel::cells ? "cells" : "corners"; }
 
 Status check_frame(const GridFrame& frame) {
-  if (!std::isfinite(frame.origin.x) || !std::isfinite(frame.origin.y) ||
-      !std::isfinite(frame.resolution_m) || !(frame.resolution_m > 0.0)) {
+  if (!finite(frame.origin) || !std::isfinite(frame.resolution_m) || !(frame.resolution_m > 0.0)) {
     return bad_input(
         fmt::format("a grid at ({}, {}) with cells of {} m is no good; give finite numbers and "
                     "a resolution above 0",

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 
-Vec2 turned(Vec2 v, double angle) { return std::cos(angle) * v + std::sin(angle) * perpendicular(v); }
-
 /// Whether the arc passes the direction of v from its centre.
 bool passes(const PathPiece& arc, Vec2 v) {
   const Vec2 begin = arc.from - arc.centre;
@@ -82,7 +80,7 @@ Status check_pieces(const Plan& plan, const Problem& problem) {
     if (!good_turn || !follows) {
       return refused(fmt::format("piece {} does not begin where the one before ends", i));
     }
-    const Vec2 end = piece.centre + turned(piece.from - piece.centre, piece.turn_rad);
+    const Vec2 end = piece.centre + rotated(piece.turn_rad, piece.from - piece.centre);
     if (piece.turn_rad != 0.0 && !(distance(end, piece.to) <= slack_m)) {
       return refused(fmt::format("piece {} is no arc from its begin to its end", i));
     }

@@ -32,8 +32,6 @@ namespace {
 constexpr std::size_t most_nodes = 4096;
 constexpr std::size_t most_stops = 2048;
 
-bool finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
 Status check_place(const Ground& ground, const RobotModel& robot, Vec2 p, FaultCode blocked,
                    std::string_view name) {
   if (!finite(p)) return bad_input(fmt::format("{} has a coordinate that is not a finite number", name));
@@ -70,7 +68,7 @@ Status check_request(const Ground& ground, const RobotModel& robot, const std::v
     return bad_input(fmt::format("{} stops and {} extra nodes are too many; at most {} and {} fit",
                                  stops.size(), extra_nodes.size(), most_stops, most_nodes));
   }
-  if (!std::all_of(extra_nodes.begin(), extra_nodes.end(), finite)) {
+  if (!std::ranges::all_of(extra_nodes, [](Vec2 p) { return finite(p); })) {
     return bad_input("an extra node has a coordinate that is not a finite number");
   }
   for (std::size_t i = 0; i < stops.size(); ++i) {

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "outrider/world/known_extent.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double most_steps = 500.0;
 
-/// How many cells of the lattice the origin of `to` lies from that of `from`.
+/// How many cells of the lattice the origin of `from` lies from that of `to`.
 Cell shift(const GridFrame& from, const GridFrame& to) {
-  const Vec2 apart = (1.0 / from.resolution_m) * (to.origin - from.origin);
+  const Vec2 apart = (1.0 / to.resolution_m) * (from.origin - to.origin);
   return {static_cast<int>(std::lround(apart.x)), static_cast<int>(std::lround(apart.y))};
 }
 
@@ -20,25 +23,6 @@ void append(std::vector<int>& runs, int value) {
     runs.push_back(0);
   }
   ++runs.back();
-}
-
-/// A rectangle of cells; nothing while high is below low.
-struct Extent {
-  Cell low{std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
-  Cell high{-1, -1};
-};
-
-Extent extent_of_known(const Grid<std::uint8_t>& occupancy) {
-  Extent known;
-  std::size_t at = 0;
-  for (int y = 0; y < occupancy.frame.height; ++y) {
-    for (int x = 0; x < occupancy.frame.width; ++x, ++at) {
-      if (occupancy.cells[at] == unknown_cell) continue;
-      known.low = {std::min(known.low.x, x), std::min(known.low.y, y)};
-      known.high = {std::max(known.high.x, x), std::max(known.high.y, y)};
-    }
-  }
-  return known;
 }
 
 struct Block {
@@ -65,17 +49,8 @@ Block summary(const Grid<std::uint8_t>& occupancy, const Grid<float>& known_s, C
 
 void Discovery::follow(const GridFrame& frame) {
   if (known_s_.frame == frame) return;
-  Grid<float> moved(frame, never);
-  const GridFrame& old = known_s_.frame;
-  const Cell by = old.size() == 0 ? Cell{} : shift(old, frame);
-  std::size_t at = 0;
-  for (int y = 0; y < old.height; ++y) {
-    for (int x = 0; x < old.width; ++x, ++at) {
-      const Cell cell{x - by.x, y - by.y};
-      if (moved.contains(cell)) moved[cell] = known_s_.cells[at];
-    }
-  }
-  known_s_ = std::move(moved);
+  const GridFrame old = std::exchange(known_s_.frame, frame);
+  known_s_.cells = moved_cells(known_s_.cells, old, frame, shift(old, frame), never);
 }
 
 void Discovery::note(const Grid<std::uint8_t>& occupancy, bool redrawn, std::span<const std::size_t> changed,
@@ -95,18 +70,17 @@ void Discovery::note(const Grid<std::uint8_t>& occupancy, bool redrawn, std::spa
 
 ReportMap Discovery::map(const Grid<std::uint8_t>& occupancy, std::size_t most_cells) const {
   ReportMap drawn;
-  const Extent known = extent_of_known(occupancy);
-  if (known.high.x < known.low.x || known_s_.frame != occupancy.frame) return drawn;
-  const int width = known.high.x - known.low.x + 1;
-  const int height = known.high.y - known.low.y + 1;
+  const CellExtent known = known_extent(occupancy);
+  if (known.width() == 0 || known_s_.frame != occupancy.frame) return drawn;
   int k = 1;
   const auto blocks = [&](int cells) { return (cells + k - 1) / k; };
-  while (1.0 * blocks(width) * blocks(height) > static_cast<double>(std::max<std::size_t>(1, most_cells)))
+  while (1.0 * blocks(known.width()) * blocks(known.height()) >
+         static_cast<double>(std::max<std::size_t>(1, most_cells)))
     ++k;
   drawn.origin = occupancy.frame.corner(known.low);
   drawn.cell_m = k * occupancy.frame.resolution_m;
-  drawn.columns = blocks(width);
-  drawn.rows = blocks(height);
+  drawn.columns = blocks(known.width());
+  drawn.rows = blocks(known.height());
   drawn.step_s = std::max(0.2, end_s_ / most_steps);
   int step = 0;
   for (int row = 0; row < drawn.rows; ++row) {

@@ -2,7 +2,6 @@
 
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
-#include "page.hpp"
 #include "text.hpp"
 
 namespace outrider {
@@ -43,28 +42,7 @@ std::string filled(std::string_view page, std::initializer_list<Part> parts) {
 
 }  // namespace
 
-std::string to_html(const Report& report) {
-  const auto page_of = [&](std::string_view page, const std::string& script) {
-    return filled(page, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},
-                         {"@STYLE@", std::string(page::replay_css)},
-                         {"@REPORT@", script_data(to_json(report))},
-                         {"@SCRIPT@", script}});
-  };
-  if (report.chase) return page_of(page::chase_html, std::string(page::chase_js));
-  if (report.explore && report.shots.empty()) {
-    return page_of(page::explore_html, std::string(page::discovery_js) + std::string(page::explore_js));
-  }
-  std::string script;
-  for (const std::string_view part :
-       {page::model_js, page::camera_js, page::discovery_js, page::plan_js, page::side_js, page::levels_js,
-        page::table_js, page::transport_js, page::replay_js}) {
-    script += part;
-  }
-  return page_of(page::replay_html, script);
-}
-
 std::string to_html(const Report& report, std::string_view viewer) {
-  if (viewer.empty()) return to_html(report);
   return filled(viewer, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},
                          {"@REPORT@", script_data(to_json(report))}});
 }

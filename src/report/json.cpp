@@ -11,6 +11,7 @@
 
 #include "json_drive.hpp"
 #include "json_explore.hpp"
+#include "json_terrain.hpp"
 
 namespace outrider {
 namespace {
@@ -39,18 +40,6 @@ void members(Io& io, T& solid) {
   io("high_z_m", solid.high_z_m);
   io("blocks_driving", solid.blocks_driving);
   io("footprint", solid.footprint);
-}
-
-template <class Io, Is<ReportContour> T>
-void members(Io& io, T& contour) {
-  io.drawn("height_m", contour.height_m);
-  io.drawn("points", contour.points);
-}
-
-template <class Io, Is<ReportTerrain> T>
-void members(Io& io, T& terrain) {
-  io("contours", terrain.contours);
-  io("steep", terrain.steep);
 }
 
 template <class Io, Is<ProfilePiece> T>
@@ -271,6 +260,13 @@ class Writer {
   Json json_ = Json::object();
 };
 
+Json json_of(const Report& report) {
+  Writer writer;
+  writer("outrider_report", version);
+  members(writer, report);
+  return std::move(writer.json());
+}
+
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // One line for each thing a person looks for, so that two reports compare line by line: the members
@@ -460,13 +456,12 @@ Status check_version(const Json& json) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  Writer writer;
-  writer("outrider_report", version);
-  members(writer, report);
   std::string text;
-  lay_out(writer.json(), 0, text);
+  lay_out(json_of(report), 0, text);
   return text + "\n";
 }
+
+std::string to_json_line(const Report& report) { return text_of(json_of(report)); }
 
 Outcome<Report> report_from_json(std::string_view text) {
   Json json;

@@ -15,6 +15,20 @@ void members(Io& io, T& tag) {
   io("position", tag.position);
   io("facing_rad", tag.facing_rad);
   io("size_m", tag.size_m);
+  io.optional("height_m", tag.height_m);
+}
+
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportCamera>
+void members(Io& io, T& camera) {
+  io("width_px", camera.width_px);
+  io("height_px", camera.height_px);
+  io.drawn("fx", camera.fx);
+  io.drawn("fy", camera.fy);
+  io.drawn("cx", camera.cx);
+  io.drawn("cy", camera.cy);
+  io.drawn("ahead_m", camera.ahead_m);
+  io.drawn("height_m", camera.height_m);
 }
 
 template <class Io, class T>
@@ -46,6 +60,7 @@ void members(Io& io, T& drive) {
   io("tags", drive.tags);
   io("stops", drive.stops);
   io("beliefs", drive.beliefs);
+  io.optional("camera", drive.camera);
 }
 
 }  // namespace outrider

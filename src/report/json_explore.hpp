@@ -39,6 +39,15 @@ void members(Io& io, T& refusal) {
 }
 
 template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, ReportLaser>
+void members(Io& io, T& laser) {
+  io("beams", laser.beams);
+  io.drawn("range_m", laser.range_m);
+  io.drawn("height_m", laser.height_m);
+  io.drawn("mount", laser.mount);
+}
+
+template <class Io, class T>
   requires std::same_as<std::remove_const_t<T>, ReportExplore>
 void members(Io& io, T& explore) {
   io("map", explore.map);
@@ -46,6 +55,7 @@ void members(Io& io, T& explore) {
   io("beliefs", explore.beliefs);
   io("decisions", explore.decisions);
   io("refused", explore.refused);
+  io.optional("laser", explore.laser);
 }
 
 }  // namespace outrider

@@ -5,6 +5,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/geometry/polyline.hpp"
 
 namespace outrider {
 namespace {
@@ -33,12 +34,6 @@ bool is_free(const PathPiece& piece, const std::vector<Vec2>& points, const Poly
 Vec2 drawn_offset(Rng& rng, double most_m) {
   const double away = most_m * std::sqrt(rng.uniform());
   return away * direction(rng.uniform(0.0, 2.0 * pi));
-}
-
-double length_along(const std::vector<Vec2>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-  return length;
 }
 
 /// Offsets of all ends of pieces that keep the whole way free; the start is where it is.
@@ -76,15 +71,15 @@ CoverDrive drive_track(const CoverTrack& track, const PolygonGround& ground, con
     Pace now = pace;
     now.speed_mps = speeds.uniform(pace.slowest_speed_mps, pace.speed_mps);
     now.turn_rate_radps = speeds.uniform(pace.slowest_turn_rate_radps, pace.turn_rate_radps);
-    const bool moves = length_along(points) > 0.0;
+    const bool moves = length_of(points) > 0.0;
     // The tangent at an end of an arc is half a step away from its first chord.
     const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(points.size() - 1);
     const double begin = moves ? heading_of(points[1] - points[0]) - half_rad : heading;
     const double turn = std::abs(wrap_angle(begin - heading));
     if (std::abs(wrap_angle(heading_in(piece) - planned_heading)) > no_turn_rad) drive.time_s += pace.pause_s;
-    drive.time_s += duration(turn, now.turning()) + duration(length_along(points), limits_on(piece, now));
+    drive.time_s += duration(turn, now.turning()) + duration(length_of(points), limits_on(piece, now));
     drive.turned_rad += turn + std::abs(piece.turn_rad);
-    drive.length_m += length_along(points);
+    drive.length_m += length_of(points);
     drive.strayed_m = std::max(drive.strayed_m, norm(offsets[i + 1]));
     drive.way.insert(drive.way.end(), points.begin() + 1, points.end());
     planned_heading = heading_out(piece);

@@ -42,6 +42,11 @@ Ideal ideal_of(const DriveTask& task) {
   return ideal;
 }
 
+ReportCamera camera_entry(const TagEye& eye) {
+  const Camera& lens = eye.camera;
+  return {lens.width_px, lens.height_px, lens.fx, lens.fy, lens.cx, lens.cy, eye.ahead_m, eye.height_m};
+}
+
 /// What is noted while the robot drives.
 class Recorder {
  public:
@@ -49,8 +54,10 @@ class Recorder {
       : task_(task), ground_(ground), report_(report) {
     for (const Tag& tag : task.tags.tags) {
       report.drive->tags.push_back({tag.id, xy(tag.world_T_tag.position),
-                                    heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m});
+                                    heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m,
+                                    tag.world_T_tag.position.z});
     }
+    if (task.closed_loop && !task.tags.tags.empty()) report.drive->camera = camera_entry(task.eye);
     for (const Waypoint& waypoint : task.waypoints) {
       report.drive->stops.push_back({waypoint.pose, waypoint.stop, nothing, {}, 0.0});
     }
@@ -146,7 +153,7 @@ void close(Report& report, const DriveTask& task, const DriveMission& mission, c
 }  // namespace
 
 Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, std::uint64_t seed,
-                 const std::function<void(double)>& progress) {
+                 const std::function<void(double)>& progress, Onlooker* onlooker) {
   Report report = opened(task, seed);
   const Ground ground = Ground::of(task.world, task.eye.height_m);
   SimulatedDrive robot(task, truth, rendered, seed);
@@ -155,12 +162,14 @@ Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, 
   recorder.note(mission, robot);
   while (const auto command = step(mission, robot.sense(), task)) {
     recorder.note(mission, robot);
+    if (onlooker != nullptr && onlooker->wants()) onlooker->see(report);
     robot.act(*command);
     if (progress) {
       progress(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
     }
   }
   recorder.note(mission, robot);
+  if (onlooker != nullptr) onlooker->see(report);
   close(report, task, mission, robot, recorder.clearance_m);
   return report;
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr double track_every_s = 0.4;
 constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
+constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
 constexpr double outline_step_rad = radians(15.0);
 
 /// Processor time, where somebody measures it.
@@ -40,6 +41,7 @@ class Recorder {
   void note(const ExploreMission& mission, const SimulatedExplorer& robot) {
     const bool over = mission.stage == ExploreStage::over;
     note_decision(mission);
+    note_events(mission);
     if (mission.time_s >= next_track_s_ || over) {
       next_track_s_ = mission.time_s + track_every_s - 1e-9;
       report_.track.push_back({mission.time_s, robot.pose(), 0.0, 0.0});
@@ -58,6 +60,11 @@ class Recorder {
     return discovery_.map(mission.slam.map().occupancy());
   }
 
+  void show(const ExploreMission& mission, Onlooker& onlooker) {
+    report_.explore->map = discovery_.map(mission.slam.map().occupancy(), most_shown_cells);
+    onlooker.see(report_);
+  }
+
  private:
   /// A new goal, or the way home.
   void note_decision(const ExploreMission& mission) {
@@ -71,8 +78,16 @@ class Recorder {
          mission.path->points, static_cast<int>(mission.frontiers.frontiers().size())});
   }
 
+  void note_events(const ExploreMission& mission) {
+    for (; events_ < mission.events.size(); ++events_) {
+      const ExploreEvent& event = mission.events[events_];
+      report_.events.push_back({event.time_s, event.kind, event.text});
+    }
+  }
+
   Report& report_;
   Discovery discovery_;
+  std::size_t events_ = 0;
   std::size_t goal_changes_ = 0;
   bool went_home_ = false;
   std::int64_t loops_ = 0;
@@ -97,7 +112,9 @@ Report opened(const World& world, const ExploreTask& task, const ExplorerTruth& 
                              box.low.z < world.floor_z_m + task.robot.height_m});
   }
   report.explore.emplace();
-  for (const RoundedPolygon& piece : cut_at(world, truth.laser.height_m)) {
+  const RangeFinderModel& laser = truth.laser;
+  report.explore->laser = {static_cast<int>(laser.beams), laser.most_m, laser.height_m, laser.robot_T_laser};
+  for (const RoundedPolygon& piece : cut_at(world, laser.height_m)) {
     report.explore->walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
   }
   return report;
@@ -130,8 +147,6 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
   }
   for (const RefusedFrontier& frontier : mission.decision.refused)
     report.explore->refused.push_back({frontier.centroid, frontier.reason});
-  for (const ExploreEvent& event : mission.events)
-    report.events.push_back({event.time_s, event.kind, event.text});
   run.stop_reason = mission.stop_reason;
   const MapQuality quality = map_quality(truth, robot.laser(), run.map);
   const auto number = [](auto value) { return static_cast<double>(value); };
@@ -175,13 +190,15 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, con
     recorder.note_map(*mission);
     const Stopwatch thought(watch.processor_s);
     const auto command = respond(*mission, task);
-    if (mission->decisions > decisions)
+    if (command && mission->decisions > decisions)
       thinking.decision_s = std::max(thinking.decision_s, thought.passed_s());
     thinking.step_s = std::max(thinking.step_s, step.passed_s());
     recorder.note(*mission, robot);
     if (seen.scan && watch.scanned) watch.scanned(*mission, robot);
     if (seen.scan && watch.progress && mission->scans % 25 == 0)
       watch.progress(std::min(1.0, mapped_free_m2(mission->slam.map()) / places->seeable_m2));
+    if (watch.onlooker != nullptr && (!command || watch.onlooker->wants()))
+      recorder.show(*mission, *watch.onlooker);
     if (!command) break;
     robot.act(*command);
   }

@@ -56,15 +56,10 @@ void add_passing_metrics(Report& report) {
 }  // namespace
 
 Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardProblem& problem,
-                    const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed) {
+                    const GuardPlan& plan) {
   Report report = std::move(deeds.report);
   const double mission_s = report.track.empty() ? 0.0 : report.track.back().time_s;
-  report.job = "guard";
-  report.seed = seed;
-  set_the_scene(report, problem, options);
-  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    report.targets.push_back(target_entry(problem.targets[t], mission.records[t], report));
-  }
+  list_targets(report, problem, mission);
   const auto targets = static_cast<double>(problem.targets.size());
   const double reached = count(report, "reached");
   const double failed = count(report, "failed");
@@ -96,12 +91,21 @@ Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardPr
 }
 
 Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                 const GuardOptions& options, std::uint64_t seed) {
+                 const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
   SimulatedGuard robot(problem, site, seed);
+  set_the_scene(robot.report, problem, options, seed);
   SupplyMission mission = begin_supplied(problem, plan);
-  while (const auto command = step(mission, robot.sense(), problem, site)) robot.act(*command);
-  Report report = guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission.guard,
-                               problem, plan, options, seed);
+  const auto show = [&] {
+    list_targets(robot.report, problem, mission.guard);
+    onlooker->see(robot.report);
+  };
+  while (const auto command = step(mission, robot.sense(), problem, site)) {
+    if (onlooker != nullptr && onlooker->wants()) show();
+    robot.act(*command);
+  }
+  if (onlooker != nullptr) show();
+  Report report =
+      guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission.guard, problem, plan);
   if (problem.supplies.any()) add_supply_metrics(report, mission);
   if (options.shoot_on_the_move) add_passing_metrics(report);
   return report;

@@ -27,9 +27,8 @@ ReportSolid solid_entry(const Solid& solid, const World& world, const RobotModel
   return entry;
 }
 
-/// Every so many-th post of a field with more of them than a picture shows.
-HeightField for_drawing(const HeightField& field) {
-  constexpr double most_posts = 40'000.0;
+/// Every so many-th post of a field with more of them than `most_posts`.
+HeightField thinned(const HeightField& field, double most_posts) {
   const int step = static_cast<int>(std::ceil(std::sqrt(1.0 * field.columns() * field.rows() / most_posts)));
   const int columns = std::max(2, (field.columns() - 1) / step + 1);
   const int rows = std::max(2, (field.rows() - 1) / step + 1);
@@ -43,9 +42,19 @@ HeightField for_drawing(const HeightField& field) {
       .value();
 }
 
+ReportRelief relief_entry(const HeightField& field) {
+  ReportRelief entry{field.bounds().low, field.spacing_m(), field.columns(), field.rows(), {}};
+  for (int y = 0; y < field.rows(); ++y) {
+    for (int x = 0; x < field.columns(); ++x) entry.heights_m.push_back(field.post(x, y).z);
+  }
+  return entry;
+}
+
 ReportTerrain terrain_entry(const HeightField& field, const RobotModel& robot) {
-  ReportTerrain entry{{}, steep_ground(field, robot.max_slope_rad)};
-  const HeightField drawn = for_drawing(field);
+  constexpr double most_posts_of_lines = 40'000.0, most_posts_of_relief = 10'000.0;
+  ReportTerrain entry{{}, steep_ground(field, robot.max_slope_rad), {}};
+  entry.relief = relief_entry(thinned(field, most_posts_of_relief));
+  const HeightField drawn = thinned(field, most_posts_of_lines);
   for (Contour& line : contours(drawn, contour_step(drawn))) {
     entry.contours.push_back({line.height_m, std::move(line.points)});
   }
@@ -85,7 +94,17 @@ ReportSupplies supplies_entry(const Supplies& supplies) {
   return entry;
 }
 
-void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptions& options) {
+void list_targets(Report& report, const GuardProblem& problem, const GuardMission& mission) {
+  report.targets.clear();
+  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+    report.targets.push_back(target_entry(problem.targets[t], mission.records[t], report));
+  }
+}
+
+void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptions& options,
+                   std::uint64_t seed) {
+  report.job = "guard";
+  report.seed = seed;
   report.world_name = problem.world.name;
   report.bounds = problem.world.bounds;
   report.gravity_mps2 = problem.world.gravity_mps2;

@@ -27,14 +27,16 @@ std::vector<ReportMove> moves_of(const Walk& walk, const Track& track, const Wan
   return moves;
 }
 
+/// The intruder as it is by `now_s`.
 ReportTarget entry_of(const HuntPlan& plan, const HuntMission& mission, std::size_t who, const Walk& walk,
-                      const Report& report) {
+                      const Report& report, double now_s) {
   const TargetRecord& record = mission.records[who];
-  const Target last = moved_to(plan.problem.targets[who], walk.at(record.done_s));
+  const double last_s = record.status == TargetStatus::waiting ? now_s : record.done_s;
+  const Target last = moved_to(plan.problem.targets[who], walk.at(last_s));
   ReportTarget entry = target_entry(last, record, report);
   auto moves = moves_of(walk, mission.tracks[who], plan.options);
   if (!moves.empty()) {
-    moves.push_back({record.done_s, xy(last.base), moves.back().believed});
+    moves.push_back({last_s, xy(last.base), moves.back().believed});
     entry.moves = std::move(moves);
   }
   return entry;
@@ -65,28 +67,37 @@ void drop_repeated_waits(std::vector<ReportEvent>& events) {
 }  // namespace
 
 Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
-                std::uint64_t seed) {
+                std::uint64_t seed, Onlooker* onlooker) {
   const GuardProblem& problem = plan.problem;
   SimulatedGuard robot(problem, plan.site, seed);
+  set_the_scene(robot.report, problem, options, seed);
   robot.let_walk(walks, plan.options.look_s, plan.options.sight_m);
   HuntMission mission = begin(plan);
   double expected_hits = 0.0;
+  const auto list = [&](Report& report, double now_s) {
+    report.targets.clear();
+    for (std::size_t who = 0; who < walks.size(); ++who)
+      report.targets.push_back(entry_of(plan, mission, who, walks[who], report, now_s));
+  };
+  const auto show = [&] {
+    list(robot.report, robot.report.track.back().time_s);
+    onlooker->see(robot.report);
+  };
   while (const auto command = step(mission, robot.sense(), plan)) {
+    if (onlooker != nullptr && onlooker->wants()) show();
     if (std::holds_alternative<AimGun>(*command)) {
       tell_of_aim(robot.report, mission, problem, robot.report.track.back().time_s);
       expected_hits += mission.chance;
     }
     robot.act(*command);
   }
+  if (onlooker != nullptr) show();
   Report report = std::move(robot.report);
   const double end_s = report.track.back().time_s;
-  report.job = "guard";
-  report.seed = seed;
-  set_the_scene(report, problem, options);
   drop_repeated_waits(report.events);
+  list(report, end_s);
   double reached = 0.0, inside_s = 0.0, last_s = 0.0;
   for (std::size_t who = 0; who < walks.size(); ++who) {
-    report.targets.push_back(entry_of(plan, mission, who, walks[who], report));
     reached += mission.records[who].status == TargetStatus::reached ? 1.0 : 0.0;
     inside_s += mission.records[who].done_s;
     last_s = std::max(last_s, mission.records[who].done_s);
@@ -112,12 +123,12 @@ Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const Guar
 
 Outcome<Report> hunt(const GuardProblem& problem, const Site& site, const std::vector<double>& weights,
                      const std::vector<Track>& history, const WanderOptions& wander,
-                     const GuardOptions& options, std::uint64_t seed) {
+                     const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
   auto walks = draw_walks(problem, site, weights, wander, seed, longest_s);
   if (!walks) return pass_on(walks);
   auto plan = plan_hunt(problem, site, visit_map(problem, site, history, wander), options, wander);
   if (!plan) return pass_on(plan);
-  return run_hunt(*plan, *walks, options, seed);
+  return run_hunt(*plan, *walks, options, seed, onlooker);
 }
 
 }  // namespace outrider

@@ -45,28 +45,35 @@ Status check_physics(const GuardProblem& problem) {
 
 Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                                      const GuardOptions& options, std::uint64_t seed,
-                                     const std::function<void(double)>& progress) {
+                                     const std::function<void(double)>& progress, Onlooker* onlooker) {
   if (auto ok = check_physics(problem); !ok) return pass_on(ok);
   auto bodies = make_rigid_world(problem);
   if (!bodies) return pass_on(bodies);
   PhysicsGuard robot(problem, site, **bodies, seed);
+  set_the_scene(robot.report, problem, options, seed);
+  robot.report.sim = "physics";
   GuardMission mission = begin(problem, plan);
   GuardProblem yielding = problem;
   yielding.robot.radius_m *= way_radius;
+  const auto show = [&] {
+    list_targets(robot.report, problem, mission);
+    onlooker->see(robot.report);
+  };
   while (const auto command = step(mission, robot.sense(), yielding, site)) {
+    if (onlooker != nullptr && onlooker->wants()) show();
     robot.act(*command);
     if (progress) progress(part_settled(mission));
   }
   if (progress) progress(1.0);
+  if (onlooker != nullptr) show();
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     TargetRecord& record = mission.records[t];
     if (record.status != TargetStatus::failed || robot.misses[t].empty()) continue;
     record.reason += fmt::format("; the last shot {}", robot.misses[t]);
   }
 
-  Report report = guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission, problem,
-                               plan, options, seed);
-  report.sim = "physics";
+  Report report =
+      guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission, problem, plan);
   report.metrics.insert(report.metrics.end(), {{"arrival_error_mean_m", mean(robot.arrival_errors_m)},
                                                {"arrival_error_max_m", most(robot.arrival_errors_m)},
                                                {"flight_error_max_m", robot.flight_error_m},

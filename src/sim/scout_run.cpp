@@ -195,7 +195,8 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 }
 
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed) {
+                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                                 Onlooker* onlooker) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
@@ -203,14 +204,26 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const auto true_site = survey(really, coarse);
   if (!true_site) return tl::unexpected<Fault>(true_site.error());
   SimulatedGuard robot(really, *true_site, seed);
+  set_the_scene(robot.report, really, options, seed);
   GuardMission mission = begin(found, plan);
-  while (const auto command = step(mission, robot.sense(), found, site)) robot.act(*command);
+  const double explore_s = metric(yard.run.report, "time_s");
+  const auto show = [&] {
+    Report so_far = robot.report;
+    list_targets(so_far, really, mission);
+    delay(so_far, explore_s);
+    prepend(so_far, yard.run.report, {});
+    onlooker->see(so_far);
+  };
+  while (const auto command = step(mission, robot.sense(), found, site)) {
+    if (onlooker != nullptr && onlooker->wants()) show();
+    robot.act(*command);
+  }
+  if (onlooker != nullptr) show();
 
   const double touches =
       metric(yard.run.report, "contacts") + contacts(robot.report, true_site->ground, truth.robot.radius_m);
-  Report report = guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission, really,
-                               plan, options, seed);
-  const double explore_s = metric(yard.run.report, "time_s");
+  Report report =
+      guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission, really, plan);
   delay(report, explore_s);
   add_other_targets(report, truth, yard, explore_s);
   const auto seen = static_cast<std::size_t>(

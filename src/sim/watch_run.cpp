@@ -72,17 +72,23 @@ std::vector<ReportTarget> entries(const Watch& watch, const GuardMission& missio
 }  // namespace
 
 Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                 const Survival& survival) {
+                 const Survival& survival, Onlooker* onlooker) {
   const auto& [problem, site, intruders] = plan.watch;
   SimulatedGuard robot(problem, site, seed, intruders, plan.policy.foresees, survival);
+  set_the_scene(robot.report, problem, options, seed);
   WatchMission mission = begin(plan);
-  while (const auto command = step(mission, robot.sense(), plan)) robot.act(*command);
+  const auto show = [&] {
+    robot.report.targets = entries(plan.watch, mission.guard, robot, robot.report);
+    onlooker->see(robot.report);
+  };
+  while (const auto command = step(mission, robot.sense(), plan)) {
+    if (onlooker != nullptr && onlooker->wants()) show();
+    robot.act(*command);
+  }
+  if (onlooker != nullptr) show();
 
   Report report = std::move(robot.report);
   const double end_s = report.track.back().time_s;
-  report.job = "guard";
-  report.seed = seed;
-  set_the_scene(report, problem, options);
   tell_of_arrivals(report, intruders);
   const auto& records = mission.guard.records;
   report.targets = entries(plan.watch, mission.guard, robot, report);
@@ -116,7 +122,7 @@ Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64
 
 Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                            const std::vector<Intruder>& intruders, const ArrivalOptions& arrivals,
-                           const GuardOptions& options, std::uint64_t seed) {
+                           const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
   auto policy = find_watch_policy(arrivals.policy);
   if (!policy) return pass_on(policy);
   auto objective = find_objective(arrivals.objective);
@@ -127,11 +133,12 @@ Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const 
   if (!outlook) return pass_on(outlook);
   return run_watch({*watch, *outlook, *policy, *objective, static_cast<std::size_t>(arrivals.group),
                     static_cast<std::size_t>(arrivals.beam)},
-                   options, seed, {arrivals.leave, arrivals.walk_mps});
+                   options, seed, {arrivals.leave, arrivals.walk_mps}, onlooker);
 }
 
 Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                          const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed) {
+                          const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed,
+                          Onlooker* onlooker) {
   auto watch = watch_over(problem, site, settled_intruders(problem));
   if (!watch) return pass_on(watch);
   auto outlook = look_out(problem, site, plan, arrivals, {});
@@ -141,7 +148,7 @@ Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const G
   const auto [manner, expected] = best_manner(problem, *outlook, quick, missions_played);
   Report report = run_watch({*watch, *outlook, manner.policy, manner.objective,
                              static_cast<std::size_t>(arrivals.group), static_cast<std::size_t>(quick.beam)},
-                            options, seed, {arrivals.leave, arrivals.walk_mps});
+                            options, seed, {arrivals.leave, arrivals.walk_mps}, onlooker);
   report.metrics.emplace_back("expected_s", expected.mean_s);
   report.metrics.emplace_back("expected_error_s", expected.error_s);
   report.events.insert(

@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from tool import SOURCE, ToolTest, main
+from tool import PAGE, SOURCE, ToolTest, main
 
 DOORS = "--arrivals-entrances=gate=-2,-2 gap=2,-2.5"
 LIST = "t=0 at=fox by=gate\nt=4 at=1_0 by=gap\nt=9.5 at=fox by=gap  # again\n"
@@ -13,7 +13,7 @@ class Arrivals(ToolTest):
         return self.guard(DOORS, *args)
 
     def test_json_tells_the_objectives_and_their_bounds(self):
-        result = self.run_tool(*self.watch("--arrivals-count", "5", "--json", "--out", "out", "--html", "--svg"))
+        result = self.run_tool(*self.watch("--arrivals-count", "5", "--json", "--out", "out", *PAGE, "--svg"))
         self.assertEqual(result.returncode, 0, result.stderr)
         summary = self.json_of(result)
         metrics = summary["metrics"]

@@ -122,7 +122,7 @@ class Files(ToolTest):
         self.write("garbage", GARBAGE)
         for flag in ["--world", "--targets", "--scenario"]:
             self.refused(*self.guard(flag, "garbage", "--out", "out"), says=["garbage"])
-        self.refused("replay", "garbage", "--html", "p.html", says=["garbage"])
+        self.refused("replay", "garbage", "--svg", "p.svg", says=["garbage"])
         for kind in ["sdf", "world", "map", "yaml"]:
             name = self.write(f"garbage.{kind}", GARBAGE)
             self.refused("plan", name, "--from", "1,1", "--to", "2,2", "--svg", "p.svg", says=[name])

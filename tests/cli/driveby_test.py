@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from tool import SOURCE, ToolTest, main
+from tool import PAGE, SOURCE, ToolTest, main
 
 LANE = SOURCE / "scenarios" / "driveby" / "driveby.yaml"
 QUICK = ["--plan-resolution", "0.2", "--plan-iterations", "200", "--plan-stops", "100"]
@@ -25,7 +25,7 @@ class DriveBy(ToolTest):
         return json.loads((self.folder / out / "guard.json").read_text())
 
     def test_the_lane(self):
-        report = self.report_of("run", LANE, *QUICK, "--html", "--svg")
+        report = self.report_of("run", LANE, *QUICK, *PAGE, "--svg")
         metrics = report["metrics"]
         self.assertEqual(metrics["reached"], metrics["targets"])
         passing = [shot for shot in report["shots"] if "platform_velocity_mps" in shot]

@@ -3,7 +3,7 @@ import os
 import random
 import unittest
 
-from tool import COARSE, MAP, TARGETS, YARD, ToolTest, costly_cases, main
+from tool import COARSE, MAP, PAGE, TARGETS, YARD, ToolTest, costly_cases, main
 
 RUNS = costly_cases(60)
 SCENARIO = ("job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nseed: 3\nrobot:\n  radius: 0.26\n"
@@ -78,7 +78,7 @@ class Fuzz(ToolTest):
         for _ in range(RUNS // 2):
             content = mutated(rng, text)
             self.write("m.json", content)
-            self.check(self.run_tool("replay", "m.json", "--json", "--html", "p.html", "--svg", "p.svg"), content)
+            self.check(self.run_tool("replay", "m.json", "--json", "--svg", "p.svg", *PAGE, *["p.html"][:len(PAGE)]), content)
 
     def test_flags(self):
         rng = random.Random(6)

@@ -4,7 +4,7 @@ import pathlib
 import re
 import unittest
 
-from tool import DATA, SOURCE, TARGETS, ToolTest, main
+from tool import DATA, NO_PAGE, PAGE, SOURCE, TARGETS, ToolTest, main
 
 METRICS = ["targets", "reached", "failed", "unreachable", "reached_by_reference_rule", "planning_s", "mission_s",
            "driven_m", "turned_rad", "shots", "lower_bound_s", "gap"]
@@ -37,7 +37,7 @@ class Guard(ToolTest):
                 self.assertGreaterEqual(target["clearance_m"], 0)
 
     def test_json_is_one_object_and_names_the_report(self):
-        result = self.run_tool(*self.guard("--json", "--out", "out", "--html", "--svg"))
+        result = self.run_tool(*self.guard("--json", "--out", "out", *PAGE, "--svg"))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
         summary = self.json_of(result)
@@ -45,7 +45,7 @@ class Guard(ToolTest):
         self.assertEqual(summary["status"], "done")
         self.assertEqual([t["status"] for t in summary["targets"]], ["reached"] * 3)
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
-                         ["guard.html", "guard.json", "guard.svg"])
+                         ["guard.html", "guard.json", "guard.svg"][not PAGE:])
         report = json.loads((self.folder / summary["report"]).read_text())
         self.assertEqual(report["status"], "done")
         self.assertEqual(len(report["targets"]), 3)
@@ -64,11 +64,11 @@ class Guard(ToolTest):
         self.assertEqual(self.tree(), before)
 
     def test_text_is_for_people(self):
-        result = self.run_tool(*self.guard("--out", "deep/er/out", "--html"))
+        result = self.run_tool(*self.guard("--out", "deep/er/out", *PAGE))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(result.stdout.startswith("court: 3 of 3 targets reached in "), result.stdout)
         self.assertNotIn("{", result.stdout)
-        for word in ["fox", "deep/er/out/guard.json", "deep/er/out/guard.html", "planning took"]:
+        for word in ["fox", "deep/er/out/guard.json", "planning took"] + ["deep/er/out/guard.html"] * len(PAGE):
             self.assertIn(word, result.stdout)
 
     def test_warnings_go_to_standard_error(self):
@@ -125,7 +125,7 @@ class Guard(ToolTest):
 class Replay(ToolTest):
     def setUp(self):
         super().setUp()
-        self.summary = self.json_of(self.run_tool(*self.guard("--json", "--out", "out", "--html", "--svg")))
+        self.summary = self.json_of(self.run_tool(*self.guard("--json", "--out", "out", *PAGE, "--svg")))
 
     def test_tells_what_the_run_told(self):
         result = self.run_tool("replay", "out/guard.json", "--json")
@@ -136,16 +136,26 @@ class Replay(ToolTest):
         text = self.run_tool("replay", "out/guard.json").stdout
         self.assertTrue(text.startswith("court: 3 of 3 targets reached in "), text)
 
-    def test_makes_the_page_and_the_picture(self):
-        result = self.run_tool("replay", "out/guard.json", "--html", "page.html", "--svg", "picture.svg")
+    def test_makes_the_picture(self):
+        result = self.run_tool("replay", "out/guard.json", "--svg", "picture.svg")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/guard.svg").read_bytes())
+        self.assertTrue((self.folder / "picture.svg").read_text().startswith("<svg"))
+
+    @unittest.skipIf(PAGE, "this tool has a page")
+    def test_says_that_it_has_no_page(self):
+        self.refused("replay", "out/guard.json", "--html", "page.html", says=["--html", NO_PAGE, "npm"])
+        self.refused(*self.guard("--out", "more", "--html"), says=["--html", NO_PAGE, "npm"])
+
+    @unittest.skipUnless(PAGE, f"this tool was {NO_PAGE}")
+    def test_makes_the_page(self):
+        result = self.run_tool("replay", "out/guard.json", "--html", "page.html")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((self.folder / "page.html").read_bytes(), (self.folder / "out/guard.html").read_bytes())
-        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/guard.svg").read_bytes())
         page = (self.folder / "page.html").read_text()
         self.assertTrue(page.lstrip().lower().startswith("<!doctype html"))
         self.assertIn("fox", page)
         self.assertIsNone(re.search(r"""(src|href)\s*=\s*["']?(https?:)?//""", page), "it loads something")
-        self.assertTrue((self.folder / "picture.svg").read_text().startswith("<svg"))
 
     def test_reads_compressed_reports(self):
         import gzip
@@ -156,7 +166,7 @@ class Replay(ToolTest):
         report = (self.folder / "out/guard.json").read_text()
         self.write("old.json", report.replace('"outrider_report": 1', '"outrider_report": 99')
                    .replace('"outrider_report":1', '"outrider_report":99'))
-        self.refused("replay", "old.json", "--html", "p.html", says=["old.json", "99"])
+        self.refused("replay", "old.json", says=["old.json", "99"])
         self.write("cut.json", report[:len(report) // 2])
         self.refused("replay", "cut.json", "--svg", "p.svg", says=["cut.json", "JSON"])
         self.write("other.json", '{"type": "FeatureCollection"}')
@@ -167,9 +177,9 @@ class Replay(ToolTest):
         self.refused("replay", "out", says=["out", "folder"])
 
     def test_refuses_to_write_where_it_cannot(self):
-        self.refused("replay", "out/guard.json", "--html", "nowhere/p.html", says=["nowhere/p.html", "make it first"])
+        self.refused("replay", "out/guard.json", "--svg", "nowhere/p.svg", says=["nowhere/p.svg", "make it first"])
         self.refused("replay", "out/guard.json", "--svg", "out", says=["out", "folder"])
-        self.refused("replay", "out/guard.json", "--html", "", says=["empty"])
+        self.refused("replay", "out/guard.json", "--svg", "", says=["empty"])
 
 
 class Reference(ToolTest):

@@ -123,7 +123,8 @@ class Manual(ToolTest):
                                 ("pursue", "markdown", "options-pursue.md"),
                                 ("cover", "markdown", "options-cover.md"),
                                 ("drive", "markdown", "options-drive.md"),
-                                ("explore", "markdown", "options-explore.md")]:
+                                ("explore", "markdown", "options-explore.md"),
+                                ("plan", "markdown", "options-plan.md")]:
             self.assertEqual(self.text("schema", "--job", job, "--as", form), (SOURCE / "docs" / page).read_text(),
                              f"docs/{page} is stale: build the target docs")
 

@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from tool import COARSE, ToolTest, main
+from tool import COARSE, PAGE, ToolTest, main
 
 FOXES = ("name=fox size=0.3,0.3,0.3 x=1.8 y=1.9\nname=hare size=0.3,0.3,0.3 x=-1.5 y=1\n"
          "name=boar size=0.4,0.4,0.4 x=1.5 y=-1.2\n")
@@ -26,7 +26,7 @@ class Movers(ToolTest):
         self.assertIn(words, result.stderr)
 
     def test_who_survives_goes_elsewhere_and_the_time_is_expected(self):
-        result = self.hunt("--arrivals-leave", "0.4", "--seed", "2", "--json", "--out", "out", "--html", "--svg")
+        result = self.hunt("--arrivals-leave", "0.4", "--seed", "2", "--json", "--out", "out", *PAGE, "--svg")
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics = self.json_of(result)["metrics"]
         self.assertEqual(metrics["reached"], 3)
@@ -58,7 +58,7 @@ class Movers(ToolTest):
     def test_walkers_are_led_and_hit(self):
         self.write("history.csv", "t,id,x,y\n" + "".join(f"{t / 2},fox,1.5,-1.2\n" for t in range(60)))
         flags = ["--wander-speed", "0.4", "--wander-rest", "4", "--wander-history", "history.csv",
-                 "--wander-prefers", "boar=9", "--json", "--html", "--svg"]
+                 "--wander-prefers", "boar=9", "--json", *PAGE, "--svg"]
         result = self.hunt(*flags, "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.json_of(result)["metrics"]["reached"], 3)

@@ -1,18 +1,30 @@
 """`outrider serve` from outside: what it answers, whom it refuses, and that nothing that is sent breaks it."""
 import base64
+import json
 import os
 import pathlib
 import socket
+import struct
 import time
 import unittest
+import zlib
 
 from schema_check import refusals, schemas
 from server_client import Server, WebSocket
-from tool import MAP, ToolTest, costly_cases, main
+from tool import MAP, YARD, ToolTest, costly_cases, main
 
 ROOM = "(0,0) (6,0) (6,4) (0,4)\n---\n(2,1) (3,1) (3,3) (2,3)\n---\n(1,2) (5,2)\n"
 COURT = "job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nseed: 4\nplan:\n  resolution: 0.2\n  iterations: 50\n  refinements: 0\n"
 LONG = COURT.replace("0.2", "0.03").replace("iterations: 50", "iterations: 100000000")
+
+
+def small_png(width, height, values):
+    """A grey PNG of 8 bits."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    rows = b"".join(b"\0" + bytes(values[width * y:width * (y + 1)]) for y in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+            + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
 class Serve(ToolTest):
@@ -129,6 +141,103 @@ class Interface(Serve):
             broken = server.json("POST", "/api/v1/maps?name=broken.map", "type octile\nheight 2\n", status=400)
             self.assertIn("broken.map", self.valid("Error", broken)["where"])
 
+    def test_what_is_saved_plans_the_same(self):
+        """A question that was drawn and saved has the same plan on the command line, on every kind of ground."""
+        big = {"resolution_m": 0.25, "width": 24, "height": 16, "runs": [0, 24 * 16], "origin": [-1, 0.3]}
+        wall = [{"block": [12, 0, 2, 13]}, {"block": [5, 6, 1, 9]}, {"free": [5, 8, 1, 1]}]
+        turned = {**big, "yaw_rad": 0.4}
+        room = {"boundary": [[0, 0], [6, 0], [6, 4], [0, 4]], "obstacles": [[[2, 1], [3, 1], [3, 3], [2, 3]]]}
+        moved = [{"set": 0, "polygon": [[2.3, 0.4], [3.1, 0.6], [3, 3.2]]}, {"add": [[4, 2], [4.5, 2], [4.5, 3.7]]}]
+        cells, polygons = {"grid": big, "edits": wall, "radius_m": 0.13}, {"polygons": room, "edits": moved, "radius_m": 0.13}
+        ends = {"start": [0.31, 1.17], "goal": [4.6, 1.63]}
+        cases = [{**cells, **ends, "planner": "theta_star"}, {**cells, **ends, "planner": "a_star", "model": "corners"},
+                 {"grid": turned, "edits": wall, **ends, "goal": [3.2, 3.9], "radius_m": 0.05, "planner": "a_star"},
+                 {**polygons, **ends, "planner": "visibility_graph"},
+                 {**polygons, **ends, "planner": "theta_star", "resolution_m": 0.07},
+                 {**cells, **ends, "planner": "safest", "options": {"kept": 0.7}}]
+        with Server(self.folder) as server:
+            for i, question in enumerate(cases):
+                plan = self.valid("Plan", server.json("POST", "/api/v1/plan", question))
+                self.assertEqual(plan["status"], "done", question)
+                path = f"case_{i}.yaml"
+                saved = server.json("PUT", f"/api/v1/scenarios/{path}", {"plan": question}, status=201)
+                for name in self.valid("SavedScenario", saved)["files"]:
+                    self.assertTrue((self.folder / name).is_file(), name)
+                tool = self.json_of(self.run_tool("run", path, "--json", "--out", f"out_{i}"))
+                row = tool["rows"][0] if "rows" in tool else tool
+                self.assertEqual(row["waypoints"], plan["waypoints"], question)
+                self.assertTrue((self.folder / f"out_{i}/plan.svg").is_file())
+                # Opened again it is the same question.
+                shown = self.valid("Scenario", server.json("GET", f"/api/v1/scenarios/{path}"))
+                again = {name: shown[name] for name in ("start", "goal", "planner", "options", "model", "radius_m", "resolution_m")}
+                again = server.json("POST", "/api/v1/plan", {"map": shown["map"]["id"], **again})
+                self.assertEqual(again["waypoints"], plan["waypoints"])
+                self.assertEqual(again["cost"], plan["cost"])
+            kinds = {file["path"]: (file["kind"], file.get("job")) for file in server.json("GET", "/api/v1/files")["files"]}
+            self.assertEqual(kinds["case_0.yaml"], ("scenario", "plan"))
+            self.assertEqual(kinds["case_0_map.yaml"][0], "map")
+        self.refused("run", "case_0.yaml", "--seed", "3", says=["--seed", "plan"])
+        self.write("broken.yaml", "job: plan\nmap: small.map\nfrom: 0.5,3.5\nto: 9\n")
+        self.refused("run", "broken.yaml", says=["--to", "x,y"])
+
+    def test_a_yard_that_was_changed(self):
+        with Server(self.folder) as server:
+            shown = self.valid("Scenario", server.json("GET", "/api/v1/scenarios/court.yaml"))
+            self.assertEqual([target["name"] for target in shown["targets"]], ["1_0", "4_0", "fox"])
+            self.assertEqual(shown["start"], [0, -2])
+            same = {"scenario": "court.yaml", "start": shown["start"],
+                    "targets": [{"name": t["name"], "position": t["position"][:2]} for t in shown["targets"]]}
+            saved = self.valid("SavedScenario", server.json("PUT", "/api/v1/scenarios/same.yaml", {"guard": same}, status=201))
+            self.assertEqual(saved["files"], ["same_targets.txt", "same.yaml"])
+            moved = {**same, "start": [1, -2], "boxes": [[-1, -0.5, 0, 0]],
+                     "targets": [{"name": "fox", "position": [-1, 2]}, {"name": "1_0", "position": [-1.5, 1]}, {"name": "new", "position": [2, 0]}]}
+            (self.folder / "deeper").mkdir()
+            for path in ("moved.yaml", "deeper/moved.yaml"):
+                server.json("PUT", f"/api/v1/scenarios/{path}", {"guard": moved}, status=201)
+                again = self.valid("Scenario", server.json("GET", f"/api/v1/scenarios/{path}"))
+                self.assertEqual({t["name"]: t["position"] for t in again["targets"]},
+                                 {"fox": [-1, 2, 0], "1_0": [-1.5, 1, 0], "new": [2, 0, 0]})
+                self.assertEqual(again["start"], [1, -2])
+                self.assertEqual(len(again["map"]["polygons"]["obstacles"]), len(shown["map"]["polygons"]["obstacles"]) + 1)
+            for wrong, says in [({"targets": []}, "1 to"), ({"boxes": [[0, 0, 0, 1]]}, "apart"),
+                                ({"targets": [{"name": "a b", "position": [0, 0]}]}, "key=value"),
+                                ({"targets": [{"name": "a", "position": [0, 0]}] * 2}, "another target")]:
+                refused = server.json("PUT", "/api/v1/scenarios/x.yaml", {"guard": {**same, **wrong}}, status=400)
+                self.assertIn(says, self.fault(refused, "bad_input"))
+        # What was not moved is the same mission; what was is another.
+        runs = {name: self.json_of(self.run_tool("run", f"{name}.yaml", "--json", "--out", name)) for name in ("court", "same", "moved")}
+        reports = {name: (self.folder / name / "guard.json").read_text() for name in runs}
+        self.assertEqual(*(reports[name].split('"settings"')[0] for name in ("court", "same")))
+        self.assertIn("new", [target["name"] for target in json.loads(reports["moved"])["targets"]])
+
+    def test_a_map_of_every_kind_is_read_as_it_is_dropped(self):
+        """The bytes that the page sends when a file is dropped; a broken one is refused with a sentence that names it."""
+        pgm = b"P5\n4 3\n255\n" + bytes([254] * 5 + [0] * 2 + [254] * 5)
+        png = small_png(4, 3, [254] * 5 + [0] * 2 + [254] * 5)
+        yaml = "image: {}\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
+        runs = [0, 5, 1, 2, 0, 5]
+        good = [([("m.yaml", yaml.format("m.pgm")), ("m.pgm", pgm)], "grid"), ([("m.png", png), ("m.yaml", yaml.format("m.png"))], "grid"),
+                ([("m.png", png)], "grid"), ([("m.pgm", pgm)], "grid"), ([("small.map", MAP)], "grid"),
+                ([("room.txt", ROOM)], "polygons"), ([("yard.sdf", YARD)], "polygons")]
+        broken = [([("m.yaml", yaml.format("m.pgm"))], "m.pgm", "no such file"), ([("m.yaml", "image: [")], "m.yaml", "YAML"),
+                  ([("m.png", png[:40])], "m.png", ""), ([("m.pgm", pgm[:-3])], "m.pgm", ""), ([("a.map", MAP[:-3])], "a.map", ""),
+                  ([("room.txt", "(0,0) (1\n---\n")], "room.txt:1", "is no corner"), ([("w.sdf", "<sdf><model")], "w.sdf", ""),
+                  ([("a.jpg", pgm)], "a.jpg", "what kind of map")]
+        def body(files):
+            return {"files": [{"name": name, "base64": base64.b64encode(data.encode() if isinstance(data, str) else data).decode()}
+                              for name, data in files]}
+        with Server(self.folder) as server:
+            for files, kind in good:
+                found = self.valid("Map", server.json("POST", "/api/v1/maps", body(files)))
+                self.assertIn(kind, found, files[0][0])
+                if files[0][0].startswith("m."):
+                    self.assertEqual(found["grid"]["runs"], runs, files[0][0])
+            for files, where, says in broken:
+                answer = server.json("POST", "/api/v1/maps", body(files), status=400)
+                self.assertIn(says, self.fault(answer, "bad_input"))
+                self.assertIn(where, answer["where"] + answer["error"])
+                self.assertNotIn("/tmp", answer["where"] + answer["error"])
+
     def test_runs(self):
         with Server(self.folder) as server:
             run = self.valid("Run", server.json("POST", "/api/v1/runs", {"scenario": "court.yaml", "seed": 9}, status=202))
@@ -190,7 +299,11 @@ class Live(Serve):
             report = server.json("GET", f"/api/v1/runs/{run}/report")
             self.assertEqual([event for m in told if m["type"] == "events" for event in m["events"]], report["events"])
             self.assertEqual([row for m in told if m["type"] == "samples" for row in m["rows"]], report["track"])
-            self.assertEqual({"state", "progress", "end"} - {message["type"] for message in told}, set())
+            self.assertEqual({"state", "progress", "scene", "growth", "end"} - {message["type"] for message in told}, set())
+            scene = next(message["report"] for message in told if message["type"] == "scene")
+            self.assertEqual(scene["world"], report["world"])
+            targets = [m["report"]["targets"] for m in told if m["type"] == "growth" and "targets" in m["report"]]
+            self.assertEqual(targets[-1], report["targets"])
 
             # A second viewer comes when it is over, leaves in the middle, and comes back for the rest.
             two.send({"type": "watch", "run": run, "from": 0})

@@ -42,6 +42,12 @@ COARSE = ["--plan-resolution", "0.2", "--plan-iterations", "50", "--plan-refinem
 MAP = "type octile\nheight 4\nwidth 6\nmap\n...@..\n...@..\n...@..\n......\n"
 
 
+# A tool that was built without npm has no page, and says so.
+NO_PAGE = "built without the page"
+PAGE = [] if NO_PAGE in subprocess.run([TOOL, "replay", "none.json", "--html", "none.html"], capture_output=True,
+                                       text=True, stdin=subprocess.DEVNULL, timeout=60).stderr else ["--html"]
+
+
 class ToolTest(unittest.TestCase):
     maxDiff = None
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
@@ -36,7 +37,8 @@ TEST(AnyAngleOptima, AreReachedOnEveryPublishedQuery) {
   if (!movingai::text_of("anyangle/arena.csv")) {
     GTEST_SKIP() << "no published any-angle lengths in " << movingai::data_folder();
   }
-  for (const auto& [map, table] : maps_and_tables) {
+  const int most_maps = std::max(3, testing::part_of(static_cast<int>(maps_and_tables.size())));
+  for (const auto& [map, table] : std::span(maps_and_tables).first(static_cast<std::size_t>(most_maps))) {
     const auto text = movingai::text_of(map);
     const auto optima = movingai::text_of(std::string("anyangle/") + table + ".csv");
     ASSERT_TRUE(text && optima) << map;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
@@ -84,7 +85,8 @@ TEST(MovingAi, NoPathUndercutsThePublishedShortestAndFreeDirectionsComeNear) {
   if (!movingai::text_of("anyangle/arena.csv")) {
     GTEST_SKIP() << "no published any-angle lengths in " << movingai::data_folder();
   }
-  for (const Published& set : any_direction_lengths) {
+  const int most_maps = std::max(3, testing::part_of(static_cast<int>(any_direction_lengths.size())));
+  for (const Published& set : std::span(any_direction_lengths).first(static_cast<std::size_t>(most_maps))) {
     const auto ground = ground_of(set.map, GridModel::corners);
     const auto table = movingai::text_of(set.table);
     ASSERT_TRUE(ground && table) << set.map;

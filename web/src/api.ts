@@ -35,7 +35,9 @@ export interface PlanRequest {
   goal: [number, number];
   planner: string;
   options: Record<string, number | boolean | string>;
+  model?: string;
   radius_m?: number;
+  resolution_m?: number;
   trace?: number;
   /** Tell the cells that the centre must not be in. */
   blocked?: boolean;
@@ -47,6 +49,8 @@ export interface Piece { from: [number, number]; to: [number, number]; centre?: 
 export interface TraceAnswer {
   columns: string[];
   rows: number[][];
+  /** x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue. Not of every planner. */
+  openings?: number[];
   model: "cells" | "corners";
   frame: { origin: [number, number]; resolution_m: number; width: number; height: number };
   truncated: boolean;
@@ -70,6 +74,14 @@ export interface PlanAnswer {
   code?: string;
   where?: string;
 }
+export interface YardTarget { name: string; position: [number, number, number]; size: [number, number, number]; heading_rad: number }
+/** A scenario that the page shows and changes: a question of a planner, or a yard to guard. */
+export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
+  | { job: "plan"; goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
+  | { job: "guard"; heading_rad: number; targets: YardTarget[] });
+export type ScenarioRequest =
+  | { plan: PlanRequest }
+  | { guard: { scenario: string; start: [number, number]; targets: { name: string; position: [number, number] }[]; boxes: number[][] } };
 export interface RunRow {
   id: string;
   state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed";
@@ -94,7 +106,9 @@ export function token(): string {
   return sessionStorage.getItem("token") ?? "";
 }
 
-export const filePath = (path: string): string => `files/${path.split("/").map(encodeURIComponent).join("/")}`;
+const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
+export const filePath = (path: string): string => `files/${encoded(path)}`;
+export const scenarioPath = (path: string): string => `scenarios/${encoded(path)}`;
 
 async function answer(path: string, init: RequestInit = {}): Promise<Response> {
   const headers = new Headers(init.headers);
@@ -114,6 +128,13 @@ export async function getJson<T>(path: string): Promise<T> {
 
 export async function getText(path: string): Promise<string> {
   return (await answer(path)).text();
+}
+
+/** Saves a scenario with the files that it needs; what is there already stays, unless it may be replaced. */
+export async function saveScenario(path: string, scenario: ScenarioRequest, replace: boolean): Promise<{ path: string; files: string[] }> {
+  const headers = { "Content-Type": "application/json", ...(replace ? {} : { "If-None-Match": "*" }) };
+  const response = await answer(scenarioPath(path), { method: "PUT", body: JSON.stringify(scenario), headers });
+  return await response.json() as { path: string; files: string[] };
 }
 
 export async function send<T>(method: "POST" | "DELETE", path: string, body?: unknown): Promise<T> {

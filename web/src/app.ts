@@ -1,7 +1,7 @@
 // The app: one view at a time, as the address says.
 import "./base/style.css";
 import "./base/app.css";
-import { filePath, getJson, getText, postMap, send, type FileRow, type MapAnswer, type PlannerRow } from "./api";
+import { filePath, getJson, getText, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
 import { emblem, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -9,6 +9,7 @@ import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
+import type { Opened } from "./plan/plan_page";
 import { parseReport } from "./report/types";
 
 interface View { element: HTMLElement; close?: () => void }
@@ -31,17 +32,29 @@ async function watchText(text: string, query: Record<string, string>): Promise<V
   return { element: h("div", { class: "live-page" }, head, watch.element), close: () => watch.close() };
 }
 
-async function planView(map: MapAnswer, query: Record<string, string>): Promise<View> {
+async function planView(map: MapAnswer, query: Record<string, string>, path = "", opened: Opened | null = null): Promise<View> {
   const [{ path_planners }, { openPlan }] = await Promise.all([getJson<{ path_planners: PlannerRow[] }>("catalogue"), import("./plan/plan_page")]);
-  const page = openPlan(map, path_planners, query);
+  const page = openPlan(map, path_planners, query, path, opened);
   return typeof page === "string" ? refusalView(page) : page;
+}
+
+/** A scenario to change: a question of a planner, or a yard. */
+async function scenarioView(path: string, query: Record<string, string>): Promise<View> {
+  const scenario = await getJson<ScenarioAnswer>(scenarioPath(path));
+  if (scenario.job === "plan") {
+    const { start, goal, radius_m } = scenario;
+    return planView(scenario.map, { start: start.join(), goal: goal.join(), radius: String(radius_m), ...query }, path, scenario);
+  }
+  const { YardPage } = await import("./plan/yard_page");
+  return new YardPage(scenario);
 }
 
 const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs: [0, 64 * 44] };
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
   if (view === "watch") return watchText(await getText(filePath(path)), query);
-  if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query);
+  if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
+  if (view === "change") return scenarioView(path, query);
   if (view === "draw") return planView(await send<MapAnswer>("POST", "maps", { grid: blank }), query);
   if (view === "live" && path) {
     const { LivePage } = await import("./live/live_page");
@@ -50,7 +63,7 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
   const { folder, files } = await getJson<{ folder: string; files: FileRow[] }>("files");
   if (view === "live") {
     const { RunsPage } = await import("./live/runs_page");
-    return new RunsPage(files, query.scenario ?? "");
+    return new RunsPage(files.filter(({ job }) => job !== "plan"), query.scenario ?? "");
   }
   return { element: home(folder, files, (dropped) => void openFiles(dropped)) };
 }
@@ -74,7 +87,7 @@ async function show(make: () => Promise<View>): Promise<void> {
 
 function route(): void {
   const address = parseAddress(location.hash);
-  const at = address.view === "plan" ? "draw" : address.view === "watch" ? "" : address.view;
+  const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" ? "" : address.view;
   for (const link of links) link.toggleAttribute("aria-current", link.dataset.view === at);
   void show(() => viewOf(address));
 }

@@ -14,9 +14,13 @@ const size = (bytes: number): string =>
   (bytes < 1000 ? `${bytes} B` : bytes < 1e6 ? `${(bytes / 1e3).toFixed(0)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
 
 function row(file: FileRow): HTMLElement {
-  const address = file.kind === "scenario" ? { view: "live", path: "", query: { scenario: file.path } } : { view: views[file.kind], path: file.path, query: {} };
+  const change = { view: "change", path: file.path, query: {} };
+  const address = file.job === "plan" && file.kind === "scenario" ? change
+    : file.kind === "scenario" ? { view: "live", path: "", query: { scenario: file.path } } : { view: views[file.kind], path: file.path, query: {} };
+  const yard = file.kind === "scenario" && file.job === "guard";
   return h("li", { "data-path": file.path }, h("a", { href: formatAddress(address) }, h("span", { class: "name" }, file.path),
-    h("span", { class: "kind" }, file.job ?? ""), h("span", { class: "size" }, size(file.bytes))));
+    h("span", { class: "kind" }, file.job ?? ""), h("span", { class: "size" }, size(file.bytes))),
+  yard && h("a", { class: "change", href: formatAddress(change), title: "Move its robot and its targets" }, "change"));
 }
 
 export function home(folder: string, files: FileRow[], open: (files: File[]) => void): HTMLElement {

@@ -18,12 +18,23 @@ struct Expansion {
   friend bool operator==(const Expansion&, const Expansion&) = default;
 };
 
+/// A state that was put into the queue for the first time.
+struct Opening {
+  std::uint32_t state = 0;
+  std::uint32_t after = 0;  ///< so many expansions
+  friend bool operator==(const Opening&, const Opening&) = default;
+};
+
 struct Trace {
-  std::size_t most = 1'000'000;  ///< later expansions are not recorded
+  std::size_t most = 1'000'000;  ///< later expansions are not recorded, nor what they open
   std::vector<Expansion> expansions;
+  std::vector<Opening> openings;  ///< by best_first() (search); other searches tell of expansions only
 
   void record(const Expansion& expansion) {
     if (expansions.size() < most) expansions.push_back(expansion);
+  }
+  void open(std::uint32_t state) {
+    if (expansions.size() < most) openings.push_back({state, static_cast<std::uint32_t>(expansions.size())});
   }
 };
 

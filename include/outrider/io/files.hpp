@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "outrider/core/outcome.hpp"
 
@@ -23,5 +24,15 @@ Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes 
 /// Replaces or makes the file. Its folder must exist; a path that names something other than a regular
 /// file is refused. A symbolic link is followed.
 Status write_file(const std::string& path, std::string_view content);
+
+struct NamedContent {
+  std::string path;
+  std::string content;
+};
+
+/// The same for files that belong together: all lie on the disk under temporary names before the first is
+/// renamed, so that a full disk or a folder that may not be written to changes none of them. They are renamed
+/// in their order; put last the one that names the others.
+Status write_files(const std::vector<NamedContent>& files);
 
 }  // namespace outrider

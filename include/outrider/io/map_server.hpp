@@ -46,4 +46,11 @@ Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_
 /// unknown 205. The image comes first, so a YAML file never names an image that is not there.
 Status save_map_server(const std::string& path, const MapServerMap& map);
 
+/// The same files as text, for an image of that name beside the YAML file.
+struct MapServerText {
+  std::string yaml;
+  std::string image;  ///< PGM
+};
+Outcome<MapServerText> map_server_text(const MapServerMap& map, const std::string& image_name);
+
 }  // namespace outrider

@@ -32,4 +32,7 @@ struct PolygonMap {
 Outcome<PolygonMap> load_polygon_map(const std::string& path);
 Outcome<PolygonMap> polygon_map_from_text(std::string_view text, const std::string& name);
 
+/// The text that reads as exactly this map.
+std::string polygon_map_text(const PolygonMap& map);
+
 }  // namespace outrider

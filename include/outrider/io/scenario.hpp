@@ -38,6 +38,11 @@ std::string scenario_schema(const std::vector<OptionGroup>& groups, const std::s
 /// reads it back to the same values.
 std::string scenario_text(const std::vector<OptionGroup>& groups);
 
+/// A scenario of the options whose value differs from that of the same option in `defaults`, without
+/// comments.
+std::string scenario_changes(const std::vector<OptionGroup>& groups,
+                             const std::vector<OptionGroup>& defaults);
+
 /// A Markdown table for each group: key, default (the present value), unit, range, sentence.
 std::string options_markdown(const std::vector<OptionGroup>& groups);
 

@@ -29,4 +29,7 @@ Outcome<std::vector<Target>> load_targets(const std::string& path, const HeightF
 Outcome<std::vector<Target>> targets_from_text(std::string_view text, const std::string& name,
                                                const HeightField* terrain = nullptr);
 
+/// A list that reads as exactly these targets, each with its name, size and height.
+std::string targets_text(const std::vector<Target>& targets);
+
 }  // namespace outrider

@@ -13,6 +13,9 @@ namespace outrider {
 /// profiles, the track) is rounded to 1e-6 first. Infinite or unknown numbers are null.
 std::string to_json(const Report& report);
 
+/// The same in one line, without its end.
+std::string to_json_line(const Report& report);
+
 /// Refuses text that is not a report of this version; the fault names the place that is missing or
 /// wrong, as in targets[3].pose[1]. null is read as NaN, and refused in what is drawn. Unknown keys are
 /// ignored. to_json() of the outcome is the text again.

@@ -8,13 +8,9 @@
 
 namespace outrider {
 
-/// One self-contained HTML page (no network, no other file) that plays the run: plan view with a time
-/// slider, side view of the selected shot, table of targets, totals; light and dark. Names in the report
-/// are shown as text and can be anything. The address may say where to begin: #t=123&shot=4&theme=dark.
-std::string to_html(const Report& report);
-
-/// The same with a page of another make: `viewer` holds each of the markers @TITLE@ and @REPORT@ once, in
-/// this order. Where it is empty, the page above.
+/// The report in a page that shows it. `viewer` is that page (the tool holds one, made of web/): HTML with
+/// each of the markers @TITLE@ (text) and @REPORT@ (JSON, inside of a script element) once, in this order.
+/// Names in the report can be anything: none of them becomes markup. O(length of both).
 std::string to_html(const Report& report, std::string_view viewer);
 
 /// A self-contained animated SVG (SMIL, no script) of the plan view, the whole run in one loop of

@@ -156,6 +156,19 @@ struct ReportTag {
   Vec2 position;
   double facing_rad = 0.0;
   double size_m = 0.0;
+  std::optional<double> height_m = {};  ///< of its middle above the floor
+};
+
+/// A pinhole camera that looks straight ahead; the numbers of its image as those of Camera.
+struct ReportCamera {
+  int width_px = 0;
+  int height_px = 0;
+  double fx = 1.0;
+  double fy = 1.0;
+  double cx = 0.0;
+  double cy = 0.0;
+  double ahead_m = 0.0;   ///< of the robot's middle
+  double height_m = 0.0;  ///< above the floor
 };
 
 /// A place that a robot on wheels was to go to, and how it came there.
@@ -185,6 +198,7 @@ struct ReportDrive {
   std::vector<ReportTag> tags;
   std::vector<ReportStop> stops;
   std::vector<ReportBelief> beliefs;
+  std::optional<ReportCamera> camera = {};  ///< of a drive by tags
 };
 
 /// What a robot has found out of a map, and when. The lists go row by row from the lowest.
@@ -214,6 +228,14 @@ struct ReportRefusal {
   std::string reason;  ///< one sentence
 };
 
+/// A range finder that looks all around.
+struct ReportLaser {
+  int beams = 0;  ///< equally far apart
+  double range_m = 0.0;
+  double height_m = 0.0;  ///< of its plane above the floor
+  Pose2 mount;            ///< robot_T_laser
+};
+
 /// The exploring of what was not known; the truth of the way is the track of the report.
 struct ReportExplore {
   ReportMap map;
@@ -221,6 +243,17 @@ struct ReportExplore {
   std::vector<ReportBelief> beliefs;
   std::vector<ReportDecision> decisions;
   std::vector<ReportRefusal> refused;
+  std::optional<ReportLaser> laser = {};
+};
+
+/// Heights on a lattice of posts, row by row from the lowest; between four posts lie two triangles, joined
+/// along the diagonal from the lowest x and y. A large field is drawn coarser than it is.
+struct ReportRelief {
+  Vec2 origin;  ///< of the first post
+  Vec2 spacing_m{1.0, 1.0};
+  int columns = 0;
+  int rows = 0;
+  std::vector<double> heights_m;
 };
 
 struct ReportContour {
@@ -232,6 +265,7 @@ struct ReportContour {
 struct ReportTerrain {
   std::vector<ReportContour> contours;
   std::vector<RoundedPolygon> steep;  ///< too steep for the robot
+  std::optional<ReportRelief> relief = {};
 };
 
 struct Report {

@@ -43,7 +43,9 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
   Labels<Cost>& labels = memory.labels;
   BucketQueue& queue = memory.queue;
   const auto relax = [&](State s, State parent, const Cost& g, const Cost& h) {
-    if (labels.known(s) && (labels.closed(s) || !(g < labels.g(s)))) return;
+    const bool known = labels.known(s);
+    if (known && (labels.closed(s) || !(g < labels.g(s)))) return;
+    if (trace != nullptr && !known) trace->open(s);
     labels.open(s, parent, g);
     queue.push(policy.priority(g, h), policy.value(g), s);
   };
@@ -51,6 +53,7 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
   const Cost from_start = policy.estimate(policy.start());
   labels.begin(policy.states());
   queue.begin(policy.priority(Cost{}, from_start));
+  if (trace != nullptr) trace->open(policy.start());
   labels.open(policy.start(), policy.start(), Cost{});
   queue.push(policy.priority(Cost{}, from_start), policy.value(Cost{}), policy.start());
   QueueEntry entry;

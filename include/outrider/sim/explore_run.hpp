@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "outrider/execute/explore_mission.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/growth.hpp"
 #include "outrider/sim/explore_truth.hpp"
 
 namespace outrider {
@@ -18,6 +18,8 @@ struct ExploreWatch {
   std::function<void(double)> progress = nullptr;
   /// Called after each scan.
   std::function<void(const ExploreMission&, const SimulatedExplorer&)> scanned = nullptr;
+  /// Sees the report; its map has at most 40,000 cells.
+  Onlooker* onlooker = nullptr;
 };
 
 struct ExploreRun {

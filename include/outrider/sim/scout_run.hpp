@@ -37,8 +37,9 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 /// was seen, every one that can be hit was, and the robot touched nothing. Metrics, beside those of
 /// run_guard(): seen, explored_fraction, map_error_m, explore_s, contacts; mission_s, driven_m and
 /// turned_rad are of the whole. Faults:
-/// those of survey(), for the true yard.
+/// those of survey(), for the true yard. The onlooker sees the whole, the exploring first.
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed);
+                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                                 Onlooker* onlooker = nullptr);
 
 }  // namespace outrider

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "outrider/guard/plan.hpp"
+#include "support/costly_cases.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -82,7 +83,7 @@ void expect_out_of_reach(Rng& rng, const GuardProblem& problem, const Site& site
     if (site.reachable[i] != 0 && range > site.rules.standoff_m + 0.6) reachable.push_back(i);
   }
   constexpr double step_m = 1e-3;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < testing::part_of(3000); ++i) {
     const Vec2 place = finer_place(rng, problem, site, reachable);
     const Vec3 aim = point_of(rng, target);
     const double pitch = rng.uniform(problem.gun.pitch_low_rad, problem.gun.pitch_high_rad);

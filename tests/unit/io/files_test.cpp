@@ -86,6 +86,18 @@ TEST(WriteFile, ReplacesWholeFilesAndLeavesNothingElse) {
   EXPECT_EQ(static_cast<unsigned>(fs::status(path).permissions()), 0666U & ~mask);
 }
 
+TEST(WriteFiles, ChangesAllOrNone) {
+  const test::Folder folder;
+  const auto at = [&](const char* name) { return (folder.path / name).string(); };
+  ASSERT_TRUE(write_files({{at("a"), "1"}, {at("b"), "2"}}));
+  EXPECT_FALSE(write_files({{at("a"), "3"}, {at("absent/b"), "4"}}));
+  EXPECT_FALSE(write_files({{at("a"), "3"}, {folder.path.string(), "4"}}));
+  EXPECT_EQ(test::bytes_of(at("a")) + test::bytes_of(at("b")), "12");
+  EXPECT_EQ(entries(folder.path), 2U);
+  ASSERT_TRUE(write_files({{at("b"), "5"}, {at("c"), "6"}}));
+  EXPECT_EQ(test::bytes_of(at("b")) + test::bytes_of(at("c")), "56");
+}
+
 TEST(WriteFile, FollowsSymbolicLinks) {
   const test::Folder folder;
   const std::string real = folder.write("real", "old");

@@ -27,6 +27,27 @@ TEST(Polygons, ReadsBlocksWithAnyWhiteSpace) {
   EXPECT_TRUE(polygon_map_from_text(square, "map").has_value());
 }
 
+TEST(Polygons, TextReadsBackAsTheSameMap) {
+  const auto map = polygon_map_from_text(
+      "(0,0) (0.1,7e-5) (4,1e3) (-1.0000000000000002,0.30000000000000004)\n---\n(1,1) (2,1) (2,2)\n---\n"
+      "(0.7,1) (3,1)\n(1,0.1) (1,1)\n",
+      "map");
+  ASSERT_TRUE(map) << to_string(map.error());
+  for (const bool asks : {true, false}) {
+    PolygonMap kept = *map;
+    if (!asks) kept.queries.clear();
+    const auto back = polygon_map_from_text(polygon_map_text(kept), "text");
+    ASSERT_TRUE(back) << to_string(back.error());
+    EXPECT_EQ(back->boundary, kept.boundary);
+    EXPECT_EQ(back->obstacles, kept.obstacles);
+    ASSERT_EQ(back->queries.size(), kept.queries.size());
+    for (std::size_t i = 0; i < kept.queries.size(); ++i) {
+      EXPECT_EQ(back->queries[i].start, kept.queries[i].start);
+      EXPECT_EQ(back->queries[i].goal, kept.queries[i].goal);
+    }
+  }
+}
+
 TEST(Polygons, SaysWhatIsWrongAndWhere) {
   const auto fault_of = [](const std::string& text) {
     const auto map = polygon_map_from_text(text, "map");

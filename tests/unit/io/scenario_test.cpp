@@ -130,6 +130,20 @@ TEST(Scenario, TextReadsBackToTheSameValues) {
   }
 }
 
+TEST(Scenario, ChangesHoldWhatDiffersAndNoMore) {
+  Settings usual, changed;
+  EXPECT_EQ(scenario_changes(changed.groups(), usual.groups()), "");
+  changed.world = "a \"b\".sdf";
+  changed.pitch_rad = radians(30);
+  const std::string text = scenario_changes(changed.groups(), usual.groups());
+  EXPECT_EQ(text, "world: \"a \\\"b\\\".sdf\"\n\nrobot:\n  pitch: 30\n");
+  Settings back;
+  ASSERT_TRUE(scenario_from_text(text, "s.yaml", back.groups()));
+  EXPECT_EQ(back.world, changed.world);
+  EXPECT_EQ(back.pitch_rad, changed.pitch_rad);
+  EXPECT_EQ(back.radius_m, usual.radius_m);
+}
+
 TEST(Scenario, TextExplainsItself) {
   Settings settings;
   const std::string text = scenario_text(settings.groups());

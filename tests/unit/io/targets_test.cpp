@@ -69,6 +69,22 @@ TEST(Targets, PublishedListHas24) {
   EXPECT_EQ(targets->back().base, (Vec3{9, 2, 0}));
 }
 
+TEST(Targets, TextReadsBackAsTheSameTargets) {
+  const auto targets =
+      targets_from_text("type=1 x=-6.5 y=0.1 z=1.5 rz=3.1416\nsize=0.4,0.3,0.2 name=fox x=2e-7 y=1\n", "t");
+  ASSERT_TRUE(targets);
+  const auto back = targets_from_text(targets_text(*targets), "text");
+  ASSERT_TRUE(back) << to_string(back.error());
+  ASSERT_EQ(back->size(), targets->size());
+  for (std::size_t i = 0; i < targets->size(); ++i) {
+    const Target &one = (*targets)[i], &other = (*back)[i];
+    EXPECT_EQ(other.name, one.name);
+    EXPECT_EQ(other.base, one.base);
+    EXPECT_EQ(other.size, one.size);
+    EXPECT_EQ(other.yaw_rad, one.yaw_rad);
+  }
+}
+
 TEST(Targets, SurvivesDamage) {
   Rng rng(1);
   const std::string good = "type=1 x=-6.5 y=6.5 z=1.5\n# a\nsize=0.4,0.3,0.2 name=fox x=2 y=1 rz=3.14\n";

@@ -12,6 +12,7 @@
 #include "outrider/path/check.hpp"
 #include "outrider/path/hub_labels.hpp"
 #include "outrider/path/polyanya.hpp"
+#include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"
@@ -156,7 +157,7 @@ TEST(GridChanges, BitsAndDistancesAreThoseMadeAnew) {
 TEST(GridChanges, AnIndexThatIsKeptTellsTheShortestPathOverAllVertices) {
   Rng rng = Rng(24).child("kept index");
   int by_index = 0, by_search = 0, closed = 0;
-  for (int i = 0; i < testing::cases(400); ++i) {
+  for (int i = 0; i < testing::costly_cases(400); ++i) {
     auto grid = random_grid(rng, 14);
     auto ground = shared(GridGround::of(grid, GridModel::corners));
     Workspace workspace;
@@ -180,6 +181,7 @@ TEST(GridChanges, AnIndexThatIsKeptTellsTheShortestPathOverAllVertices) {
       ground = shared(ground->with(changes));
     }
   }
+  if (!testing::in_full()) return;
   EXPECT_GT(by_index, 300);
   EXPECT_GT(by_search, 30);
   EXPECT_GT(closed, 300);
@@ -189,7 +191,7 @@ TEST(GridChanges, AnIndexThatIsKeptTellsTheShortestPathOverAllVertices) {
 TEST(GridChanges, AnIndexThatIsKeptAgreesWithASearch) {
   Rng rng = Rng(25).child("kept index of rooms");
   int by_index = 0, by_search = 0;
-  for (int i = 0; i < testing::cases(40); ++i) {
+  for (int i = 0; i < testing::costly_cases(40); ++i) {
     auto grid = random_grid(rng, 48);
     auto ground = shared(GridGround::of(grid, GridModel::corners));
     Workspace workspace;
@@ -211,6 +213,7 @@ TEST(GridChanges, AnIndexThatIsKeptAgreesWithASearch) {
       ground = shared(ground->with(changes));
     }
   }
+  if (!testing::in_full()) return;
   EXPECT_GT(by_index, 1000);
   EXPECT_GT(by_search, 200);
 }

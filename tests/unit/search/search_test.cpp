@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "outrider/core/rng.hpp"
@@ -113,6 +114,24 @@ std::vector<std::int64_t> costs_to_last(const std::vector<std::vector<GraphPolic
   return cost;
 }
 
+/// When each state was first met, of what was expanded in which order; the last is not expanded.
+std::map<State, std::uint32_t> first_met(const std::vector<std::vector<GraphPolicy::Edge>>& edges,
+                                         const std::vector<Expansion>& expansions) {
+  std::map<State, std::uint32_t> met{{0, 0}};
+  for (std::size_t k = 0; k < expansions.size(); ++k) {
+    if (expansions[k].state + 1 == edges.size()) continue;
+    for (const auto& edge : edges[expansions[k].state])
+      met.emplace(edge.to, static_cast<std::uint32_t>(k + 1));
+  }
+  return met;
+}
+
+std::map<State, std::uint32_t> openings_of(const Trace& trace) {
+  std::map<State, std::uint32_t> met;
+  for (const Opening& opening : trace.openings) EXPECT_TRUE(met.emplace(opening.state, opening.after).second);
+  return met;
+}
+
 TEST(BestFirst, IsLeastOnRandomGraphsWithAnyConsistentEstimate) {
   Rng rng = Rng(5).child("graphs");
   SearchMemory<std::int64_t> memory;
@@ -132,6 +151,7 @@ TEST(BestFirst, IsLeastOnRandomGraphsWithAnyConsistentEstimate) {
     BudgetMeter meter{Budget{}};
     Trace trace;
     const auto found = best_first(policy, memory, meter, &trace);
+    ASSERT_EQ(openings_of(trace), first_met(edges, trace.expansions));
     ASSERT_EQ(found.has_value(), exact[0] < infinite);
     if (!found) {
       ASSERT_EQ(found.error().code, FaultCode::no_path);
@@ -154,6 +174,8 @@ TEST(Trace, RecordsNoMoreThanItsMost) {
   for (State s = 0; s < 5; ++s) trace.record({s, s, 0.0, 0.0, 0.0});
   EXPECT_EQ(trace.expansions.size(), 2U);
   EXPECT_EQ(trace.expansions.back().state, 1U);
+  trace.open(9);
+  EXPECT_TRUE(trace.openings.empty());
 }
 
 }  // namespace

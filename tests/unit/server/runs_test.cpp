@@ -1,3 +1,7 @@
+#include <atomic>
+#include <map>
+#include <mutex>
+
 #include "app_fixture.hpp"
 
 namespace outrider::server {
@@ -9,6 +13,10 @@ mkdir -p "$5"
 echo '{"step":1,"steps":2,"name":"thinking","part":0.00}' >&3
 echo 'this is no progress' >&3
 echo '{"step":2,"steps":2,"name":"driving","part":0.50}' >&3
+echo '{"outrider_report":1,"job":"guard","robot":{"start":[0,0,0]},"targets":[{"name":"cat"}],"events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5]],"explore":{"map":{"columns":1},"walls":[]}}' >&3
+echo '{"outrider_report":1,"job":"","robot":{"start":[0,0,0]},"targets":[],"events":[],"track":[[1,1,2,3,4,5]],"explore":{"map":{"columns":0},"beliefs":[7]},"chase":{"robots":[[],[]]}}' >&3
+echo '{"outrider_report":1,"job":"","events":7,"explore":{"map":{"columns":2}}}' >&3
+echo '{"outrider_report":1,"job":3}' >&3
 printf '{"outrider_report":1,"job":"guard","events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5],[1,1,2,3,4,5]]}' > "$5/guard.json"
 echo '{"status":"done","report":"/x"}'
 )sh";
@@ -66,9 +74,80 @@ TEST_F(AppTest, ARunTellsWhatItIsAtAndLeavesItsReport) {
   EXPECT_TRUE(viewer.say(R"({"type":"watch","run":")" + id + "\"}"));
   std::vector<std::string> types;
   for (const Json& message : viewer.until("end")) types.push_back(message["type"]);
-  const std::vector<std::string> expected = {"hello",  "state",   "state", "progress",
-                                             "events", "samples", "end"};
-  EXPECT_EQ(types, expected) << "of two tellings of progress the newer";
+  const std::vector<std::string> expected = {"hello",  "state",  "state",   "progress", "scene", "samples",
+                                             "events", "growth", "samples", "map",      "end"};
+  EXPECT_EQ(types, expected) << "of two tellings of progress, and of two maps, the newer";
+}
+
+TEST_F(AppTest, WhatAMissionTellsOfItsReportIsGivenOnInParts) {
+  write("a.yaml", "job: guard\n");
+  write_tool(report_script);
+  const std::string id = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  Listener viewer(app());
+  EXPECT_TRUE(viewer.say(R"({"type":"watch","run":")" + id + "\"}"));
+  std::map<std::string, std::vector<Json>> told;
+  for (Json& message : viewer.until("end")) told[message["type"]].push_back(message);
+  ASSERT_EQ(told["scene"].size(), 1U);
+  const Json& scene = told["scene"][0]["report"];
+  EXPECT_EQ(scene["targets"], Json::parse(R"([{"name":"cat"}])"));
+  EXPECT_EQ(scene["explore"], Json::parse(R"({"walls":[]})")) << "the map comes by itself";
+  EXPECT_TRUE(scene["track"].empty() && scene["events"].empty());
+  EXPECT_EQ(told["events"][0]["events"][0]["text"], "Shot.");
+  ASSERT_EQ(told["samples"].size(), 2U);
+  EXPECT_EQ(told["samples"][1]["rows"], Json::parse("[[1,1,2,3,4,5]]"));
+  EXPECT_EQ(told["growth"][0]["report"], Json::parse(R"({"explore":{"beliefs":[7]}})"))
+      << "without what is empty";
+  EXPECT_EQ(told["map"].back()["map"]["columns"], 2);
+}
+
+TEST_F(AppTest, AMissionGoesOnWhileAViewerStalls) {
+  write("a.yaml", "job: guard\n");
+  write_tool(R"sh(
+echo '{"outrider_report":1,"job":"explore","events":[],"track":[]}' >&3
+i=0
+while [ $i -lt 400 ]; do
+  i=$((i + 1))
+  echo '{"outrider_report":1,"job":"","track":[['$i',0,0,0,0,0]],"explore":{"map":{"columns":'$i'}}}' >&3
+done
+echo '{"status":"done"}'
+)sh");
+  std::mutex held;
+  std::atomic<int> received = 0;
+  std::unique_lock stalls(held);
+  const auto stalled = app().live().open();
+  std::thread reads([&] {
+    stalled->serve([&](const std::string&) {
+      const std::lock_guard wait(held);
+      ++received;
+      return true;
+    });
+  });
+  const std::string id = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  EXPECT_TRUE(stalled->receive(R"({"type":"watch","run":")" + id + "\"}"));
+  Listener viewer(app());
+  EXPECT_TRUE(viewer.say(R"({"type":"watch","run":")" + id + "\"}"));
+  const std::vector<Json> all = viewer.until("end");
+  EXPECT_EQ(ended(id)["state"], "done");
+  EXPECT_EQ(received, 0);
+  // Somebody who comes back in the middle, and late, has all samples of the rest and the last map only.
+  const std::uint64_t middle = all[all.size() / 2]["seq"];
+  Listener late(app());
+  EXPECT_TRUE(late.say(R"({"type":"watch","run":")" + id + R"(","from":)" + std::to_string(middle) + "}"));
+  std::vector<Json> rest, again, maps;
+  for (const Json& message : all) {
+    if (message["type"] == "samples" && message["seq"] > middle) rest.push_back(message);
+  }
+  for (const Json& message : late.until("end")) {
+    if (message["type"] == "samples") again.push_back(message);
+    if (message["type"] == "map") maps.push_back(message);
+  }
+  EXPECT_EQ(again, rest);
+  ASSERT_EQ(maps.size(), 1U);
+  EXPECT_EQ(maps[0]["map"]["columns"], 400);
+  stalls.unlock();
+  while (received < 400) std::this_thread::yield();  // it is behind, no more
+  stalled->close();
+  reads.join();
 }
 
 TEST_F(AppTest, ARunIsCancelledWhileItWaitsAndWhileItWorks) {

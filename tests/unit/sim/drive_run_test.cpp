@@ -6,6 +6,8 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/report/json.hpp"
+#include "support/costly_cases.hpp"
+#include "support/curious.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -57,7 +59,7 @@ void expect_arrives(const DriveTask& task, std::uint64_t seed, double most_ratio
 }
 
 TEST(DriveRun, ClosedLoopArrivesWithinThreeCentimetres) {
-  for (int seed = 1; seed <= testing::cases(10); ++seed) {
+  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
     expect_arrives(waypoints(), static_cast<std::uint64_t>(seed), 1.05);
   }
 }
@@ -85,6 +87,9 @@ TEST(DriveRun, RenderedImagesSayTheSame) {
   EXPECT_LE(worst_of(report).position_m, 0.03);
   EXPECT_LE(worst_of(report).heading_rad, 0.03);
   EXPECT_GT(metric(report, "tag_fraction"), 0.5);
+  ASSERT_TRUE(report.drive->camera);
+  EXPECT_EQ(report.drive->camera->fx, task.eye.camera.fx);
+  EXPECT_EQ(report.drive->tags.front().height_m, task.tags.tags.front().world_T_tag.position.z);
 }
 
 TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
@@ -129,8 +134,11 @@ TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
 }
 
 TEST(DriveRun, SameSeedSameBytes) {
-  const std::string once = to_json(run_drive(waypoints(), faults(), false, 7));
-  EXPECT_EQ(once, to_json(run_drive(waypoints(), faults(), false, 7)));
+  const Report report = run_drive(waypoints(), faults(), false, 7);
+  const std::string once = to_json(report);
+  testing::Curious curious;
+  EXPECT_EQ(once, to_json(run_drive(waypoints(), faults(), false, 7, {}, &curious)));
+  curious.expect_to_have_seen(report);
   EXPECT_NE(once, to_json(run_drive(waypoints(), faults(), false, 8)));
   const auto read = report_from_json(once);
   ASSERT_TRUE(read);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "outrider/report/json.hpp"
+#include "support/curious.hpp"
 
 namespace outrider {
 namespace {
@@ -48,6 +49,8 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
   EXPECT_FALSE(report.explore->beliefs.empty());
   EXPECT_FALSE(report.explore->decisions.empty());
   EXPECT_EQ(report.explore->walls.size(), 5U);
+  ASSERT_TRUE(report.explore->laser);
+  EXPECT_EQ(report.explore->laser->range_m, RangeFinderModel{}.most_m);
 }
 
 TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
@@ -57,10 +60,14 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   ExploreWatch watch;
   watch.progress = [&](double done) { part = std::max(part, done); };
   watch.scanned = [&](const ExploreMission&, const SimulatedExplorer&) { ++scans; };
+  testing::Curious curious;
+  watch.onlooker = &curious;
   const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch);
   ASSERT_TRUE(one && two);
   EXPECT_EQ(to_json(one->report), to_json(two->report));
   EXPECT_EQ(one->map.cells, two->map.cells);
+  curious.expect_to_have_seen(one->report);
+  EXPECT_EQ(curious.events().size(), one->report.events.size());
   EXPECT_EQ(static_cast<std::size_t>(scans) + 1, two->track.size());
   EXPECT_GT(part, 0.3);
 }

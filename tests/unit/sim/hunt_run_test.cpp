@@ -7,6 +7,7 @@
 
 #include "outrider/report/json.hpp"
 #include "outrider/sim/guard_robot.hpp"
+#include "support/curious.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"
 
@@ -153,7 +154,9 @@ TEST(Hunt, HitsEverybodyAndSaysWhatHappened) {
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     const Report report = run_hunt(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
-    EXPECT_EQ(to_json(report), to_json(run_hunt(*plan, *walks, quick(), seed)));
+    testing::Curious curious;
+    EXPECT_EQ(to_json(report), to_json(run_hunt(*plan, *walks, quick(), seed, &curious)));
+    curious.expect_to_have_seen(report);
     const auto back = report_from_json(to_json(report));
     ASSERT_TRUE(back.has_value()) << to_string(back.error());
     EXPECT_EQ(to_json(*back), to_json(report));

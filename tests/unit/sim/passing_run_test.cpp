@@ -5,6 +5,7 @@
 #include "outrider/report/json.hpp"
 #include "outrider/sim/guard_robot.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -102,8 +103,12 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     }
     EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
     EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
-    EXPECT_EQ(to_json(report),
-              to_json(run_guard(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed))));
+    testing::Curious curious;
+    EXPECT_EQ(to_json(report), to_json(run_guard(p.problem, p.site, p.plan, quick(),
+                                                 static_cast<std::uint64_t>(seed), &curious)));
+    curious.expect_to_have_seen(report);
+    EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
+    EXPECT_EQ(curious.events().size(), report.events.size());
     const auto stored = report_from_json(to_json(report));
     ASSERT_TRUE(stored.has_value());
     EXPECT_EQ(to_json(*stored), to_json(report));

@@ -6,6 +6,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/report/json.hpp"
+#include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -24,16 +25,17 @@ class RunGuardInPhysics : public ::testing::Test {
     if (!ok) GTEST_SKIP() << ok.error().sentence;
   }
 
-  static Report run(const GuardProblem& problem, std::uint64_t seed) {
+  static Report run(const GuardProblem& problem, std::uint64_t seed, Onlooker* onlooker = nullptr) {
     const auto site = survey(problem, quick());
     EXPECT_TRUE(site.has_value()) << site.error().sentence;
     const auto plan = plan_guard(problem, *site, quick(), {});
     EXPECT_TRUE(plan.has_value());
     double last = 0.0;
-    auto report = run_guard_in_physics(problem, *site, *plan, quick(), seed, [&](double part) {
+    const auto progress = [&](double part) {
       EXPECT_GE(part, last);
       last = part;
-    });
+    };
+    auto report = run_guard_in_physics(problem, *site, *plan, quick(), seed, progress, onlooker);
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);
@@ -73,7 +75,10 @@ TEST_F(RunGuardInPhysics, GivesTheSameBytesTwice) {
   Rng rng(622);
   const auto problem = testing::random_guard_problem(rng, 8, 4, 2.5);
   const std::string first = to_json(run(problem, 5));
-  EXPECT_EQ(first, to_json(run(problem, 5)));
+  testing::Curious curious;
+  const Report again = run(problem, 5, &curious);
+  EXPECT_EQ(first, to_json(again));
+  curious.expect_to_have_seen(again);
   EXPECT_NE(first, to_json(run(problem, 6)));
 }
 

@@ -6,6 +6,7 @@
 
 #include "outrider/guard/plan.hpp"
 #include "outrider/report/json.hpp"
+#include "support/curious.hpp"
 
 namespace outrider {
 namespace {
@@ -32,19 +33,21 @@ GuardProblem yard() {
   return problem;
 }
 
-Outcome<Report> mission(std::uint64_t seed) {
+Outcome<Report> mission(std::uint64_t seed, Onlooker* onlooker = nullptr) {
   const GuardProblem problem = yard();
   GuardOptions options;
   options.resolution_m = 0.25;
   ScoutTask task;
   task.options.unknown = true;
-  auto found = scout(problem, task, seed);
+  ExploreWatch watch;
+  watch.onlooker = onlooker;
+  auto found = scout(problem, task, seed, watch);
   if (!found) return pass_on(found);
   const auto site = survey(found->found.problem, options);
   if (!site) return tl::unexpected<Fault>(site.error());
   const auto plan = plan_guard(found->found.problem, *site, options, {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  return run_guard_on_map(problem, std::move(*found), *site, *plan, options, seed);
+  return run_guard_on_map(problem, std::move(*found), *site, *plan, options, seed, onlooker);
 }
 
 TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {
@@ -71,9 +74,11 @@ TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {
 }
 
 TEST(ScoutRun, IsTheSameForTheSameSeed) {
-  const auto once = mission(2), again = mission(2);
+  testing::Curious curious;
+  const auto once = mission(2), again = mission(2, &curious);
   ASSERT_TRUE(once && again);
   EXPECT_EQ(to_json(*once), to_json(*again));
+  curious.expect_to_have_seen(*once);
 }
 
 }  // namespace

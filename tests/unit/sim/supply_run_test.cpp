@@ -7,6 +7,7 @@
 #include "outrider/guard/supply_plan.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -97,7 +98,10 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
       const Report report = run_guard(mission->problem, mission->site, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
-      EXPECT_EQ(text, to_json(run_guard(mission->problem, mission->site, mission->plan, coarse(), seed)));
+      testing::Curious curious;
+      EXPECT_EQ(text,
+                to_json(run_guard(mission->problem, mission->site, mission->plan, coarse(), seed, &curious)));
+      curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;
       EXPECT_EQ(to_json(*again), text);

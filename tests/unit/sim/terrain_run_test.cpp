@@ -113,6 +113,11 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
     targets += metric(run.report, "targets") - metric(run.report, "unreachable");
     ASSERT_TRUE(run.report.terrain);
     EXPECT_FALSE(run.report.terrain->contours.empty());
+    ASSERT_TRUE(run.report.terrain->relief);
+    const ReportRelief& relief = *run.report.terrain->relief;
+    const Vec2 last = relief.origin +
+                      Vec2{(relief.columns - 1) * relief.spacing_m.x, (relief.rows - 1) * relief.spacing_m.y};
+    EXPECT_NEAR(relief.heights_m.back(), field.height(last), 1e-9);
     const auto again = report_from_json(to_json(run.report));
     ASSERT_TRUE(again) << again.error().sentence;
     EXPECT_EQ(to_json(*again), to_json(run.report));

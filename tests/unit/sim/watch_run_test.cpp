@@ -8,6 +8,7 @@
 #include "outrider/report/json.hpp"
 #include "outrider/sim/guard_robot.hpp"
 #include "outrider/sim/guard_run.hpp"
+#include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -88,7 +89,9 @@ TEST(Watch, LosesNobodyStaysAboveTheBoundAndRepeats) {
         const Report report = run_watch(plan, quick(), seed);
         expect_laws(watch, yard.outlook, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
-        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed)));
+        testing::Curious curious;
+        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed, {}, &curious)));
+        curious.expect_to_have_seen(report);
         const auto back = report_from_json(to_json(report));
         ASSERT_TRUE(back.has_value()) << to_string(back.error());
         EXPECT_EQ(to_json(*back), to_json(report));

@@ -1,9 +1,12 @@
 // The proof beside the tour: sweeps and the exact end, against brute force and against the A* over all sets.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "brute_force.hpp"
 #include "outrider/tour/solve.hpp"
 #include "random_tour.hpp"
+#include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -49,7 +52,7 @@ TEST(Proof, EqualsBruteForce) {
 }
 
 TEST(Proof, EqualsTheSearchOverAllSets) {
-  for (std::size_t seed = 0; seed < cases_of(150); ++seed) {
+  for (std::size_t seed = 0; seed < static_cast<std::size_t>(testing::costly_cases(150)); ++seed) {
     const TourProblem problem = problem_of(seed);
     const Tour best = solved(problem, {});
     ASSERT_TRUE(best.proven_optimal);
@@ -60,7 +63,8 @@ TEST(Proof, EqualsTheSearchOverAllSets) {
 }
 
 TEST(Proof, BoundsHoldHoweverLittleWorkIsAllowed) {
-  for (std::size_t seed = 0; seed < cases_of(16); ++seed) {
+  for (std::size_t seed = 0; seed < static_cast<std::size_t>(std::max(4, testing::costly_cases(16)));
+       ++seed) {
     const TourProblem problem = problem_of(seed);
     const double optimum = solved(problem, {}).cost_s;
     for (const double gap : {0.0, 0.02, 0.3, 0.9, 1.0}) {

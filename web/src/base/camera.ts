@@ -1,4 +1,5 @@
 // A view of the plane, y up, on a canvas: fits a box, zooms about the pointer, pans by drag or pinch.
+import type { Ink } from "./ink";
 import { clamp } from "./numbers";
 
 export interface Point { x: number; y: number }
@@ -67,6 +68,15 @@ export class Camera {
     if (this.home) this.least = this.scale / 2;
   }
 
+  /** Keeps so many pixels free above the box. */
+  headroom(pixels: number): void {
+    if (this.margin.top === pixels) return;
+    this.margin.top = pixels;
+    if (!this.home) return;
+    this.fit();
+    this.moved();
+  }
+
   show(box: Box): void {
     this.box = box;
     this.fit();
@@ -106,11 +116,11 @@ export class Camera {
   /** So many pixels, in metres. */
   px(pixels: number): number { return pixels / this.scale; }
 
-  toPlane(ctx: CanvasRenderingContext2D): void {
+  toPlane(ctx: Ink): void {
     const k = this.dpr * this.scale;
     ctx.setTransform(k, 0, 0, -k, this.dpr * this.x, this.dpr * this.y);
   }
-  toScreen(ctx: CanvasRenderingContext2D): void { ctx.setTransform(this.dpr, 0, 0, this.dpr, 0, 0); }
+  toScreen(ctx: Ink): void { ctx.setTransform(this.dpr, 0, 0, this.dpr, 0, 0); }
 
   private position(event: MouseEvent): Point {
     const frame = this.canvas.getBoundingClientRect();

@@ -40,6 +40,7 @@ const icons: Record<string, string> = {
   theme: "M10 3a7 7 0 1 0 0 14a7 7 0 1 0 0-14M10 3v14M10 6h5.5M10 10h7M10 14h5.5",
   help: "M7.2 7.4a2.8 2.8 0 1 1 4.3 2.4c-1 .6-1.5 1.2-1.5 2.4M10 15.2v.1",
   save: "M10 3v9M6.2 8.6L10 12.4l3.8-3.8M4 16.5h12",
+  film: "M3.5 4.5h13v11h-13zM7 4.5v11M13 4.5v11M3.5 8.2h3.5M3.5 11.8h3.5M13 8.2h3.5M13 11.8h3.5",
   near: "M10 5a5 5 0 1 0 0 10a5 5 0 1 0 0-10M10 2v4M10 14v4M2 10h4M14 10h4",
 };
 const solid = new Set(["play", "pause", "back", "next"]);

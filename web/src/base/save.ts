@@ -1,7 +1,7 @@
 // Files that the page gives to a person.
 import { h } from "./dom";
 
-function saveBlob(blob: Blob, name: string): void {
+export function saveBlob(blob: Blob, name: string): void {
   const link = h("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
@@ -11,6 +11,12 @@ export function saveText(text: string, name: string, type = "application/json"):
   saveBlob(new Blob([text], { type }), name);
 }
 
+export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((done, fail) => {
+    canvas.toBlob((blob) => (blob ? done(blob) : fail(new Error("the browser made no picture of this view"))), "image/png");
+  });
+}
+
 export function saveCanvas(canvas: HTMLCanvasElement, name: string): void {
-  canvas.toBlob((blob) => { if (blob) saveBlob(blob, name); }, "image/png");
+  void pngOf(canvas).then((blob) => saveBlob(blob, name));
 }

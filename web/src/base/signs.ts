@@ -1,5 +1,6 @@
 // Signs of the states of a target: shape tells what colour tells.
 import { svg } from "./dom";
+import { Path, type Ink } from "./ink";
 import { theme } from "./theme";
 
 interface Sign { outline: string; stroke: string; hollow?: boolean }
@@ -17,13 +18,13 @@ export const statuses: Status[] = ["waiting", "reached", "failed", "unreachable"
 export const known = (status: string): Status => (Object.hasOwn(signs, status) ? status as Status : "waiting");
 export const statusColour = (status: string): string => theme[known(status)];
 
-export function drawSign(ctx: CanvasRenderingContext2D, status: string, x: number, y: number, radius: number): void {
+export function drawSign(ctx: Ink, status: string, x: number, y: number, radius: number): void {
   const sign = signs[known(status)]!;
   ctx.save();
   ctx.translate(x, y);
   ctx.scale(radius, radius);
   ctx.lineCap = ctx.lineJoin = "round";
-  const outline = new Path2D(sign.outline);
+  const outline = new Path(sign.outline);
   ctx.strokeStyle = theme.yard;
   ctx.lineWidth = sign.hollow ? 0.9 : 0.5;
   ctx.stroke(outline);
@@ -31,7 +32,7 @@ export function drawSign(ctx: CanvasRenderingContext2D, status: string, x: numbe
   ctx.fill(outline);
   ctx.strokeStyle = sign.hollow ? statusColour(status) : theme["on-mark"];
   ctx.lineWidth = 0.32;
-  ctx.stroke(sign.hollow ? outline : new Path2D(sign.stroke));
+  ctx.stroke(sign.hollow ? outline : new Path(sign.stroke));
   ctx.restore();
 }
 

@@ -29,10 +29,26 @@ export function formatAddress({ view, path, query }: Address): string {
   return `#${place}${text ? `?${text}` : ""}`;
 }
 
-/** Changes the query of the present address without a step in the history; an empty value removes its key. */
+const rest_ms = 250;
+const placeOf = (hash: string): string => hash.split("?")[0]!;
+let pending = { place: "", query: {} as Record<string, string> };
+let resting = false;
+
+/**
+ * Changes the query of the present address without a step in the history; an empty value removes its key. At once,
+ * but at most four times a second, since each change costs a browser some milliseconds. None outlives its view.
+ */
 export function keepInAddress(changes: Record<string, string>): void {
+  const place = placeOf(location.hash);
+  pending = { place, query: pending.place === place ? { ...pending.query, ...changes } : changes };
+  if (resting) return;
   const address = parseAddress(location.hash);
-  address.query = { ...address.query, ...changes };
-  const next = formatAddress(address);
+  const next = formatAddress({ ...address, query: { ...address.query, ...pending.query } });
   if (next !== location.hash) history.replaceState(history.state, "", next);
+  pending.query = {};
+  resting = true;
+  setTimeout(() => {
+    resting = false;
+    if (Object.keys(pending.query).length > 0) keepInAddress({});
+  }, rest_ms);
 }

@@ -1,11 +1,12 @@
-// Live: one mission as it runs; when it has ended, its report.
+// Live: one mission, drawn as it runs; when it has ended, its report.
 import { getText, send, type RunRow } from "../api";
 import { title } from "../banner";
 import { h } from "../base/dom";
 import { clockText } from "../base/numbers";
 import { parseReport } from "../report/types";
 import { Watch } from "../watch/watch";
-import { LiveMap } from "./live_map";
+import { Growth } from "./growth";
+import { LiveView } from "./live_view";
 import { Socket, type Message } from "./socket";
 
 const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
@@ -21,24 +22,29 @@ export class LivePage {
   private bar = h("progress", { max: 1, "aria-label": "Progress" });
   private cancel = h("button", { type: "button", class: "button", onclick: () => void this.stop() }, "Cancel");
   private events = h("ol", { class: "events scrolls", tabindex: 0, "aria-label": "Events" });
-  private map = new LiveMap();
-  private body = h("div", { class: "run-body", hidden: true }, h("section", { class: "panel stage-panel" }, h("div", { class: "stage" }, this.map.element)),
+  private view = new LiveView();
+  private growth = new Growth();
+  private body = h("div", { class: "run-body", hidden: true }, h("section", { class: "panel stage-panel" }, this.view.element),
     h("section", { class: "panel aside" }, this.events));
   private socket: Socket;
   private watch: Watch | null = null;
   private seen = 0;
+  private present = "queued";
   private ended = false;
 
   constructor(private id: string, private query: Record<string, string>) {
     this.head.append(this.state, this.words, this.bar, this.cancel);
     this.element.append(h("section", { class: "panel run-panel" }, this.head), this.body);
     this.socket = new Socket(() => [{ type: "watch", run: id, from: this.seen }], (message) => this.hear(message),
-      (connected) => { if (!connected && !this.ended) this.state.textContent = "Connection lost, trying again"; });
+      (connected) => {
+        if (connected) this.show(this.present);
+        else if (!this.ended) this.state.textContent = "Connection lost, trying again";
+      });
   }
 
   close(): void {
     this.socket.close();
-    this.map.close();
+    this.view.close();
     this.watch?.close();
   }
 
@@ -51,7 +57,11 @@ export class LivePage {
     }
     if (message.run !== this.id) return;
     this.seen = Math.max(this.seen, Number(message.seq ?? 0));
-    if (message.type === "samples" || message.type === "events") this.body.hidden = false;
+    if (this.growth.hear(message)) {
+      this.body.hidden = false;
+      this.view.show(this.growth.report!);
+      this.element.dataset.samples = String(this.growth.report!.track.length);
+    }
     if (message.type === "state") this.show(String(message.state));
     if (message.type === "progress") {
       const { step, steps, name, part } = message as unknown as { step: number; steps: number; name: string; part: number };
@@ -59,12 +69,12 @@ export class LivePage {
       this.words.textContent = `${name}, step ${step} of ${steps}`;
       this.bar.value = steps > 0 ? Math.min(1, (step - 1 + part) / steps) : part;
     }
-    if (message.type === "samples") this.map.add(message.rows as number[][]);
     if (message.type === "events") this.addEvents(message.events as { time_s: number; kind: string; text: string }[]);
     if (message.type === "end") void this.end(message as unknown as RunRow);
   }
 
   private show(state: string): void {
+    this.present = state;
     this.element.dataset.state = state;
     this.state.textContent = stateWords[state] ?? state;
     this.state.className = `run-state ${state}`;

@@ -5,14 +5,13 @@ import { optionForm, type Values } from "./form";
 
 export class Choice {
   readonly element: HTMLElement;
-  private given: Values = {};
   private row: PlannerRow;
   private select: HTMLSelectElement;
   private about = h("p", { class: "about" });
   private options = h("details", {});
 
   /** `changed` hears of every choice, with a sentence when it was refused. */
-  constructor(planners: PlannerRow[], name: string, private changed: (refusal: string) => void) {
+  constructor(planners: PlannerRow[], name: string, private changed: (refusal: string) => void, private given: Values = {}) {
     this.row = planners.find((one) => one.name === name) ?? planners[0]!;
     this.select = h("select", { "aria-label": "Planner" }, ...planners.map((one) => h("option", { value: one.name, selected: one === this.row }, one.name)));
     this.select.addEventListener("change", () => {

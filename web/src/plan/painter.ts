@@ -4,46 +4,59 @@ import type { GridGround } from "./ground";
 import { free, occupied } from "./ground";
 import type { Trace } from "./trace";
 
-type Rgb = [number, number, number];
+const known = new Map<string, Uint8ClampedArray>();
 
-/** A colour of the theme as numbers, through a canvas: it may be written in any way. */
-export function rgb(colour: string): Rgb {
-  const ctx = document.createElement("canvas").getContext("2d", { willReadFrequently: true })!;
-  ctx.fillStyle = colour;
-  ctx.fillRect(0, 0, 1, 1);
-  const [r = 0, g = 0, b = 0] = ctx.getImageData(0, 0, 1, 1).data;
-  return [r, g, b];
+/** A colour of the theme, which may be written in any way, as red, green, blue and alpha; through a canvas. */
+function bytesOf(colour: string): Uint8ClampedArray {
+  let bytes = known.get(colour);
+  if (!bytes) {
+    const ctx = document.createElement("canvas").getContext("2d", { willReadFrequently: true })!;
+    ctx.fillStyle = colour;
+    ctx.fillRect(0, 0, 1, 1);
+    bytes = ctx.getImageData(0, 0, 1, 1).data;
+    known.set(colour, bytes);
+  }
+  return bytes;
+}
+
+/** The colour as one number, as the pixels of an image lie in memory. */
+function pixelOf(colour: string, alpha = 255): number {
+  const [r = 0, g = 0, b = 0] = bytesOf(colour);
+  return new Uint32Array(new Uint8ClampedArray([r, g, b, alpha]).buffer)[0]!;
 }
 
 /** Row 0 of the map is the lowest, that of a picture the highest. */
-const pixel = (x: number, y: number, width: number, height: number): number => 4 * ((height - 1 - y) * width + x);
+const place = (x: number, y: number, width: number, height: number): number => (height - 1 - y) * width + x;
 
 export class Picture {
   readonly canvas = document.createElement("canvas");
   private key = "";
+  private image: ImageData | null = null;
 
-  /** Paints anew when the key has changed. */
-  paint(width: number, height: number, key: string, fill: (image: ImageData) => void): void {
+  /** Paints anew, upon nothing, when the key has changed. */
+  paint(width: number, height: number, key: string, fill: (pixels: Uint32Array) => void): void {
     const whole = `${key} ${theme.ground}`;
     if (whole === this.key) return;
     this.key = whole;
-    this.canvas.width = width;
-    this.canvas.height = height;
-    const image = new ImageData(width, height);
-    fill(image);
-    this.canvas.getContext("2d")!.putImageData(image, 0, 0);
+    if (this.image?.width !== width || this.image.height !== height) {
+      [this.canvas.width, this.canvas.height] = [width, height];
+      this.image = new ImageData(width, height);
+    }
+    const pixels = new Uint32Array(this.image.data.buffer);
+    pixels.fill(0);
+    fill(pixels);
+    this.canvas.getContext("2d")!.putImageData(this.image, 0, 0);
   }
 }
 
 export function paintCells(picture: Picture, ground: GridGround): void {
   const { width, height } = ground.grid;
-  picture.paint(width, height, String(ground.version), (image) => {
-    const colours = { free: rgb(theme.yard), solid: rgb(theme["solid-high"]), unknown: rgb(theme["solid-low"]) };
-    for (let y = 0; y < height; ++y) {
-      for (let x = 0; x < width; ++x) {
-        const value = ground.cells[y * width + x]!;
-        const colour = value === free ? colours.free : value === occupied ? colours.solid : colours.unknown;
-        image.data.set([...colour, 255], pixel(x, y, width, height));
+  picture.paint(width, height, String(ground.version), (pixels) => {
+    const [open, solid, unknown] = [pixelOf(theme.yard), pixelOf(theme["solid-high"]), pixelOf(theme["solid-low"])];
+    for (let y = 0, i = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x, ++i) {
+        const value = ground.cells[i]!;
+        pixels[place(x, y, width, height)] = value === free ? open : value === occupied ? solid : unknown;
       }
     }
   });
@@ -52,27 +65,28 @@ export function paintCells(picture: Picture, ground: GridGround): void {
 /** Cells that the robot's centre must not be in, but which are free. */
 export function paintBlocked(picture: Picture, blocked: Uint8Array, ground: GridGround, key: string): void {
   const { width, height } = ground.grid;
-  picture.paint(width, height, `${key} ${ground.version}`, (image) => {
-    const colour = rgb(theme.failed);
+  picture.paint(width, height, `${key} ${ground.version}`, (pixels) => {
+    const rim = pixelOf(theme.failed, 46);
     for (let i = 0; i < blocked.length; ++i) {
-      if (blocked[i] === 0 || ground.cells[i] !== free) continue;
-      image.data.set([...colour, 46], pixel(i % width, Math.floor(i / width), width, height));
+      if (blocked[i] !== 0 && ground.cells[i] === free) pixels[place(i % width, Math.floor(i / width), width, height)] = rim;
     }
   });
 }
 
 /** Closed vertices and the queue, the newest expansion strongest. */
 export function paintTrace(picture: Picture, trace: Trace, step: number, key: string): void {
-  picture.paint(trace.width, trace.height, `${key} ${step}`, (image) => {
-    const [closed, open] = [rgb(theme.closed), rgb(theme.open)];
+  const { width, height } = trace;
+  picture.paint(width, height, `${key} ${step}`, (pixels) => {
+    const [closed, open, newest] = [pixelOf(theme.closed, 190), pixelOf(theme.open, 150), pixelOf(theme.open)];
+    const set = (x: number, y: number, pixel: number): void => {
+      if (x >= 0 && y >= 0 && x < width && y < height) pixels[place(x, y, width, height)] = pixel;
+    };
+    for (const { x, y, opened } of step > 0 ? trace.waiting : []) if (opened <= step) set(x, y, open);
     for (let i = trace.length - 1; i >= 0; --i) {
       const state = trace.state(i, step);
       if (state === "unseen") continue;
       const { x, y } = trace.at(i);
-      if (x < 0 || y < 0 || x >= trace.width || y >= trace.height) continue;
-      const newest = state === "closed" && step - i <= 1 && step < trace.length;
-      const colour = state === "open" || newest ? open : closed;
-      image.data.set([...colour, newest ? 255 : state === "open" ? 150 : 190], pixel(x, y, trace.width, trace.height));
+      set(x, y, state === "open" ? open : step - i <= 1 && step < trace.length ? newest : closed);
     }
   });
 }

@@ -4,8 +4,8 @@ import { h, iconButton } from "../base/dom";
 import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { onTheme, theme } from "../base/theme";
-import type { Piece, PlanAnswer } from "../api";
-import { disk } from "../watch/layer";
+import type { Piece, PlanAnswer, YardTarget } from "../api";
+import { disk, label } from "../watch/layer";
 import { placeTip } from "../watch/plan_view";
 import { drawScales } from "../watch/scale_layer";
 import { cellsOf, type Ground } from "./ground";
@@ -16,9 +16,11 @@ import { Trace } from "./trace";
 export interface Scene {
   ground: Ground;
   start: Vec2;
-  goal: Vec2;
+  goal: Vec2 | null;
   radius_m: number;
-  selected: "start" | "goal" | null;
+  /** A number is that of a target. */
+  selected: "start" | "goal" | number | null;
+  targets?: YardTarget[];
 }
 export interface Hand {
   redraw: () => void;
@@ -87,7 +89,8 @@ export class Pane {
     this.drawPath(ctx);
     this.drawChain(ctx);
     this.drawEnd(ctx, scene.start, "S", theme.robot, scene.selected === "start");
-    this.drawEnd(ctx, scene.goal, "G", theme.reached, scene.selected === "goal");
+    if (scene.goal) this.drawEnd(ctx, scene.goal, "G", theme.reached, scene.selected === "goal");
+    scene.targets?.forEach((target, i) => this.drawTarget(ctx, target, scene.selected === i));
     drawScales(ctx, camera, scene.ground.box);
     this.name.textContent = this.answer?.planner ?? "";
   }
@@ -220,6 +223,32 @@ export class Pane {
     camera.toPlane(ctx);
   }
 
+  /** Its box, and a sign to take it by. */
+  private drawTarget(ctx: CanvasRenderingContext2D, { name, position: [x, y], size: [length, width], heading_rad }: YardTarget, selected: boolean): void {
+    const { camera } = this;
+    ctx.save();
+    ctx.translate(x, y);
+    ctx.rotate(heading_rad);
+    ctx.fillStyle = theme.water;
+    ctx.globalAlpha = 0.35;
+    ctx.fillRect(-length / 2, -width / 2, length, width);
+    ctx.restore();
+    ctx.save();
+    camera.toScreen(ctx);
+    const at = camera.screen(x, y);
+    disk(ctx, at.x, at.y, selected ? 8 : 6);
+    ctx.fillStyle = theme.water;
+    ctx.fill();
+    ctx.strokeStyle = selected ? theme.ink : theme.yard;
+    ctx.lineWidth = selected ? 3 : 2;
+    ctx.stroke();
+    ctx.font = `11.5px ${theme.sans}`;
+    ctx.textBaseline = "middle";
+    label(ctx, name, at.x + 12, at.y, theme.ink, theme.panel);
+    ctx.restore();
+    camera.toPlane(ctx);
+  }
+
   private hover(at: Point | null): void {
     const before = this.hovered;
     this.hovered = null;
@@ -231,6 +260,8 @@ export class Pane {
       if (found) {
         this.hovered = found.index;
         placeTip(this.tip, vertexLines(this.trace, found.index, found.state), at, this.camera);
+      } else if (this.trace.findWaiting(...vertex, this.step())) {
+        placeTip(this.tip, waitingLines(this.trace, ...vertex), at, this.camera);
       }
     }
     if (before !== this.hovered) this.hand.redraw();
@@ -257,6 +288,12 @@ function pathOf(points: Vec2[], pieces: Piece[]): Path2D {
     path.lineTo(...to);
   }
   return path;
+}
+
+/** What the search knew of a vertex that it never came to. */
+export function waitingLines(trace: Trace, x: number, y: number): string[] {
+  const opened = trace.findWaiting(x, y, trace.length)?.opened ?? 0;
+  return [`(${x}, ${y}) in the queue to the end`, `since expansion ${opened}`];
 }
 
 /** What the search knew of a vertex. */

@@ -28,7 +28,9 @@ export function pathSvg(scene: Scene, answer: PlanAnswer | null): string {
   if (answer?.waypoints) {
     shapes.push(`<polyline points="${points(answer.waypoints)}" fill="none" stroke="#6b4000" stroke-width="${digits(pen)}" stroke-linejoin="round"/>`);
   }
-  for (const [[x, y], colour] of [[scene.start, "#6b4000"], [scene.goal, "#00785a"]] as const) {
+  for (const [place, colour] of [[scene.start, "#6b4000"], [scene.goal, "#00785a"]] as const) {
+    if (!place) continue;
+    const [x, y] = place;
     shapes.push(`<circle cx="${digits(x)}" cy="${digits(-y)}" r="${digits(2 * pen)}" fill="${colour}"/>`);
   }
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="${digits(x0)} ${digits(-y1)} ${digits(x1 - x0)} ${digits(y1 - y0)}">\n${shapes.join("\n")}\n</svg>\n`;

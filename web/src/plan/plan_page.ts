@@ -8,8 +8,11 @@ import { keepInAddress } from "../base/url";
 import { Asker } from "./asker";
 import { Choice } from "./choice";
 import { free, occupied, groundOf, type Ground } from "./ground";
+import type { Values } from "./form";
+import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
 import { resultTable } from "./results";
+import { SaveForm } from "./save_form";
 import { Steps } from "./steps";
 import { pathSvg } from "./path_svg";
 
@@ -19,6 +22,9 @@ const words: Record<Tool, string> = {
 };
 const most = 50000;
 
+interface PlanScene extends Scene { goal: Vec2; selected: "start" | "goal" | null }
+/** What a scenario says beyond its map, start and goal. */
+export interface Opened { path: string; planner: string; options: Values; model: string; resolution_m: number }
 interface Seat { pane: Pane; asker: Asker; choice: Choice }
 
 const point = (text: string | undefined): Vec2 | null => {
@@ -28,7 +34,7 @@ const point = (text: string | undefined): Vec2 | null => {
 
 export class PlanPage {
   readonly element: HTMLElement;
-  private scene: Scene;
+  private scene: PlanScene;
   private ground: Ground;
   private seats: Seat[] = [];
   private panes = h("div", { class: "panes" });
@@ -44,22 +50,24 @@ export class PlanPage {
   private frame = 0;
   private firstStep: number | null;
   private planners: PlannerRow[];
+  private saving: SaveForm;
 
-  constructor(private map: MapAnswer, ground: Ground, planners: PlannerRow[], query: Record<string, string>) {
+  constructor(private map: MapAnswer, ground: Ground, planners: PlannerRow[], query: Record<string, string>, path: string, private opened: Opened | null) {
     this.ground = ground;
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
     const [start, goal] = ground.ends();
     this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal" };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
+    this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));
     const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
-      h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results));
+      h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results, this.saving.element));
     this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
       h("div", { class: "stage" }, this.panes, h("div", { class: "stage-bar" }, this.tools, legend(ground)),
         h("div", { class: "stage-tools" }, iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
     this.steps.element, aside);
     for (const text of map.warnings) this.notice.append(h("span", {}, text));
-    this.sit(query.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
+    this.sit(query.planner ?? opened?.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
     if (query.versus) this.sit(query.versus);
     this.rebuilt();
     this.bindKeys();
@@ -84,7 +92,7 @@ export class PlanPage {
       if (refusal) return;
       this.rebuilt();
       this.planSoon(true);
-    });
+    }, name === this.opened?.planner && this.seats.length === 0 ? { ...this.opened.options } : {});
     this.seats.push({ pane, asker, choice });
   }
 
@@ -117,12 +125,20 @@ export class PlanPage {
     return h("label", { class: "radius", title: "Radius of the disk that drives" }, "radius ", input, " m");
   }
 
+  private request(choice: Choice, edits = this.ground.edits()): PlanRequest {
+    const { start, goal, radius_m } = this.scene;
+    const request: PlanRequest = { map: this.map.id, edits, start, goal, planner: choice.name, options: choice.values, radius_m };
+    const { model, resolution_m } = this.opened ?? {};
+    if (model && choice.planner.grounds.some((kind) => kind === model)) request.model = model;
+    if (resolution_m) request.resolution_m = resolution_m;
+    return request;
+  }
+
   /** With the trace only once the hand rests: it is large. */
   private planSoon(traced: boolean): void {
-    const { start, goal, radius_m } = this.scene;
     const edits = this.ground.edits();
     for (const { asker, choice } of this.seats) {
-      const request: PlanRequest = { map: this.map.id, edits, start, goal, planner: choice.name, options: choice.values, radius_m };
+      const request = this.request(choice, edits);
       if (traced && choice.planner.traces) request.trace = most;
       if (traced && this.ground.kind === "grid") request.blocked = true;
       if (traced && this.ground.kind === "polygons") request.legs = true;
@@ -276,6 +292,7 @@ export class PlanPage {
       { key: "+", words: "zoom in", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1.5)) },
       { key: "-", words: "zoom out", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1 / 1.5)) },
       { key: "0", words: "show everything", act: () => this.seats.forEach(({ pane }) => pane.camera.reset()) },
+      { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
       { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
     ]);
@@ -290,9 +307,9 @@ function legend(ground: Ground): HTMLElement {
   return h("ul", { class: "legend", "aria-label": "Legend" }, line("path", "robot"), ...search);
 }
 
-/** Opens a map, or says in a sentence why not. */
-export function openPlan(map: MapAnswer, planners: PlannerRow[], query: Record<string, string>): PlanPage | string {
+/** Opens a map, with the question of a scenario or its own, or says in a sentence why not. `path` is that of the map. */
+export function openPlan(map: MapAnswer, planners: PlannerRow[], query: Record<string, string>, path: string, opened: Opened | null = null): PlanPage | string {
   const ground = groundOf(map);
-  return typeof ground === "string" ? ground : new PlanPage(map, ground, planners, query);
+  return typeof ground === "string" ? ground : new PlanPage(map, ground, planners, query, path, opened);
 }
 

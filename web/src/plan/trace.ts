@@ -1,4 +1,5 @@
-// A search as it went: what was closed and what stood in the queue after so many expansions.
+// A search as it went: what was closed and what stood in the queue after so many expansions. Where the planner tells
+// what it put into the queue that is the queue as it was; else what waits until the end is not known of.
 import type { TraceAnswer } from "../api";
 
 export interface Expansion {
@@ -10,13 +11,18 @@ export interface Expansion {
   h: number;
 }
 
+/** A vertex that waits in the queue until the end, since so many expansions. */
+export interface Waiting { x: number; y: number; opened: number }
+
 export class Trace {
   readonly length: number;
   readonly width: number;
   readonly height: number;
+  readonly waiting: Waiting[] = [];
   /** By expansion: after how many expansions its vertex stood in the queue. */
   private opened: Int32Array;
   private byVertex = new Map<number, number[]>();
+  private waitingAt = new Map<number, number>();
   private column: Record<string, number>;
 
   constructor(readonly answer: TraceAnswer) {
@@ -34,6 +40,19 @@ export class Trace {
       const before = this.byVertex.get(key);
       if (before) before.push(i);
       else this.byVertex.set(key, [i]);
+    }
+    this.readOpenings(answer.openings ?? []);
+  }
+
+  private readOpenings(openings: number[]): void {
+    for (let i = 0; i + 2 < openings.length; i += 3) {
+      const [x, y, opened] = [openings[i]!, openings[i + 1]!, openings[i + 2]!];
+      const next = this.byVertex.get(this.key(x, y))?.find((index) => index >= opened);
+      if (next !== undefined) this.opened[next] = opened;
+      else {
+        this.waitingAt.set(this.key(x, y), this.waiting.length);
+        this.waiting.push({ x, y, opened });
+      }
     }
   }
 
@@ -60,6 +79,12 @@ export class Trace {
     if (closed !== undefined) return { index: closed, state: "closed" };
     const waiting = all.find((index) => this.state(index, step) === "open");
     return waiting === undefined ? null : { index: waiting, state: "open" };
+  }
+
+  /** The vertex when it stands in the queue after `step` expansions and will never leave it. */
+  findWaiting(x: number, y: number, step: number): Waiting | null {
+    const found = this.waiting[this.waitingAt.get(this.key(x, y)) ?? -1];
+    return found && step > 0 && found.opened <= step ? found : null;
   }
 
   /** Vertices from that of an expansion back to the start. */

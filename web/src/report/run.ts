@@ -2,6 +2,7 @@
 import { clamp, finite, mix } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import type { Event, Report, Shot, Target, Vec3 } from "./types";
+import { Relief } from "./relief";
 import { Track } from "./track";
 
 export interface Flight extends Shot {
@@ -45,9 +46,16 @@ export class Run {
   readonly track: Track;
   readonly flights: Flight[];
   readonly duration: number;
+  /** After that the robot goes on by other means than what it believed: a yard that is explored is then guarded. */
+  readonly believedUntil: number;
+  /** Where the ground is not flat. */
+  readonly relief: Relief | null;
 
   constructor(readonly report: Report) {
     this.track = new Track(report.track, report.robot.start);
+    const last = (report.drive ?? report.explore)?.beliefs.at(-1);
+    this.believedUntil = last ? last.time_s + 1.5 : -Infinity;
+    this.relief = Relief.of(report.world.terrain?.relief);
     this.flights = report.shots.map(flightOf);
     const { chase, explore, drive } = report;
     const latest = (times: (number | null | undefined)[]): number =>
@@ -56,6 +64,11 @@ export class Run {
       latest(report.events.map((one) => one.time_s)), latest((chase?.robots ?? []).map((way) => way.length - 1)),
       latest((explore?.beliefs ?? []).map((one) => one.time_s)), latest((drive?.beliefs ?? []).map((one) => one.time_s)));
   }
+
+  /** Of the ground, m. */
+  height(x: number, y: number): number { return this.relief?.height(x, y) ?? 0; }
+  /** Of the ground there, upwards, not of length 1. */
+  normal(x: number, y: number): Vec3 { return this.relief?.normal(x, y) ?? [0, 0, 1]; }
 
   /** Centre of the ball `tau` seconds after the muzzle: on the path of a shot in air, else on the line to the
    *  contact, at the parabola's height. */

@@ -55,11 +55,14 @@ export interface Belief {
   sigma_rad: number;
   saw_tag: boolean;
 }
+export interface Tag { id: number; position: Vec2; facing_rad: number; size_m: number; height_m?: Num }
+export interface Eye { width_px: number; height_px: number; fx: number; fy: number; cx: number; cy: number; ahead_m: number; height_m: number }
 export interface Drive {
   loop: string;
-  tags: { id: number; position: Vec2; facing_rad: number; size_m: number }[];
+  tags: Tag[];
   stops: { pose: Pose; stop: boolean; time_s: Num; error: Num[]; heading_error_rad: Num }[];
   beliefs: Belief[];
+  camera?: Eye;
 }
 export interface Chase {
   columns: number;
@@ -77,7 +80,9 @@ export interface Explore {
   beliefs: Belief[];
   decisions: { time_s: number; kind: string; goal: Vec2 | Pose; waypoints: Vec2[]; frontiers: number }[];
   refused: { position: Vec2; reason: string }[];
+  laser?: { beams: number; range_m: number; height_m: number; mount: Pose };
 }
+export interface ReliefGrid { origin: Vec2; spacing_m: Vec2; columns: number; rows: number; heights_m: number[] }
 export interface Report {
   outrider_report: number;
   status: string;
@@ -93,7 +98,7 @@ export interface Report {
     bounds: [Vec2, Vec2] | null;
     gravity_mps2: number;
     solids: Solid[];
-    terrain?: { contours: { height_m: number; points: Vec2[] }[]; steep: Rounded[] };
+    terrain?: { contours: { height_m: number; points: Vec2[] }[]; steep: Rounded[]; relief?: ReliefGrid };
   };
   robot: { radius_m: Num; gun_length_m: Num; ball_radius_m: Num; margin_m: Num; start: Num[] };
   paths: { start_s: Num; end_s: Num; waypoints: Vec2[] }[];

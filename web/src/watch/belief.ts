@@ -1,43 +1,69 @@
 // What the robot believed: the way it took itself to have driven, its pose, and the ellipse of its doubt.
-import { finite } from "../base/numbers";
+import { degrees, finite, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";
 import type { Belief } from "../report/types";
-import { beliefFinder, ellipseOf } from "./ellipse";
-import { disk, type Pen } from "./layer";
+import { Beliefs, deviations, ellipseOf } from "./ellipse";
+import { disk, type Layer, type Pen } from "./layer";
 
-/** Two standard deviations: 86 % of a plane's normal distribution. Never smaller than can be seen. */
-const deviations = 2;
-
-export function beliefDrawer(run: Run, beliefs: Belief[]): (pen: Pen) => void {
-  const find = beliefFinder(beliefs);
+export function believed(run: Run): Layer | null {
+  const beliefs = new Beliefs(run);
+  if (beliefs.all.length === 0) return null;
   const radius = finite(run.report.robot.radius_m);
-  return ({ ctx, camera, now }) => {
-    const index = find(now.t);
-    const belief = beliefs[index];
-    if (!belief) return;
-    ctx.strokeStyle = theme.belief;
-    ctx.lineWidth = camera.px(1.8);
-    ctx.setLineDash([camera.px(5), camera.px(3)]);
+
+  function drawWay({ ctx, camera, now }: Pen, belief: Belief | null): void {
+    ctx.lineWidth = camera.px(1.2);
+    ctx.setLineDash([camera.px(5), camera.px(5)]);
     ctx.beginPath();
-    for (let i = 0; i <= index; ++i) ctx.lineTo(beliefs[i]!.pose[0], beliefs[i]!.pose[1]);
+    const least = camera.px(2);
+    let [lx, ly] = [Infinity, Infinity];
+    for (let i = 0; i <= beliefs.index(now.t); ++i) {
+      const [x, y] = beliefs.all[i]!.pose;
+      if (Math.abs(x - lx) < least && Math.abs(y - ly) < least) continue;  // dashes of many short lines are slow
+      ctx.lineTo(x, y);
+      [lx, ly] = [x, y];
+    }
+    if (belief) ctx.lineTo(belief.pose[0], belief.pose[1]);
     ctx.stroke();
     ctx.setLineDash([]);
-    const { major, minor, angle } = ellipseOf(belief);
-    const [x, y, heading] = belief.pose;
-    ctx.beginPath();
-    ctx.ellipse(x, y, Math.max(deviations * major, camera.px(1)), Math.max(deviations * minor, camera.px(1)), angle, 0, 2 * Math.PI);
-    ctx.fillStyle = theme.belief;
-    ctx.globalAlpha = 0.22;
-    ctx.fill();
-    ctx.globalAlpha = 1;
-    ctx.stroke();
-    const r = Math.max(radius, camera.px(7));
-    ctx.setLineDash([camera.px(3), camera.px(3)]);
-    disk(ctx, x, y, r);
-    ctx.moveTo(x, y);
-    ctx.lineTo(x + r * Math.cos(heading), y + r * Math.sin(heading));
-    ctx.stroke();
-    ctx.setLineDash([]);
+  }
+
+  return {
+    moving(pen) {
+      const { ctx, camera, now } = pen;
+      const belief = beliefs.at(now.t);
+      ctx.strokeStyle = ctx.fillStyle = theme.belief;
+      drawWay(pen, belief);
+      if (!belief) return;
+      const { major, minor, angle } = ellipseOf(belief);
+      const [x, y, heading] = belief.pose;
+      const axis = (sigma: number): number => Math.max(deviations * beliefs.enlarged * sigma, camera.px(1));
+      ctx.beginPath();
+      ctx.ellipse(x, y, axis(major), axis(minor), angle, 0, 2 * Math.PI);
+      ctx.globalAlpha = 0.22;
+      ctx.fill();
+      ctx.globalAlpha = 1;
+      ctx.lineWidth = camera.px(1.6);
+      ctx.stroke();
+      const r = Math.max(radius, camera.px(7));
+      ctx.setLineDash([camera.px(3), camera.px(3)]);
+      disk(ctx, x, y, r);
+      ctx.moveTo(x, y);
+      ctx.lineTo(x + r * Math.cos(heading), y + r * Math.sin(heading));
+      ctx.stroke();
+      ctx.setLineDash([]);
+    },
+    find(at, { camera, now }) {
+      const belief = beliefs.at(now.t);
+      if (!belief) return null;
+      const place = camera.screen(belief.pose[0], belief.pose[1]);
+      if (Math.hypot(place.x - at.x, place.y - at.y) > Math.max(9, camera.scale * radius)) return null;
+      const truth = run.track.at(now.t);
+      const { major, minor } = ellipseOf(belief);
+      const mm = (metres: number): string => `${fixed(1000 * metres, 0)} mm`;
+      return { lines: [
+        `believed ${mm(Math.hypot(belief.pose[0] - truth.x, belief.pose[1] - truth.y))} and ${degrees(wrapped(belief.pose[2] - truth.heading))} off`,
+        `2\u03c3: ${mm(deviations * major)} by ${mm(deviations * minor)}, ${degrees(deviations * belief.sigma_rad)}`] };
+    },
   };
 }

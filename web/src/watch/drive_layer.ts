@@ -2,9 +2,9 @@
 import { finite, fixed } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";
+import type { State } from "../report/track";
 import type { Drive } from "../report/types";
-import { beliefDrawer } from "./belief";
-import { beliefFinder } from "./ellipse";
+import { lensAt, Sight } from "./eye";
 import { disk, label, type Layer, type Pen } from "./layer";
 
 /** The wall side of a tag is a bar, its face a short line outwards. */
@@ -41,31 +41,40 @@ function drawStop({ ctx, camera, now }: Pen, stop: Drive["stops"][number]): void
   ctx.stroke();
 }
 
+/** What the camera sees of the plane, and lines to the tags that a pose was taken from. */
+function drawSight({ ctx, camera, now }: Pen, sight: Sight, at: State): void {
+  const lens = lensAt(sight.eye, at);
+  ctx.beginPath();
+  ctx.moveTo(...lens);
+  for (const end of sight.edge(at)) ctx.lineTo(...end);
+  ctx.closePath();
+  ctx.fillStyle = ctx.strokeStyle = theme.water;
+  ctx.globalAlpha = 0.07;
+  ctx.fill();
+  ctx.globalAlpha = 0.4;
+  ctx.lineWidth = camera.px(1);
+  ctx.stroke();
+  ctx.globalAlpha = 0.8;
+  ctx.lineWidth = camera.px(1.4);
+  for (const tag of sight.tagsSeen(now.t, at)) {
+    ctx.beginPath();
+    ctx.moveTo(...lens);
+    ctx.lineTo(...tag.position);
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}
+
 export function drive(run: Run): Layer | null {
   const driven = run.report.drive;
   if (!driven) return null;
-  const drawBelief = beliefDrawer(run, driven.beliefs);
-  const find = beliefFinder(driven.beliefs);
+  const sight = Sight.of(run);
   return {
     moving(pen) {
       const { ctx, camera, now } = pen;
-      const belief = driven.beliefs[find(now.t)];
-      const robot = run.track.at(now.t);
-      for (const tag of driven.tags) {
-        if (belief?.saw_tag) {
-          ctx.strokeStyle = theme.water;
-          ctx.globalAlpha = 0.45;
-          ctx.lineWidth = camera.px(1);
-          ctx.beginPath();
-          ctx.moveTo(robot.x, robot.y);
-          ctx.lineTo(...tag.position);
-          if (facing(robot, tag)) ctx.stroke();
-          ctx.globalAlpha = 1;
-        }
-        drawTag(pen, tag);
-      }
+      if (sight) drawSight(pen, sight, run.track.at(now.t));
+      for (const tag of driven.tags) drawTag(pen, tag);
       for (const stop of driven.stops) drawStop(pen, stop);
-      drawBelief(pen);
       camera.toScreen(ctx);
       ctx.font = `11.5px ${theme.sans}`;
       ctx.textAlign = "left";
@@ -85,9 +94,4 @@ export function drive(run: Run): Layer | null {
       return { lines: Number.isFinite(stop.time_s) ? [`reached after ${fixed(stop.time_s, 1)} s, ${fixed(1000 * off, 1)} mm off`] : ["not reached"] };
     },
   };
-}
-
-/** The robot stands before the face of the tag. */
-function facing(robot: { x: number; y: number }, tag: Drive["tags"][number]): boolean {
-  return (robot.x - tag.position[0]) * Math.cos(tag.facing_rad) + (robot.y - tag.position[1]) * Math.sin(tag.facing_rad) > 0;
 }

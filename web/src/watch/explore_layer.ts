@@ -1,8 +1,10 @@
 // Exploring: the map as it was discovered, the walls as they are, where the robot decided to go.
+import { Path } from "../base/ink";
+import { traceRounded } from "../base/outline";
 import { theme } from "../base/theme";
 import { spread, type Run } from "../report/run";
 import type { Explore } from "../report/types";
-import { beliefDrawer } from "./belief";
+import { areaOf } from "./area";
 import { disk, type Layer, type Pen } from "./layer";
 
 const occupied = 1;
@@ -27,17 +29,20 @@ export class Discovery {
     this.canvas.height = Math.max(1, map.rows);
   }
 
-  /** How many cells were known at t. O(log cells). */
-  knownAt(t: number): number {
+  /** How many cells were known at t, of all or of some in the order of their discovery. O(log cells). */
+  knownAt(t: number, cells = this.order): number {
     let low = 0;
-    let high = this.order.length;
+    let high = cells.length;
     while (low < high) {
       const middle = (low + high) >> 1;
-      if (this.step[this.order[middle]!]! * this.map.step_s <= t) low = middle + 1;
+      if (this.step[cells[middle]!]! * this.map.step_s <= t) low = middle + 1;
       else high = middle;
     }
     return low;
   }
+
+  /** Cells with something in them, in the order of their discovery. */
+  occupied(): Uint32Array { return this.order.filter((cell) => this.state[cell] === occupied); }
 
   get cells(): number { return this.order.length; }
 
@@ -68,6 +73,11 @@ export class Discovery {
   }
 }
 
+/** The decision that holds at t; none once there is nothing to explore any more. */
+export function decisionAt(run: Run, t: number): Explore["decisions"][number] | undefined {
+  return t <= run.believedUntil ? run.report.explore?.decisions.findLast((one) => one.time_s <= t) : undefined;
+}
+
 function drawDecision({ ctx, camera }: Pen, decision: Explore["decisions"][number]): void {
   ctx.strokeStyle = theme.open;
   ctx.lineWidth = camera.px(1.6);
@@ -81,21 +91,19 @@ function drawDecision({ ctx, camera }: Pen, decision: Explore["decisions"][numbe
 export function explore(run: Run): Layer | null {
   const found = run.report.explore;
   if (!found) return null;
-  const { map, walls, decisions } = found;
+  const { map } = found;
   const discovery = new Discovery(map);
-  const drawBelief = beliefDrawer(run, found.beliefs);
+  const walls = new Path();
+  for (const outline of found.walls) traceRounded(walls, outline, 0);
+  const [x0, y0, x1, y1] = areaOf(run);
   return {
     still({ ctx, camera }) {
       ctx.fillStyle = theme.grid;
-      ctx.fillRect(map.origin[0], map.origin[1], map.columns * map.cell_m, map.rows * map.cell_m);
-      ctx.strokeStyle = theme.soft;
-      ctx.lineWidth = camera.px(1);
-      for (const wall of walls) {
-        ctx.beginPath();
-        for (const [x, y] of wall) ctx.lineTo(x, y);
-        ctx.closePath();
-        ctx.stroke();
-      }
+      ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
+      ctx.fillStyle = ctx.strokeStyle = theme["solid-low"];
+      ctx.lineWidth = camera.px(0.7);
+      ctx.fill(walls);
+      ctx.stroke(walls);  // no seams between pieces of one wall
     },
     moving(pen) {
       const { ctx, camera, now } = pen;
@@ -107,9 +115,8 @@ export function explore(run: Run): Layer | null {
       ctx.scale(map.cell_m, -map.cell_m);
       ctx.drawImage(discovery.canvas, 0, 0);
       ctx.restore();
-      const decision = decisions.findLast((one) => one.time_s <= now.t);
+      const decision = decisionAt(run, now.t);
       if (decision) drawDecision(pen, decision);
-      drawBelief(pen);
       if (now.t < run.duration - 1e-6) return;
       ctx.strokeStyle = theme.unreachable;
       ctx.lineWidth = camera.px(1.6);

@@ -1,4 +1,5 @@
 // The world from above: solids in tones of their height, where the robot's centre cannot be, slopes.
+import { Path } from "../base/ink";
 import { finite, clamp, fixed } from "../base/numbers";
 import { nearestOnPolygon, traceRounded, type Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
@@ -6,7 +7,7 @@ import type { Run } from "../report/run";
 import type { Solid } from "../report/types";
 import type { Layer, Pen } from "./layer";
 
-interface Shape extends Solid { path: Path2D; top: number }
+interface Shape extends Solid { path: Path; top: number }
 
 export function highestOf(run: Run): number {
   return run.report.world.solids.reduce((most, solid) =>
@@ -19,10 +20,10 @@ export function tone(top: number, highest: number): string {
 }
 
 /** Where the robot's centre cannot be: solids in its way grown by its radius, and a rim inside the bounds. */
-function inflationOf(run: Run, shapes: Shape[]): Path2D {
+function inflationOf(run: Run, shapes: Shape[]): Path {
   const { world, robot } = run.report;
   const r = finite(robot.radius_m);
-  const path = new Path2D();
+  const path = new Path();
   for (const solid of shapes.filter((one) => one.blocks_driving)) {
     for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m + r);
   }
@@ -54,7 +55,7 @@ function hatch(ctx: CanvasRenderingContext2D, dpr: number): CanvasPattern {
 }
 
 /** The union of overlapping outlines: hatched, with one contour around it. */
-export function drawUnion({ ctx, camera }: Pen, union: Path2D): void {
+export function drawUnion({ ctx, camera }: Pen, union: Path): void {
   const layer = document.createElement("canvas");
   layer.width = ctx.canvas.width;
   layer.height = ctx.canvas.height;
@@ -105,7 +106,7 @@ function drawSolid({ ctx, camera }: Pen, solid: Shape, highest: number): void {
 function drawTerrain({ ctx, camera }: Pen, run: Run): void {
   const { terrain } = run.report.world;
   if (!terrain) return;
-  const steep = new Path2D();
+  const steep = new Path();
   for (const piece of terrain.steep) traceRounded(steep, piece.core, piece.radius_m);
   ctx.fillStyle = theme.failed;
   ctx.globalAlpha = 0.12;
@@ -127,7 +128,7 @@ function drawTerrain({ ctx, camera }: Pen, run: Run): void {
 export function ground(run: Run): Layer {
   const { bounds, solids } = run.report.world;
   const shapes: Shape[] = solids.filter((solid) => solid.footprint.length > 0).map((solid) => {
-    const path = new Path2D();
+    const path = new Path();
     for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m);
     return { ...solid, path, top: finite(solid.high_z_m, Infinity) };
   }).sort((a, b) => a.top - b.top);

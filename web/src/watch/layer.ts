@@ -1,5 +1,6 @@
 // The plan view is made of layers, one for each kind of thing that a report may tell of.
 import type { Camera, Point } from "../base/camera";
+import type { Ink } from "../base/ink";
 import type { Flight, Run } from "../report/run";
 import type { Target } from "../report/types";
 
@@ -14,7 +15,7 @@ export interface Now {
 export interface Found { target?: Target; shot?: Flight; lines: string[] }
 
 export interface Pen {
-  ctx: CanvasRenderingContext2D;
+  ctx: Ink;
   camera: Camera;
   now: Now;
 }
@@ -30,13 +31,13 @@ export interface Layer {
 /** Makes the layer, or nothing where the report has no such thing. */
 export type LayerOf = (run: Run) => Layer | null;
 
-export function disk(ctx: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+export function disk(ctx: Ink, x: number, y: number, radius: number): void {
   ctx.beginPath();
   ctx.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
 /** A name with a rim, so that it can be read over anything. In pixels. */
-export function label(ctx: CanvasRenderingContext2D, text: string, x: number, y: number, ink: string, rim: string): void {
+export function label(ctx: Ink, text: string, x: number, y: number, ink: string, rim: string): void {
   ctx.lineJoin = "round";
   ctx.strokeStyle = rim;
   ctx.lineWidth = 3.5;

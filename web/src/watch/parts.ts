@@ -2,6 +2,7 @@
 import { h } from "../base/dom";
 import { signElement, statuses } from "../base/signs";
 import type { Run } from "../report/run";
+import { Beliefs } from "./ellipse";
 
 export { h, iconButton } from "../base/dom";
 
@@ -16,10 +17,16 @@ export function signedLegend(run: Run): HTMLElement {
   }
   if (report.drive || report.explore) {
     line("true", "border-color:var(--robot)");
-    line("believed, 2\u03c3", "border-color:var(--belief);border-top-style:dashed");
+    const { enlarged } = new Beliefs(run);
+    line(`believed, 2\u03c3${enlarged > 1 ? ` \u00d7 ${enlarged}` : ""}`, "border-color:var(--belief);border-top-style:dashed");
   }
+  if (report.explore?.laser) line("range finder", "border-color:var(--failed);border-top-width:1.5px");
+  if (report.drive?.camera) line("camera", "border-color:var(--water);border-top-width:1.5px");
   if (report.explore) line("way chosen", "border-color:var(--open)");
   if (report.explore && report.explore.refused.length > 0) line("frontier refused", "border-color:var(--unreachable)");
+  if (report.world.terrain && report.world.terrain.steep.length > 0) {
+    items.push(h("li", {}, h("i", { class: "swatch", style: "background:var(--failed);opacity:.35" }), "too steep"));
+  }
   if (report.chase) {
     line("target", "border-color:var(--failed)");
     line(report.chase.robots.length > 1 ? "robots" : "robot", "border-color:var(--water)");

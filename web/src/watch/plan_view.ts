@@ -1,46 +1,29 @@
 // The plan view: the world from above, drawn by layers on one canvas.
 import { Camera, type Box, type Point } from "../base/camera";
 import { h, iconButton } from "../base/dom";
-import { clamp, finite, roundStep } from "../base/numbers";
+import type { Ink } from "../base/ink";
+import { clamp, roundStep } from "../base/numbers";
+import { SvgInk } from "../base/svg_ink";
 import { theme, onTheme } from "../base/theme";
 import type { Flight, Run } from "../report/run";
 import type { Target } from "../report/types";
+import { areaOf } from "./area";
+import { believed } from "./belief";
 import { chase } from "./chase_layer";
 import { drive } from "./drive_layer";
 import { explore } from "./explore_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
+import { laser } from "./laser_layer";
 import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
 import { robot } from "./robot_layer";
 import { scales } from "./scale_layer";
 import { stations } from "./station_layer";
 import { targets } from "./target_layer";
 
-/** What the view shows when nobody moved it: the bounds, or all that the report tells of. */
-export function areaOf(run: Run): Box {
-  const { world, chase: hunt, explore: found, drive: driven } = run.report;
-  if (world.bounds) return [...world.bounds[0], ...world.bounds[1]];
-  const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
-  const add = (x: number, y: number, r = 0): void => {
-    box[0] = Math.min(box[0], x - r);
-    box[1] = Math.min(box[1], y - r);
-    box[2] = Math.max(box[2], x + r);
-    box[3] = Math.max(box[3], y + r);
-  };
-  const reach = Math.max(0.3, finite(run.report.robot.radius_m));
-  for (let i = 0; i < run.track.length; ++i) add(run.track.x[i]!, run.track.y[i]!, reach);
-  for (const solid of world.solids) {
-    for (const { core, radius_m } of solid.footprint) for (const [x, y] of core) add(x, y, radius_m);
-  }
-  for (const tag of driven?.tags ?? []) add(...tag.position);
-  for (const stop of driven?.stops ?? []) add(stop.pose[0], stop.pose[1], reach);
-  for (const way of hunt ? [hunt.target, ...hunt.robots] : []) for (const [x, y] of way) add(x, y);
-  if (found) {
-    const { origin, columns, rows, cell_m } = found.map;
-    add(...origin);
-    add(origin[0] + columns * cell_m, origin[1] + rows * cell_m);
-  }
-  return [box[0] - 0.25, box[1] - 0.25, box[2] + 0.25, box[3] + 0.25];
+function layersOf(run: Run, area: Box): Layer[] {
+  const makers: LayerOf[] = [ground, chase, explore, laser, flights, drive, stations, targets, robot, believed];
+  return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
 }
 
 export interface Choices {
@@ -64,8 +47,7 @@ export class PlanView {
 
   constructor(private run: Run, private choices: Choices) {
     this.area = areaOf(run);
-    const makers = [ground, chase, explore, flights, drive, stations, targets, robot];
-    this.layers = [...makers.map((make: LayerOf) => make(run)).filter((one) => one !== null), scales(this.area, run)];
+    this.layers = layersOf(run, this.area);
     this.element = h("div", { class: "view plan-view" }, this.canvas, this.tip,
       h("div", { class: "camera", role: "group", "aria-label": "View" },
         iconButton("in", "Zoom in", () => this.camera.zoom(1.5), "+"),
@@ -82,6 +64,17 @@ export class PlanView {
   close(): void {
     this.off();
     this.camera.close();
+  }
+
+  /** Shows another run, or more of the same one; a view that somebody moved stays. */
+  renew(run: Run): void {
+    this.run = run;
+    const area = areaOf(run);
+    this.layers = layersOf(run, area);
+    this.stillVersion = "";
+    if (area.every((value, i) => value === this.area[i])) return;
+    this.area = this.camera.box = area;
+    if (this.camera.home) this.reset();
   }
 
   reset(): void {
@@ -109,18 +102,30 @@ export class PlanView {
   }
 
   private drawStill(): void {
-    const { camera, still } = this;
+    const { still } = this;
     still.width = this.canvas.width;
     still.height = this.canvas.height;
-    const ctx = still.getContext("2d")!;
+    this.paintStill(still.getContext("2d")!);
+  }
+
+  private paintStill(ctx: Ink): void {
+    const { camera } = this;
     ctx.fillStyle = theme.panel;
-    ctx.fillRect(0, 0, still.width, still.height);
+    ctx.fillRect(0, 0, ctx.canvas.width, ctx.canvas.height);
     camera.toPlane(ctx);
     const [x0, y0, x1, y1] = this.area;
     ctx.fillStyle = theme.yard;
     ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
     drawGrid(ctx, camera, this.area);
     this.drawLayers("still", { ctx, camera, now: this.now });
+  }
+
+  /** What it shows, as SVG. */
+  svg(now: Now): string {
+    const ctx = new SvgInk(this.canvas);
+    this.paintStill(ctx);
+    this.drawLayers("moving", { ctx, camera: this.camera, now });
+    return ctx.text(this.camera.width);
   }
 
   private drawLayers(part: "still" | "moving", pen: Pen): void {
@@ -154,7 +159,7 @@ export class PlanView {
   }
 }
 
-export function drawGrid(ctx: CanvasRenderingContext2D, camera: Camera, [x0, y0, x1, y1]: Box): void {
+export function drawGrid(ctx: Ink, camera: Camera, [x0, y0, x1, y1]: Box): void {
   const step = roundStep(18 / camera.scale);
   ctx.lineWidth = camera.px(1);
   ctx.strokeStyle = theme.grid;

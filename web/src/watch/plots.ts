@@ -13,6 +13,7 @@ const height = 128;
 export class Plots {
   readonly element = h("section", { class: "plots scrolls", tabindex: 0, "aria-label": "Plots" });
   private plots: uPlot[] = [];
+  private timed: uPlot[] = [];  // those whose cursors follow the clock
   private all: Series[];
   private t = 0;
   private off: () => void;
@@ -35,6 +36,7 @@ export class Plots {
   private build(): void {
     for (const plot of this.plots) plot.destroy();
     this.element.replaceChildren();
+    this.timed = [];
     const width = this.element.clientWidth - 20;
     this.plots = width > 0 ? this.all.map((series) => this.made(series, width)) : [];
     this.show(this.t);
@@ -54,15 +56,17 @@ export class Plots {
       width, height,
       padding: [6, 18, 0, 0],
       scales: { x: { time: false }, y: { range: (_, low, high) => [Math.min(0, low), high > 0 ? high * 1.05 : 1] } },
-      axes: [{ ...axis, size: 22, values: (_, values) => values.map((v) => `${v} s`) }, { ...axis, size: 46 }],
+      axes: [{ ...axis, size: 22, values: (_, values) => values.map((v) => (series.along ? v.toLocaleString("en") : `${v} s`)) }, { ...axis, size: 46 }],
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 7 } },
-      series: [{ label: "time", value: (_, v) => (v === null ? "" : `${v.toFixed(1)} s`) }, ...series.lines.map((line) => ({
+      series: [{ label: series.along ?? "time", value: (_, v) => (v === null ? "" : series.along ? v.toLocaleString("en") : `${v.toFixed(1)} s`) }, ...series.lines.map((line) => ({
         label: line.name, stroke: theme[line.colour], width: 1.6, points: { show: false },
         value: (_: uPlot, v: number | null) => (v === null ? "\u2013" : figures(v)),
         ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
       }))],
     }, [series.time, ...series.lines.map((line) => line.values)], place);
+    if (series.along) return plot;
     this.seekOn(plot);
+    this.timed.push(plot);
     return plot;
   }
 
@@ -77,7 +81,7 @@ export class Plots {
 
   show(t: number): void {
     this.t = t;
-    for (const plot of this.plots) plot.setCursor({ left: plot.valToPos(t, "x"), top: 0 }, false);
-    for (const plot of this.plots) plot.setLegend({ idx: nearest(plot.data[0] as number[], t) }, false);
+    for (const plot of this.timed) plot.setCursor({ left: plot.valToPos(t, "x"), top: 0 }, false);
+    for (const plot of this.timed) plot.setLegend({ idx: nearest(plot.data[0] as number[], t) }, false);
   }
 }

@@ -1,4 +1,5 @@
 // The robot: the way it drove, and the disk with its heading and its gun.
+import { Path } from "../base/ink";
 import { finite } from "../base/numbers";
 import { theme } from "../base/theme";
 import { lastNotAfter } from "../report/track";
@@ -31,7 +32,7 @@ export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: nu
 export function robot(run: Run): Layer | null {
   const { track, report } = run;
   if (report.track.length === 0 && report.chase) return null;
-  const whole = new Path2D();
+  const whole = new Path();
   for (let i = 0; i < track.length; ++i) whole.lineTo(track.x[i]!, track.y[i]!);
   const radius = finite(report.robot.radius_m);
   const gunLength = finite(report.robot.gun_length_m);

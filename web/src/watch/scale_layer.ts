@@ -1,12 +1,13 @@
 // Coordinates along two edges, a bar of round length, and the tones of heights.
 import type { Box, Camera } from "../base/camera";
+import type { Ink } from "../base/ink";
 import { fixed, minus, roundStep } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";
 import { highestOf, tone } from "./ground_layer";
 import type { Layer } from "./layer";
 
-export function drawScales(ctx: CanvasRenderingContext2D, camera: Camera, [x0, y0, x1, y1]: Box): void {
+export function drawScales(ctx: Ink, camera: Camera, [x0, y0, x1, y1]: Box): void {
   camera.toScreen(ctx);
   ctx.font = `10.5px ${theme.sans}`;
   ctx.fillStyle = theme.soft;
@@ -44,7 +45,7 @@ export function drawScales(ctx: CanvasRenderingContext2D, camera: Camera, [x0, y
 }
 
 export function scales(area: Box, run: Run): Layer {
-  const highest = highestOf(run);
+  const highest = run.report.explore ? 0 : highestOf(run);  // true solids are not shown then
   return {
     still({ ctx, camera }) {
       ctx.strokeStyle = theme.soft;

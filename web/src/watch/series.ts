@@ -1,4 +1,4 @@
-// What can be plotted of a run over its time: columns of one length with their names and colours.
+// What can be plotted of a run, over its time or over something else: columns of one length with their names and colours.
 import { finite } from "../base/numbers";
 import type { Colour } from "../base/theme";
 import type { Run } from "../report/run";
@@ -8,6 +8,8 @@ import { ellipseOf } from "./ellipse";
 export interface Series {
   title: string;
   unit: string;
+  /** What goes along the axis, where that is not the time. */
+  along?: string;
   time: number[];
   lines: { name: string; colour: Colour; values: (number | null)[]; steps?: boolean }[];
 }
@@ -67,6 +69,17 @@ function chaseOf(run: Run): Series | null {
     { name: "lower bound", colour: "reached", values: held(3), steps: true }] };
 }
 
+/** What planning knew after so many expansions, of a pursuit that was planned step by step. */
+function planningOf(run: Run): Series | null {
+  const rows = (run.report.chase?.bounds ?? []).filter((row) => Number.isFinite(row[1]))
+    .sort((a, b) => finite(a[1]) - finite(b[1])).filter((row, i, all) => row[1] !== all[i + 1]?.[1]);
+  if (rows.length < 2) return null;
+  const column = (k: number): (number | null)[] => rows.map((row) => row[k] ?? null);
+  return { title: "What planning knew", unit: "", along: "expansions", time: column(1).map((value) => finite(value)), lines: [
+    { name: "best catch known", colour: "failed", values: column(2), steps: true },
+    { name: "lower bound", colour: "reached", values: column(3), steps: true }] };
+}
+
 function knownOf(run: Run): Series | null {
   const { explore } = run.report;
   if (!explore) return null;
@@ -78,6 +91,6 @@ function knownOf(run: Run): Series | null {
 }
 
 export function seriesOf(run: Run): Series[] {
-  return [knownOf(run), chaseOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), speedOf(run)]
+  return [knownOf(run), chaseOf(run), planningOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), speedOf(run)]
     .filter((one): one is Series => one !== null);
 }

@@ -1,24 +1,23 @@
 // The view in space: the same run in three dimensions. Loaded when it is first asked for, since three.js is large.
-import { AmbientLight, BoxGeometry, BufferGeometry, type CanvasTexture, Color, CylinderGeometry, DirectionalLight, EdgesGeometry, EllipseCurve, Float32BufferAttribute,
-  Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, RingGeometry, Scene, SphereGeometry, Vector3, WebGLRenderer } from "three";
+import { AmbientLight, BoxGeometry, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Float32BufferAttribute,
+  Line, LineBasicMaterial, LineSegments, Mesh, type MeshLambertMaterial, PerspectiveCamera, Points, RingGeometry, Scene, SphereGeometry, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
 import { clamp, finite } from "../base/numbers";
 import { statusColour } from "../base/signs";
 import { chaserColours, onTheme, theme } from "../base/theme";
-import { lastNotAfter } from "../report/track";
 import type { Flight, Run } from "../report/run";
 import type { Target } from "../report/types";
+import { areaOf } from "./area";
 import { costPicture, placeOnWay } from "./chase_layer";
-import { beliefFinder, ellipseOf } from "./ellipse";
-import { Discovery } from "./explore_layer";
 import type { Now } from "./layer";
-import { areaOf } from "./plan_view";
-import { carpet, lineOf, stillWorld } from "./space_solids";
-
-const lambert = (colour: string, opacity = 1): MeshLambertMaterial =>
-  new MeshLambertMaterial({ color: colour, transparent: opacity < 1, opacity });
+import { stillWorld } from "./space_ground";
+import { mapActor } from "./space_map";
+import { decisionActor, stationActor, stopActor } from "./space_marks";
+import { carpet, lambert, lineOf } from "./space_parts";
+import { beliefActor, robotActor } from "./space_robot";
+import { eyeActor, laserActor } from "./space_sight";
 
 export class SpaceView {
   readonly element: HTMLElement;
@@ -32,7 +31,6 @@ export class SpaceView {
   private area: Box;
   private watcher: ResizeObserver;
   private off: () => void;
-  private body = new Group();
 
   constructor(private run: Run, private redraw: () => void) {
     this.area = areaOf(run);
@@ -62,9 +60,12 @@ export class SpaceView {
 
   private clear(): void {
     this.scene.traverse((thing) => {
-      if (!(thing instanceof Mesh || thing instanceof Line)) return;
+      if (!(thing instanceof Mesh || thing instanceof Line || thing instanceof Points)) return;
       (thing.geometry as BufferGeometry).dispose();
-      for (const material of [thing.material].flat()) material.dispose();
+      for (const material of [thing.material].flat() as MeshLambertMaterial[]) {
+        material.map?.dispose();
+        material.dispose();
+      }
     });
     this.scene.clear();
     this.actors = [];
@@ -76,45 +77,15 @@ export class SpaceView {
     const sun = new DirectionalLight("#ffffff", 1.7);
     sun.position.set(-6, -9, 14);
     this.scene.add(new AmbientLight("#ffffff", 1.9), sun, stillWorld(this.run, this.area));
-    this.addRobot();
+    for (const make of [robotActor, beliefActor, mapActor, laserActor, eyeActor, stopActor, decisionActor, stationActor]) {
+      for (const { things, act } of make(this.run)) {
+        this.scene.add(...things);
+        if (act) this.actors.push(act);
+      }
+    }
     for (const target of this.run.report.targets) this.addTarget(target);
     if (this.run.flights.length > 0) this.addWater();
-    this.addBelief();
     this.addChase();
-    this.addDiscovery();
-  }
-
-  private addRobot(): void {
-    const { robot, track, chase } = this.run.report;
-    if (track.length === 0 && chase) return;
-    const radius = Math.max(0.05, finite(robot.radius_m));
-    const height = Math.max(0.08, 0.8 * radius);
-    this.body = new Group();
-    const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(theme.robot));
-    hull.rotation.x = Math.PI / 2;
-    hull.position.z = height / 2;
-    const nose = new Mesh(new BoxGeometry(0.5 * radius, 0.24 * radius, 0.02), lambert(theme.yard));
-    nose.position.set(0.6 * radius, 0, height + 0.01);
-    this.body.add(hull, nose);
-    const gun = new Group();
-    const length = finite(robot.gun_length_m);
-    if (length > 0) {
-      const barrel = new Mesh(new CylinderGeometry(0.025, 0.025, length, 12), lambert(theme.water));
-      barrel.rotation.z = -Math.PI / 2;
-      barrel.position.x = length / 2;
-      gun.add(barrel);
-      gun.rotation.order = "ZYX";
-    }
-    const way = lineOf(Array.from(this.run.track.x, (x, i) => [x, this.run.track.y[i]!, 0.02]), theme.robot);
-    this.scene.add(this.body, gun, way);
-    this.actors.push(({ t }) => {
-      const at = this.run.track.at(t);
-      this.body.position.set(at.x, at.y, 0);
-      this.body.rotation.z = at.heading;
-      gun.position.set(at.x, at.y, finite(this.run.flights[0]?.from[2], height));
-      gun.rotation.set(0, -at.pitch, at.yaw);
-      way.geometry.setDrawRange(0, 1 + lastNotAfter(this.run.track.time, t));
-    });
   }
 
   private addTarget(target: Target): void {
@@ -167,27 +138,6 @@ export class SpaceView {
     });
   }
 
-  private addBelief(): void {
-    const beliefs = this.run.report.drive?.beliefs ?? this.run.report.explore?.beliefs ?? [];
-    if (beliefs.length === 0) return;
-    const find = beliefFinder(beliefs);
-    const outline = new EllipseCurve(0, 0, 1, 1, 0, 2 * Math.PI).getPoints(48).map(({ x, y }) => [x, y, 0]);
-    const ellipse = lineOf(outline, theme.belief);
-    const way = lineOf(beliefs.map(({ pose }) => [pose[0], pose[1], 0.025]), theme.belief);
-    this.scene.add(ellipse, way);
-    this.actors.push(({ t }) => {
-      const index = find(t);
-      const belief = beliefs[index];
-      ellipse.visible = belief !== undefined;
-      way.geometry.setDrawRange(0, index + 1);
-      if (!belief) return;
-      const { major, minor, angle } = ellipseOf(belief);
-      ellipse.position.set(belief.pose[0], belief.pose[1], 0.03);
-      ellipse.rotation.z = angle;
-      ellipse.scale.set(Math.max(0.02, 2 * major), Math.max(0.02, 2 * minor), 1);
-    });
-  }
-
   private addChase(): void {
     const { chase, world } = this.run.report;
     if (!chase || !world.bounds) return;
@@ -199,19 +149,6 @@ export class SpaceView {
       const body = new Mesh(new SphereGeometry(size, 20, 14), lambert(colour));
       this.scene.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
       this.actors.push(({ t }) => body.position.set(...placeOnWay(way, t), size));
-    });
-  }
-
-  private addDiscovery(): void {
-    const { explore } = this.run.report;
-    if (!explore) return;
-    const { origin: [x, y], columns, rows, cell_m } = explore.map;
-    const discovery = new Discovery(explore.map);
-    const { mesh, texture }: { mesh: Mesh; texture: CanvasTexture } = carpet(discovery.canvas, [x, y, x + columns * cell_m, y + rows * cell_m], 0.005);
-    this.scene.add(mesh);
-    this.actors.push(({ t }) => {
-      discovery.paint(t);
-      texture.needsUpdate = true;
     });
   }
 
@@ -260,7 +197,7 @@ export class SpaceView {
     const at = this.run.track.at(t);
     const offset = this.camera.position.clone().sub(this.controls.target);
     const reach = clamp(offset.length(), 1, 6 * Math.max(1, finite(this.run.report.robot.radius_m)));
-    this.controls.target.set(at.x, at.y, 0.2);
-    this.camera.position.copy(new Vector3(at.x, at.y, 0.2)).add(offset.setLength(reach));
+    this.controls.target.set(at.x, at.y, this.run.height(at.x, at.y) + 0.2);
+    this.camera.position.copy(this.controls.target).add(offset.setLength(reach));
   }
 }

@@ -1,5 +1,6 @@
 // Targets: their boxes, the sign of their state, their names where there is room.
 import type { Camera } from "../base/camera";
+import { Path, type Ink } from "../base/ink";
 import { finite, fixed } from "../base/numbers";
 import { drawSign, statusColour } from "../base/signs";
 import { theme } from "../base/theme";
@@ -9,17 +10,19 @@ import { disk, label, type Layer, type Pen } from "./layer";
 
 interface Name { text: string; x: number; y: number; target: Target }
 
-function boxOf(target: Target): Path2D {
-  const [length, width] = [finite(target.size[0]), finite(target.size[1])];
-  const box = new Path2D();
-  box.rect(-length / 2, -width / 2, length, width);
-  const path = new Path2D();
-  path.addPath(box, new DOMMatrix().rotate((finite(target.box_yaw_rad) * 180) / Math.PI));
+function boxOf(target: Target): Path {
+  const [length, width] = [finite(target.size[0]) / 2, finite(target.size[1]) / 2];
+  const [cos, sin] = [Math.cos(finite(target.box_yaw_rad)), Math.sin(finite(target.box_yaw_rad))];
+  const path = new Path();
+  for (const [u, v] of [[-length, -width], [length, -width], [length, width], [-length, width]] as const) {
+    path.lineTo(u * cos - v * sin, u * sin + v * cos);
+  }
+  path.closePath();
   return path;
 }
 
 /** Names beside their signs, each where it covers nothing that stands there already. */
-function placeNames(ctx: CanvasRenderingContext2D, camera: Camera, targets: Target[]): Name[] {
+function placeNames(ctx: Ink, camera: Camera, targets: Target[]): Name[] {
   ctx.font = `11.5px ${theme.sans}`;
   type Area = [number, number, number, number];
   const signs = targets.map((one) => camera.screen(finite(one.centre[0]), finite(one.centre[1])));
@@ -46,7 +49,7 @@ export function targets(run: Run): Layer | null {
   const boxes = all.map(boxOf);
   let names: Name[] = [];
 
-  function drawTarget({ ctx, camera, now }: Pen, target: Target, box: Path2D): void {
+  function drawTarget({ ctx, camera, now }: Pen, target: Target, box: Path): void {
     const place = run.place(target, now.t);
     if (!place) return;
     const status = run.status(target, now.t);

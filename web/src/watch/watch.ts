@@ -10,6 +10,9 @@ import type { Report, Target } from "../report/types";
 import { Clock, neighbour } from "./clock";
 import { EventList } from "./event_list";
 import { facts } from "./facts";
+import { showFilmDialog } from "./film_dialog";
+import { Frame } from "./frame";
+import type { Now } from "./layer";
 import { marksOf, type Mark } from "./marks";
 import { PlanView } from "./plan_view";
 import { Plots } from "./plots";
@@ -43,6 +46,7 @@ export class Watch {
   private switcher: HTMLElement;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
   private following = false;
+  private barWatcher: ResizeObserver;
 
   constructor(report: Report, query: Record<string, string>) {
     this.run = new Run(report);
@@ -56,8 +60,12 @@ export class Watch {
     this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
       h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
       h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    this.stage.append(this.plan.element, h("div", { class: "stage-bar" }, this.switcher, signedLegend(this.run)),
-      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", () => this.savePicture(), "s")));
+    const bar = h("div", { class: "stage-bar" }, this.switcher, signedLegend(this.run));
+    this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
+    this.barWatcher.observe(bar);
+    this.stage.append(this.plan.element, bar,
+      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", () => this.savePicture(), "s"),
+        iconButton("film", "Save frames of a film", () => this.saveFilm(), "m")));
     this.element = h("div", { class: "watch" }, h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage),
       this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
     this.bindKeys();
@@ -69,6 +77,7 @@ export class Watch {
     this.frameAsked = -1;
     keys.set("Playing", []);
     keys.set("View", []);
+    this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();
     this.side?.close();
@@ -108,20 +117,24 @@ export class Watch {
 
   private frame(now: number): void {
     this.frameAsked = 0;
-    const { clock, selected } = this;
+    const { clock } = this;
     clock.advance((now - this.before) / 1000);
     this.before = now;
     this.followShots();
-    const present = { t: clock.t, shot: selected.shot, target: selected.target, speed: clock.playing && !calm.matches ? clock.speed : 0 };
-    if (this.inSpace) this.space?.draw(present);
-    else this.plan.draw(present);
+    if (this.inSpace) this.space?.draw(this.present);
+    else this.plan.draw(this.present);
     this.side?.draw(clock.t);
-    this.table?.show(clock.t, selected.target);
+    this.table?.show(clock.t, this.selected.target);
     this.events.show(clock.t);
     this.plots.show(clock.t);
-    this.timeline.show(selected.mark);
+    this.timeline.show(this.selected.mark);
     if (clock.playing) this.invalidate();
     else keepInAddress({ t: clock.t.toFixed(2) });
+  }
+
+  private get present(): Now {
+    const { clock, selected: { shot, target } } = this;
+    return { t: clock.t, shot, target, speed: clock.playing && !calm.matches ? clock.speed : 0 };
   }
 
   /** While playing, the side view shows the shot that was fired last. */
@@ -198,8 +211,21 @@ export class Watch {
 
   private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
 
-  private savePicture(): void {
-    saveCanvas(this.view.canvas, `${this.run.report.world.name || "run"}-${clockText(this.clock.t, 1).replace(":", "m")}s.png`);
+  private get name(): string { return this.run.report.world.name || "run"; }
+  private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
+
+  private savePicture(): void { saveCanvas(this.view.canvas, `${this.instant}.png`); }
+
+  /** Of the view as it is now; what is seen of the run depends on the time alone. */
+  private saveFilm(): void {
+    const { clock, run } = this;
+    clock.toggle(false);
+    const frame = new Frame(run);
+    showFilmDialog({ duration: clock.duration, now: clock.t, name: this.name, done: () => this.invalidate(), draw: (t) => {
+      const shot = run.flights.findLast((one) => one.start <= t) ?? null;
+      this.view.draw({ t, shot, target: run.targetOf(shot), speed: 1 });
+      return frame.of(this.view.canvas, t);
+    } });
   }
 
   private bindKeys(): void {
@@ -227,6 +253,8 @@ export class Watch {
       { key: "0", words: "show everything", act: () => { this.setFollow(false); this.view.reset(); } },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
+      { key: "g", words: "save the plan view as SVG", act: () => saveText(this.plan.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
+      { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
       { key: "j", words: "save the report as JSON", act: () => saveText(JSON.stringify(this.run.report), `${this.run.report.job}.json`) },
     ]);
   }

@@ -28,6 +28,12 @@ export async function until(what, ask, seconds = 15) {
   }
 }
 
+/** The bytes of the file that the page gives after `act`. */
+export async function saved(page, act) {
+  const [download] = await Promise.all([page.waitForEvent("download"), act()]);
+  return readFileSync(await download.path());
+}
+
 /**
  * Keeps a screenshot in the folder of the test's output and compares it, at a quarter of its size, with the stored
  * one: at most 4 % of the pixels may differ, since fonts are not the same everywhere. OUTRIDER_NEW_SHOTS=1 stores it.

@@ -1,10 +1,14 @@
 // The page in a real browser against a real server, one start of each for all cases.
 //   OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/page_test.mjs OUTPUT [CASE...]
 import assert from "node:assert/strict";
-import { writeFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { compareShot, executable, launch, until } from "./browser.mjs";
-import { makeFolder, makeViewer, serve } from "./server.mjs";
+import { compareShot, executable, launch, saved, until } from "./browser.mjs";
+import { difference, readPng, shrunk } from "./png.mjs";
+import { onScreen } from "./drag.mjs";
+import { makeRuns } from "./runs.mjs";
+import { makeFolder, makeViewer, serve, tool } from "./server.mjs";
 
 const [output, ...only] = process.argv.slice(2);
 if (!executable) {
@@ -69,12 +73,65 @@ const cases = {
     await page.close();
   },
 
+  async "what a robot senses and believes: a map that is turned is explored, a drive goes by tags"() {
+    makeRuns(folder);
+    const page = await open("#watch/reports/explore/explore.json?t=3");
+    await page.waitForSelector(".plots figure");
+    assert.match(await text(page, ".legend"), /believed, 2\u03c3.*range finder.*way chosen/);
+    await frames(page);
+    await compareShot(page, "explore", output);
+    await page.keyboard.press("f");  // the robot is in the middle then
+    await frames(page);
+    const frame = await page.locator(".plan-view canvas").boundingBox();
+    await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
+    assert.match(await text(page, ".plan-view .tip"), /^believed \d+ mm and .* off\n2\u03c3: \d+ mm by/);
+    await page.goto(`${server.url}#watch/reports/drive/drive.json?t=13&view=3d&follow=1`);
+    await page.waitForSelector(".space-view canvas");
+    await until("the drive", async () => (await text(page, ".job")) === "drive");
+    await frames(page);
+    await compareShot(page, "drive-space", output);
+    await page.close();
+  },
+
   async "the viewer is one file that shows the same, dark, on a phone"() {
     const page = await open(`file://${makeViewer(folder, "reports/yard.json")}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict"), /targets reached/);
     await frames(page);
     await compareShot(page, "viewer-phone-dark", output);
+    await page.close();
+  },
+
+  async "frames of a film are the same twice, and the SVG looks as the view does"() {
+    const page = await open(`file://${makeViewer(folder, "reports/yard.json")}#?t=20`);
+    await page.waitForSelector(".targets tbody");
+    await frames(page);
+    const film = (from, to) => saved(page, async () => {
+      await page.keyboard.press("m");
+      for (const [name, value] of [["From", from], ["To", to], ["Frames a second", 10]]) await page.fill(`.film [aria-label="${name}"]`, String(value));
+      await page.keyboard.press("Enter");
+    });
+    const first = await film(20, 20.2);
+    assert.equal(first.readUInt16LE(first.length - 12), 3, "frames in the archive");
+    await page.keyboard.press("End");
+    await frames(page);
+    assert.ok(first.equals(await film(20, 20.2)), "the view at 20 s depends on what was shown before");
+    assert.ok(!first.equals(await film(21, 21.2)));
+    await page.keyboard.press("m");
+    await page.fill('.film [aria-label="To"]', "1e9");
+    assert.match(await text(page, ".film .hint"), /^To: it takes a time from/);
+    await page.keyboard.press("Escape");
+    const view = readPng(await saved(page, () => page.keyboard.press("s")));
+    const drawn = readPng(await page.evaluate(async (svg) => {
+      const image = new Image();
+      image.src = `data:image/svg+xml;base64,${svg}`;
+      await image.decode();
+      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+      canvas.getContext("2d").drawImage(image, 0, 0);
+      return canvas.toDataURL().split(",")[1];
+    }, (await saved(page, () => page.keyboard.press("g"))).toString("base64")).then((text) => Buffer.from(text, "base64")));
+    const off = difference(shrunk(view, 2), shrunk(drawn, 2));
+    assert.ok(off < 0.01, `${(100 * off).toFixed(1)} % of the SVG differs from the view`);
     await page.close();
   },
 
@@ -91,7 +148,8 @@ const cases = {
     await page.keyboard.press("End");
     const frame = await page.locator(".pane canvas").boundingBox();
     const tip = page.locator(".pane .tip");
-    for (let i = 1; i < 200 && !await tip.isVisible(); ++i) {
+    const expanded = async () => await tip.isVisible() && /g /.test(await tip.textContent());
+    for (let i = 1; i < 200 && !await expanded(); ++i) {
       await page.mouse.move(frame.x + frame.width * (i * 0.618 % 1), frame.y + frame.height * (i * 0.382 % 1));
     }
     const words = await tip.textContent();
@@ -151,6 +209,64 @@ const cases = {
     await page.close();
   },
 
+  async "what was drawn is saved as a scenario, which the tool answers with the same plan"() {
+    const page = await open("#draw?planner=theta_star&start=2,5.5&goal=14,5.5&radius=0.2");
+    await page.waitForSelector(".result");
+    await page.keyboard.press("w");
+    const seen = await answers(page);
+    await page.mouse.move(...await onMap(page, 8, 2));
+    await page.mouse.down();
+    await page.mouse.move(...await onMap(page, 8, 9), { steps: 8 });
+    await page.mouse.up();
+    await nextAnswer(page, seen);
+    const cost = await until("a longer path", async () => Number.parseFloat(await cell(page, "cost")) > 12.5 && await cell(page, "cost"));
+    await page.fill("#save-name", "wall.yaml");
+    await page.click(".save button");
+    await until("the sentence", async () => /^Saved .*wall\.yaml/.test(await text(page, ".saved")));
+    const { metrics } = JSON.parse(execFileSync(tool, ["run", "wall.yaml", "--json"], { cwd: folder }));
+    assert.equal(`${metrics.cost_m.toFixed(3)} m`, cost);
+    await page.goto(`${server.url}#change/wall.yaml`);
+    await page.waitForSelector(".result");
+    await until("the same plan", async () => await cell(page, "cost") === cost);
+    assert.equal(await page.inputValue("#save-name"), "wall.yaml");
+    await page.fill("#save-name", "yard/yard.yaml");
+    await page.click(".save button");
+    await until("the refusal", async () => /there is a file of that name/.test(await text(page, ".saved")));
+    await page.close();
+  },
+
+  async "a yard: a target is dragged, an obstacle added, both are saved and guarded"() {
+    const page = await open("#change/yard/yard.yaml");
+    await page.waitForSelector(".yard-page tbody");
+    const box = [-10.06, -7.06, 10.06, 7.06];  // of its fence
+    const places = () => page.locator(".result tbody tr").evaluateAll((rows) => rows.map((one) => one.textContent));
+    const before = await places();
+    await page.keyboard.press("t");
+    for (const key of "hhhhh") await page.keyboard.press(key);
+    const [, moved] = await places();
+    assert.notEqual(moved, before[1]);
+    const name = await page.locator(".result tbody tr").nth(2).getAttribute("data-name");
+    const position = async () => (await page.locator(`.result tr[data-name="${name}"] td`).allTextContents()).map((one) => Number(one.replace("\u2212", "-")));
+    const [x, y] = await position();
+    await page.mouse.move(...await onScreen(page, box, [x, y]));
+    await page.mouse.down();
+    await page.mouse.move(...await onScreen(page, box, [x + 0.5, y]), { steps: 4 });
+    await page.mouse.up();
+    await until("the target", async () => Math.abs((await position())[0] - x - 0.5) < 0.1);
+    await page.keyboard.press("e");
+    await page.mouse.click(...await onScreen(page, box, [6.5, -5.5]));
+    await frames(page);
+    await compareShot(page, "yard", output);
+    await page.click('.save button[type="button"]');
+    await page.waitForSelector(".live-page");
+    const list = readFileSync(join(folder, "yard/yard_changed_targets.txt"), "utf8");
+    assert.match(list, /Saved by the page/);
+    assert.equal(list.trim().split("\n").length, before.length, "a line each, and the mark in place of the robot");
+    assert.match(readFileSync(join(folder, "yard/yard_changed_world.sdf"), "utf8"), /<model name="box_/);
+    await page.click(".run-head .button");
+    await page.close();
+  },
+
   async "a mission runs live, is cancelled, another is run; two viewers see it"() {
     const page = await open("#live?scenario=yard/yard.yaml");
     await page.waitForSelector(".start button:enabled");
@@ -168,6 +284,26 @@ const cases = {
     await page.click(".start button");
     await page.waitForSelector(".live-page .watch", { timeout: 30000 });
     assert.match(await text(page, ".verdict"), /Done/);
+    await page.close();
+  },
+
+  async "a mission is drawn while it runs, and somebody who comes in the middle sees it from the start"() {
+    const page = await open("#live?scenario=waypoints/closed_loop.yaml");
+    await page.waitForSelector(".start button:enabled");
+    await page.evaluate(() => {
+      window.told = [];
+      new MutationObserver((changes) => window.told.push(...changes.map(({ target }) => Number(target.dataset.samples))))
+        .observe(document.querySelector("main"), { subtree: true, attributeFilter: ["data-samples"] });
+    });
+    await page.click(".start button");
+    await page.waitForSelector(".run-body:not([hidden]) .plan-view canvas");
+    const late = await open(await page.evaluate(() => location.hash));
+    for (const one of [page, late]) await one.waitForSelector(".live-page .watch", { timeout: 30000 });
+    const told = await page.evaluate(() => window.told);
+    assert.ok(told.length > 2 && told.every((samples, i) => i === 0 || samples >= told[i - 1]), String(told));
+    assert.ok(told.at(-1) > told[0], String(told));
+    assert.match(await text(late, ".verdict"), /Done/);
+    await late.close();
     await page.close();
   },
 

@@ -1,10 +1,12 @@
 // @vitest-environment jsdom
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import type { Edit, OptionRow, PlanAnswer } from "../../src/api";
 import { optionForm, valueOf, type Values } from "../../src/plan/form";
 import { free, GridGround, groundOf, occupied, PolygonGround } from "../../src/plan/ground";
+import { newName, suggestedName } from "../../src/plan/names";
 import { pathSvg } from "../../src/plan/path_svg";
 import { resultTable } from "../../src/plan/results";
+import { SaveForm } from "../../src/plan/save_form";
 
 const grid = { origin: [0, 0] as [number, number], resolution_m: 1, width: 8, height: 6, runs: [0, 20, 1, 4, 0, 24] };
 
@@ -100,6 +102,35 @@ describe("the form of options", () => {
     set("weight", "1");
     set("fast", false);
     expect(given).toEqual({});
+  });
+});
+
+describe("saving a scenario", () => {
+  it("suggests a name beside the map that the server takes", () => {
+    expect(suggestedName("maps/hall.map.gz", "_plan")).toBe("maps/hall_plan.yaml");
+    expect(suggestedName("my hall.v2.txt", "_plan")).toBe("my_hall.v2_plan.yaml");
+    expect(suggestedName("drawn", "_plan")).toBe("drawn_plan.yaml");
+    expect(suggestedName("yard/yard_changed.yaml", "_changed")).toBe("yard/yard_changed.yaml");
+    expect(newName([{ name: "new_1" }, { name: "fox" }, { name: "new_2" }])).toBe("new_3");
+  });
+
+  it("replaces only what this page saved, and says what the server says", async () => {
+    const asked: [string, string | null][] = [];
+    const replies = [new Response(JSON.stringify({ path: "a.yaml", files: ["a_map.txt", "a.yaml"] }), { status: 201 }),
+      new Response(JSON.stringify({ path: "a.yaml", files: ["a.yaml"] })), new Response(JSON.stringify({ error: "choose another", where: "b.yaml" }), { status: 412 })];
+    vi.stubGlobal("fetch", async (url: string, init: RequestInit) => {
+      asked.push([url, new Headers(init.headers).get("If-None-Match")]);
+      return replies.shift()!;
+    });
+    const form = new SaveForm("a", "", () => ({ guard: { scenario: "yard.yaml", start: [0, 0], targets: [], boxes: [] } }));
+    expect(await form.save()).toBe("a.yaml");
+    expect(form.element.textContent).toContain("outrider run a.yaml");
+    expect(await form.save()).toBe("a.yaml");
+    form.element.querySelector("input")!.value = "b.yaml";
+    expect(await form.save()).toBeNull();
+    expect(form.element.textContent).toContain("b.yaml: choose another");
+    expect(asked).toEqual([["api/v1/scenarios/a.yaml", "*"], ["api/v1/scenarios/a.yaml", null], ["api/v1/scenarios/b.yaml", "*"]]);
+    vi.unstubAllGlobals();
   });
 });
 

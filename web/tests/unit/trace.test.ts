@@ -37,6 +37,20 @@ describe("a search, step by step", () => {
     }
   });
 
+  it("knows the whole queue where the planner tells what it put there", () => {
+    // As above, and (1,0) opens (1,1), which waits to the end.
+    const told = new Trace({ ...answer, openings: [0, 0, 0, 1, 0, 1, 0, 1, 1, 2, 0, 2, 1, 1, 2] });
+    expect(told.waiting).toEqual([{ x: 1, y: 1, opened: 2 }]);
+    expect(told.findWaiting(1, 1, 1)).toBeNull();
+    expect(told.findWaiting(1, 1, 2)).toEqual({ x: 1, y: 1, opened: 2 });
+    expect(told.findWaiting(2, 0, 2)).toBeNull();
+    for (let step = 0; step <= 4; ++step) rows.forEach((_, i) => expect(told.state(i, step)).toBe(trace.state(i, step)));
+    // A vertex that was reached again through another parent has stood there since it was first met.
+    const again = rows.map((row) => (row[0] === 2 ? [2, 0, 0, 1, 3, 2, 1] : row));
+    expect(new Trace({ ...answer, rows: again }).state(3, 2)).toBe("unseen");
+    expect(new Trace({ ...answer, rows: again, openings: [2, 0, 2] }).state(3, 2)).toBe("open");
+  });
+
   it("finds a vertex by its place", () => {
     expect(trace.vertex(1.6, 2.1)).toEqual([1, 0]);
     expect(trace.place(1, 0)).toEqual([1.75, 2.25]);

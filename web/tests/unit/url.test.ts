@@ -1,9 +1,12 @@
 // @vitest-environment jsdom
-import { describe, expect, it } from "vitest";
+import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 import { formatAddress, keepInAddress, parseAddress } from "../../src/base/url";
 import { keyName, keyOf, Keys } from "../../src/base/keys";
 
 describe("addresses", () => {
+  beforeAll(() => void vi.useFakeTimers());
+  afterAll(() => void vi.useRealTimers());
+
   it("come back as they were written", () => {
     for (const address of [
       { view: "watch", path: "out/yard/guard.json", query: { t: "12.5", view: "3d" } },
@@ -23,6 +26,24 @@ describe("addresses", () => {
     location.hash = "#watch/a.json?t=1&view=3d";
     keepInAddress({ t: "2", view: "" });
     expect(location.hash).toBe("#watch/a.json?t=2");
+  });
+
+  it("change at most four times a second, and no other view", () => {
+    location.hash = "#watch/b.json";
+    vi.advanceTimersByTime(1000);
+    const change = vi.spyOn(history, "replaceState");
+    for (let t = 1; t <= 60; ++t) {
+      keepInAddress({ t: String(t), ...(t === 7 ? { view: "3d" } : {}) });
+      vi.advanceTimersByTime(1000 / 60);
+    }
+    vi.advanceTimersByTime(1000);
+    expect(location.hash).toBe("#watch/b.json?t=60&view=3d");
+    expect(change.mock.calls.length).toBeLessThanOrEqual(6);
+    keepInAddress({ t: "61" });
+    keepInAddress({ t: "62" });
+    location.hash = "#watch/c.json";
+    vi.advanceTimersByTime(1000);
+    expect(location.hash).toBe("#watch/c.json");
   });
 });
 

@@ -1,0 +1,139 @@
+#include "scenarios.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "catalogue.hpp"
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/map_server.hpp"
+#include "outrider/io/scenario.hpp"
+#include "yard_scenarios.hpp"
+
+namespace outrider::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The options of the planner that differ from their defaults, as the page keeps them.
+Json chosen_options(const PlanScenario& scenario) {
+  Json options = Json::object();
+  const PlanScenario usual;
+  for (std::size_t i = 0; i < scenario.planners.size(); ++i) {
+    if (scenario.planners[i].first.name != scenario.planner) continue;
+    const auto& all = scenario.planners[i].second.options;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const Json value = value_json(all[k]);
+      if (value != value_json(usual.planners[i].second.options[k])) options[all[k].name] = value;
+    }
+  }
+  return options;
+}
+
+Outcome<Json> point_from(const std::string& text, const char* key) {
+  auto numbers = parse_numbers(text, 2, key, "x,y in m, such as 1.5,-2");
+  if (!numbers) return pass_on(numbers);
+  return Json{(*numbers)[0], (*numbers)[1]};
+}
+
+Outcome<Json> shown_question(const fs::path& file, const Folder& folder, MapStore& maps) {
+  PlanScenario scenario;
+  if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
+  if (auto ok = check(scenario); !ok) return pass_on(ok);
+  auto start = point_from(scenario.from, "from");
+  if (!start) return start;
+  auto goal = point_from(scenario.to, "to");
+  if (!goal) return goal;
+  auto planner = find_path_planner(scenario.planner);
+  if (!planner) return pass_on(planner);
+  resolve_paths(scenario, file.string());
+  auto map = load_known_map(scenario.map, folder);
+  if (!map) return pass_on(map);
+  map->radius_m = scenario.radius_m;
+  return Json{{"job", "plan"},
+              {"map", map_json(*maps.keep(std::move(*map)))},
+              {"start", std::move(*start)},
+              {"goal", std::move(*goal)},
+              {"planner", scenario.planner},
+              {"options", chosen_options(scenario)},
+              {"model", scenario.model},
+              {"radius_m", scenario.radius_m},
+              {"resolution_m", scenario.grid.resolution_m}};
+}
+
+/// ROOM_map.yaml and ROOM_map.pgm, or ROOM_map.txt; the one that a scenario names last.
+Outcome<std::vector<NamedContent>> map_files(const std::string& stem, const KnownMap& map) {
+  if (const auto* polygons = std::get_if<PolygonMap>(&map.shape)) {
+    return std::vector<NamedContent>{
+        {stem + "_map.txt", fmt::format("# {}\n{}", saved_here, polygon_map_text(*polygons))}};
+  }
+  const auto& cells = std::get<CellMap>(map.shape);
+  const std::string image = fs::path(stem).filename().string() + "_map.pgm";
+  auto text = map_server_text({cells.occupancy, cells.yaw_rad}, image);
+  if (!text) return pass_on(text);
+  text->image.insert(text->image.find('\n') + 1, fmt::format("# {}\n", saved_here));
+  return std::vector<NamedContent>{{stem + "_map.pgm", std::move(text->image)},
+                                   {stem + "_map.yaml", fmt::format("# {}\n{}", saved_here, text->yaml)}};
+}
+
+Outcome<std::vector<NamedContent>> question_files(const std::string& path, const Json& question,
+                                                  PlanningMemory& memory) {
+  auto asked = scenario_of_question(question, memory);
+  if (!asked) return pass_on(asked);
+  auto files = map_files(path.substr(0, path.rfind('.')), asked->map);
+  if (!files) return files;
+  asked->scenario.map = fs::path(files->back().path).filename().string();
+  PlanScenario usual;
+  files->push_back({path, fmt::format("# {}\njob: plan\n{}", saved_here,
+                                      scenario_changes(describe(asked->scenario), describe(usual)))});
+  return files;
+}
+
+/// A name that stands unquoted in YAML and in a shell.
+bool plain_name(const std::string& name) {
+  return name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
+           return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
+                  c == '-' || c == '.';
+         });
+}
+
+}  // namespace
+
+Outcome<Json> shown_scenario(const std::string& path, const Folder& folder, MapStore& maps) {
+  const auto file = folder.resolve(path);
+  if (!file) return tl::unexpected(file.error());
+  if (auto ok = folder.check_references(*file); !ok) return pass_on(ok);
+  auto job = scenario_job(file->string());
+  Outcome<Json> shown = bad_input("");
+  if (!job) {
+    shown = pass_on(job);
+  } else if (*job == "plan") {
+    shown = shown_question(*file, folder, maps);
+  } else if (*job == "guard" || job->empty()) {
+    shown = shown_yard(*file, maps);
+  } else {
+    shown = bad_input(fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}",
+                                  job->substr(0, 60)),
+                      path);
+  }
+  if (!shown) return tl::unexpected(without_folder(std::move(shown.error()), folder.root()));
+  (*shown)["path"] = path;
+  return shown;
+}
+
+Outcome<std::vector<NamedContent>> scenario_files(const std::string& path, const Json& request,
+                                                  const Folder& folder, PlanningMemory& memory) {
+  if (!path.ends_with(".yaml") || !plain_name(fs::path(path).filename().string())) {
+    return bad_input("a scenario is saved under a name of letters, digits, _ . and - that ends in .yaml",
+                     path.substr(0, 200));
+  }
+  Fields fields(request, "");
+  const bool yard = fields.has("guard");
+  if (yard == fields.has("plan")) return bad_input("give one of plan and guard", "");
+  const Json* content = fields.object(yard ? "guard" : "plan");
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  return yard ? yard_files(path, *content, folder) : question_files(path, *content, memory);
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,196 @@
+#include "yard_scenarios.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "named_files.hpp"
+#include "outrider/io/guard_scenario.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/io/targets.hpp"
+
+namespace outrider::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_boxes = 1000;
+constexpr std::size_t most_moved_targets = 1000;
+constexpr double box_height_m = 1.0;
+constexpr double least_box_m = 0.01;
+
+Outcome<GuardScenario> loaded_yard(const fs::path& file) {
+  GuardScenario scenario;
+  if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
+  resolve_paths(scenario, file.string());
+  const std::lock_guard lock(reading_worlds());
+  if (auto read = load_problem(scenario); !read) return pass_on(read);
+  return scenario;
+}
+
+Json target_json(const Target& target) {
+  return {{"name", target.name},
+          {"position", {target.base.x, target.base.y, target.base.z}},
+          {"size", {target.size.x, target.size.y, target.size.z}},
+          {"heading_rad", target.yaw_rad}};
+}
+
+/// The target of that name at another place, else a new one.
+Outcome<Target> placed(const GuardProblem& yard, const std::string& name, Vec2 at, const std::string& where) {
+  const auto old = std::ranges::find(yard.targets, name, &Target::name);
+  if (old != yard.targets.end()) {
+    Target target = *old;
+    if (xy(target.base) == at) return target;
+    const double above_m = target.base.z - yard.world.ground_z_m(xy(target.base));
+    target.base = {at.x, at.y, yard.world.ground_z_m(at) + above_m};
+    return target;
+  }
+  const std::string line =
+      fmt::format("type=1 name={} x={} y={} z={}", name, at.x, at.y, yard.world.ground_z_m(at));
+  auto made = targets_from_text(line, where);
+  if (!made) return pass_on(made);
+  if (made->size() != 1 || made->front().name != name) {
+    return bad_input("the name of a target has no blanks and no #", where);
+  }
+  return made->front();
+}
+
+Outcome<std::vector<Target>> targets_of(const Json& list, const GuardProblem& yard) {
+  std::vector<Target> targets;
+  if (list.empty() || list.size() > std::max(most_moved_targets, yard.targets.size())) {
+    return bad_input(fmt::format("it takes 1 to {} targets", most_moved_targets), "targets");
+  }
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string where = fmt::format("targets[{}]", i);
+    Fields fields(list[i], where);
+    const std::string name = fields.text("name");
+    const Vec2 at = fields.point("position");
+    if (auto ok = fields.end(); !ok) return pass_on(ok);
+    auto target = placed(yard, name, at, where);
+    if (!target) return pass_on(target);
+    if (std::ranges::count(targets, name, &Target::name) > 0)
+      return bad_input("another target has that name", where + ".name");
+    targets.push_back(std::move(*target));
+  }
+  return targets;
+}
+
+struct Box {
+  Vec2 low;
+  Vec2 high;
+};
+
+Outcome<std::vector<Box>> boxes_of(const Json& list) {
+  std::vector<Box> boxes;
+  if (list.size() > most_boxes) return bad_input(fmt::format("more than {} boxes", most_boxes), "boxes");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Json& corners = list[i];
+    const auto corner = [&](std::size_t k) { return point_of({corners[k], corners[k + 1]}); };
+    const bool four = corners.is_array() && corners.size() == 4;
+    const auto low = four ? corner(0) : std::nullopt, high = four ? corner(2) : std::nullopt;
+    if (!low || !high || high->x - low->x < least_box_m || high->y - low->y < least_box_m) {
+      return bad_input(fmt::format("it takes [low x, low y, high x, high y] in m, {} m apart", least_box_m),
+                       fmt::format("boxes[{}]", i));
+    }
+    boxes.push_back({*low, *high});
+  }
+  return boxes;
+}
+
+/// The text of the world with the boxes as models of their own.
+Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenario& scenario,
+                                const fs::path& beside) {
+  auto text = read_file(scenario.world, largest_served_bytes);
+  if (!text) return text;
+  const auto named = files_named_in(scenario.world);
+  if (!named) return tl::unexpected(named.error());
+  if (!named->empty() && fs::path(scenario.world).parent_path() != beside) {
+    return bad_input(
+        "the world names files beside it, and obstacles were added; save it in the folder of its "
+        "world",
+        fs::path(scenario.world).filename().string());
+  }
+  const std::size_t end = text->rfind("</world>");
+  if (end == std::string::npos) {
+    return bad_input("obstacles cannot be added to it, since it has no </world>", scenario.world);
+  }
+  std::string models;
+  for (const auto& [low, high] : boxes) {
+    const Vec2 middle = 0.5 * (low + high), size = high - low;
+    models += fmt::format(
+        "<model name=\"box_{},{}\"><static>true</static><pose>{} {} {} 0 0 0</pose><link name=\"link\">"
+        "<collision name=\"box\"><geometry><box><size>{} {} {}</size></box></geometry></collision></link>"
+        "</model>\n",
+        low.x, low.y, middle.x, middle.y, scenario.problem.world.ground_z_m(middle) + 0.5 * box_height_m,
+        size.x, size.y, box_height_m);
+  }
+  text->insert(end, models);
+  if (is_saved_here(*text)) return text;
+  const std::size_t begin = text->starts_with("<?xml") ? text->find('>') + 1 : 0;
+  return text->insert(begin, fmt::format("<!-- {} -->\n", saved_here));
+}
+
+}  // namespace
+
+Outcome<Json> shown_yard(const fs::path& file, MapStore& maps) {
+  auto scenario = loaded_yard(file);
+  if (!scenario) return pass_on(scenario);
+  const GuardProblem& yard = scenario->problem;
+  auto polygons = polygons_of(yard.world, yard.robot.radius_m, yard.robot.height_m);
+  if (!polygons) return pass_on(polygons);
+  KnownMap map{{}, file.filename().string(), std::move(*polygons), {}, yard.robot.radius_m};
+  Json targets = Json::array();
+  for (const Target& target : yard.targets) targets.push_back(target_json(target));
+  return Json{{"job", "guard"},
+              {"map", map_json(*maps.keep(std::move(map)))},
+              {"start", {yard.start.position.x, yard.start.position.y}},
+              {"heading_rad", yard.start.heading_rad},
+              {"targets", std::move(targets)}};
+}
+
+Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request,
+                                              const Folder& folder) {
+  Fields fields(request, "guard");
+  const std::string of = fields.text("scenario");
+  const Vec2 start = fields.point("start");
+  const Json* target_list = fields.list("targets");
+  const Json* box_list = fields.list("boxes");
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  const auto file = folder.resolve(of);
+  const auto place = folder.resolve(path);
+  if (!file) return tl::unexpected(file.error());
+  if (!place) return tl::unexpected(place.error());
+  if (auto ok = folder.check_references(*file); !ok) return pass_on(ok);
+  auto scenario = loaded_yard(*file);
+  if (!scenario) return tl::unexpected(without_folder(std::move(scenario.error()), folder.root()));
+  auto targets = targets_of(*target_list, scenario->problem);
+  if (!targets) return pass_on(targets);
+  auto boxes = boxes_of(*box_list);
+  if (!boxes) return pass_on(boxes);
+
+  const fs::path beside = place->parent_path();
+  const std::string stem = path.substr(0, path.rfind('.'));
+  std::vector<NamedContent> files{
+      {stem + "_targets.txt", fmt::format("# {}\n{}", saved_here, targets_text(*targets))}};
+  GuardScenario changed, usual;
+  if (auto ok = load_scenario(file->string(), describe(changed)); !ok) return pass_on(ok);
+  resolve_paths(changed, (file->parent_path().lexically_relative(beside) / "a").string());
+  changed.targets = fs::path(files.back().path).filename().string();
+  if (!boxes->empty()) {
+    auto world = world_with(*boxes, *scenario, beside);
+    if (!world) return tl::unexpected(without_folder(std::move(world.error()), folder.root()));
+    files.push_back({stem + "_world.sdf", std::move(*world)});
+    changed.world = fs::path(files.back().path).filename().string();
+  }
+  if (start != scenario->problem.start.position) {
+    const std::string heading = changed.start.substr(changed.start.rfind(',') + 1);
+    changed.start = fmt::format("{},{},{}", start.x, start.y, heading);
+  }
+  files.push_back({path, fmt::format("# {}\njob: guard\n{}", saved_here,
+                                     scenario_changes(describe(changed), describe(usual)))});
+  return files;
+}
+
+}  // namespace outrider::server

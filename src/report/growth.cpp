@@ -1,0 +1,106 @@
+#include "outrider/report/growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace outrider {
+namespace {
+
+/// The items after the first `told`, which are told with that.
+template <class T>
+std::vector<T> rest_of(const std::vector<T>& items, std::size_t& told) {
+  const std::size_t begin = std::min(std::exchange(told, items.size()), items.size());
+  return {items.begin() + static_cast<std::ptrdiff_t>(begin), items.end()};
+}
+
+/// What stands still while the run goes on: all but the lists that grow.
+Report scene_of(const Report& report) {
+  Report scene = report;
+  scene.reason.clear();
+  scene.metrics.clear();
+  scene.targets.clear();
+  scene.paths.clear();
+  scene.shots.clear();
+  scene.events.clear();
+  scene.track.clear();
+  if (scene.supplies) scene.supplies->levels.clear();
+  if (auto& chase = scene.chase) {
+    chase->target.clear();
+    chase->robots.clear();
+    chase->paid.clear();
+    chase->bounds.clear();
+  }
+  if (auto& drive = scene.drive) {
+    drive->stops.clear();
+    drive->beliefs.clear();
+  }
+  if (auto& explore = scene.explore) {
+    explore->map = {};
+    explore->beliefs.clear();
+    explore->decisions.clear();
+  }
+  return scene;
+}
+
+bool same(const ReportMap& a, const ReportMap& b) {
+  return a.origin == b.origin && a.cell_m == b.cell_m && a.columns == b.columns && a.rows == b.rows &&
+         a.step_s == b.step_s && a.state_runs == b.state_runs && a.known_runs == b.known_runs;
+}
+
+/// The part that a report tells of, made where the news has none yet.
+template <class Part>
+Part& part_of(std::optional<Part>& part) {
+  return part ? *part : part.emplace();
+}
+
+}  // namespace
+
+Report ReportGrowth::news(const Report& so_far) {
+  const bool begins = std::exchange(job_, so_far.job) != so_far.job;
+  Report news = begins ? scene_of(so_far) : Report{};
+  news.status = "running";
+  news.paths = rest_of(so_far.paths, told_.paths);
+  news.shots = rest_of(so_far.shots, told_.shots);
+  news.events = rest_of(so_far.events, told_.events);
+  news.track = rest_of(so_far.track, told_.track);
+  std::vector<TargetState> targets;
+  for (const ReportTarget& one : so_far.targets) {
+    targets.emplace_back(one.name, one.status, one.shots, one.moves ? one.moves->size() : 0);
+  }
+  if (targets != targets_) news.targets = so_far.targets;
+  targets_ = std::move(targets);
+  if (so_far.supplies) part_of(news.supplies).levels = rest_of(so_far.supplies->levels, told_.levels);
+  if (so_far.chase) add_chase(news, *so_far.chase);
+  if (so_far.drive) add_drive(news, *so_far.drive);
+  if (so_far.explore) add_explore(news, *so_far.explore);
+  return news;
+}
+
+void ReportGrowth::add_chase(Report& news, const ReportChase& chase) {
+  ReportChase& part = part_of(news.chase);
+  part.target = rest_of(chase.target, told_.target);
+  part.paid = rest_of(chase.paid, told_.paid);
+  part.bounds = rest_of(chase.bounds, told_.bounds);
+  told_.robots.resize(chase.robots.size(), 0);
+  for (std::size_t i = 0; i < chase.robots.size(); ++i)
+    part.robots.push_back(rest_of(chase.robots[i], told_.robots[i]));
+}
+
+void ReportGrowth::add_drive(Report& news, const ReportDrive& drive) {
+  ReportDrive& part = part_of(news.drive);
+  part.beliefs = rest_of(drive.beliefs, told_.drive_beliefs);
+  std::vector<double> arrivals;
+  for (const ReportStop& stop : drive.stops) arrivals.push_back(std::isnan(stop.time_s) ? -1.0 : stop.time_s);
+  if (arrivals != arrivals_) part.stops = drive.stops;
+  arrivals_ = std::move(arrivals);
+}
+
+void ReportGrowth::add_explore(Report& news, const ReportExplore& explore) {
+  ReportExplore& part = part_of(news.explore);
+  part.beliefs = rest_of(explore.beliefs, told_.beliefs);
+  part.decisions = rest_of(explore.decisions, told_.decisions);
+  if (!same(explore.map, map_)) part.map = map_ = explore.map;
+}
+
+}  // namespace outrider

@@ -1,0 +1,99 @@
+"""What missions tell while they run: the news of each line make the report, and telling changes nothing."""
+import json
+import os
+import subprocess
+import unittest
+
+from explore_test import ROOM
+from pursue_test import SMALL
+from tool import SOURCE, TOOL, ToolTest, main
+
+CLOCKED = ("max_decision_s", "max_step_s")  # metrics that are times on the wall
+
+
+class Live(ToolTest):
+    def watched(self, *words):
+        """Runs the tool with somebody who watches: status and the lines told."""
+        ours, its = os.pipe()
+        process = subprocess.Popen([TOOL, *map(str, words)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL, pass_fds=[its],
+                                   env={**os.environ, "OUTRIDER_LIVE": str(its)})
+        os.close(its)
+        with open(ours, encoding="utf-8") as told:
+            lines = [json.loads(line) for line in told]
+        return process.wait(), lines
+
+    def expect_the_same(self, job, *words):
+        """With and without somebody who watches: the same files, but for times on the wall. The report and the lines."""
+        status = self.run_tool(*words, "--out", "alone").returncode
+        watched, lines = self.watched(*words, "--out", "seen")
+        self.assertEqual(watched, status)
+        for path in sorted((self.folder / "alone").iterdir()):
+            with self.subTest(path.name):
+                one, two = path.read_bytes(), (self.folder / "seen" / path.name).read_bytes()
+                if path.name == f"{job}.json":
+                    one, two = json.loads(one), json.loads(two)
+                    for report in (one, two):
+                        for name in CLOCKED:
+                            report["metrics"].pop(name, None)
+                if path.suffix != ".html":
+                    self.assertEqual(one, two)
+        return json.loads((self.folder / f"seen/{job}.json").read_text()), lines
+
+    def together(self, lines, *keys):
+        """The list at that place of the report, put together from the lines."""
+        def at(line):
+            for key in keys:
+                line = line.get(key, {})
+            return line or []
+        return [item for line in lines for item in at(line)]
+
+    def check(self, job, *words):
+        report, lines = self.expect_the_same(job, *words)
+        self.assertEqual([line["job"] for line in lines if line["job"]], [job])
+        self.assertEqual(lines[0]["job"], job)
+        self.assertEqual({line["status"] for line in lines}, {"running"})
+        self.assertEqual(lines[0]["world"], report["world"])
+        for key in ("track", "shots", "events"):
+            self.assertEqual(self.together(lines, key), report[key], key)
+        return report, lines
+
+    def test_guard(self):
+        report, lines = self.check("guard", *self.guard())
+        self.assertGreater(len(report["shots"]), 0)
+        self.assertEqual([line["targets"] for line in lines if line["targets"]][-1], report["targets"])
+        self.assertEqual({target["status"] for target in lines[0]["targets"]}, {"waiting"})
+
+    def test_drive(self):
+        report, lines = self.check("drive", "run", SOURCE / "scenarios/waypoints/open_loop.yaml")
+        self.assertEqual(self.together(lines, "drive", "beliefs"), report["drive"]["beliefs"])
+        self.assertEqual([line["drive"]["stops"] for line in lines if line["drive"]["stops"]][-1], report["drive"]["stops"])
+
+    def test_explore(self):
+        self.write("room.sdf", ROOM)
+        report, lines = self.check("explore", "explore", "room.sdf", "--start=-0.8,-0.5,30")
+        for key in ("beliefs", "decisions"):
+            self.assertEqual(self.together(lines, "explore", key), report["explore"][key], key)
+        maps = [line["explore"]["map"] for line in lines]
+        known = [sum(one["state_runs"][1::2]) for one in maps if one["columns"]]
+        self.assertEqual(maps[-1]["state_runs"], report["explore"]["map"]["state_runs"])
+        self.assertEqual(known, sorted(known))
+
+    def test_pursue(self):
+        self.write("small.txt", SMALL)
+        report, lines = self.check("pursue", "pursue", "small.txt")
+        for key in ("target", "paid", "bounds"):
+            self.assertEqual(self.together(lines, "chase", key), report["chase"][key], key)
+        ways = [line["chase"]["robots"] for line in lines]
+        self.assertEqual([place for way in ways for place in way[0]], report["chase"]["robots"][0])
+
+    def test_a_watcher_that_is_not_there(self):
+        for word in ("", "x", "2", "-1", "999"):
+            result = subprocess.run([TOOL, *self.guard("--json")], cwd=self.folder, capture_output=True, text=True,
+                                    env={**os.environ, "OUTRIDER_LIVE": word})
+            self.assertIn(result.returncode, (0, 1), word)
+            self.assertEqual(len(result.stdout.splitlines()), 1)
+
+
+if __name__ == "__main__":
+    main()

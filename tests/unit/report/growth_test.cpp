@@ -1,0 +1,148 @@
+#include "outrider/report/growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "outrider/core/rng.hpp"
+#include "outrider/report/json.hpp"
+#include "sample_explore.hpp"
+#include "sample_report.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+/// Everything that a report may tell of, in one.
+Report everything() {
+  Report report = test::sample_report();
+  report.explore = test::sample_explore().explore;
+  ReportDrive& drive = report.drive.emplace();
+  drive.loop = "closed";
+  drive.tags = {{1, {0.0, 1.0}, 0.0, 0.1}};
+  drive.stops = {{{{1.0, 1.0}, 0.0}, true, 3.0, {}, 0.0}};
+  ReportChase& chase = report.chase.emplace();
+  chase.columns = chase.rows = 1;
+  chase.cost_runs = {5.0, 1.0};
+  chase.robots.resize(2);
+  for (int i = 0; i < 9; ++i) {
+    const Vec2 at{0.1 * i, 1.0};
+    drive.beliefs.push_back({1.0 * i, {at, 0.0}, 0.1, 0.1, 0.0, 0.1, false});
+    chase.target.push_back(at);
+    for (auto& way : chase.robots) way.push_back(at);
+    chase.paid.push_back(i);
+    chase.bounds.push_back({1.0 * i, 1.0, 2.0, 1.0});
+  }
+  return report;
+}
+
+template <class T>
+void cut(std::vector<T>& list, double part) {
+  list.resize(static_cast<std::size_t>(part * static_cast<double>(list.size())));
+}
+
+/// The report when that part of it had happened; the targets stand as they end from the middle on.
+Report at(Report report, double part) {
+  cut(report.paths, part);
+  cut(report.shots, part);
+  cut(report.events, part);
+  cut(report.track, part);
+  if (part < 0.5) {
+    for (ReportTarget& target : report.targets) target.status = "waiting";
+  }
+  if (report.supplies) cut(report.supplies->levels, part);
+  cut(report.drive->beliefs, part);
+  if (part < 0.5) report.drive->stops[0].time_s = std::numeric_limits<double>::quiet_NaN();
+  cut(report.explore->beliefs, part);
+  cut(report.explore->decisions, part);
+  if (part < 0.5) report.explore->map = {};
+  for (auto* list : {&report.chase->target, &report.chase->robots[0], &report.chase->robots[1]})
+    cut(*list, part);
+  cut(report.chase->paid, part);
+  cut(report.chase->bounds, part);
+  return report;
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+template <class T>
+void replace(std::vector<T>& old, const std::vector<T>& by) {
+  if (!by.empty()) old = by;
+}
+
+void join(Report& told, const Report& news) {
+  append(told.paths, news.paths);
+  append(told.shots, news.shots);
+  append(told.events, news.events);
+  append(told.track, news.track);
+  replace(told.targets, news.targets);
+  if (news.supplies) append(told.supplies->levels, news.supplies->levels);
+  append(told.drive->beliefs, news.drive->beliefs);
+  replace(told.drive->stops, news.drive->stops);
+  append(told.explore->beliefs, news.explore->beliefs);
+  append(told.explore->decisions, news.explore->decisions);
+  if (news.explore->map.columns > 0) told.explore->map = news.explore->map;
+  append(told.chase->target, news.chase->target);
+  append(told.chase->paid, news.chase->paid);
+  append(told.chase->bounds, news.chase->bounds);
+  told.chase->robots.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) append(told.chase->robots[i], news.chase->robots[i]);
+}
+
+TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
+  const Report whole = everything();
+  Report expected = whole;
+  expected.status = "running";
+  expected.reason.clear();
+  expected.metrics.clear();
+  Rng rng(7);
+  for (int i = 0; i < testing::cases(20); ++i) {
+    ReportGrowth growth;
+    Report told = growth.news(at(whole, 0.0));
+    EXPECT_EQ(told.job, whole.job);
+    EXPECT_EQ(told.solids.size(), whole.solids.size());
+    std::vector<double> parts(static_cast<std::size_t>(i % 7));
+    for (double& part : parts) part = rng.uniform();
+    std::ranges::sort(parts);
+    parts.push_back(1.0);
+    for (const double part : parts) {
+      const Report news = growth.news(at(whole, part));
+      EXPECT_EQ(news.job, "");
+      EXPECT_TRUE(news.solids.empty());
+      join(told, news);
+    }
+    EXPECT_EQ(to_json(told), to_json(expected));
+  }
+}
+
+TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
+  ReportGrowth growth;
+  growth.news(everything());
+  const Report nothing = growth.news(everything());
+  EXPECT_TRUE(nothing.track.empty() && nothing.events.empty() && nothing.shots.empty() &&
+              nothing.paths.empty());
+  EXPECT_TRUE(nothing.targets.empty() && nothing.drive->stops.empty() && nothing.drive->beliefs.empty());
+  EXPECT_TRUE(nothing.explore->beliefs.empty() && nothing.explore->map.columns == 0);
+  EXPECT_TRUE(nothing.chase->robots[0].empty() && nothing.chase->paid.empty() &&
+              nothing.chase->cost_runs.empty());
+  EXPECT_EQ(to_json_line(nothing).find('\n'), std::string::npos);
+}
+
+TEST(ReportGrowth, AnotherJobBeginsAnewAndItsListsGoOn) {
+  ReportGrowth growth;
+  Report report = everything();
+  report.job = "explore";
+  growth.news(at(report, 0.5));
+  report.job = "guard";
+  const Report news = growth.news(report);
+  EXPECT_EQ(news.job, "guard");
+  EXPECT_EQ(news.solids.size(), report.solids.size());
+  EXPECT_EQ(news.track.size(), report.track.size() - at(report, 0.5).track.size());
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,58 @@
+// The report of a running mission, put together from what the server tells of it (docs/server.md).
+import type { Explore, Report } from "../report/types";
+import type { Message } from "./socket";
+
+type Part = Record<string, unknown>;
+
+/** Lists that go on where they were; other lists come whole. */
+const going = new Set(["paths", "shots", "events", "track", "levels", "beliefs", "decisions", "target", "paid", "bounds"]);
+/** Objects that come whole. */
+const whole = new Set(["world", "robot", "map", "metrics", "settings"]);
+
+const nothing: Explore["map"] = { origin: [0, 0], cell_m: 0.05, columns: 0, rows: 0, state_runs: [], step_s: 1, known_runs: [] };
+
+function goOn(list: unknown[], items: unknown[]): void {
+  for (const item of items) list.push(item);
+}
+
+/** Adds a part of a report to what there is of it. */
+function join(into: Part, part: Part): void {
+  for (const [key, value] of Object.entries(part)) {
+    if (Array.isArray(value)) {
+      const list = (into[key] ??= []) as unknown[];
+      if (going.has(key)) goOn(list, value);
+      else if (key === "robots") value.forEach((way: unknown[], i) => goOn((list[i] ??= []) as unknown[], way));
+      else if (value.length > 0) into[key] = value;
+    } else if (value !== null && typeof value === "object" && !whole.has(key)) {
+      join((into[key] ??= {}) as Part, value as Part);
+    } else {
+      into[key] = value;
+    }
+  }
+}
+
+export class Growth {
+  /** What is known by now; null before the mission has begun. */
+  report: Report | null = null;
+
+  /** Takes a message of the run; tells whether the report has grown. */
+  hear(message: Message): boolean {
+    if (message.type === "scene") {
+      this.add(message.report as Part);
+      return true;
+    }
+    if (!this.report) return false;
+    if (message.type === "growth") this.add(message.report as Part);
+    else if (message.type === "map") this.add({ explore: { map: message.map } });
+    else if (message.type === "samples") this.add({ track: message.rows });
+    else if (message.type === "events") this.add({ events: message.events });
+    else return false;
+    return true;
+  }
+
+  private add(part: Part): void {
+    this.report ??= {} as Report;
+    join(this.report as unknown as Part, part);
+    if (this.report.explore) this.report.explore.map ??= nothing;
+  }
+}

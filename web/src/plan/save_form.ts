@@ -1,0 +1,45 @@
+// Saving what the page shows as a scenario: a name below the folder, and the sentence that comes of it.
+import { saveScenario, type ScenarioRequest } from "../api";
+import { h } from "../base/dom";
+
+export class SaveForm {
+  readonly element: HTMLElement;
+  private name: HTMLInputElement;
+  private said = h("p", { class: "saved", role: "status" });
+  /** What this page saved or opened, and so may replace. */
+  private own = new Set<string>();
+
+  /** `opened`: the scenario that the page shows; `made` says what is saved. */
+  constructor(suggested: string, opened: string, private made: () => ScenarioRequest, ...more: HTMLElement[]) {
+    if (opened) this.own.add(opened);
+    this.name = h("input", { type: "text", id: "save-name", value: suggested, "aria-label": "Name of the scenario", spellcheck: "false" });
+    const form = h("form", { class: "row save" }, this.name, h("button", { type: "submit", class: "button", title: "Save as a scenario (S)" }, "Save"), ...more);
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.save();
+    });
+    this.element = h("section", { "aria-label": "Save as a scenario" }, form, this.said);
+  }
+
+  /** The path it was saved under; null when it was refused, which the page says. */
+  async save(): Promise<string | null> {
+    const typed = this.name.value.trim();
+    const path = typed.endsWith(".yaml") ? typed : `${typed}.yaml`;
+    this.say("", false);
+    try {
+      const { files } = await saveScenario(path, this.made(), this.own.has(path));
+      this.own.add(path);
+      this.name.value = path;
+      this.say(`Saved ${files.join(", ")}. Ask again with: outrider run ${path}`, false);
+      return path;
+    } catch (error) {
+      this.say(error instanceof Error ? error.message : String(error), true);
+      return null;
+    }
+  }
+
+  say(sentence: string, refused: boolean): void {
+    this.said.textContent = sentence;
+    this.said.classList.toggle("refused", refused);
+  }
+}

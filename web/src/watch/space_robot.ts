@@ -1,0 +1,109 @@
+// The robot in space, on the ground as it is: its body, its gun, the way it drove; and where it believed to be.
+import { BoxGeometry, CircleGeometry, CylinderGeometry, EdgesGeometry, EllipseCurve, Group, LineBasicMaterial, LineSegments, Mesh, Vector3 } from "three";
+import { finite, mix } from "../base/numbers";
+import { theme } from "../base/theme";
+import { lastNotAfter } from "../report/track";
+import type { Run } from "../report/run";
+import type { Vec3 } from "../report/types";
+import { areaOf } from "./area";
+import { Beliefs, deviations, ellipseOf } from "./ellipse";
+import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
+
+const mostSteps = 20_000;
+const up = new Vector3(0, 0, 1);
+
+export const radiusOf = (run: Run): number => Math.max(0.05, finite(run.report.robot.radius_m));
+
+/** Puts a thing onto the ground there, upright to it, and turns it. */
+export function stand(run: Run, thing: Group, x: number, y: number, heading: number): void {
+  thing.position.set(x, y, run.height(x, y));
+  thing.quaternion.setFromUnitVectors(up, new Vector3(...run.normal(x, y)).normalize());
+  thing.rotateOnAxis(up, heading);
+}
+
+/** A way in steps that are short beside the robot, on the ground; with the time of each of them. */
+export function wayOnGround(run: Run, time: ArrayLike<number>, places: [number, number][], above: number): { time: number[]; way: Vec3[] } {
+  const length = places.reduce((sum, [x, y], i) => sum + (i > 0 ? Math.hypot(x - places[i - 1]![0], y - places[i - 1]![1]) : 0), 0);
+  const step = Math.max(0.7 * radiusOf(run), length / mostSteps);
+  const all: { time: number[]; way: Vec3[] } = { time: [], way: [] };
+  places.forEach(([x, y], i) => {
+    const [fx, fy] = places[Math.max(0, i - 1)]!;
+    const count = Math.max(1, Math.ceil(Math.hypot(x - fx, y - fy) / step));
+    for (let k = 1; k <= count; ++k) {
+      const [px, py] = [mix(fx, x, k / count), mix(fy, y, k / count)];
+      all.time.push(mix(time[Math.max(0, i - 1)]!, time[i]!, k / count));
+      all.way.push([px, py, run.height(px, py) + above]);
+    }
+  });
+  return all;
+}
+
+function wayActor(run: Run, time: ArrayLike<number>, places: [number, number][], colour: string, above: number): Actor {
+  const { time: times, way } = wayOnGround(run, time, places, above);
+  const [x0, y0, x1, y1] = areaOf(run);
+  const band = ribbon(way, Math.max(0.22 * radiusOf(run), 0.0045 * Math.max(x1 - x0, y1 - y0)), colour);  // seen from afar as well
+  return { things: [band], act: ({ t }) => band.geometry.setDrawRange(0, t < times[0]! ? 0 : 6 * lastNotAfter(times, t)) };
+}
+
+export function robotActor(run: Run): Actor[] {
+  const { robot, track, chase } = run.report;
+  if (track.length === 0 && chase) return [];
+  const radius = radiusOf(run);
+  const height = Math.max(0.08, 0.8 * radius);
+  const body = new Group();
+  const hull = new Mesh(new CylinderGeometry(radius, radius, height, 36), lambert(theme.robot));
+  hull.rotation.x = Math.PI / 2;
+  hull.position.z = height / 2;
+  const nose = new Mesh(new BoxGeometry(0.5 * radius, 0.24 * radius, 0.02), lambert(theme.yard));
+  nose.position.set(0.6 * radius, 0, height + 0.01);
+  body.add(hull, nose);
+  const gun = new Group();
+  const length = finite(robot.gun_length_m);
+  const muzzle = run.flights[0];
+  const mounted = muzzle ? muzzle.from[2] - run.height(muzzle.from[0], muzzle.from[1]) : height;
+  if (length > 0) {
+    const barrel = new Mesh(new CylinderGeometry(0.025, 0.025, length, 12), lambert(theme.water));
+    barrel.rotation.z = -Math.PI / 2;
+    barrel.position.x = length / 2;
+    gun.add(barrel);
+    gun.rotation.order = "ZYX";
+  }
+  const act: Actor["act"] = ({ t }) => {
+    const at = run.track.at(t);
+    stand(run, body, at.x, at.y, at.heading);
+    gun.position.set(at.x, at.y, run.height(at.x, at.y) + mounted);
+    gun.rotation.set(0, -at.pitch, at.yaw);
+  };
+  const { time, x, y } = run.track;
+  return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i) => [one, y[i]!]), theme.robot, 0.012)];
+}
+
+/** A ghost at the believed pose on the ellipse of its doubt. */
+export function beliefActor(run: Run): Actor[] {
+  const beliefs = new Beliefs(run);
+  if (beliefs.all.length === 0) return [];
+  const radius = radiusOf(run);
+  const height = Math.max(0.08, 0.8 * radius);
+  const ghost = new Group();
+  const hull = new CylinderGeometry(1.02 * radius, 1.02 * radius, height, 36);
+  hull.rotateX(Math.PI / 2).translate(0, 0, height / 2);
+  const nose = lineOf([[0, 0, height + 0.02], [1.5 * radius, 0, height + 0.02]], theme.belief);
+  ghost.add(new Mesh(hull, glass(theme.belief, 0.25)), new LineSegments(new EdgesGeometry(hull, 30), new LineBasicMaterial({ color: theme.belief })), nose);
+  const ellipse = new Group();
+  ellipse.add(new Mesh(new CircleGeometry(1, 48), glass(theme.belief, 0.3)),
+    lineOf(new EllipseCurve(0, 0, 1, 1, 0, 2 * Math.PI).getPoints(48).map(({ x, y }): Vec3 => [x, y, 0]), theme.belief));
+  const act: Actor["act"] = ({ t }) => {
+    const belief = beliefs.at(t);
+    ghost.visible = ellipse.visible = belief !== null;
+    if (!belief) return;
+    const [x, y, heading] = belief.pose;
+    stand(run, ghost, x, y, heading);
+    const { major, minor, angle } = ellipseOf(belief);
+    stand(run, ellipse, x, y, angle);
+    ellipse.position.z += 0.02;
+    const axis = (sigma: number): number => Math.max(0.01, deviations * beliefs.enlarged * sigma);
+    ellipse.scale.set(axis(major), axis(minor), 1);
+  };
+  const way = wayActor(run, beliefs.all.map((one) => one.time_s), beliefs.all.map(({ pose }) => [pose[0], pose[1]]), theme.belief, 0.008);
+  return [{ things: [ghost, ellipse], act }, way];
+}
