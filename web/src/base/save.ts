@@ -4,7 +4,7 @@ import { h } from "./dom";
 export function saveBlob(blob: Blob, name: string): void {
   const link = h("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);  // a busy browser starts late
 }
 
 export function saveText(text: string, name: string, type = "application/json"): void {

@@ -121,6 +121,7 @@ const cases = {
     await page.fill('.film [aria-label="To"]', "1e9");
     assert.match(await text(page, ".film .hint"), /^To: it takes a time from/);
     await page.keyboard.press("Escape");
+    await page.waitForSelector("dialog.film", { state: "detached" });
     const view = readPng(await saved(page, () => page.keyboard.press("s")));
     const drawn = readPng(await page.evaluate(async (svg) => {
       const image = new Image();
@@ -254,7 +255,7 @@ const cases = {
     await page.mouse.up();
     await until("the target", async () => Math.abs((await position())[0] - x - 0.5) < 0.1);
     await page.keyboard.press("e");
-    await page.mouse.click(...await onScreen(page, box, [6.5, -5.5]));
+    await page.mouse.click(...await onScreen(page, box, [-7, -2]));
     await frames(page);
     await compareShot(page, "yard", output);
     await page.click('.save button[type="button"]');
