@@ -24,6 +24,19 @@ bool usable(const LaserScan& scan) {
          std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
 }
 
+/// Where its beams end on something.
+std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
+  std::vector<Vec2> ends;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const auto range_m = static_cast<double>(scan.ranges_m[i]);
+    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, 2.0 * nearby_m))) continue;
+    const double bearing =
+        world_T_laser.heading_rad + scan.first_rad + static_cast<double>(i) * scan.step_rad;
+    ends.push_back(world_T_laser.position + range_m * direction(bearing));
+  }
+  return ends;
+}
+
 void say(ExploreMission& mission, std::string kind, std::string text) {
   mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
 }
@@ -196,9 +209,18 @@ bool stands_still(ExploreMission& mission, const ExploreTask& task) {
   return mission.time_s - mission.moved_on_s > task.rules.patience_s;
 }
 
+/// What stands around: by the map, or by the newest scan where the map has hemmed the robot in.
+Nearby surroundings(const ExploreMission& mission) {
+  constexpr std::int64_t often = 3;
+  constexpr double beam_m = 0.01;
+  if (mission.stuck_here >= often && mission.driven_m - mission.stuck_m < nearby_m)
+    return {mission.seen, beam_m};
+  return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
+}
+
 /// Where to drive now, or nowhere.
 Twist2 drive(ExploreMission& mission, const ExploreTask& task) {
-  const Nearby nearby(mission.slam.map().occupancy(), mission.pose.position, nearby_m);
+  const Nearby nearby = surroundings(mission);
   if (mission.path) pass(*mission.path, mission.pose.position);
   if (mission.stage == ExploreStage::back_off) {
     const bool goes_back =
@@ -252,6 +274,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
   } else {
     mission.scan_s = mission.time_s;
     mission.range_m = scan.most_m;
+    mission.seen = ends_of(scan, placed_in(mission.pose, task.slam.robot_T_laser));
   }
   learn(mission, std::move(step->update));
   if (step->closed_loop) {

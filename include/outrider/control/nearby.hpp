@@ -1,10 +1,12 @@
-// Nearby: what stands around a robot on an occupancy map, for questions asked many times before it moves on.
+// Nearby: what stands around a robot, for questions asked many times before it moves on.
 //
-// The occupied cells in a square around a middle are gathered once; each query goes through them.
+// The occupied cells of a map in a square around a middle are gathered once, or it is given what a range
+// finder sees; each query goes through them.
 // Building O(cells in the square); a query O(occupied cells found). Thread rule: const queries may run
 // concurrently.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "outrider/geometry/convex.hpp"
@@ -18,6 +20,8 @@ class Nearby {
   Nearby() = default;
   /// The occupied cells whose centres are within `reach_m` of the middle in x and in y.
   Nearby(const Grid<std::uint8_t>& map, Vec2 middle, double reach_m);
+  /// Squares of half that side, more than 0, about points.
+  Nearby(std::vector<Vec2> points, double half_m) : centres_(std::move(points)), half_m_(half_m) {}
 
   /// Distance to the nearest of their closed squares, m; infinite where there are none.
   [[nodiscard]] double clearance(Vec2 p) const;

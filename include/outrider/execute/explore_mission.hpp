@@ -7,8 +7,10 @@
 // is blocked, when it has arrived, and by period; so it seldom drives up to a frontier.
 //
 // A robot that does not move on, or touches something, goes back a little along the way it came, and leaves
-// the goal out for a while. A scan that cannot be used is left out; without any for `blind` the robot stands
-// still. When nothing is left to see, or the budget is spent, it goes home. It ends with a stop reason:
+// the goal out for a while. Where that happens again and again it trusts the newest scan more than the map,
+// on which noise may have hemmed it in. A scan that cannot be used is left out; without any for `blind` the
+// robot stands still. When nothing is left to see, or the budget is spent, it goes home. It ends with a stop
+// reason:
 //   complete  no frontier is left that can be reached and is worth it
 //   budget    of time or of distance is spent
 //   leak      the map has grown beyond its greatest extent: the world is open
@@ -49,9 +51,10 @@ struct ExploreMission {
   Pose2 odometry;          ///< of the observation before
   Pose2 odometry_of_slam;  ///< of the scan before
   std::optional<double> started_s;
-  double scan_s = 0.0;    ///< when the newest scan of use came
-  double range_m = 3.5;   ///< of the range finder
-  double driven_m = 0.0;  ///< by the wheels
+  double scan_s = 0.0;     ///< when the newest scan of use came
+  double range_m = 3.5;    ///< of the range finder
+  double driven_m = 0.0;   ///< by the wheels
+  std::vector<Vec2> seen;  ///< ends of the beams of the newest scan of use, in the world as it was then
   bool touching = false;
   bool looked = false;              ///< a scan came since the last response
   bool wants_settling = false;      ///< with the next scan, SLAM brings all poses to their best
