@@ -251,7 +251,7 @@ void take_news(ExploreMission& mission, const ExploreTask& task) {
   const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.news);
   mission.news = {};
   if (!much || first) return;
-  refresh_sights(mission.frontiers, task.explore);
+  prepare(mission.frontiers, task.explore);
   mission.looked = false;
 }
 

@@ -169,7 +169,8 @@ void search(const Finder& finder, Flood& flood, bool more, Views& found) {
 
 }  // namespace
 
-void refresh_sights(FrontierMap& map, const ExploreOptions& options) {
+void prepare(FrontierMap& map, const ExploreOptions& options) {
+  map.ground().grid();
   auto& sights = map.memory().get<SightMemory>();
   forget_gone(sights, map);
   for (const auto& [id, frontier] : map.frontiers()) sight_of(frontier, map, options.view_m, sights);
