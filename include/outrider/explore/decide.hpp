@@ -8,9 +8,11 @@
 // leaves its frontier behind doubles the bonus, until something has come of a choice: it swings for ever
 // between no two.
 //
-// Nothing in a decision goes over all cells but a copy of the ground for the planners. Same state, same
-// decision; it notes on the map which frontier is pursued (FrontierMap::pursue). Thread rule: one map and one
-// workspace a thread.
+// A decision goes over the map only as far as it must: until enough views are reached. What it finds out of
+// the surroundings of frontiers, and of the ways between views, is kept with the map; the former while nothing
+// changes there, the latter for a few decisions (a tour makes anew as many as a bounded effort lets). Same map
+// with the same past, same decision; it notes on the map which frontier is pursued (FrontierMap::pursue).
+// Thread rule: one map and one workspace a thread.
 // Sources: as in explore/catalog.hpp.
 #pragma once
 

@@ -51,6 +51,14 @@ TEST(Nearby, TellsTheDistanceToWhatStandsThere) {
   }
 }
 
+TEST(Nearby, TakesPointsInPlaceOfAMap) {
+  const Nearby nearby({{1.0, 0.0}, {0.0, 2.0}}, 0.01);
+  EXPECT_NEAR(nearby.clearance(Vec2{0.0, 0.0}), 0.99, 1e-12);
+  EXPECT_NEAR(nearby.clearance(Vec2{0.0, 1.7}), 0.29, 1e-12);
+  EXPECT_NEAR(nearby.clearance(Segment{{0.0, 0.0}, {2.0, 0.0}}), 0.0, 1e-3);
+  EXPECT_NEAR(nearby.clearance(Segment{{0.0, 0.5}, {2.0, 0.5}}), 0.49, 2e-3);
+}
+
 TEST(Nearby, ASegmentIsAsClearAsItsWorstPoint) {
   Rng rng(6);
   for (int i = 0; i < testing::cases(100); ++i) {
