@@ -9,11 +9,10 @@
 // between no two.
 //
 // A decision goes over the map only as far as it must: until enough views are reached. What it finds out of
-// the surroundings of frontiers, and of the ways between views, is kept with the map; the former while nothing
-// changes there, the latter for a few decisions (a tour makes anew as many as a bounded effort lets). Same map
-// with the same past, same decision; it notes on the map which frontier is pursued (FrontierMap::pursue).
-// Thread rule: one map and one workspace a thread.
-// Sources: as in explore/catalog.hpp.
+// the surroundings of frontiers, and of the ways between views, is kept with the map; the former while
+// nothing changes there, the latter for a few decisions (a tour makes anew as many as a bounded effort lets).
+// Same map with the same past, same decision; it notes on the map which frontier is pursued
+// (FrontierMap::pursue). Thread rule: one map and one workspace a thread. Sources: as in explore/catalog.hpp.
 #pragma once
 
 #include <cstdint>

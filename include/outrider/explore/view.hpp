@@ -42,8 +42,8 @@ struct Views {
 /// The views of the frontiers that are reached first, at most options.most_views of them.
 Views find_views(const ExploreState& state, const ExploreOptions& options, Workspace& workspace);
 
-/// Looks at every frontier whose surroundings have changed, and brings the ground for the planners up to date,
-/// so that the next decision need not.
+/// Looks at every frontier whose surroundings have changed, and brings the ground for the planners up to
+/// date, so that the next decision need not.
 void prepare(FrontierMap& map, const ExploreOptions& options);
 
 }  // namespace outrider
