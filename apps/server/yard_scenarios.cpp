@@ -120,7 +120,8 @@ Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenar
   for (const auto& [low, high] : boxes) {
     const Vec2 middle = 0.5 * (low + high), size = high - low;
     models += fmt::format(
-        "<model name=\"box_{:.3f},{:.3f}\"><static>true</static><pose>{} {} {} 0 0 0</pose><link name=\"link\">"
+        "<model name=\"box_{:.3f},{:.3f}\"><static>true</static><pose>{} {} {} 0 0 0</pose><link "
+        "name=\"link\">"
         "<collision name=\"box\"><geometry><box><size>{} {} {}</size></box></geometry></collision></link>"
         "</model>\n",
         low.x, low.y, middle.x, middle.y, scenario.problem.world.ground_z_m(middle) + 0.5 * box_height_m,
