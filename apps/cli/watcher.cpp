@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdlib>
 #include <string_view>
 
@@ -14,7 +15,9 @@ Watcher::Watcher(const char* variable) {
   const std::string_view word = text == nullptr ? "" : text;
   int number = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error == std::errc{} && end == word.data() + word.size() && number > 2) descriptor_ = number;
+  if (error != std::errc{} || end != word.data() + word.size() || number <= 2) return;
+  descriptor_ = number;
+  std::signal(SIGPIPE, SIG_IGN);  // who watches may go
 }
 
 void Watcher::tell(std::string line) const {

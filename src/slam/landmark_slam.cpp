@@ -173,7 +173,8 @@ std::string LandmarkSlam::state() const {
   StateWriter writer;
   LandmarkSlamOptions options = engine_->options();
   KeptOptions kept{options};
-  writer.text = std::string(state_head) + ' ';
+  writer.text = state_head;
+  writer.text += ' ';
   kept.exchange(writer);
   writer.text += '\n';
   engine_->save(writer);

@@ -58,6 +58,15 @@ class Live(ToolTest):
             self.assertEqual(self.together(lines, key), report[key], key)
         return report, lines
 
+    def test_whoever_watches_may_go(self):
+        ours, its = os.pipe()
+        os.close(ours)
+        watched = {**os.environ, "OUTRIDER_LIVE": str(its), "OUTRIDER_PROGRESS": str(its)}
+        process = subprocess.run([TOOL, *map(str, self.guard())], cwd=self.folder, capture_output=True, pass_fds=[its],
+                                 env=watched, check=False)
+        os.close(its)
+        self.assertEqual(process.returncode, self.run_tool(*self.guard()).returncode)
+
     def test_guard(self):
         report, lines = self.check("guard", *self.guard())
         self.assertGreater(len(report["shots"]), 0)
