@@ -226,6 +226,7 @@ const cases = {
     await until("the sentence", async () => /^Saved .*wall\.yaml/.test(await text(page, ".saved")));
     const { metrics } = JSON.parse(execFileSync(tool, ["run", "wall.yaml", "--json"], { cwd: folder }));
     assert.equal(`${metrics.cost_m.toFixed(3)} m`, cost);
+    await page.goto("about:blank");  // or what was there would do for what is to come
     await page.goto(`${server.url}#change/wall.yaml`);
     await page.waitForSelector(".result");
     await until("the same plan", async () => await cell(page, "cost") === cost);
