@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "outrider/explore/catalog.hpp"
+#include "outrider/explore/view.hpp"
 #include "outrider/path/catalog.hpp"
 
 namespace outrider {

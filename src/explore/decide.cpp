@@ -133,12 +133,12 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
       return decision;
     }
     const Frontier& frontier = state.map.frontiers().at(view.frontier);
-    decision.refused.push_back(
-        {view.frontier, frontier.centroid, frontier.cells.size(), way.error().sentence});
+    const auto after =
+        std::ranges::upper_bound(decision.refused, view.frontier, {}, &RefusedFrontier::frontier);
+    decision.refused.insert(after,
+                            {view.frontier, frontier.centroid, frontier.cells.size(), way.error().sentence});
     views.views.erase(views.views.begin() + static_cast<std::ptrdiff_t>(chosen));
   }
-  std::sort(decision.refused.begin(), decision.refused.end(),
-            [](const RefusedFrontier& a, const RefusedFrontier& b) { return a.frontier < b.frontier; });
   decision.goal = state.home;
   decision.sentence =
       fmt::format("no frontier is left that is worth going to; {} refused", decision.refused.size());

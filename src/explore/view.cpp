@@ -201,8 +201,7 @@ Views find_views(const ExploreState& state, const ExploreOptions& options, Works
   });
   const auto most = static_cast<std::size_t>(options.most_views);
   if (found.views.size() > most) found.views.resize(most);
-  std::sort(found.refused.begin(), found.refused.end(),
-            [](const RefusedFrontier& a, const RefusedFrontier& b) { return a.frontier < b.frontier; });
+  std::ranges::sort(found.refused, {}, &RefusedFrontier::frontier);
   return found;
 }
 
