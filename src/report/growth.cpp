@@ -40,6 +40,10 @@ Report scene_of(const Report& report) {
     explore->beliefs.clear();
     explore->decisions.clear();
   }
+  if (auto& slam = scene.slam) {
+    const std::string engine = slam->engine;
+    slam.emplace().engine = engine;
+  }
   return scene;
 }
 
@@ -74,6 +78,7 @@ Report ReportGrowth::news(const Report& so_far) {
   if (so_far.chase) add_chase(news, *so_far.chase);
   if (so_far.drive) add_drive(news, *so_far.drive);
   if (so_far.explore) add_explore(news, *so_far.explore);
+  if (so_far.slam) add_slam(news, *so_far.slam);
   return news;
 }
 
@@ -101,6 +106,18 @@ void ReportGrowth::add_explore(Report& news, const ReportExplore& explore) {
   part.beliefs = rest_of(explore.beliefs, told_.beliefs);
   part.decisions = rest_of(explore.decisions, told_.decisions);
   if (!same(explore.map, map_)) part.map = map_ = explore.map;
+}
+
+void ReportGrowth::add_slam(Report& news, const ReportSlam& slam) {
+  ReportSlam& part = part_of(news.slam);
+  part.engine = slam.engine;
+  part.beliefs = rest_of(slam.beliefs, told_.slam_beliefs);
+  part.odometry = rest_of(slam.odometry, told_.odometry);
+  part.reference = rest_of(slam.reference, told_.reference);
+  part.scans = rest_of(slam.scans, told_.scans);
+  part.loops = slam.loops;
+  part.landmarks = slam.landmarks;
+  if (slam.map && !same(*slam.map, map_)) part.map = map_ = *slam.map;
 }
 
 }  // namespace outrider

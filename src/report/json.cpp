@@ -9,9 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "json_cover.hpp"
 #include "json_drive.hpp"
 #include "json_explore.hpp"
+#include "json_slam.hpp"
 #include "json_terrain.hpp"
+#include "json_yard.hpp"
 
 namespace outrider {
 namespace {
@@ -20,129 +23,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr int version = 1;
 
-template <class T, class Plain>
-concept Is = std::same_as<std::remove_const_t<T>, Plain>;
-
 // The keys of every object, each named once: `io` writes or reads the member that it is given.
 // io.drawn() is for what is only looked at: it is rounded to 1e-6.
 
-template <class Io, Is<RoundedPolygon> T>
-void members(Io& io, T& shape) {
-  io.drawn("core", shape.core);
-  io.drawn("radius_m", shape.radius_m);
-}
-
-template <class Io, Is<ReportSolid> T>
-void members(Io& io, T& solid) {
-  io("name", solid.name);
-  io("kind", solid.kind);
-  io("low_z_m", solid.low_z_m);
-  io("high_z_m", solid.high_z_m);
-  io("blocks_driving", solid.blocks_driving);
-  io("footprint", solid.footprint);
-}
-
-template <class Io, Is<ProfilePiece> T>
-void members(Io& io, T& piece) {
-  io("name", piece.name);
-  io.drawn("polygon", piece.polygon);
-}
-
-template <class Io, Is<ReportVisit> T>
-void members(Io& io, T& visit) {
-  io("entrance", visit.entrance);
-  io("from", visit.from);
-  io("enters_s", visit.enters_s);
-  io("settles_s", visit.settles_s);
-}
-
-template <class Io, Is<ReportMove> T>
-void members(Io& io, T& move) {
-  io("time_s", move.time_s);
-  io("position", move.position);
-  io("believed", move.believed);
-}
-
-template <class Io, Is<ReportTarget> T>
-void members(Io& io, T& target) {
-  io("name", target.name);
-  io("status", target.status);
-  io("reason", target.reason);
-  io("pose", target.pose);
-  io("pitch_rad", target.pitch_rad);
-  io("yaw_rad", target.shot_yaw_rad);
-  io("speed_mps", target.speed_mps);
-  io("clearance_m", target.clearance_m);
-  io("done_s", target.done_s);
-  io("shots", target.shots);
-  io("centre", target.centre);
-  io("size", target.size);
-  io("box_yaw_rad", target.yaw_rad);
-  io.optional("visit", target.visit);
-  io.optional("moves", target.moves);
-}
-
-template <class Io, Is<ReportPath> T>
-void members(Io& io, T& path) {
-  io("start_s", path.start_s);
-  io("end_s", path.end_s);
-  io("waypoints", path.waypoints);
-}
-
-template <class Io, Is<ReportShot> T>
-void members(Io& io, T& shot) {
-  io("target", shot.target);
-  io("attempt", shot.attempt);
-  io("time_s", shot.time_s);
-  io("flight_s", shot.flight_s);
-  io("muzzle", shot.muzzle);
-  io("velocity_mps", shot.velocity_mps);
-  io("contact", shot.contact);
-  io("contact_point", shot.contact_point);
-  io("hit", shot.hit);
-  io("hit_by_reference_rule", shot.hit_by_reference_rule);
-  io("clearance_m", shot.clearance_m);
-  io("profile", shot.profile);
-  io.optional("path", shot.path);
-  io.optional("platform_velocity_mps", shot.platform_velocity_mps);
-}
-
-template <class Io, Is<ReportEvent> T>
-void members(Io& io, T& event) {
-  io("time_s", event.time_s);
-  io("kind", event.kind);
-  io("text", event.text);
-}
-
-template <class Io, Is<ReportStation> T>
-void members(Io& io, T& station) {
-  io("name", station.name);
-  io("position", station.position);
-  io("gives_water", station.gives_water);
-  io("gives_charge", station.gives_charge);
-}
-
-template <class Io, Is<ReportSupplies> T>
-void members(Io& io, T& supplies) {
-  io("tank", supplies.tank);
-  io("battery_j", supplies.battery_j);
-  io("stations", supplies.stations);
-  io("levels", supplies.levels);
-}
-
-template <class Io, Is<ReportChase> T>
-void members(Io& io, T& chase) {
-  io("columns", chase.columns);
-  io("rows", chase.rows);
-  io("cell_m", chase.cell_m);
-  io("cost_runs", chase.cost_runs);
-  io("target", chase.target);
-  io("robots", chase.robots);
-  io("paid", chase.paid);
-  io("bounds", chase.bounds);
-}
-
-template <class Io, Is<Report> T>
+template <class Io, class T>
+  requires std::same_as<std::remove_const_t<T>, Report>
 void members(Io& io, T& report) {
   io("status", report.status);
   io("job", report.job);
@@ -175,6 +60,8 @@ void members(Io& io, T& report) {
   io.optional("chase", report.chase);
   io.optional("drive", report.drive);
   io.optional("explore", report.explore);
+  io.optional("cover", report.cover);
+  io.optional("slam", report.slam);
 }
 
 class Writer {
@@ -232,6 +119,9 @@ class Writer {
   }
   static Json written(const ReportLevel& l, bool) {
     return Json::array({written(l.time_s, true), written(l.water, true), written(l.charge_j, true)});
+  }
+  static Json written(const ReportCovered& c, bool) {
+    return Json::array({written(c.time_s, true), written(c.covered_m2, true), written(c.twice_m2, true)});
   }
   static Json written(const ReportBound& b, bool) {
     return Json::array({written(b.time_s, false), written(b.expansions, false), written(b.cost, false),
@@ -383,6 +273,11 @@ class Reader {
       value = place.json.get<std::uint64_t>();
     }
   }
+  static void read(const Place& place, std::int64_t& value, bool) {
+    if (expect(place, place.json.is_number_integer(), "a whole number")) {
+      value = place.json.get<std::int64_t>();
+    }
+  }
   static void read(const Place& place, int& value, bool) {
     constexpr std::uint64_t most = 1'000'000'000;
     const bool right = place.json.is_number_unsigned() && place.json.get<std::uint64_t>() <= most;
@@ -417,6 +312,9 @@ class Reader {
   }
   static void read(const Place& place, ReportLevel& l, bool) {
     read(place, std::array{&l.time_s, &l.water, &l.charge_j}, false);
+  }
+  static void read(const Place& place, ReportCovered& c, bool) {
+    read(place, std::array{&c.time_s, &c.covered_m2, &c.twice_m2}, true);
   }
   static void read(const Place& place, ReportBound& b, bool) {
     read(place, std::array{&b.time_s, &b.expansions, &b.cost, &b.lower_bound}, false);

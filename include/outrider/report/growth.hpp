@@ -33,8 +33,9 @@ class ReportGrowth {
   /// What is new, as a report of its own with the status "running". At first, and where the job has changed,
   /// that is all that stands still: job, world, robot, tags, walls, the map of costs. After that these are
   /// empty. Lists that grow (paths, shots, events, track, levels of supplies, beliefs, decisions, what
-  /// happens in each second of a chase) go on where the one before ended. Targets, stops of a drive and the
-  /// map that is found come whole, when something of them has changed. O(what is new + targets + size of the
+  /// happens in each second of a chase, odometry and scans of a log) go on where the one before ended.
+  /// Targets, stops of a drive and the map that is found come whole, when something of them has changed;
+  /// landmarks and loops come whole each time. O(what is new + targets + size of the
   /// map).
   Report news(const Report& so_far);
 
@@ -42,6 +43,7 @@ class ReportGrowth {
   struct Told {
     std::size_t paths = 0, shots = 0, events = 0, track = 0, levels = 0;
     std::size_t beliefs = 0, decisions = 0, drive_beliefs = 0;
+    std::size_t slam_beliefs = 0, odometry = 0, reference = 0, scans = 0;
     std::size_t target = 0, paid = 0, bounds = 0;
     std::vector<std::size_t> robots;  ///< of a chase, by robot
   };
@@ -50,6 +52,7 @@ class ReportGrowth {
   void add_chase(Report& news, const ReportChase& chase);
   void add_drive(Report& news, const ReportDrive& drive);
   void add_explore(Report& news, const ReportExplore& explore);
+  void add_slam(Report& news, const ReportSlam& slam);
 
   std::string job_;
   Told told_;

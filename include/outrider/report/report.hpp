@@ -246,6 +246,69 @@ struct ReportExplore {
   std::optional<ReportLaser> laser = {};
 };
 
+/// A stretch of the way over an area.
+struct ReportPass {
+  double start_s = 0.0;
+  double end_s = 0.0;
+  std::string role;  ///< lap, lane or move
+};
+
+/// How much was covered by then; between two of them about linearly.
+struct ReportCovered {
+  double time_s = 0.0;
+  double covered_m2 = 0.0;
+  double twice_m2 = 0.0;
+};
+
+/// The way over every spot of an area; it is the track of the report. Areas are closed outlines: those of
+/// polygons run counter-clockwise, those of their holes clockwise.
+struct ReportCover {
+  double width_m = 0.0;                   ///< of the strip that is covered
+  std::vector<std::vector<Vec2>> area;    ///< all that was asked for
+  std::vector<std::vector<Vec2>> reach;   ///< of it, what the robot can cover
+  std::vector<std::vector<Vec2>> missed;  ///< of the reach, in the end
+  std::vector<std::vector<Vec2>> twice;   ///< of the reach, in the end
+  std::vector<Vec2> planned;              ///< the track that was to be driven
+  std::vector<ReportPass> passes;
+  std::vector<ReportCovered> covered;
+};
+
+/// A place that was recognised: two poses of the way that were joined, where they lie in the end.
+struct ReportLoop {
+  double time_s = 0.0;  ///< when
+  Vec2 from;
+  Vec2 to;
+};
+
+struct ReportLandmark {
+  std::int64_t id = 0;
+  double first_s = 0.0;  ///< when it was first in the map
+  Vec2 position;         ///< in the end, as the sigmas
+  double sigma_x_m = 0.0;
+  double sigma_y_m = 0.0;
+  double correlation = 0.0;  ///< of x and y
+  int sightings = 0;
+  std::optional<Vec2> truth = {};  ///< in the frame of the map
+};
+
+/// What a range finder met.
+struct ReportScan {
+  double time_s = 0.0;
+  std::vector<Vec2> points;  ///< in the frame of the robot
+};
+
+/// Mapping from what a robot has recorded. The track of the report is the way as it was settled in the end.
+struct ReportSlam {
+  std::string engine;                 ///< laser, ekf, graph, ...
+  std::vector<ReportBelief> beliefs;  ///< as it was believed then
+  std::vector<Vec2> odometry;         ///< where odometry alone puts the robot at the times of the beliefs
+  std::vector<Vec2> reference;        ///< the same of a reference in the frame of the map; empty: none
+  std::vector<ReportLoop> loops;
+  std::vector<ReportLandmark> landmarks;
+  std::vector<ReportScan> scans;  ///< some of them
+  std::optional<ReportMap> map = {};
+};
+
 /// Heights on a lattice of posts, row by row from the lowest; between four posts lie two triangles, joined
 /// along the diagonal from the lowest x and y. A large field is drawn coarser than it is.
 struct ReportRelief {
@@ -298,6 +361,8 @@ struct Report {
   std::optional<ReportChase> chase;           ///< of the job pursue
   std::optional<ReportDrive> drive = {};      ///< of the job drive
   std::optional<ReportExplore> explore = {};  ///< of the job explore, and of a yard that was explored first
+  std::optional<ReportCover> cover = {};      ///< of the job cover
+  std::optional<ReportSlam> slam = {};        ///< of the job slam
 };
 
 /// The metric of that name; `otherwise` where the report has none. O(metrics).

@@ -5,7 +5,7 @@ import type { Message } from "./socket";
 type Part = Record<string, unknown>;
 
 /** Lists that go on where they were; other lists come whole. */
-const going = new Set(["paths", "shots", "events", "track", "levels", "beliefs", "decisions", "target", "paid", "bounds"]);
+const going = new Set(["paths", "shots", "events", "track", "levels", "beliefs", "decisions", "target", "paid", "bounds", "odometry", "reference", "scans"]);
 /** Objects that come whole. */
 const whole = new Set(["world", "robot", "map", "metrics", "settings"]);
 

@@ -82,6 +82,40 @@ export interface Explore {
   refused: { position: Vec2; reason: string }[];
   laser?: { beams: number; range_m: number; height_m: number; mount: Pose };
 }
+/** Closed outlines: counter-clockwise, and clockwise for holes. */
+export type Outlines = Vec2[][];
+export interface Cover {
+  width_m: number;
+  area: Outlines;
+  reach: Outlines;
+  missed: Outlines;
+  twice: Outlines;
+  planned: Vec2[];
+  passes: { start_s: number; end_s: number; role: "lap" | "lane" | "move" }[];
+  /** Rows [time_s, covered_m2, twice_m2]. */
+  covered: number[][];
+}
+export interface Landmark {
+  id: number;
+  first_s: number;
+  position: Vec2;
+  sigma_x_m: number;
+  sigma_y_m: number;
+  correlation: number;
+  sightings: number;
+  truth?: Vec2;
+}
+export interface Slam {
+  engine: string;
+  beliefs: Belief[];
+  odometry: Vec2[];
+  reference: Vec2[];
+  loops: { time_s: number; from: Vec2; to: Vec2 }[];
+  landmarks: Landmark[];
+  /** In the frame of the robot. */
+  scans: { time_s: number; points: Vec2[] }[];
+  map?: Explore["map"];
+}
 export interface ReliefGrid { origin: Vec2; spacing_m: Vec2; columns: number; rows: number; heights_m: number[] }
 export interface Report {
   outrider_report: number;
@@ -114,6 +148,8 @@ export interface Report {
   chase?: Chase;
   drive?: Drive;
   explore?: Explore;
+  cover?: Cover;
+  slam?: Slam;
 }
 
 /** The report in a text, or a sentence why it is none. */
