@@ -45,7 +45,7 @@ test:  ## build everything and run every test
 
 asan:  ## run the test programs, costly tests in part, under the address and undefined-behaviour sanitizers
 	$(INSTALL) build test cbc
-	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
+	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
 	@ninja -C build-asan -j $(JOBS) test_programs
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
@@ -57,7 +57,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 
 soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases
 	$(INSTALL) build test cbc
-	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON
+	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
 
