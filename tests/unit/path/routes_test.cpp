@@ -22,6 +22,8 @@ using testing::random_robot;
 using testing::random_yard;
 using testing::routes_of;
 using testing::Twin;
+using testing::twin_leg_free;
+using testing::twin_nodes;
 using testing::Yard;
 
 TEST(Routes, AreTheFastestOnTheGraph) {

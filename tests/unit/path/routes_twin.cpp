@@ -23,8 +23,6 @@ double twin_clearance(const Yard& yard, Vec2 p) {
   return nearest;
 }
 
-namespace {
-
 bool twin_leg_free(const Yard& yard, Segment s) {
   const double least = yard.robot.radius_m - 1e-9;
   if (twin_clearance(yard, s.a) < least || twin_clearance(yard, s.b) < least) return false;
@@ -43,8 +41,6 @@ std::vector<Vec2> twin_nodes(const Yard& yard, double step_rad) {
   }
   return nodes;
 }
-
-}  // namespace
 
 Twin::Twin(const Yard& yard, double step_rad, const std::vector<Vec2>& extra)
     : robot(yard.robot), points(twin_nodes(yard, step_rad)) {

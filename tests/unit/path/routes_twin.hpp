@@ -26,6 +26,11 @@ RoundedPolygon box(Vec2 centre, double half_x, double half_y, double yaw_rad = 0
 /// From the nearest obstacle or the border, m.
 double twin_clearance(const Yard& yard, Vec2 p);
 
+bool twin_leg_free(const Yard& yard, Segment s);
+
+/// The corners around the grown obstacles where the robot fits.
+std::vector<Vec2> twin_nodes(const Yard& yard, double step_rad);
+
 /// All pairs of nodes and stops that see each other, without pruning, and Bellman-Ford over (point,
 /// point it was reached from) until nothing improves.
 struct Twin {
