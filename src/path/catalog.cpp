@@ -109,7 +109,9 @@ std::vector<PathPlanner> planners_on_grids() {
        {true, PathClass::any_direction, 1.0, "complete; shortest of all paths"},
        with_options(hub_labels),
        {GridModel::corners},
-       true},
+       true,
+       false,
+       Tells::lookup},
       {"safest",
        "Keeps the largest clearance that can be kept, then is as short and as far from everything as can be.",
        "Pollack, The maximum capacity through a network, 1960; Wein, van den Berg and Halperin, Planning "
@@ -190,7 +192,7 @@ std::vector<PathPlanner> planners_that_sample() {
       "asymptotically complete and optimal; nothing is proven after finitely many points"};
   const auto row = [&](std::string_view name, std::string_view sentence, std::string_view paper,
                        Planner<SamplingOptions> planner) {
-    return PathPlanner{name, sentence, paper, guarantee, with_options(planner), {}, false, true};
+    return PathPlanner{name, sentence, paper, guarantee, with_options(planner), {}, false, true, Tells::tree};
   };
   const std::string_view karaman =
       "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
@@ -208,6 +210,15 @@ std::vector<PathPlanner> planners_that_sample() { return {}; }
 #endif
 
 }  // namespace
+
+std::string_view to_string(Tells tells) {
+  switch (tells) {
+    case Tells::search: return "search";
+    case Tells::tree: return "tree";
+    case Tells::lookup: return "lookup";
+  }
+  return "";
+}
 
 std::string_view unit_of(Measure measure) {
   switch (measure) {

@@ -4,15 +4,18 @@
 
 namespace outrider::jump {
 
-void Frontier::begin(const GridQuery& query) {
+void Frontier::begin(const GridQuery& query, Trace* told) {
   const Cell start{query.start.x + 1, query.start.y + 1};
   goal = {query.goal.x + 1, query.goal.y + 1};
   most = std::numeric_limits<double>::infinity();
   generated = 0;
+  ground = &query.ground;
+  trace = told;
   nodes.clear();
   nodes[nodes.find_or_add(start)].parent = 0;
   queue.clear();
   queue.push(entry(octile_distance(start, goal).value(), 0.0, 0));
+  if (trace != nullptr) trace->open(state(start));
 }
 
 Plan plan_to(std::uint32_t last, const Frontier& frontier, const Problem& problem, std::uint64_t expansions) {

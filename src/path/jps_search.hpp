@@ -22,8 +22,12 @@ struct Frontier {
   Cell goal;          ///< counted from the border, as all cells here
   double most = 0.0;  ///< cost of the best way to the goal so far
   std::uint64_t generated = 0;
+  const GridGround* ground = nullptr;
+  Trace* trace = nullptr;
 
-  void begin(const GridQuery& query);
+  [[nodiscard]] std::uint32_t state(Cell c) const { return ground->index({c.x - 1, c.y - 1}); }
+
+  void begin(const GridQuery& query, Trace* told);
 
   /// The first node that is not closed yet; false when there is none.
   bool pop(Entry& first) {
@@ -44,6 +48,7 @@ struct Frontier {
     if (node.parent != Node::none && !(length < node.length)) return;
     const double f = (g + octile_distance(c, goal)).value();
     if (!(f < most)) return;
+    if (trace != nullptr && node.parent == Node::none) trace->open(state(c));
     node = {c,    from, g, length, static_cast<std::uint8_t>(direction), static_cast<std::uint8_t>(sides),
             false};
     if (c == goal) most = f;
@@ -59,8 +64,7 @@ template <class Expand>
 Outcome<Plan> search(const Problem& problem, const GridQuery& query, Frontier& frontier, const Budget& budget,
                      Trace* trace, Expand expand) {
   BudgetMeter meter(budget);
-  frontier.begin(query);
-  const auto state = [&](const Node& node) { return query.ground.index({node.cell.x - 1, node.cell.y - 1}); };
+  frontier.begin(query, trace);
   Entry first;
   while (frontier.pop(first)) {
     if (!meter.spend()) return meter.refusal();
@@ -68,8 +72,8 @@ Outcome<Plan> search(const Problem& problem, const GridQuery& query, Frontier& f
     Node& node = frontier.nodes[id];
     node.closed = true;
     if (trace != nullptr) {
-      trace->record({state(node), state(frontier.nodes[node.parent]), first.f(), node.g.value(),
-                     octile_distance(node.cell, frontier.goal).value()});
+      trace->record({frontier.state(node.cell), frontier.state(frontier.nodes[node.parent].cell), first.f(),
+                     node.g.value(), octile_distance(node.cell, frontier.goal).value()});
     }
     if (node.cell == frontier.goal) return plan_to(id, frontier, problem, meter.spent());
     expand(id);

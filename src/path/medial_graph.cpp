@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 
+#include "placed_trace.hpp"
+
 namespace outrider {
 namespace {
 
@@ -217,7 +219,9 @@ MedialGraph medial_graph(const std::shared_ptr<const PolygonGround>& ground, Vec
 Outcome<double> largest_clearance(const MedialGraph& graph, BudgetMeter& meter, Workspace& workspace) {
   auto& memory = workspace.get<SearchMemory<double>>();
   WidestPolicy policy{{graph, memory.labels, graph.least_m}};
+  const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
+  placed.tell([&](State s) { return graph.nodes[s]; });
   if (!found) return tl::unexpected(found.error());
   double least = std::min(graph.start.leg.apart, graph.goal.leg.apart);
   const std::vector<State> path = path_to(*found, memory.labels);
@@ -233,7 +237,9 @@ Outcome<std::vector<Bisector>> least_exposed(const MedialGraph& graph, double le
                                              BudgetMeter& meter, Workspace& workspace) {
   auto& memory = workspace.get<SearchMemory<double>>();
   ExposurePolicy policy{{graph, memory.labels, std::max(least_m, graph.least_m)}, weight_m};
+  const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
+  placed.tell([&](State s) { return graph.nodes[s]; });
   if (!found) return tl::unexpected(found.error());
   std::vector<Bisector> way{graph.start.leg};
   const std::vector<State> path = path_to(*found, memory.labels);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "grid_follow.hpp"
 #include "mesh_blocks.hpp"
@@ -70,7 +71,7 @@ double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 class Search {
  public:
-  Search(Memory& memory, const GridQuery& query)
+  Search(Memory& memory, const GridQuery& query, Trace* trace)
       : mesh_(memory.mesh),
         memory_(memory),
         roots_(memory.roots),
@@ -78,14 +79,16 @@ class Search {
         ground_(query.ground),
         start_(query.start),
         goal_(query.goal),
-        first_(static_cast<std::uint32_t>(mesh_.turns.size())) {
+        first_(static_cast<std::uint32_t>(mesh_.turns.size())),
+        trace_(trace) {
     roots_.begin(mesh_.turns.size() + 1);
     frontier_.begin();
   }
 
   /// The turns of the shortest path, with both ends.
-  Outcome<std::vector<Cell>> run(BudgetMeter& meter, Trace* trace) {
+  Outcome<std::vector<Cell>> run(BudgetMeter& meter) {
     if (join_ends()) {
+      if (trace_ != nullptr) open(start_);
       roots_.open(first_, first_, 0.0);
       add({0.0, start_, {}, {}, first_, none, none}, length(goal_.x - start_.x, goal_.y - start_.y));
     }
@@ -94,8 +97,8 @@ class Search {
       if (roots_.g(node.root) < node.g) continue;
       if (!meter.spend()) return meter.refusal();
       if (memory_.found_blocks() && !join_ends()) break;
-      if (trace != nullptr) {
-        trace->record(
+      if (trace_ != nullptr) {
+        trace_->record(
             {ground_.index(node.at), ground_.index(at(roots_.parent(node.root))), f, node.g, f - node.g});
       }
       if (sees_goal(node)) return way_to(node.root);
@@ -162,6 +165,10 @@ class Search {
     return joined;
   }
 
+  /// For the trace, which knows a node by the corner that it looks from.
+  void open(Cell root) {
+    if (opened_.insert(ground_.index(root)).second) trace_->open(ground_.index(root));
+  }
   void add(const Node& node, double f) {
     ++generated;
     frontier_.add(node, f);
@@ -320,6 +327,7 @@ class Search {
     const std::uint32_t id = side.turn;
     const double g = node.g + length(came.x, came.y);
     if (roots_.known(id) && !(g < roots_.g(id))) return;
+    if (trace_ != nullptr) open(side.at);
     roots_.open(id, node.root, g);
     const Arrow border = along_y ? Arrow{0, sign_y} : Arrow{sign_x, 0};
     const bool to_left = turned(came, border) > 0;
@@ -334,6 +342,8 @@ class Search {
   const GridGround& ground_;
   Cell start_, goal_;
   std::uint32_t first_;
+  Trace* trace_;
+  std::set<std::uint32_t> opened_;
 };
 
 }  // namespace
@@ -350,9 +360,9 @@ Outcome<Plan> polyanya(const Problem& problem, const PolyanyaOptions& /*options*
   }
   auto& memory = workspace.get<Memory>();
   memory.renew(problem.grid);
-  Search search(memory, *query);
+  Search search(memory, *query, workspace.trace);
   BudgetMeter meter(budget);
-  auto way = search.run(meter, workspace.trace);
+  auto way = search.run(meter);
   if (!way) return pass_on(way);
 
   double cost = 0.0;

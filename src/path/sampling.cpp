@@ -9,6 +9,7 @@
 #include <ompl/util/Console.h>
 
 #include "sampling_space.hpp"
+#include "sampling_tree.hpp"
 
 namespace outrider {
 namespace {
@@ -82,8 +83,9 @@ Outcome<Plan> sample(const Problem& problem, const SamplingOptions& options, con
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   Rng rng = Rng(static_cast<std::uint64_t>(options.seed)).child("sampling");
   const std::uint64_t own_seed = rng.bits();
+  Met met;
   Draws draws{problem, rng, static_cast<std::uint64_t>(options.iterations), BudgetMeter(budget),
-              workspace.trace};
+              workspace.trace != nullptr ? &met : nullptr};
   if (problem.start == problem.goal) return plan_through({}, draws);
   const ob::SpaceInformationPtr plane = free_plane(draws);
   const ob::ProblemDefinitionPtr definition = definition_of(plane, draws);
@@ -91,6 +93,7 @@ Outcome<Plan> sample(const Problem& problem, const SamplingOptions& options, con
   planner.setProblemDefinition(definition);
   planner.setup();
   planner.solve(ob::PlannerTerminationCondition([&draws] { return draws.ended(); }));
+  if (workspace.trace != nullptr) tell_tree(planner, problem, met, *workspace.trace);
   if (draws.refused) return draws.meter.refusal();
   if (!definition->hasExactSolution()) {
     return fault(FaultCode::budget_exhausted,

@@ -25,9 +25,12 @@ struct FreePoint : ob::StateValidityChecker {
 /// OMPL asks only about motions that begin at a valid state.
 struct FreeMotion : ob::MotionValidator {
   const PolygonGround& ground;
-  FreeMotion(const ob::SpaceInformationPtr& plane, const PolygonGround& on)
-      : MotionValidator(plane), ground(on) {}
+  Met* met;
+  FreeMotion(const ob::SpaceInformationPtr& plane, const Draws& draws)
+      : MotionValidator(plane), ground(*draws.problem.polygons), met(draws.met) {}
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    if (met != nullptr) met->meet(point_of(from));
+    if (met != nullptr) met->meet(point_of(to));
     return ground.segment_free({point_of(from), point_of(to)});
   }
   bool checkMotion(const ob::State* from, const ob::State* to,
@@ -99,23 +102,15 @@ void place_at(ob::State* state, Vec2 p) {
   values[1] = p.y;
 }
 
-bool Draws::count() {
+void Draws::count() {
   over = over || meter.spent() >= most;
   refused = refused || (!over && !meter.spend());
-  return !ended();
-}
-
-void Draws::record(Vec2 p) {
-  if (trace == nullptr) return;
-  const auto index = static_cast<std::uint32_t>(meter.spent() - 1);
-  const double g = distance(problem.start, p), h = distance(p, problem.goal);
-  trace->record({index, index, g + h, g, h});
 }
 
 Vec2 Draws::anywhere() {
   const Box2& box = problem.polygons->bounds;
   const double x = rng.uniform(box.low.x, box.high.x), y = rng.uniform(box.low.y, box.high.y);
-  if (count()) record({x, y});
+  count();
   return {x, y};
 }
 
@@ -129,7 +124,7 @@ Vec2 Draws::within(double length) {
   const Vec2 along = (1.0 / apart) * between;
   const Vec2 p = problem.start + 0.5 * between + half_long * on_disk.x * along +
                  half_wide * on_disk.y * perpendicular(along);
-  if (count()) record(p);
+  count();
   return p;
 }
 
@@ -150,7 +145,7 @@ ob::SpaceInformationPtr free_plane(Draws& draws) {
   });
   auto plane = std::make_shared<ob::SpaceInformation>(space);
   plane->setStateValidityChecker(std::make_shared<FreePoint>(plane, ground));
-  plane->setMotionValidator(std::make_shared<FreeMotion>(plane, ground));
+  plane->setMotionValidator(std::make_shared<FreeMotion>(plane, draws));
   plane->setup();
   return plane;
 }

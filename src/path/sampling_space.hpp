@@ -7,9 +7,11 @@
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
+#include <map>
+#include <utility>
+
 #include "outrider/core/budget.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/core/trace.hpp"
 #include "outrider/path/problem.hpp"
 
 namespace outrider {
@@ -17,13 +19,20 @@ namespace outrider {
 Vec2 point_of(const ompl::base::State* state);
 void place_at(ompl::base::State* state, Vec2 p);
 
+/// Points in the order in which they were first met.
+struct Met {
+  std::map<std::pair<double, double>, std::size_t> order{};
+
+  void meet(Vec2 p) { order.try_emplace({p.x, p.y}, order.size()); }
+};
+
 /// The points of one query, all from one stream; each is an expansion.
 struct Draws {
   const Problem& problem;
   Rng rng;
   std::uint64_t most;
   BudgetMeter meter;
-  Trace* trace = nullptr;
+  Met* met = nullptr;    ///< of the ends of motions, where somebody asks
   bool refused = false;  ///< the budget was too small for the next one
   bool over = false;     ///< one more than `most` was asked for
 
@@ -34,8 +43,7 @@ struct Draws {
   Vec2 within(double length);
 
  private:
-  bool count();
-  void record(Vec2 p);
+  void count();
 };
 
 /// The area of that ellipse, m^2.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "outrider/search/best_first.hpp"
+#include "placed_trace.hpp"
 #include "visibility_plan.hpp"
 
 namespace outrider {
@@ -73,6 +74,11 @@ struct TangentPolicy {
   [[nodiscard]] bool is_goal(State s) { return s != 0 && s <= goals.size() && --waiting == 0; }
   [[nodiscard]] const Departure& leg(State s) const {
     return s < first_leg() ? starts[s - 1 - goals.size()] : graph.legs[s - first_leg()];
+  }
+  /// Where a leg ends.
+  [[nodiscard]] Vec2 place(State s) const {
+    if (s == 0) return from;
+    return s <= goals.size() ? goals[s - 1] : leg(s).at;
   }
   /// The direction of a leg where it meets its arc.
   [[nodiscard]] double heading_of_leg(const Departure& leg) const {
@@ -189,7 +195,9 @@ Outcome<Plan> tangent_search(const Problem& problem, const Fare& fare, const Vis
   TangentPolicy policy{**ground, problem.start, {problem.goal}, fare, **graph, form, memory.labels};
   policy.look_about();
   BudgetMeter meter(budget);
+  const PlacedTrace placed(workspace.trace);
   auto found = best_first(policy, memory, meter, workspace.trace);
+  placed.tell([&](State s) { return policy.place(s); });
   if (!found) return pass_on(found);
   policy.counters.expansions = meter.spent();
   if (form == TangentForm::implicit) policy.counters.line_of_sight_checks += (*graph)->tests;
@@ -223,7 +231,9 @@ std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std
   TangentPolicy policy{*problem.polygons, problem.start, places, fare, **graph, form, memory.labels};
   policy.look_about();
   BudgetMeter meter(budget);
+  const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
+  placed.tell([&](State s) { return policy.place(s); });
   policy.counters.expansions = meter.spent();
   if (form == TangentForm::implicit) policy.counters.line_of_sight_checks += (*graph)->tests;
   for (std::size_t k = 0; k < asked.size(); ++k) {

@@ -25,10 +25,18 @@ struct Opening {
   friend bool operator==(const Opening&, const Opening&) = default;
 };
 
+/// Where a state is that is no vertex of a grid, m.
+struct TracePlace {
+  double x = 0.0;
+  double y = 0.0;
+  friend bool operator==(const TracePlace&, const TracePlace&) = default;
+};
+
 struct Trace {
   std::size_t most = 1'000'000;  ///< later expansions are not recorded, nor what they open
   std::vector<Expansion> expansions;
-  std::vector<Opening> openings;  ///< by best_first() (search); other searches tell of expansions only
+  std::vector<Opening> openings;   ///< where there is a queue: all that stood in it
+  std::vector<TracePlace> places;  ///< by state, of searches that have no grid
 
   void record(const Expansion& expansion) {
     if (expansions.size() < most) expansions.push_back(expansion);

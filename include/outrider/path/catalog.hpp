@@ -30,6 +30,14 @@ enum class Measure {
 };
 std::string_view unit_of(Measure measure);
 
+/// What a planner tells a Trace of how it found its answer.
+enum class Tells {
+  search,  ///< each expansion, and each state when it is first put into the queue
+  tree,    ///< each point that it joined to the start, with its parent; it has no queue
+  lookup,  ///< nothing: it finds its answer in an index, without a search
+};
+std::string_view to_string(Tells tells);
+
 /// What a planner promises with its default options.
 struct Guarantee {
   bool complete = true;                        ///< finds a path whenever the grid has one
@@ -63,6 +71,7 @@ struct PathPlanner {
   std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< grids; others are bad_input
   bool index = false;     ///< builds something that outlasts the first query on a ground, for the next ones
   bool polygons = false;  ///< takes polygons as its ground
+  Tells tells = Tells::search;
 
   [[nodiscard]] bool takes(GridModel model) const {
     return std::find(models.begin(), models.end(), model) != models.end();

@@ -12,6 +12,9 @@
 
 namespace outrider {
 
+/// The obstacle as a polygon, as above.
+std::vector<Vec2> outline(const RoundedPolygon& obstacle);
+
 Outcome<PolygonGround> polygons_from_world(const Ground& ground, double radius_m);
 
 }  // namespace outrider
