@@ -10,6 +10,7 @@
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/targets.hpp"
+#include "yard_things.hpp"
 
 namespace outrider::server {
 namespace {
@@ -20,14 +21,29 @@ constexpr std::size_t most_boxes = 1000;
 constexpr std::size_t most_moved_targets = 1000;
 constexpr double box_height_m = 1.0;
 constexpr double least_box_m = 0.01;
+constexpr double most_turn_rad = 7.0;
 
-Outcome<GuardScenario> loaded_yard(const fs::path& file) {
-  GuardScenario scenario;
+struct Yard {
+  GuardScenario scenario;  ///< its world as the file of the world has it
+  YardThings things;
+};
+
+Outcome<Yard> loaded_yard(const fs::path& file) {
+  Yard yard;
+  GuardScenario& scenario = yard.scenario;
   if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
   resolve_paths(scenario, file.string());
-  const std::lock_guard lock(reading_worlds());
-  if (auto read = load_problem(scenario); !read) return pass_on(read);
-  return scenario;
+  auto changes = changes_from_text(scenario.moved, scenario.removed);
+  if (!changes) return pass_on(changes);
+  scenario.moved = scenario.removed = "";
+  {
+    const std::lock_guard lock(reading_worlds());
+    if (auto read = load_problem(scenario); !read) return pass_on(read);
+  }
+  auto things = yard_things(scenario.problem, std::move(*changes));
+  if (!things) return pass_on(things);
+  yard.things = std::move(*things);
+  return yard;
 }
 
 Json target_json(const Target& target) {
@@ -67,9 +83,12 @@ Outcome<std::vector<Target>> targets_of(const Json& list, const GuardProblem& ya
     Fields fields(list[i], where);
     const std::string name = fields.text("name");
     const Vec2 at = fields.point("position");
+    const bool turned = fields.has("heading_rad");
+    const double heading_rad = fields.number("heading_rad", -most_turn_rad, most_turn_rad, 0.0);
     if (auto ok = fields.end(); !ok) return pass_on(ok);
     auto target = placed(yard, name, at, where);
     if (!target) return pass_on(target);
+    if (turned) target->yaw_rad = heading_rad;
     if (std::ranges::count(targets, name, &Target::name) > 0)
       return bad_input("another target has that name", where + ".name");
     targets.push_back(std::move(*target));
@@ -80,6 +99,7 @@ Outcome<std::vector<Target>> targets_of(const Json& list, const GuardProblem& ya
 struct Box {
   Vec2 low;
   Vec2 high;
+  double turn_rad = 0.0;
 };
 
 Outcome<std::vector<Box>> boxes_of(const Json& list) {
@@ -88,13 +108,17 @@ Outcome<std::vector<Box>> boxes_of(const Json& list) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Json& corners = list[i];
     const auto corner = [&](std::size_t k) { return point_of({corners[k], corners[k + 1]}); };
-    const bool four = corners.is_array() && corners.size() == 4;
+    const bool turned = corners.is_array() && corners.size() == 5 && corners[4].is_number();
+    const bool four = turned || (corners.is_array() && corners.size() == 4);
     const auto low = four ? corner(0) : std::nullopt, high = four ? corner(2) : std::nullopt;
     if (!low || !high || high->x - low->x < least_box_m || high->y - low->y < least_box_m) {
-      return bad_input(fmt::format("it takes [low x, low y, high x, high y] in m, {} m apart", least_box_m),
-                       fmt::format("boxes[{}]", i));
+      return bad_input(
+          fmt::format("it takes [low x, low y, high x, high y] in m, {} m apart, and the turn in "
+                      "rad",
+                      least_box_m),
+          fmt::format("boxes[{}]", i));
     }
-    boxes.push_back({*low, *high});
+    boxes.push_back({*low, *high, turned ? wrap_angle(corners[4].get<double>()) : 0.0});
   }
   return boxes;
 }
@@ -117,15 +141,15 @@ Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenar
     return bad_input("obstacles cannot be added to it, since it has no </world>", scenario.world);
   }
   std::string models;
-  for (const auto& [low, high] : boxes) {
+  for (const auto& [low, high, turn_rad] : boxes) {
     const Vec2 middle = 0.5 * (low + high), size = high - low;
     models += fmt::format(
-        "<model name=\"box_{:.3f},{:.3f}\"><static>true</static><pose>{} {} {} 0 0 0</pose><link "
+        "<model name=\"box_{:.3f},{:.3f}\"><static>true</static><pose>{} {} {} 0 0 {}</pose><link "
         "name=\"link\">"
         "<collision name=\"box\"><geometry><box><size>{} {} {}</size></box></geometry></collision></link>"
         "</model>\n",
         low.x, low.y, middle.x, middle.y, scenario.problem.world.ground_z_m(middle) + 0.5 * box_height_m,
-        size.x, size.y, box_height_m);
+        turn_rad, size.x, size.y, box_height_m);
   }
   text->insert(end, models);
   if (is_saved_here(*text)) return text;
@@ -136,10 +160,12 @@ Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenar
 }  // namespace
 
 Outcome<Json> shown_yard(const fs::path& file, MapStore& maps) {
-  auto scenario = loaded_yard(file);
-  if (!scenario) return pass_on(scenario);
-  const GuardProblem& yard = scenario->problem;
-  auto polygons = polygons_of(yard.world, yard.robot.radius_m, yard.robot.height_m);
+  auto loaded = loaded_yard(file);
+  if (!loaded) return pass_on(loaded);
+  const GuardProblem& yard = loaded->scenario.problem;
+  auto world = changed(yard.world, loaded->things.changes);
+  if (!world) return pass_on(world);
+  auto polygons = polygons_of(*world, yard.robot.radius_m, yard.robot.height_m);
   if (!polygons) return pass_on(polygons);
   KnownMap map{{}, file.filename().string(), std::move(*polygons), {}, yard.robot.radius_m};
   Json targets = Json::array();
@@ -148,7 +174,9 @@ Outcome<Json> shown_yard(const fs::path& file, MapStore& maps) {
               {"map", map_json(*maps.keep(std::move(map)))},
               {"start", {yard.start.position.x, yard.start.position.y}},
               {"heading_rad", yard.start.heading_rad},
-              {"targets", std::move(targets)}};
+              {"targets", std::move(targets)},
+              {"fixed", fixed_json(yard, loaded->things)},
+              {"things", things_json(yard, loaded->things)}};
 }
 
 Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Json& request,
@@ -158,15 +186,21 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
   const Vec2 start = fields.point("start");
   const Json* target_list = fields.list("targets");
   const Json* box_list = fields.list("boxes");
+  const bool turned = fields.has("heading_rad");
+  const double heading_rad = fields.number("heading_rad", -most_turn_rad, most_turn_rad, 0.0);
+  const bool changes_things = fields.has("moved") || fields.has("removed");
+  const Json* moved = fields.list("moved");
+  const Json* removed = fields.list("removed");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   const auto file = folder.resolve(of);
   const auto place = folder.resolve(path);
   if (!file) return tl::unexpected(file.error());
   if (!place) return tl::unexpected(place.error());
   if (auto ok = folder.check_references(*file); !ok) return pass_on(ok);
-  auto scenario = loaded_yard(*file);
-  if (!scenario) return tl::unexpected(without_folder(std::move(scenario.error()), folder.root()));
-  auto targets = targets_of(*target_list, scenario->problem);
+  auto yard = loaded_yard(*file);
+  if (!yard) return tl::unexpected(without_folder(std::move(yard.error()), folder.root()));
+  const GuardScenario& scenario = yard->scenario;
+  auto targets = targets_of(*target_list, scenario.problem);
   if (!targets) return pass_on(targets);
   auto boxes = boxes_of(*box_list);
   if (!boxes) return pass_on(boxes);
@@ -180,14 +214,20 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
   resolve_paths(changed, (file->parent_path().lexically_relative(beside) / "a").string());
   changed.targets = fs::path(files.back().path).filename().string();
   if (!boxes->empty()) {
-    auto world = world_with(*boxes, *scenario, beside);
+    auto world = world_with(*boxes, scenario, beside);
     if (!world) return tl::unexpected(without_folder(std::move(world.error()), folder.root()));
     files.push_back({stem + "_world.sdf", std::move(*world)});
     changed.world = fs::path(files.back().path).filename().string();
   }
-  if (start != scenario->problem.start.position) {
+  if (start != scenario.problem.start.position || turned) {
     const std::string heading = changed.start.substr(changed.start.rfind(',') + 1);
-    changed.start = fmt::format("{},{},{}", start.x, start.y, heading);
+    changed.start = fmt::format("{},{},{}", start.x, start.y, turned ? degrees_text(heading_rad) : heading);
+  }
+  if (changes_things) {
+    auto changes = changes_of(*moved, *removed, scenario.problem, yard->things);
+    if (!changes) return pass_on(changes);
+    changed.moved = moved_text(changes->moved);
+    changed.removed = removed_text(changes->removed);
   }
   files.push_back({path, fmt::format("# {}\njob: guard\n{}", saved_here,
                                      scenario_changes(describe(changed), describe(usual)))});

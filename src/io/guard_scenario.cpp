@@ -14,6 +14,7 @@
 #include "outrider/io/stations.hpp"
 #include "outrider/io/targets.hpp"
 #include "outrider/io/terrain.hpp"
+#include "outrider/io/world_changes.hpp"
 
 namespace outrider {
 namespace {
@@ -142,6 +143,11 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          &scenario.terrain_size},
         {"terrain_position", "", 0, 0, "x,y,z of the middle of a PNG's terrain at black, m; empty: 0,0,0",
          &scenario.terrain_position},
+        {"moved", "", 0, 0,
+         "what stands elsewhere: name=x,y,turn; ... where the middle of it stands, m, and its turn from how "
+         "the world has it, degrees",
+         &scenario.moved},
+        {"removed", "", 0, 0, "what of the world is taken away: name; ...", &scenario.removed},
         {"targets", "", 0, 0, "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets},
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
         {"bounds", "", 0, 0, "low x,low y,high x,high y of the yard, m; empty: the box of its walls",
@@ -191,6 +197,10 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   auto bounds = bounds_of(scenario, loaded->world.bounds);
   if (!bounds) return pass_on(bounds);
   auto world = with_terrain(std::move(loaded->world), *bounds, scenario);
+  if (!world) return pass_on(world);
+  auto changes = changes_from_text(scenario.moved, scenario.removed);
+  if (!changes) return pass_on(changes);
+  world = changed(*world, *changes);
   if (!world) return pass_on(world);
   auto targets = load_targets(scenario.targets, world->terrain.get());
   if (!targets) return pass_on(targets);

@@ -20,6 +20,8 @@ struct GuardScenario {
   std::string terrain;              ///< path of a height field (terrain.hpp); empty: the ground of the world
   std::string terrain_size;         ///< of an image: length, width, height in m
   std::string terrain_position;     ///< of its middle, at black
+  std::string moved;                ///< of the world: name=x,y,turn; ... (world_changes.hpp)
+  std::string removed;              ///< of the world: name; ...
   std::string targets;              ///< path of a list of targets
   std::string start = "0,-9.5,90";  ///< x, y in m, heading in degrees
   std::string bounds;               ///< low x, low y, high x, high y; empty: the box of the walls

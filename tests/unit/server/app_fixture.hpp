@@ -64,7 +64,7 @@ class AppTest : public testing::Test {
   }
 
   TemporaryFolder home_;
-  AppSettings settings_{"1.2.3", "", {}, {}, {}};
+  AppSettings settings_{"1.2.3", "", {{"cover", "", {}}, {"guard", "", {}}}, {}, {}};
   std::unique_ptr<App> app_;
 };
 

@@ -48,7 +48,9 @@ TEST_F(AppTest, AMethodThatIsNotTakenIsNamed) {
 
 TEST_F(AppTest, FilesHaveAKind) {
   write("a/scenario.yaml", "job: cover\n");
-  write("a/plain.yaml", "seed: 1\n");
+  write("a/plain.yaml", "seed: 1\nworld: yard.sdf\n");
+  write("a/gains.yaml", "wheels: 1\n");
+  write("a/dance.yaml", "job: dance\n");
   write("a/map.yaml", "image: map.pgm\n");
   write("out/run.json", "{\"outrider_report\": 1, \"status\": \"done\", \"job\": \"guard\"}");
   write("out/other.json", "{}");
@@ -62,10 +64,15 @@ TEST_F(AppTest, FilesHaveAKind) {
     kinds[file["path"].get<std::string>()] =
         file["kind"].get<std::string>() + " " + file.value("job", std::string());
   }
-  const std::map<std::string, std::string> expected = {
-      {"a/map.yaml", "map "},  {"a/plain.yaml", "scenario guard"}, {"a/scenario.yaml", "scenario cover"},
-      {"notes.txt", "other "}, {"out/other.json", "other "},       {"out/run.json", "report guard"},
-      {"room.txt", "map "}};
+  const std::map<std::string, std::string> expected = {{"a/dance.yaml", "other dance"},
+                                                       {"a/gains.yaml", "other "},
+                                                       {"a/map.yaml", "map "},
+                                                       {"a/plain.yaml", "scenario guard"},
+                                                       {"a/scenario.yaml", "scenario cover"},
+                                                       {"notes.txt", "other "},
+                                                       {"out/other.json", "other "},
+                                                       {"out/run.json", "report guard"},
+                                                       {"room.txt", "map "}};
   EXPECT_EQ(kinds, expected);
 }
 

@@ -1,3 +1,5 @@
+#include <signal.h>
+
 #include <atomic>
 #include <map>
 #include <mutex>
@@ -178,6 +180,71 @@ TEST_F(AppTest, ARunThatBreaksIsSaidToHaveFailed) {
   EXPECT_EQ(refused["where"], "scenario:3");
   const Json named = ended(json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"]);
   EXPECT_EQ(named["where"], "a.yaml:3");
+}
+
+/// What goes wrong in the server while it follows a mission ends that mission, and its process, only.
+TEST_F(AppTest, ARunThatTheServerLosesIsNoneOfTheOthers) {
+  write("a.yaml", "job: guard\n");
+  write_tool("echo $$ > pid\nexec sleep 1000\n");
+  settings_.runs.at_once = 1;
+  const Folder folder = *Folder::open(home_.path().string());
+  Runs runs(folder, settings_.runs);
+  const auto here = std::this_thread::get_id();
+  std::atomic<int> heard = 0;
+  runs.on_change([&] {
+    if (std::this_thread::get_id() != here && ++heard == 1) throw std::bad_alloc();
+  });
+  const auto state = [&](const Response& started) {
+    const std::string id = Json::parse(started.body)["id"];
+    for (int i = 0; i < 2000; ++i) {
+      const Json run = Json::parse(runs.state(id).body);
+      if (run["state"] != "queued" && run["state"] != "running") return run;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return Json();
+  };
+  const Json lost = state(runs.start({"a.yaml", {}, {}, {}}));
+  EXPECT_EQ(lost["state"], "failed");
+  EXPECT_EQ(lost["error"], "the server lost this mission (std::bad_alloc); start it again");
+  write_tool("echo '{\"status\":\"done\"}'\n");
+  EXPECT_EQ(state(runs.start({"a.yaml", {}, {}, {}}))["state"], "done");
+}
+
+/// An error between the lines of a mission leaves no process behind.
+TEST_F(AppTest, AMissionThatIsLostIsEnded) {
+  write_tool("echo $$ > pid\necho line >&3\nexec sleep 1000\n");
+  std::stop_source stop;
+  const auto follow = [&] {
+    (void)run_child({settings_.runs.tool}, home_.path().string(), std::chrono::seconds(60), stop.get_token(),
+                    [](std::string_view) { throw std::bad_alloc(); });
+  };
+  EXPECT_THROW(follow(), std::bad_alloc);
+  int pid = 0;
+  std::ifstream(path("pid")) >> pid;
+  ASSERT_GT(pid, 0);
+  EXPECT_NE(::kill(pid, 0), 0) << "it still runs";
+}
+
+TEST_F(AppTest, WhatIsTooLargeToBeToldIsSaidToBe) {
+  write("a.yaml", "job: guard\n");
+  write_tool(R"sh(
+echo '{"omitted":"scene","bytes":5767168,"most_bytes":4194304}' >&3
+echo '{"omitted":"something","bytes":1,"most_bytes":1}' >&3
+echo '{"status":"done"}'
+)sh");
+  const std::string id = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  Listener viewer(app());
+  EXPECT_TRUE(viewer.say(R"({"type":"watch","run":")" + id + "\"}"));
+  std::vector<Json> told;
+  for (const Json& message : viewer.until("end")) {
+    if (message["type"] == "omitted") told.push_back(message);
+  }
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0]["what"], "scene");
+  EXPECT_EQ(
+      told[0]["sentence"],
+      "what stands still here takes 5.5 MiB, and at most 4.0 MiB are told while a mission runs; the report "
+      "has it in the end");
 }
 
 TEST_F(AppTest, ARunThatTakesTooLongIsEnded) {

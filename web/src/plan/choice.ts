@@ -27,6 +27,21 @@ export class Choice {
   get planner(): PlannerRow { return this.row; }
   get name(): string { return this.row.name; }
   get values(): Values { return { ...this.given }; }
+  /** The value of an option; undefined where the planner has none of that name. */
+  value(name: string): Values[string] | undefined { return this.given[name] ?? this.row.options.find((one) => one.name === name)?.default; }
+
+  /** Sets options as if they had been typed; nobody is told. */
+  set(values: Values): void {
+    for (const [name, value] of Object.entries(values)) {
+      const option = this.row.options.find((one) => one.name === name);
+      if (!option) continue;
+      if (value === option.default) delete this.given[name];
+      else this.given[name] = value;
+      const field = this.options.querySelector<HTMLInputElement>(`#option-${name}`);
+      if (field?.type === "checkbox") field.checked = value === true;
+      else if (field) field.value = String(value);
+    }
+  }
 
   private show(): void {
     const { sentence, guarantee } = this.row;

@@ -73,20 +73,21 @@ export function paintBlocked(picture: Picture, blocked: Uint8Array, ground: Grid
   });
 }
 
-/** Closed vertices and the queue, the newest expansion strongest. */
+/** Closed vertices of a grid and the queue, the newest expansion strongest. */
 export function paintTrace(picture: Picture, trace: Trace, step: number, key: string): void {
-  const { width, height } = trace;
+  const grid = trace.grid!;
+  const { width, height } = grid;
   picture.paint(width, height, `${key} ${step}`, (pixels) => {
     const [closed, open, newest] = [pixelOf(theme.closed, 190), pixelOf(theme.open, 150), pixelOf(theme.open)];
-    const set = (x: number, y: number, pixel: number): void => {
+    const set = (vertex: number, pixel: number): void => {
+      const [x, y] = grid.cell(vertex);
       if (x >= 0 && y >= 0 && x < width && y < height) pixels[place(x, y, width, height)] = pixel;
     };
-    for (const { x, y, opened } of step > 0 ? trace.waiting : []) if (opened <= step) set(x, y, open);
+    for (const one of step > 0 ? trace.waiting : []) if (one.opened <= step) set(one.key, open);
     for (let i = trace.length - 1; i >= 0; --i) {
       const state = trace.state(i, step);
       if (state === "unseen") continue;
-      const { x, y } = trace.at(i);
-      set(x, y, state === "open" ? open : step - i <= 1 && step < trace.length ? newest : closed);
+      set(trace.at(i).key, state === "open" ? open : step - i <= 1 && step < trace.length ? newest : closed);
     }
   });
 }

@@ -4,12 +4,14 @@ import { h, iconButton } from "../base/dom";
 import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { onTheme, theme } from "../base/theme";
-import type { Piece, PlanAnswer, YardTarget } from "../api";
-import { disk, label } from "../watch/layer";
+import type { Piece, PlanAnswer } from "../api";
+import { disk } from "../watch/layer";
 import { placeTip } from "../watch/plan_view";
 import { drawScales } from "../watch/scale_layer";
 import { cellsOf, type Ground } from "./ground";
+import { drawHandle } from "./handle";
 import { paintBlocked, paintCells, paintTrace, Picture } from "./painter";
+import { drawPlaces } from "./places";
 import { Trace } from "./trace";
 
 /** What all panes show, and what the hand does on any of them. */
@@ -18,9 +20,13 @@ export interface Scene {
   start: Vec2;
   goal: Vec2 | null;
   radius_m: number;
-  /** A number is that of a target. */
-  selected: "start" | "goal" | number | null;
-  targets?: YardTarget[];
+  selected: "start" | "goal" | null;
+  /** Of the robot at the start; null where it does not matter. */
+  heading_rad: number | null;
+  /** The planner does not count it, though it could. */
+  idleHeading?: boolean;
+  /** Drawn over the ground, in metres. */
+  layer?: (ctx: CanvasRenderingContext2D, camera: Camera) => void;
 }
 export interface Hand {
   redraw: () => void;
@@ -84,13 +90,14 @@ export class Pane {
     ctx.fillRect(0, 0, this.canvas.width, this.canvas.height);
     camera.toPlane(ctx);
     this.drawGround(ctx);
-    this.drawTrace(ctx);
+    scene.layer?.(ctx, camera);
     this.drawLegs(ctx);
+    this.drawTrace(ctx);
     this.drawPath(ctx);
     this.drawChain(ctx);
+    if (scene.heading_rad !== null) drawHandle(ctx, camera, scene.start, scene.heading_rad, theme.robot, scene.idleHeading);
     this.drawEnd(ctx, scene.start, "S", theme.robot, scene.selected === "start");
     if (scene.goal) this.drawEnd(ctx, scene.goal, "G", theme.reached, scene.selected === "goal");
-    scene.targets?.forEach((target, i) => this.drawTarget(ctx, target, scene.selected === i));
     drawScales(ctx, camera, scene.ground.box);
     this.name.textContent = this.answer?.planner ?? "";
   }
@@ -144,17 +151,22 @@ export class Pane {
   private drawTrace(ctx: CanvasRenderingContext2D): void {
     const { trace } = this;
     if (!trace) return;
+    if (trace.answer.model === "places") {
+      drawPlaces(ctx, this.camera, trace, this.step());
+      return;
+    }
     paintTrace(this.seen, trace, this.step(), String(this.answers));
     const { origin: [x, y], resolution_m: r } = trace.answer.frame;
+    const { width, height } = trace.grid!;
     const half = trace.answer.model === "corners" ? r / 2 : 0;
-    this.lay(ctx, this.seen.canvas, [x - half, y - half, x - half + trace.width * r, y - half + trace.height * r]);
+    this.lay(ctx, this.seen.canvas, [x - half, y - half, x - half + width * r, y - half + height * r]);
   }
 
   /** The edges of a visibility graph. */
   private drawLegs(ctx: CanvasRenderingContext2D): void {
     if (!this.answer?.legs) return;
     ctx.strokeStyle = theme.open;
-    ctx.globalAlpha = 0.25;
+    ctx.globalAlpha = this.trace ? 0.13 : 0.25;  // below a search it is the ground
     ctx.lineWidth = this.camera.px(0.8);
     ctx.beginPath();
     for (const [x0, y0, x1, y1] of this.answer.legs) { ctx.moveTo(x0, y0); ctx.lineTo(x1, y1); }
@@ -194,10 +206,9 @@ export class Pane {
     ctx.lineWidth = camera.px(2);
     ctx.lineJoin = "round";
     ctx.beginPath();
-    for (const [x, y] of trace.chain(index)) ctx.lineTo(...trace.place(x, y));
+    for (const place of trace.chain(index)) ctx.lineTo(...place);
     ctx.stroke();
-    const { x, y } = trace.at(index);
-    disk(ctx, ...trace.place(x, y), camera.px(4));
+    disk(ctx, ...trace.place(trace.at(index).key), camera.px(4));
     ctx.fillStyle = theme.belief;
     ctx.fill();
   }
@@ -223,45 +234,19 @@ export class Pane {
     camera.toPlane(ctx);
   }
 
-  /** Its box, and a sign to take it by. */
-  private drawTarget(ctx: CanvasRenderingContext2D, { name, position: [x, y], size: [length, width], heading_rad }: YardTarget, selected: boolean): void {
-    const { camera } = this;
-    ctx.save();
-    ctx.translate(x, y);
-    ctx.rotate(heading_rad);
-    ctx.fillStyle = theme.water;
-    ctx.globalAlpha = 0.35;
-    ctx.fillRect(-length / 2, -width / 2, length, width);
-    ctx.restore();
-    ctx.save();
-    camera.toScreen(ctx);
-    const at = camera.screen(x, y);
-    disk(ctx, at.x, at.y, selected ? 8 : 6);
-    ctx.fillStyle = theme.water;
-    ctx.fill();
-    ctx.strokeStyle = selected ? theme.ink : theme.yard;
-    ctx.lineWidth = selected ? 3 : 2;
-    ctx.stroke();
-    ctx.font = `11.5px ${theme.sans}`;
-    ctx.textBaseline = "middle";
-    label(ctx, name, at.x + 12, at.y, theme.ink, theme.panel);
-    ctx.restore();
-    camera.toPlane(ctx);
-  }
-
   private hover(at: Point | null): void {
     const before = this.hovered;
     this.hovered = null;
     this.tip.hidden = true;
     if (at && this.trace) {
       const { x, y } = this.camera.plane(at);
-      const vertex = this.trace.vertex(x, y);
-      const found = this.trace.find(...vertex, this.step());
+      const key = this.trace.nearest(x, y, this.camera.px(12));
+      const found = this.trace.find(key, this.step());
       if (found) {
         this.hovered = found.index;
         placeTip(this.tip, vertexLines(this.trace, found.index, found.state), at, this.camera);
-      } else if (this.trace.findWaiting(...vertex, this.step())) {
-        placeTip(this.tip, waitingLines(this.trace, ...vertex), at, this.camera);
+      } else if (this.trace.findWaiting(key, this.step())) {
+        placeTip(this.tip, waitingLines(this.trace, key), at, this.camera);
       }
     }
     if (before !== this.hovered) this.hand.redraw();
@@ -291,15 +276,15 @@ function pathOf(points: Vec2[], pieces: Piece[]): Path2D {
 }
 
 /** What the search knew of a vertex that it never came to. */
-export function waitingLines(trace: Trace, x: number, y: number): string[] {
-  const opened = trace.findWaiting(x, y, trace.length)?.opened ?? 0;
-  return [`(${x}, ${y}) in the queue to the end`, `since expansion ${opened}`];
+export function waitingLines(trace: Trace, key: number): string[] {
+  const opened = trace.findWaiting(key, trace.length)?.opened ?? 0;
+  return [`${trace.name(key)} in the queue to the end`, `since expansion ${opened}`];
 }
 
 /** What the search knew of a vertex. */
 export function vertexLines(trace: Trace, index: number, state: "closed" | "open"): string[] {
-  const { x, y, parent, g, h: rest, f } = trace.at(index);
+  const { key, parent, g, h: rest, f } = trace.at(index);
   const when = state === "closed" ? `expanded as number ${index + 1}` : `in the queue, expanded as number ${index + 1}`;
-  return [`(${x}, ${y}) ${when}`, `g ${fixed(g, 3)}  h ${fixed(rest, 3)}  f ${fixed(f, 3)}`,
-    parent ? `parent (${parent[0]}, ${parent[1]})` : "the start"];
+  return [`${trace.name(key)} ${when}`, `g ${fixed(g, 3)}  h ${fixed(rest, 3)}  f ${fixed(f, 3)}`,
+    parent !== null ? `parent ${trace.name(parent)}` : "the start"];
 }

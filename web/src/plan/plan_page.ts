@@ -8,6 +8,7 @@ import { keepInAddress } from "../base/url";
 import { Asker } from "./asker";
 import { Choice } from "./choice";
 import { free, occupied, groundOf, type Ground } from "./ground";
+import { onKnob } from "./handle";
 import type { Values } from "./form";
 import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
@@ -15,6 +16,7 @@ import { resultTable } from "./results";
 import { SaveForm } from "./save_form";
 import { Steps } from "./steps";
 import { pathSvg } from "./path_svg";
+import { headingTo, turned } from "./turning";
 
 type Tool = "move" | "block" | "free" | "add" | "remove";
 const words: Record<Tool, string> = {
@@ -45,8 +47,11 @@ export class PlanPage {
   private steps = new Steps(() => this.invalidate(), this.sentence);
   private tools: HTMLElement;
   private compare = h("button", { type: "button", class: "button", onclick: () => this.setVersus(this.seats.length > 1 ? null : this.planners[0]!.name) });
+  private bar = h("div", { class: "stage-bar" });
+  private barWatcher = new ResizeObserver(() => this.makeRoom());
   private tool: Tool = "move";
-  private held: { what: "start" | "goal" | "paint" | number; last: Vec2 } | null = null;
+  private held: { what: "start" | "goal" | "heading" | "paint" | number; last: Vec2 } | null = null;
+  private legend = h("ul", { class: "legend", "aria-label": "Legend" });
   private frame = 0;
   private firstStep: number | null;
   private planners: PlannerRow[];
@@ -56,14 +61,16 @@ export class PlanPage {
     this.ground = ground;
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
     const [start, goal] = ground.ends();
-    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal" };
+    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));
+    this.bar.append(this.tools, this.legend);
+    this.barWatcher.observe(this.bar);
     const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
       h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results, this.saving.element));
     this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
-      h("div", { class: "stage" }, this.panes, h("div", { class: "stage-bar" }, this.tools, legend(ground)),
+      h("div", { class: "stage" }, this.panes, this.bar,
         h("div", { class: "stage-tools" }, iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
     this.steps.element, aside);
     for (const text of map.warnings) this.notice.append(h("span", {}, text));
@@ -76,9 +83,10 @@ export class PlanPage {
 
   close(): void {
     cancelAnimationFrame(this.frame);
+    this.barWatcher.disconnect();
     this.steps.close();
     for (const seat of this.seats) this.leave(seat);
-    for (const group of ["Search", "Map"]) keys.set(group, []);
+    keys.drop(this);
   }
 
   // The planners.
@@ -113,6 +121,33 @@ export class PlanPage {
     this.choices.replaceChildren(...this.seats.map(({ choice }) => choice.element));
     this.compare.textContent = this.seats.length > 1 ? "Only one planner" : "Compare with another";
     keepInAddress({ planner: this.seats[0]!.choice.name, versus: this.seats[1]?.choice.name ?? "" });
+    this.legend.replaceChildren(...legend(this.ground, this.seats.map(({ choice }) => choice.planner)));
+    this.makeRoom();
+    this.showHeading();
+  }
+
+  /** The heading at the start matters where a planner has an option for it, and counts it. */
+  private showHeading(): void {
+    const seat = this.seats.find(({ choice }) => choice.value("heading") !== undefined);
+    this.scene.heading_rad = seat ? Number(seat.choice.value("heading")) * Math.PI / 180 : null;
+    this.scene.idleHeading = seat?.choice.value("first_turn") === false;
+  }
+
+  private turnStart(angle: number, traced: boolean): void {
+    const degrees = +(angle * 180 / Math.PI).toFixed(3);
+    for (const { choice } of this.seats) choice.set({ heading: degrees, first_turn: true });
+    this.showHeading();
+    this.planSoon(traced);
+  }
+
+  /** The bar lies over the first map; a second one below it needs no room for it. */
+  private makeRoom(): void {
+    const [first, second] = this.seats.map(({ pane }) => pane);
+    if (!first) return;
+    const below = Math.max(50, this.bar.offsetTop + this.bar.offsetHeight + 8);
+    const stacked = second !== undefined && second.element.offsetTop > first.element.offsetTop;
+    first.camera.headroom(below);
+    second?.camera.headroom(stacked ? 16 : below);
   }
 
   private radiusField(): HTMLElement {
@@ -139,7 +174,7 @@ export class PlanPage {
     const edits = this.ground.edits();
     for (const { asker, choice } of this.seats) {
       const request = this.request(choice, edits);
-      if (traced && choice.planner.traces) request.trace = most;
+      if (traced) request.trace = most;
       if (traced && this.ground.kind === "grid") request.blocked = true;
       if (traced && this.ground.kind === "polygons") request.legs = true;
       asker.ask(request);
@@ -160,9 +195,19 @@ export class PlanPage {
     }
     this.results.replaceChildren(resultTable(this.seats.map((seat) => seat.pane.answer)));
     const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
-    this.sentence.textContent = failed?.error ?? "";
+    this.sentence.textContent = failed?.error ?? this.aboutSearch();
     this.sentence.classList.toggle("refused", failed !== undefined);
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
+  }
+
+  /** What there is to step through, where that is no search with a queue. */
+  private aboutSearch(): string {
+    const sentences = this.seats.map(({ choice: { planner: { name, tells } }, pane }) => {
+      if (!pane.answer) return "";
+      if (tells === "lookup" && (pane.trace?.length ?? 0) <= 1) return `${name} looks its answer up in an index: there is no search to step through.`;
+      return tells === "tree" ? `${name} draws points and has no queue: the steps show its tree as it grew.` : "";
+    });
+    return [...new Set(sentences.filter(Boolean))].join(" ");
   }
 
   /** The server keeps few maps; it forgot this one, so it is told again. */
@@ -195,6 +240,10 @@ export class PlanPage {
     const { scene, ground } = this;
     const near = ([x, y]: Vec2): boolean => Math.hypot(x - at[0], y - at[1]) <= reach;
     if (this.tool === "move") {
+      if (scene.heading_rad !== null && onKnob(this.seats[0]!.pane.camera, at, scene.start, scene.heading_rad)) {
+        this.held = { what: "heading", last: at };
+        return true;
+      }
       const what = near(scene.goal) ? "goal" : near(scene.start) ? "start" : ground.kind === "polygons" ? ground.at(at) : -1;
       if (what === -1) return false;
       if (typeof what === "string") scene.selected = what;
@@ -216,6 +265,10 @@ export class PlanPage {
   private drag(at: Vec2): void {
     const { held, ground, scene } = this;
     if (!held) return;
+    if (held.what === "heading") {
+      this.turnStart(headingTo(at, scene.start), false);
+      return;
+    }
     if (held.what === "start" || held.what === "goal") scene[held.what] = at;
     else if (held.what === "paint" && ground.kind === "grid") {
       const reach = Math.floor(Math.max(ground.grid.width, ground.grid.height) / 120);
@@ -249,6 +302,10 @@ export class PlanPage {
     this.planSoon(true);
   }
 
+  private turnBy(side: number): void {
+    if (this.scene.heading_rad !== null) this.turnStart(turned(this.scene.heading_rad, side), true);
+  }
+
   private select(end: "start" | "goal"): void {
     this.scene.selected = end;
     this.invalidate();
@@ -278,7 +335,7 @@ export class PlanPage {
       { key: "Shift+ArrowRight", words: "100 expansions on", act: () => steps.go(steps.step + 100) },
       { key: "Home", words: "before the search", act: () => steps.go(0) },
       { key: "End", words: "the whole search", act: () => steps.go(steps.end) },
-    ]);
+    ], this);
     const tools = [...this.tools.children].map((one) => one.getAttribute("data-tool") as Tool);
     keys.set("Map", [
       { key: "1", words: "take the start", act: () => this.select("start") },
@@ -287,6 +344,8 @@ export class PlanPage {
       { key: "j", words: "move it down", act: () => this.nudge(0, -1) },
       { key: "k", words: "move it up", act: () => this.nudge(0, 1) },
       { key: "l", words: "move it right", act: () => this.nudge(1, 0) },
+      { key: ",", words: "turn the start left, where a planner counts its heading", act: () => this.turnBy(1) },
+      { key: ".", words: "turn the start right", act: () => this.turnBy(-1) },
       ...tools.map((tool, i) => ({ key: "qwe"[i]!, words: words[tool].toLowerCase(), act: () => this.takeUp(tool) })),
       { key: "c", words: "compare two planners", act: () => this.compare.click() },
       { key: "+", words: "zoom in", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1.5)) },
@@ -295,16 +354,16 @@ export class PlanPage {
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
       { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
-    ]);
+    ], this);
   }
 }
 
-function legend(ground: Ground): HTMLElement {
+function legend(ground: Ground, planners: PlannerRow[]): HTMLElement[] {
   const swatch = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "swatch", style: `background:var(--${colour})` }), name);
   const line = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "line", style: `border-color:var(--${colour})` }), name);
-  const search = ground.kind === "grid" ? [swatch("closed", "closed"), swatch("in the queue", "open"), line("parents", "belief")]
-    : [line("visibility graph", "closed")];
-  return h("ul", { class: "legend", "aria-label": "Legend" }, line("path", "robot"), ...search);
+  const tells = (kind: PlannerRow["tells"]): boolean => planners.some((one) => one.tells === kind);
+  const search = tells("search") ? [swatch("closed", "closed"), swatch("in the queue", "open")] : tells("tree") ? [swatch("tree", "closed")] : [];
+  return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line("visibility graph", "open")] : [])];
 }
 
 /** Opens a map, with the question of a scenario or its own, or says in a sentence why not. `path` is that of the map. */

@@ -1,121 +1,180 @@
-// A search as it went: what was closed and what stood in the queue after so many expansions. Where the planner tells
-// what it put into the queue that is the queue as it was; else what waits until the end is not known of.
-import type { TraceAnswer } from "../api";
+// A search as it went: what was closed and what stood in the queue after so many expansions. A state is known by a number,
+// its key: of a vertex of the grid, or as the planner counts its states.
+import type { GridTrace, PlacedTrace, TraceAnswer } from "../api";
+import type { Vec2 } from "../base/outline";
+import { fixed } from "../base/numbers";
 
-export interface Expansion {
-  x: number;
-  y: number;
-  parent: [number, number] | null;
-  f: number;
-  g: number;
-  h: number;
+export interface Expansion { key: number; parent: number | null; f: number; g: number; h: number }
+
+/** A state that waits in the queue until the end, since so many expansions. */
+export interface Waiting { key: number; opened: number }
+
+/** What the states are: where they are, and how they are called. */
+interface States {
+  row(row: number[]): Expansion;
+  /** Keys of the queue, each with the number of expansions. */
+  openings(): Waiting[];
+  place(key: number): Vec2;
+  name(key: number): string;
+  /** The state nearest to a place; -1 for none within reach. */
+  at(x: number, y: number, reach: number): number;
 }
 
-/** A vertex that waits in the queue until the end, since so many expansions. */
-export interface Waiting { x: number; y: number; opened: number }
+function reader(columns: string[]): (row: number[], name: string) => number {
+  const column = Object.fromEntries(columns.map((name, i) => [name, i]));
+  return (row, name) => row[column[name]!] ?? NaN;
+}
 
-export class Trace {
-  readonly length: number;
+/** Vertices of a grid: the centres of cells, or corners. */
+class Vertices implements States {
   readonly width: number;
   readonly height: number;
-  readonly waiting: Waiting[] = [];
-  /** By expansion: after how many expansions its vertex stood in the queue. */
-  private opened: Int32Array;
-  private byVertex = new Map<number, number[]>();
-  private waitingAt = new Map<number, number>();
-  private column: Record<string, number>;
+  private value: ReturnType<typeof reader>;
 
-  constructor(readonly answer: TraceAnswer) {
-    this.column = Object.fromEntries(answer.columns.map((name, i) => [name, i]));
-    this.length = answer.rows.length;
+  constructor(private answer: GridTrace) {
     const more = answer.model === "corners" ? 1 : 0;
     this.width = answer.frame.width + more;
     this.height = answer.frame.height + more;
-    this.opened = new Int32Array(this.length);
-    for (let i = 0; i < this.length; ++i) {
-      const { x, y, parent } = this.at(i);
-      // A vertex is expanded after its parent: the parent's last expansion before put it into the queue.
-      this.opened[i] = parent ? 1 + (this.byVertex.get(this.key(...parent))?.at(-1) ?? -1) : 0;
-      const key = this.key(x, y);
-      const before = this.byVertex.get(key);
-      if (before) before.push(i);
-      else this.byVertex.set(key, [i]);
-    }
-    this.readOpenings(answer.openings ?? []);
+    this.value = reader(answer.columns);
   }
 
-  private readOpenings(openings: number[]): void {
-    for (let i = 0; i + 2 < openings.length; i += 3) {
-      const [x, y, opened] = [openings[i]!, openings[i + 1]!, openings[i + 2]!];
-      const next = this.byVertex.get(this.key(x, y))?.find((index) => index >= opened);
-      if (next !== undefined) this.opened[next] = opened;
+  key(x: number, y: number): number { return y * this.width + x; }
+  cell(key: number): Vec2 { return [key % this.width, Math.floor(key / this.width)]; }
+
+  row(row: number[]): Expansion {
+    const value = (name: string): number => this.value(row, name);
+    const [x, y, px, py] = [value("x"), value("y"), value("parent_x"), value("parent_y")];
+    const root = (px === x && py === y) || px < 0 || Number.isNaN(px);
+    return { key: this.key(x, y), parent: root ? null : this.key(px, py), f: value("f"), g: value("g"), h: value("h") };
+  }
+
+  openings(): Waiting[] {
+    const list = this.answer.openings ?? [];
+    return Array.from({ length: Math.floor(list.length / 3) }, (_, i) => ({ key: this.key(list[3 * i]!, list[3 * i + 1]!), opened: list[3 * i + 2]! }));
+  }
+
+  place(key: number): Vec2 {
+    const { origin, resolution_m } = this.answer.frame;
+    const half = this.answer.model === "cells" ? 0.5 : 0;
+    const [x, y] = this.cell(key);
+    return [origin[0] + (x + half) * resolution_m, origin[1] + (y + half) * resolution_m];
+  }
+
+  name(key: number): string { return `(${this.cell(key).join(", ")})`; }
+
+  at(px: number, py: number): number {
+    const { origin, resolution_m } = this.answer.frame;
+    const round = this.answer.model === "cells" ? Math.floor : Math.round;
+    const [x, y] = [round((px - origin[0]) / resolution_m), round((py - origin[1]) / resolution_m)];
+    return x >= 0 && y >= 0 && x < this.width && y < this.height ? this.key(x, y) : -1;
+  }
+}
+
+/** States that have places of their own. Where several have the same, the one that was met first is found. */
+class Places implements States {
+  private value: ReturnType<typeof reader>;
+
+  constructor(private answer: PlacedTrace) {
+    this.value = reader(answer.columns);
+  }
+
+  row(row: number[]): Expansion {
+    const value = (name: string): number => this.value(row, name);
+    const [key, parent] = [value("state"), value("parent")];
+    return { key, parent: parent === key ? null : parent, f: value("f"), g: value("g"), h: value("h") };
+  }
+
+  openings(): Waiting[] {
+    const list = this.answer.openings ?? [];
+    return Array.from({ length: Math.floor(list.length / 2) }, (_, i) => ({ key: list[2 * i]!, opened: list[2 * i + 1]! }));
+  }
+
+  place(key: number): Vec2 { return this.answer.places[key] ?? [NaN, NaN]; }
+  name(key: number): string { return `(${this.place(key).map((one) => fixed(one, 2)).join(", ")}) m`; }
+
+  at(x: number, y: number, reach: number): number {
+    let [best, least] = [-1, reach];
+    this.answer.places.forEach((place, key) => {
+      const away = Math.hypot(place[0] - x, place[1] - y);
+      if (away < least) [best, least] = [key, away];
+    });
+    return best;
+  }
+}
+
+export class Trace {
+  readonly length: number;
+  readonly waiting: Waiting[] = [];
+  /** Where the states are vertices of a grid: that grid. */
+  readonly grid: Vertices | null;
+  private states: States;
+  private expansions: Expansion[];
+  /** By expansion: after how many expansions its state was put into the queue; infinite where there is none. */
+  private opened: Float64Array;
+  private byKey = new Map<number, number[]>();
+  private waitingAt = new Map<number, Waiting>();
+
+  constructor(readonly answer: TraceAnswer) {
+    this.grid = answer.model === "places" ? null : new Vertices(answer);
+    this.states = answer.model === "places" ? new Places(answer) : this.grid!;
+    this.length = answer.rows.length;
+    this.expansions = answer.rows.map((row) => this.states.row(row));
+    this.opened = new Float64Array(this.length).fill(Infinity);
+    this.expansions.forEach(({ key }, i) => {
+      const before = this.byKey.get(key);
+      if (before) before.push(i);
+      else this.byKey.set(key, [i]);
+    });
+    for (const one of this.states.openings()) {
+      const next = this.byKey.get(one.key)?.find((index) => index >= one.opened);
+      if (next !== undefined) this.opened[next] = one.opened;
       else {
-        this.waitingAt.set(this.key(x, y), this.waiting.length);
-        this.waiting.push({ x, y, opened });
+        this.waitingAt.set(one.key, one);
+        this.waiting.push(one);
       }
     }
   }
 
-  private key(x: number, y: number): number { return y * this.width + x; }
+  at(index: number): Expansion { return this.expansions[index]!; }
+  place(key: number): Vec2 { return this.states.place(key); }
+  name(key: number): string { return this.states.name(key); }
+  /** The state nearest to a place; -1 for none within reach. */
+  nearest(x: number, y: number, reach: number): number { return this.states.at(x, y, reach); }
 
-  at(index: number): Expansion {
-    const row = this.answer.rows[index]!;
-    const value = (name: string): number => row[this.column[name]!] ?? NaN;
-    const [x, y, px, py] = [value("x"), value("y"), value("parent_x"), value("parent_y")];
-    const root = (px === x && py === y) || px < 0 || Number.isNaN(px);
-    return { x, y, parent: root ? null : [px, py], f: value("f"), g: value("g"), h: value("h") };
-  }
-
-  /** "closed" when the expansion was among the first `step`, "open" when its vertex stood in the queue then. */
+  /** "closed" when the expansion was among the first `step`, "open" when its state stood in the queue then. */
   state(index: number, step: number): "closed" | "open" | "unseen" {
     if (index < step) return "closed";
     return this.opened[index]! <= step && step > 0 ? "open" : "unseen";
   }
 
-  /** What is known of a vertex after `step` expansions: its last one before, else the one it waits for. */
-  find(x: number, y: number, step: number): { index: number; state: "closed" | "open" } | null {
-    const all = this.byVertex.get(this.key(x, y)) ?? [];
+  /** What is known of a state after `step` expansions: its last one before, else the one it waits for. */
+  find(key: number, step: number): { index: number; state: "closed" | "open" } | null {
+    const all = this.byKey.get(key) ?? [];
     const closed = all.findLast((index) => index < step);
     if (closed !== undefined) return { index: closed, state: "closed" };
     const waiting = all.find((index) => this.state(index, step) === "open");
     return waiting === undefined ? null : { index: waiting, state: "open" };
   }
 
-  /** The vertex when it stands in the queue after `step` expansions and will never leave it. */
-  findWaiting(x: number, y: number, step: number): Waiting | null {
-    const found = this.waiting[this.waitingAt.get(this.key(x, y)) ?? -1];
+  /** The state when it stands in the queue after `step` expansions and will never leave it. */
+  findWaiting(key: number, step: number): Waiting | null {
+    const found = this.waitingAt.get(key);
     return found && step > 0 && found.opened <= step ? found : null;
   }
 
-  /** Vertices from that of an expansion back to the start. */
-  chain(index: number): [number, number][] {
-    const way: [number, number][] = [];
+  /** From the state of an expansion back to the start, in metres. A parent that came later, in a tree, counts as well. */
+  chain(index: number): Vec2[] {
+    const way: Vec2[] = [];
     let present: number | undefined = index;
     while (present !== undefined && way.length <= this.length) {
-      const { x, y, parent }: Expansion = this.at(present);
-      way.push([x, y]);
+      const { key, parent }: Expansion = this.at(present);
+      way.push(this.place(key));
+      if (parent === null) break;
       const before: number = present;
-      present = parent ? this.byVertex.get(this.key(...parent))?.findLast((one) => one < before) : undefined;
-      if (parent && present === undefined) way.push(parent);
+      const all: number[] = this.byKey.get(parent) ?? [];
+      present = all.findLast((one) => one < before) ?? all[0];
+      if (present === undefined) way.push(this.place(parent));
     }
     return way;
-  }
-
-  /** In metres: the centre of a cell, or the corner. */
-  place(x: number, y: number): [number, number] {
-    const { origin, resolution_m } = this.answer.frame;
-    const half = this.answer.model === "cells" ? 0.5 : 0;
-    return [origin[0] + (x + half) * resolution_m, origin[1] + (y + half) * resolution_m];
-  }
-
-  /** The vertex nearest to a place. */
-  vertex(px: number, py: number): [number, number] {
-    const { origin, resolution_m } = this.answer.frame;
-    const round = this.answer.model === "cells" ? Math.floor : Math.round;
-    return [round((px - origin[0]) / resolution_m), round((py - origin[1]) / resolution_m)];
-  }
-
-  get counts(): { reexpanded: number } {
-    return { reexpanded: this.length - this.byVertex.size };
   }
 }

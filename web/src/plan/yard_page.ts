@@ -1,5 +1,5 @@
-// Change a yard: its robot, targets and new obstacles are moved by hand, saved as a scenario, and guarded.
-import { send, type RunRow, type ScenarioAnswer, type YardTarget } from "../api";
+// Change a yard: its robot, targets and what stands in it are moved and turned by hand, saved as a scenario, and guarded.
+import { send, type RunRow } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
 import { fixed } from "../base/numbers";
@@ -7,48 +7,51 @@ import type { Vec2 } from "../base/outline";
 import { saveCanvas } from "../base/save";
 import { formatAddress } from "../base/url";
 import { PolygonGround } from "./ground";
-import { newName, suggestedName } from "./names";
+import { onKnob } from "./handle";
+import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
 import { SaveForm } from "./save_form";
+import { headingTo, turned } from "./turning";
+import { Yard, type Item, type YardScenario } from "./yard";
+import { beyond, drawYard } from "./yard_layer";
 
-type Yard = Extract<ScenarioAnswer, { job: "guard" }>;
 type Tool = "move" | "target" | "obstacle" | "remove";
 const words: Record<Tool, string> = {
-  move: "Drag the robot, targets, new obstacles or the view", target: "Add a target", obstacle: "Add an obstacle, 1 m high", remove: "Remove a target or a new obstacle",
+  move: "Drag the robot, targets, obstacles or the view; turn what is selected by its handle", target: "Add a target", obstacle: "Add an obstacle, 1 m high", remove: "Remove a target or an obstacle; one of the world comes back by the same",
 };
-const cat: [number, number, number] = [0.5, 0.205, 0.372];
+const stride_m = 0.1;
 
 export class YardPage {
   readonly element: HTMLElement;
-  private ground: PolygonGround;
-  private targets: YardTarget[];
-  private scene: Scene & { targets: YardTarget[] };
+  private yard: Yard;
+  private scene: Scene;
   private pane: Pane;
   private saving: SaveForm;
+  private selected: Item | null = { what: "robot", index: 0 };
   private tool: Tool = "move";
   private tools: HTMLElement;
-  private table = h("table", { class: "result" });
-  private held: { what: "start" | "target" | "obstacle"; index: number; last: Vec2 } | null = null;
+  private table = h("table", { class: "result places" });
+  private said = h("p", { class: "hint", role: "status" });
+  /** What the hand holds: an item by a place of it, or its handle. */
+  private held: { item: Item; turns: boolean; off: Vec2; moved: boolean } | null = null;
   private frame = 0;
-  /** Obstacles of the world: they stay where they are. */
-  private fixed: number;
 
-  constructor(private yard: Yard) {
-    this.ground = new PolygonGround(yard.map.polygons!);
-    this.fixed = this.ground.obstacles.length;
-    this.targets = structuredClone(yard.targets);
-    this.scene = { ground: this.ground, start: yard.start, goal: null, radius_m: yard.map.radius_m ?? 0, selected: "start", targets: this.targets };
+  constructor(private scenario: YardScenario) {
+    this.yard = new Yard(scenario);
+    const ground = new PolygonGround({ ...scenario.map.polygons!, obstacles: scenario.fixed });
+    this.scene = { ground, start: this.yard.start, goal: null, heading_rad: this.yard.heading_rad, radius_m: scenario.map.radius_m ?? 0, selected: "start",
+      layer: (ctx, camera) => drawYard(ctx, camera, this.yard, this.selected) };
     this.pane = new Pane(this.scene, { redraw: () => this.invalidate(), grab: (at, reach) => this.grab(at, reach), drag: (at) => this.drag(at), drop: () => { this.held = null; } }, () => 0);
     const run = h("button", { type: "button", class: "button", title: "Save it, then run the mission (R)", onclick: () => void this.run() }, "Save and run");
-    this.saving = new SaveForm(suggestedName(yard.path, "_changed"), yard.path, () => this.request(), run);
+    this.saving = new SaveForm(suggestedName(scenario.path, "_changed"), scenario.path, () => ({ guard: this.yard.request }), run);
     this.tools = h("div", { class: "segments", role: "group", "aria-label": "Tool" }, ...(Object.keys(words) as Tool[]).map((name) =>
       h("button", { type: "button", "data-tool": name, title: words[name], "aria-pressed": String(name === this.tool), onclick: () => this.takeUp(name) },
         name === "move" ? "Drag" : name[0]!.toUpperCase() + name.slice(1))));
     const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" },
-      h("h2", {}, yard.path), this.saving.element, this.table));
+      h("h2", {}, scenario.path), this.saving.element, this.said, this.table));
     this.element = h("div", { class: "watch plan-page yard-page" }, h("section", { class: "panel stage-panel", "aria-label": "The yard" },
       h("div", { class: "stage" }, h("div", { class: "panes" }, this.pane.element), h("div", { class: "stage-bar" }, this.tools),
-        h("div", { class: "stage-tools" }, iconButton("save", "Save the view as PNG", () => this.savePicture(), "s")))), aside);
+        h("div", { class: "stage-tools" }, iconButton("undo", "Undo", () => this.undo(false), "u"), iconButton("redo", "Do it again", () => this.undo(true), "U"), iconButton("save", "Save the view as PNG", () => this.savePicture(), "s")))), aside);
     this.bindKeys();
     this.changed();
   }
@@ -56,16 +59,7 @@ export class YardPage {
   close(): void {
     cancelAnimationFrame(this.frame);
     this.pane.close();
-    keys.set("Yard", []);
-  }
-
-  private request(): { guard: { scenario: string; start: Vec2; targets: { name: string; position: Vec2 }[]; boxes: number[][] } } {
-    const boxes = this.ground.obstacles.slice(this.fixed).filter((one) => one !== null).map((corners) => {
-      const [xs, ys] = [corners.map(([x]) => x), corners.map(([, y]) => y)];
-      return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-    });
-    const targets = this.targets.map(({ name, position: [x, y] }) => ({ name, position: [x, y] as Vec2 }));
-    return { guard: { scenario: this.yard.path, start: this.scene.start, targets, boxes } };
+    keys.drop(this);
   }
 
   /** Saves under the name that stands there, and runs that. */
@@ -81,10 +75,23 @@ export class YardPage {
   }
 
   private changed(): void {
-    const row = (name: string, [x, y]: readonly number[]): HTMLElement =>
-      h("tr", { "data-name": name }, h("th", { scope: "row" }, name), h("td", {}, fixed(x!, 2)), h("td", {}, fixed(y!, 2)));
-    this.table.replaceChildren(h("thead", {}, h("tr", {}, h("th"), h("th", { scope: "col" }, "x m"), h("th", { scope: "col" }, "y m"))),
-      h("tbody", {}, row("robot", this.scene.start), ...this.targets.map(({ name, position }) => row(name, position))));
+    const { yard, selected } = this;
+    this.scene.start = yard.start;
+    this.scene.heading_rad = yard.heading_rad;
+    this.scene.selected = selected?.what === "robot" ? "start" : null;
+    const row = (item: Item): HTMLElement => {
+      const [x, y] = yard.middle(item);
+      const is = item.what === selected?.what && item.index === selected.index;
+      const gone = yard.isRemoved(item);
+      return h("tr", { "data-name": yard.name(item), "data-what": item.what, "data-selected": is ? "true" : null, class: gone ? "gone" : "", onclick: () => this.select(item) },
+        h("th", { scope: "row" }, yard.name(item)), ...(gone ? [h("td", { colspan: 3 }, "removed")]
+          : [h("td", {}, fixed(x, 2)), h("td", {}, fixed(y, 2)), h("td", {}, fixed(yard.turn(item) * 180 / Math.PI, 0))]));
+    };
+    const changed = yard.obstacles.filter((item) => item.what === "box" || yard.isMoved(item) || yard.isRemoved(item) || item === selected
+      || (item.what === selected?.what && item.index === selected.index));
+    this.table.replaceChildren(h("thead", {}, h("tr", {}, h("th"), ...["x m", "y m", "turn \u00b0"].map((name) => h("th", { scope: "col" }, name)))),
+      h("tbody", {}, row({ what: "robot", index: 0 }), ...yard.targets.map((_, index) => row({ what: "target", index })), ...changed.map(row)));
+    this.said.textContent = selected ? sentenceOf(yard, selected) : "Click on something to select it.";
     this.invalidate();
   }
 
@@ -95,67 +102,87 @@ export class YardPage {
     for (const button of this.tools.children) button.setAttribute("aria-pressed", String(button.getAttribute("data-tool") === tool));
   }
 
-  /** The target that is nearest within reach; -1 for none. */
-  private targetAt([x, y]: Vec2, reach: number): number {
-    const away = this.targets.map(({ position }) => Math.hypot(position[0] - x, position[1] - y));
-    const least = Math.min(...away);
-    return least <= reach ? away.indexOf(least) : -1;
-  }
-
   private grab(at: Vec2, reach: number): boolean {
-    const { ground, scene } = this;
-    const target = this.targetAt(at, reach);
-    const obstacle = ground.at(at) >= this.fixed ? ground.at(at) : -1;
-    if (this.tool === "move") {
-      const start = Math.hypot(scene.start[0] - at[0], scene.start[1] - at[1]) <= reach;
-      if (!start && target < 0 && obstacle < 0) return false;
-      this.held = start ? { what: "start", index: 0, last: at } : target >= 0 ? { what: "target", index: target, last: at } : { what: "obstacle", index: obstacle, last: at };
-      if (this.held.what !== "obstacle") scene.selected = start ? "start" : target;
-    } else if (this.tool === "target") {
-      this.targets.push({ name: newName(this.targets), position: [...at, 0], size: cat, heading_rad: 0 });
-      scene.selected = this.targets.length - 1;
-      this.held = { what: "target", index: this.targets.length - 1, last: at };
-    } else if (this.tool === "obstacle") {
-      this.held = { what: "obstacle", index: ground.add(at, 0.5), last: at };
-    } else if (target >= 0) {
-      this.targets.splice(target, 1);
-      scene.selected = "start";
-    } else if (obstacle >= 0) ground.remove(obstacle);
-    this.changed();
-    return true;
+    const { yard, selected } = this;
+    const take = (item: Item, turns = false): boolean => {
+      const [x, y] = yard.middle(item);
+      this.held = { item, turns, off: [x - at[0], y - at[1]], moved: false };
+      this.select(item);
+      return true;
+    };
+    if (this.tool === "target" || this.tool === "obstacle") {
+      yard.remember();
+      take(this.tool === "target" ? yard.addTarget(at) : yard.addBox(at));
+      this.held!.moved = true;  // one step back takes it away, wherever it was dragged to
+      return true;
+    }
+    if (this.tool === "move" && selected && !yard.isRemoved(selected) && onKnob(this.pane.camera, at, yard.middle(selected), yard.turn(selected), beyond(yard, selected))) return take(selected, true);
+    if (this.tool === "move" && onKnob(this.pane.camera, at, yard.start, yard.heading_rad)) return take({ what: "robot", index: 0 }, true);
+    const item = yard.at(at, reach);
+    if (item && this.tool === "move") return take(item);
+    if (item) {
+      this.selected = item;
+      this.remove();
+    }
+    return item !== null;
   }
 
   private drag(at: Vec2): void {
-    const { held } = this;
-    if (!held) return;
-    const by: Vec2 = [at[0] - held.last[0], at[1] - held.last[1]];
-    if (held.what === "obstacle") this.ground.shift(held.index, by);
-    else this.shift(held.what === "start" ? "start" : held.index, by);
-    held.last = at;
+    const { held, yard } = this;
+    if (!held || (yard.isRemoved(held.item) && !held.turns)) return;
+    if (!held.moved) yard.remember();
+    held.moved = true;
+    if (held.turns) yard.turnTo(held.item, headingTo(at, yard.middle(held.item)));
+    else yard.moveTo(held.item, [at[0] + held.off[0], at[1] + held.off[1]]);
     this.changed();
   }
 
-  private shift(what: Scene["selected"], [dx, dy]: Vec2): void {
-    if (typeof what === "number") {
-      const [x, y, z] = this.targets[what]!.position;
-      this.targets[what]!.position = [x + dx, y + dy, z];
-    } else this.scene.start = [this.scene.start[0] + dx, this.scene.start[1] + dy];
+  // The keyboard.
+
+  /** Changes what is selected, in a step that can be taken back. */
+  private change(act: (item: Item) => void): void {
+    if (!this.selected || this.yard.isRemoved(this.selected)) return;
+    this.yard.remember();
+    act(this.selected);
+    this.changed();
   }
 
   private nudge(dx: number, dy: number): void {
-    this.shift(this.scene.selected, [dx * 0.1, dy * 0.1]);
+    this.change((item) => {
+      const [x, y] = this.yard.middle(item);
+      this.yard.moveTo(item, [x + dx * stride_m, y + dy * stride_m]);
+    });
+  }
+
+  private turn(side: number): void {
+    this.change((item) => this.yard.turnTo(item, turned(this.yard.turn(item), side)));
+  }
+
+  private remove(): void {
+    if (!this.selected || this.selected.what === "robot") return;
+    this.yard.remember();
+    this.selected = this.yard.remove(this.selected);
     this.changed();
   }
 
-  private select(what: Scene["selected"]): void {
-    this.scene.selected = what;
-    this.invalidate();
+  private putBack(): void {
+    if (this.selected?.what !== "thing") return;
+    this.yard.remember();
+    this.yard.putBack(this.selected);
+    this.changed();
   }
 
-  private nextTarget(): void {
-    if (this.targets.length === 0) return;
-    const { selected } = this.scene;
-    this.select(typeof selected === "number" ? (selected + 1) % this.targets.length : 0);
+  private undo(again: boolean): void {
+    if (!this.yard.undo(again)) return;
+    const { selected, yard } = this;
+    const there = selected === null || selected.what === "robot" || selected.what === "thing" || selected.index < (selected.what === "target" ? yard.targets : yard.boxes).length;
+    if (!there) this.selected = null;
+    this.changed();
+  }
+
+  private select(item: Item | null): void {
+    if (item) this.selected = item;
+    this.changed();
   }
 
   private invalidate(): void {
@@ -167,17 +194,27 @@ export class YardPage {
   }
 
   private savePicture(): void {
-    saveCanvas(this.pane.canvas, `${this.yard.map.name}.png`);
+    saveCanvas(this.pane.canvas, `${this.scenario.map.name}.png`);
   }
 
   private bindKeys(): void {
     keys.set("Yard", [
-      { key: "1", words: "take the robot", act: () => this.select("start") },
-      { key: "t", words: "take the next target", act: () => this.nextTarget() },
+      { key: "1", words: "take the robot", act: () => this.select({ what: "robot", index: 0 }) },
+      { key: "t", words: "take the next target", act: () => this.select(this.yard.nextTarget(this.selected)) },
+      { key: "o", words: "take the next obstacle", act: () => this.select(this.yard.nextObstacle(this.selected)) },
       { key: "h", words: "move it left", act: () => this.nudge(-1, 0) },
       { key: "j", words: "move it down", act: () => this.nudge(0, -1) },
       { key: "k", words: "move it up", act: () => this.nudge(0, 1) },
       { key: "l", words: "move it right", act: () => this.nudge(1, 0) },
+      { key: ",", words: "turn it left by 5\u00b0", act: () => this.turn(1) },
+      { key: ".", words: "turn it right by 5\u00b0", act: () => this.turn(-1) },
+      { key: "Delete", words: "remove it; what is of the world comes back by the same", act: () => this.remove() },
+      { key: "x", words: "the same", act: () => this.remove() },
+      { key: "b", words: "put an obstacle back to where the world has it", act: () => this.putBack() },
+      { key: "Ctrl+z", words: "undo", act: () => this.undo(false) },
+      { key: "u", words: "undo", act: () => this.undo(false) },
+      { key: "Ctrl+y", words: "do it again", act: () => this.undo(true) },
+      { key: "U", words: "do it again", act: () => this.undo(true) },
       ...(Object.keys(words) as Tool[]).map((tool, i) => ({ key: "qwer"[i]!, words: words[tool].toLowerCase(), act: () => this.takeUp(tool) })),
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
       { key: "R", words: "save it and run the mission", act: () => void this.run() },
@@ -185,6 +222,14 @@ export class YardPage {
       { key: "+", words: "zoom in", act: () => this.pane.camera.zoom(1.5) },
       { key: "-", words: "zoom out", act: () => this.pane.camera.zoom(1 / 1.5) },
       { key: "0", words: "show everything", act: () => this.pane.camera.reset() },
-    ]);
+    ], this);
   }
+}
+
+/** What is selected, and what can be done with it. */
+function sentenceOf(yard: Yard, item: Item): string {
+  const name = yard.name(item);
+  if (yard.isRemoved(item)) return `${name} is removed; x brings it back.`;
+  if (item.what === "thing" && yard.isMoved(item)) return `${name}: moved; b puts it back, x removes it.`;
+  return item.what === "robot" ? `${name}: drag it, or turn it by its handle.` : `${name}: drag it, turn it by its handle, or remove it with x.`;
 }

@@ -1,0 +1,86 @@
+// The yard over its ground: things that can be moved, where they stood, what was taken away, targets, and the handle.
+import type { Camera } from "../base/camera";
+import type { Vec2 } from "../base/outline";
+import { theme } from "../base/theme";
+import { disk, label } from "../watch/layer";
+import { drawHandle } from "./handle";
+import type { Item, Yard } from "./yard";
+
+type Ctx = CanvasRenderingContext2D;
+
+/** Pixels a metre below which only what is selected is named. */
+const least_named = 22;
+
+function trace(ctx: Ctx, polygons: readonly Vec2[][]): void {
+  ctx.beginPath();
+  for (const polygon of polygons) {
+    polygon.forEach(([x, y], i) => (i === 0 ? ctx.moveTo(x, y) : ctx.lineTo(x, y)));
+    ctx.closePath();
+  }
+}
+
+function dashed(ctx: Ctx, camera: Camera, polygons: readonly Vec2[][], colour: string): void {
+  trace(ctx, polygons);
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = camera.px(1.3);
+  ctx.setLineDash([camera.px(4), camera.px(3)]);
+  ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+function drawObstacle(ctx: Ctx, camera: Camera, yard: Yard, item: Item, selected: boolean): void {
+  const outlines = yard.outlines(item);
+  if (yard.isMoved(item)) dashed(ctx, camera, yard.things[item.index]!.polygons, theme.soft);
+  if (yard.isRemoved(item)) {
+    dashed(ctx, camera, outlines, selected ? theme.ink : theme.failed);
+    return;
+  }
+  trace(ctx, outlines);
+  ctx.fillStyle = theme["solid-high"];
+  ctx.fill();
+  if (!selected) return;
+  ctx.strokeStyle = theme.ink;
+  ctx.lineWidth = camera.px(2.5);
+  ctx.stroke();
+}
+
+/** Its box, and a sign to take it by. */
+function drawTarget(ctx: Ctx, camera: Camera, yard: Yard, index: number, selected: boolean): void {
+  const { name, position: [x, y], size: [length, width], heading_rad } = yard.targets[index]!;
+  ctx.save();
+  ctx.translate(x, y);
+  ctx.rotate(heading_rad);
+  ctx.fillStyle = theme.water;
+  ctx.globalAlpha = 0.35;
+  ctx.fillRect(-length / 2, -width / 2, length, width);
+  ctx.restore();
+  ctx.save();
+  camera.toScreen(ctx);
+  const at = camera.screen(x, y);
+  disk(ctx, at.x, at.y, selected ? 8 : 6);
+  ctx.fillStyle = theme.water;
+  ctx.fill();
+  ctx.strokeStyle = selected ? theme.ink : theme.yard;
+  ctx.lineWidth = selected ? 3 : 2;
+  ctx.stroke();
+  ctx.font = `11.5px ${theme.sans}`;
+  ctx.textBaseline = "middle";
+  const left = at.x + 16 + ctx.measureText(name).width > camera.width;
+  ctx.textAlign = left ? "right" : "left";
+  if (selected || camera.scale > least_named) label(ctx, name, at.x + (left ? -12 : 12), at.y, theme.ink, theme.panel);
+  ctx.restore();
+  camera.toPlane(ctx);
+}
+
+/** How far the handle of an item is from its middle, before its arm. */
+export const beyond = (yard: Yard, item: Item): number => (item.what === "thing" || item.what === "box" ? yard.radius(item) : 0);
+
+export function drawYard(ctx: Ctx, camera: Camera, yard: Yard, selected: Item | null): void {
+  const is = (item: Item): boolean => item.what === selected?.what && item.index === selected.index;
+  for (const item of yard.obstacles) if (!is(item)) drawObstacle(ctx, camera, yard, item, false);
+  if (selected?.what === "thing" || selected?.what === "box") drawObstacle(ctx, camera, yard, selected, true);
+  yard.targets.forEach((_, index) => drawTarget(ctx, camera, yard, index, is({ what: "target", index })));
+  if (!selected || selected.what === "robot" || yard.isRemoved(selected)) return;
+  const colour = selected.what === "target" ? theme.water : theme.ink;
+  drawHandle(ctx, camera, yard.middle(selected), yard.turn(selected), colour, false, beyond(yard, selected));
+}
