@@ -2,18 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "commands.hpp"
 #include "cover_picture.hpp"
+#include "cover_summary.hpp"
 #include "flags.hpp"
+#include "live_report.hpp"
 #include "output.hpp"
-#include "outrider/cover/time_bound.hpp"
 #include "outrider/io/cover_scenario.hpp"
 #include "outrider/io/scenario.hpp"
-#include "outrider/sim/cover_drive.hpp"
+#include "outrider/report/json.hpp"
+#include "outrider/report/pictures.hpp"
+#include "outrider/sim/cover_report.hpp"
+#include "page.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
 
@@ -24,6 +29,7 @@ struct CoverCommand {
   std::string scenario_path;
   std::string area;
   bool json = false;
+  bool html = false;
   std::string out;
   CoverScenario scenario;
 };
@@ -32,48 +38,63 @@ OptionGroup describe_output(CoverCommand& command) {
   return {"",
           "output",
           {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
-           {"out", "", 0, 0, "folder for the track, the areas and a picture", &command.out}}};
+           {"out", "", 0, 0, "folder for the report, the track, the areas and pictures", &command.out},
+           {"html", "", 0, 0, "write cover.html as well, a page that plays the drive", &command.html}}};
 }
 
 struct CoverResult {
   CoverProblem problem;
-  std::string note;
-  CoverPlan plan;
-  CoverProof proof;
-  TimeBound bound;
-  CoverDrive drive;
-  Coverage driven;
+  CoverRun run;
+  Report report;
 };
+
+/// Breaks off where the drive does what was proven that it cannot do.
+void check_promises(const CoverRun& run) {
+  const bool kept = run.drive.time_s >= run.bound.least_s - 1e-6 &&
+                    run.drive.time_s <= run.bound.most_s + 1e-6 &&
+                    run.driven.fraction >= run.proof.sure_fraction - 1e-3;
+  if (!kept) throw std::logic_error("the simulated drive breaks the bounds of its track");
+}
+
+Report report_of(const CoverScenario& scenario, const CoverTask& task, const CoverRun& run) {
+  const std::string name = std::filesystem::path(scenario.area).filename().string();
+  Report report = cover_report(task.problem, run, static_cast<std::uint64_t>(scenario.seed), name);
+  CoverScenario settled = scenario;
+  settled.method = run.plan.method;
+  report.settings = settings_of(describe(settled));
+  if (!task.note.empty()) report.warnings.push_back(task.note);
+  return report;
+}
 
 Outcome<CoverResult> carry_out(const CoverScenario& scenario) {
   Progress progress(4);
   progress.next("reading the area");
   auto task = load_task(scenario);
   if (!task) return pass_on(task);
+  const CoverProblem& problem = task->problem;
   progress.next("planning the track");
-  auto plan = task->method.plan(task->problem, scenario.options, {});
+  auto plan = task->method.plan(problem, scenario.options, {});
   if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
   progress.next("proving what it covers");
-  auto proof = prove(*plan, task->problem);
+  auto proof = prove(*plan, problem);
   if (!proof) throw std::logic_error(to_string(proof.error()));
-  const CoverProblem& problem = task->problem;
-  CoverResult result{problem, task->note, std::move(*plan), std::move(*proof), {}, {}, {}};
-  const CoverTrack& track = result.plan.track;
-  result.bound = time_bound(track, problem.pace, problem.stray_m, scenario.error_factor);
+  CoverRun run{std::move(*plan), std::move(*proof), {}, {}, {}};
+  const CoverPlan& planned = run.plan;
+  run.bound = time_bound(planned.track, problem.pace, problem.stray_m, scenario.error_factor);
   progress.next("driving it");
-  result.drive = drive_track(track, *result.plan.ground.ground, problem.pace, problem.stray_m,
-                             static_cast<std::uint64_t>(scenario.seed));
-  result.driven = coverage_of(result.drive.way, problem.radius_m(), result.plan.ground.reach);
-  const bool kept = result.drive.time_s >= result.bound.least_s - 1e-6 &&
-                    result.drive.time_s <= result.bound.most_s + 1e-6 &&
-                    result.driven.fraction >= result.proof.sure_fraction - 1e-3;
-  if (!kept) throw std::logic_error("the simulated drive breaks the bounds of its track");
-  return result;
+  run.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m,
+                          static_cast<std::uint64_t>(scenario.seed));
+  run.driven = coverage_of(run.drive.way, problem.radius_m(), planned.ground.reach);
+  check_promises(run);
+  Report report = report_of(scenario, *task, run);
+  LiveReport live;
+  if (live.onlooker() != nullptr) live.see(report);
+  return CoverResult{problem, std::move(run), std::move(report)};
 }
 
-nlohmann::ordered_json summary_json(const CoverScenario& scenario, const CoverResult& result) {
-  const CoverPlan& plan = result.plan;
-  const CoverProof& proof = result.proof;
+nlohmann::ordered_json summary_json(const CoverScenario& scenario, const CoverResult& result,
+                                    const std::string& report_path) {
+  const auto& [plan, proof, bound, drive, driven] = result.run;
   const double area = area_of(plan.ground.area), reach = area_of(plan.ground.reach);
   return {{"status", "done"},
           {"job", "cover"},
@@ -95,10 +116,10 @@ nlohmann::ordered_json summary_json(const CoverScenario& scenario, const CoverRe
           {"cells", plan.cells},
           {"lanes", plan.lanes},
           {"clearance_m", proof.clearance_m},
-          {"t_min_s", result.bound.least_s},
+          {"t_min_s", bound.least_s},
           {"planned_s", plan.sums.time_s},
-          {"t_max_s", result.bound.most_s},
-          {"time_s", result.drive.time_s},
+          {"t_max_s", bound.most_s},
+          {"time_s", drive.time_s},
           {"order_lower_bound_s", plan.order_bound_s},
           {"guarantee",
            {{"stray_m", result.problem.stray_m},
@@ -107,13 +128,14 @@ nlohmann::ordered_json summary_json(const CoverScenario& scenario, const CoverRe
             {"covered_fraction_off_the_rim", proof.inner_fraction}}},
           {"driven",
            {{"seed", scenario.seed},
-            {"time_s", result.drive.time_s},
-            {"length_m", result.drive.length_m},
-            {"turned_rad", result.drive.turned_rad},
-            {"strayed_m", result.drive.strayed_m},
-            {"covered_fraction", result.driven.fraction},
-            {"missed_m2", result.driven.missed_m2},
-            {"double_m2", result.driven.twice_m2}}}};
+            {"time_s", drive.time_s},
+            {"length_m", drive.length_m},
+            {"turned_rad", drive.turned_rad},
+            {"strayed_m", drive.strayed_m},
+            {"covered_fraction", driven.fraction},
+            {"missed_m2", driven.missed_m2},
+            {"double_m2", driven.twice_m2}}},
+          {"report", report_path.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report_path)}};
 }
 
 nlohmann::ordered_json ring_json(const std::vector<Vec2>& ring) {
@@ -136,19 +158,19 @@ nlohmann::ordered_json feature(const char* name, const Region& region) {
           {"geometry", {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}}}};
 }
 
-nlohmann::ordered_json areas_json(const CoverResult& result) {
-  const Coverage& planned = result.proof.planned;
+nlohmann::ordered_json areas_json(const CoverRun& run) {
+  const Coverage& planned = run.proof.planned;
   return {{"type", "FeatureCollection"},
           {"features",
-           {feature("area", result.plan.ground.area), feature("reachable", result.plan.ground.reach),
+           {feature("area", run.plan.ground.area), feature("reachable", run.plan.ground.reach),
             feature("covered", planned.covered), feature("missed", planned.missed),
-            feature("double", planned.twice), feature("covered by the drive", result.driven.covered),
-            feature("missed by the drive", result.driven.missed),
-            feature("double by the drive", result.driven.twice)}}};
+            feature("double", planned.twice), feature("covered by the drive", run.driven.covered),
+            feature("missed by the drive", run.driven.missed),
+            feature("double by the drive", run.driven.twice)}}};
 }
 
-nlohmann::ordered_json track_json(const CoverResult& result) {
-  const CoverPlan& plan = result.plan;
+nlohmann::ordered_json track_json(const CoverRun& run) {
+  const CoverPlan& plan = run.plan;
   const Pose2& start = plan.track.start;
   auto pieces = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < plan.track.pieces.size(); ++i) {
@@ -163,48 +185,53 @@ nlohmann::ordered_json track_json(const CoverResult& result) {
     pieces.push_back(std::move(one));
   }
   auto driven = nlohmann::ordered_json::array();
-  for (const Vec2 p : result.drive.way) driven.push_back({p.x, p.y});
+  for (const Vec2 p : run.drive.way) driven.push_back({p.x, p.y});
   return {{"start", {start.position.x, start.position.y, start.heading_rad}},
           {"pieces", std::move(pieces)},
           {"driven", std::move(driven)}};
 }
 
-Status write_files(const CoverCommand& command, const CoverResult& result) {
-  if (command.out.empty()) return {};
-  return cli::write_files(command.out,
-                          {{"cover.json", summary_json(command.scenario, result).dump(1) + "\n"},
-                           {"track.json", track_json(result).dump() + "\n"},
-                           {"areas.geojson", areas_json(result).dump() + "\n"},
-                           {"cover.svg", cover_picture(result.plan, result.proof.planned, {})},
-                           {"driven.svg", cover_picture(result.plan, result.driven, result.drive.way)}});
+/// The page is made from the text of the report, as a replay makes it.
+Outcome<std::string> write_files(const CoverCommand& command, const CoverResult& result) {
+  if (command.out.empty()) return std::string{};
+  const CoverRun& run = result.run;
+  const std::string text = to_json(result.report);
+  std::vector<NamedText> files = {{"cover.json", text},
+                                  {"track.json", track_json(run).dump() + "\n"},
+                                  {"areas.geojson", areas_json(run).dump() + "\n"},
+                                  {"cover.svg", cover_picture(run.plan, run.proof.planned, {})},
+                                  {"driven.svg", cover_picture(run.plan, run.driven, run.drive.way)}};
+  if (command.html) {
+    auto stored = report_from_json(text);
+    if (!stored) return pass_on(stored);
+    files.emplace_back("cover.html", to_html(*stored, page::viewer()));
+  }
+  if (auto ok = cli::write_files(command.out, files); !ok) return pass_on(ok);
+  return command.out + "/cover.json";
 }
 
-void print_summary(const CoverCommand& command, const CoverResult& result) {
-  const CoverPlan& plan = result.plan;
-  const CoverProof& proof = result.proof;
-  const double area = area_of(plan.ground.area), reach = area_of(plan.ground.reach);
-  fmt::print("  area      {:.6g} m2, of which a disk of {:g} m reaches {:.6g} m2\n", area,
-             result.problem.width_m, reach);
-  fmt::print("  track     {}: {:.2f} m, {} stops; {} laps, {} cells, {} lanes\n", plan.method,
-             plan.sums.length_m, plan.sums.stops, plan.laps, plan.cells, plan.lanes);
-  fmt::print("  covered   {:.3f} % of the reach, {:.3g} m2 missed, {:.3g} m2 twice\n",
-             100.0 * proof.planned.fraction, proof.planned.missed_m2, proof.planned.twice_m2);
-  fmt::print("  time      {} to {}, at full speed {}\n", duration_text(result.bound.least_s),
-             duration_text(result.bound.most_s), duration_text(plan.sums.time_s));
-  fmt::print(
-      "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, if the robot strays by {:g} m\n",
-      100.0 * proof.sure_fraction, 100.0 * proof.inner_fraction, result.problem.stray_m);
-  fmt::print("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(result.drive.time_s),
-             command.scenario.seed, 100.0 * result.driven.fraction);
-  if (!command.out.empty()) fmt::print("\n  pictures  {0}/cover.svg, {0}/driven.svg\n", command.out);
+Status check_html(const CoverCommand& command) {
+  if (!command.html) return {};
+  if (command.out.empty()) return bad_input("a page needs a folder; give --out DIR", "--html");
+  return check_page("--html");
 }
 
 int finish(CoverCommand& command) {
+  if (auto ok = check_html(command); !ok) return say(ok.error(), command.json);
   const auto result = carry_out(command.scenario);
   if (!result) return say(result.error(), command.json);
-  if (!result->note.empty()) fmt::print(stderr, "outrider: warning: {}\n", result->note);
-  if (auto ok = write_files(command, *result); !ok) return say(ok.error(), command.json);
-  command.json ? print(summary_json(command.scenario, *result)) : print_summary(command, *result);
+  const auto path = write_files(command, *result);
+  if (!path) return say(path.error(), command.json);
+  for (const std::string& warning : result->report.warnings)
+    fmt::print(stderr, "outrider: warning: {}\n", warning);
+  if (command.json) {
+    print(summary_json(command.scenario, *result, *path));
+    return job_done;
+  }
+  fmt::print("{}", cover_summary(result->report));
+  if (!path->empty())
+    fmt::print("\n  report    {0}\n  pictures  {1}/cover.svg, {1}/driven.svg\n", *path, command.out);
+  if (command.html) fmt::print("  watch     {}/cover.html\n", command.out);
   return job_done;
 }
 

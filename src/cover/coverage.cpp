@@ -57,4 +57,47 @@ Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region
   return coverage;
 }
 
+namespace {
+
+/// What one stretch covers by itself, and what of that is covered twice by then.
+struct Stretch {
+  Region covered;
+  Region twice;
+  Box2 box;
+};
+
+/// What of the region some stretch before has in its `part`.
+Region known_of(const Region& region, const Box2& box, const std::vector<Stretch>& before,
+                Region Stretch::* part) {
+  std::vector<Region> known;
+  for (const Stretch& one : before) {
+    if (one.box.overlaps(box)) known.push_back(common(one.*part, region));
+  }
+  return united(known);
+}
+
+}  // namespace
+
+std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
+                                         const Region& area) {
+  std::vector<CoverageSums> sums;
+  std::vector<Stretch> before;
+  CoverageSums sum;
+  for (const std::vector<Vec2>& way : stretches) {
+    std::vector<Region> twice;
+    Stretch now;
+    now.covered = common(covered_by(way, radius_m, twice), area);
+    now.box = bounds_of(now.covered);
+    const Region again = known_of(now.covered, now.box, before, &Stretch::covered);
+    twice.push_back(without(again, disk(way.front(), radius_m)));
+    now.twice = common(united(twice), area);
+    const Region told = known_of(now.twice, now.box, before, &Stretch::twice);
+    sum.covered_m2 += std::max(0.0, area_of(now.covered) - area_of(again));
+    sum.twice_m2 += std::max(0.0, area_of(now.twice) - area_of(told));
+    sums.push_back(sum);
+    before.push_back(std::move(now));
+  }
+  return sums;
+}
+
 }  // namespace outrider

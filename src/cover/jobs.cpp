@@ -195,6 +195,7 @@ Outcome<OrderedJobs> ordered(const std::vector<Job>& jobs, const std::optional<P
     if (!move) return pass_on(move);
     result.track.pieces.insert(result.track.pieces.end(), move->begin(), move->end());
     result.roles.resize(result.track.pieces.size(), PieceRole::move);
+    result.begins.push_back(result.track.pieces.size());
     result.track.pieces.insert(result.track.pieces.end(), variant.pieces.begin(), variant.pieces.end());
     result.roles.insert(result.roles.end(), variant.roles.begin(), variant.roles.end());
     at = variant.exit();

@@ -44,6 +44,7 @@ Outcome<Job> cell_job(const SweepCell& cell, Mover& mover);
 struct OrderedJobs {
   CoverTrack track;
   std::vector<PieceRole> roles;
+  std::vector<std::size_t> begins;  ///< the first piece of each job
   double bound_s = 0.0;
 };
 

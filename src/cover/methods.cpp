@@ -150,6 +150,7 @@ Outcome<CoverPlan> assembled(CoverGround ground, const std::vector<Lap>& laps, C
   if (!order) return pass_on(order);
   plan.track = std::move(order->track);
   plan.roles = std::move(order->roles);
+  plan.begins = std::move(order->begins);
   plan.order_bound_s = order->bound_s;
   plan.lanes = static_cast<std::size_t>(std::count(plan.roles.begin(), plan.roles.end(), PieceRole::lane));
   plan.sums = sums_of(plan.track.start.heading_rad, plan.track.pieces, problem.pace);

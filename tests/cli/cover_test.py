@@ -1,9 +1,10 @@
-"""The command cover: the room, published fields, bounds, pictures and areas, scenarios, refusals."""
+"""The command cover: the room, published fields, bounds, pictures, areas and the report, scenarios, refusals."""
 import json
+import math
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import DATA, SOURCE, ToolTest, main
+from tool import DATA, PAGE, SOURCE, ToolTest, main
 
 ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
 KEYS = {"status", "method", "covered_fraction", "missed_m2", "double_m2", "length_m", "turned_rad", "stops",
@@ -16,6 +17,10 @@ PUBLISHED = {"ethz_example_l.yaml": 0.08, "ethz_example_polygon_bcd_cell.yaml": 
 
 def area(ring):
     return 0.5 * abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:])))
+
+
+def signed_area(ring):
+    return 0.5 * sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1]))
 
 
 class Cover(ToolTest):
@@ -89,6 +94,37 @@ class Cover(ToolTest):
             self.assertLess(abs(piece["from"][0] - at[0]) + abs(piece["from"][1] - at[1]), 1e-8)
             at = piece["to"]
 
+    def test_the_report_is_the_drive(self):
+        answer = self.cover("room.txt", "--out", "out", "--stray", "0.005", "--seed", "7")
+        self.assertEqual(answer["report"], "out/cover.json")
+        report = json.loads((self.folder / "out/cover.json").read_text())
+        self.assertEqual((report["job"], report["status"], report["seed"]), ("cover", "done", 7))
+        self.assertEqual(report["settings"]["method"], answer["method"])
+        driven, metrics, track = answer["driven"], report["metrics"], report["track"]
+        for name in ("time_s", "length_m", "turned_rad", "covered_fraction", "missed_m2"):
+            self.assertEqual(metrics[name], driven[name], name)
+        self.assertEqual(metrics["planned_m"], answer["length_m"])
+        self.assertAlmostEqual(track[-1][0], driven["time_s"], places=5)
+        length = sum(math.dist(a[1:3], b[1:3]) for a, b in zip(track, track[1:]))
+        self.assertAlmostEqual(length, driven["length_m"], places=3)
+        cover = report["cover"]
+        self.assertAlmostEqual(sum(map(signed_area, cover["reach"])), answer["reachable_m2"], places=4)
+        self.assertAlmostEqual(cover["covered"][-1][1], metrics["covered_m2"], places=3)
+        self.assertEqual([p["role"] for p in cover["passes"]].count("lane"), answer["lanes"])
+        way = json.loads((self.folder / "out/track.json").read_text())["driven"]
+        self.assertLess(math.dist(way[-1], track[-1][1:3]), 1e-5)
+
+    def test_the_report_is_replayed(self):
+        summary = self.run_tool("cover", "room.txt", "--out", "out", *PAGE).stdout
+        self.assertEqual([path.name for path in self.folder.glob("out/*.html")], ["cover.html"] * len(PAGE))
+        result = self.run_tool("replay", "out/cover.json", "--svg", "moving.svg")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertTrue(summary.startswith(result.stdout.split("\n\n  picture")[0]))
+        self.assertTrue(ElementTree.parse(self.folder / "moving.svg").getroot().tag.endswith("svg"))
+        answer = self.json_of(self.run_tool("replay", "out/cover.json", "--json"))
+        self.assertEqual((answer["job"], answer["report"]), ("cover", "out/cover.json"))
+        self.assertGreater(answer["covered_fraction"], 0.995)
+
     def test_people_get_a_summary(self):
         result = self.run_tool("cover", "room.txt")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -97,6 +133,7 @@ class Cover(ToolTest):
     def test_bad_input(self):
         self.refused("cover", says=["area", "missing"])
         self.refused("cover", "none.txt", says=["none.txt"])
+        self.refused("cover", "room.txt", "--html", says=["--html", "--out DIR"])
         self.refused("cover", "room.txt", "--width", "2", says=["fits nowhere", "1.5 m", "width"])
         for width in ("0", "-1", "x"):
             self.refused("cover", "room.txt", "--width", width, says=["--width", width])

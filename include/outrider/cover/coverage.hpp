@@ -28,4 +28,15 @@ struct Coverage {
 /// cross themselves little.
 Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area);
 
+struct CoverageSums {
+  double covered_m2 = 0.0;
+  double twice_m2 = 0.0;
+};
+
+/// The areas within `area` after each of the stretches, which go on where the one before ended and have a
+/// point at least. They never shrink; the last are those of coverage_of() the whole way, but for the ends of
+/// capsules. O(n log^2 n) where a stretch comes near few others.
+std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
+                                         const Region& area);
+
 }  // namespace outrider

@@ -37,7 +37,8 @@ std::vector<Option> describe(CoverOptions& options);
 struct CoverPlan {
   std::string method;
   CoverTrack track;
-  std::vector<PieceRole> roles;  ///< of the pieces of the track
+  std::vector<PieceRole> roles;     ///< of the pieces of the track
+  std::vector<std::size_t> begins;  ///< first pieces of the laps and cells, in the order they are driven in
   TrackSums sums;
   CoverGround ground;
   std::size_t laps = 0;

@@ -10,11 +10,19 @@
 #include <cstdint>
 
 #include "outrider/cover/plan.hpp"
+#include "outrider/report/report.hpp"
 
 namespace outrider {
 
 struct CoverDrive {
-  std::vector<Vec2> way;  ///< driven, with points on arcs every 2 degrees
+  std::vector<Vec2> way;        ///< driven, with points on arcs every 2 degrees
+  std::vector<double> times_s;  ///< at which each of these points is reached
+  std::vector<double> ends_s;   ///< of the pieces of the track; its turn and its pause belong to a piece
+
+  /// The poses, without a gun: exact at the points of the way and wherever the acceleration changes. Linear
+  /// interpolation is exact at steady speed, and off by at most 3 mm and 4 mrad while it changes.
+  std::vector<TrackSample> track;
+
   double time_s = 0.0;
   double length_m = 0.0;
   double turned_rad = 0.0;  ///< in place and along arcs

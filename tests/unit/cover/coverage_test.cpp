@@ -59,5 +59,33 @@ TEST(Coverage, AgreesWithARaster) {
   }
 }
 
+/// What is covered until then, stretch by stretch, against the whole way until then.
+TEST(Coverage, GrowsAlongTheWay) {
+  Rng rng(8);
+  for (int k = 0; k < testing::cases(4); ++k) {
+    const Region area = region_of(testing::random_star(rng, {0, 0}, 1.5, 2.5, 8), {});
+    const double radius = rng.uniform(0.1, 0.5);
+    std::vector<std::vector<Vec2>> stretches;
+    std::vector<Vec2> way{testing::random_point(rng, 2.0)};
+    for (int i = 0; i < 6; ++i) {
+      std::vector<Vec2> stretch{way.back()};
+      for (std::uint64_t legs = rng.below(4); legs > 0; --legs)
+        stretch.push_back(testing::random_point(rng, 2.0));
+      way.insert(way.end(), stretch.begin() + 1, stretch.end());
+      stretches.push_back(std::move(stretch));
+    }
+    const auto sums = coverage_along(stretches, radius, area);
+    ASSERT_EQ(sums.size(), stretches.size());
+    std::size_t points = 1;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      points += stretches[i].size() - 1;
+      const Coverage whole =
+          coverage_of({way.begin(), way.begin() + static_cast<std::ptrdiff_t>(points)}, radius, area);
+      EXPECT_NEAR(sums[i].covered_m2, whole.covered_m2, 0.005 * area_of(area)) << k << ", stretch " << i;
+      EXPECT_NEAR(sums[i].twice_m2, whole.twice_m2, 0.01 * area_of(area)) << k << ", stretch " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace outrider

@@ -1,0 +1,126 @@
+// @vitest-environment jsdom
+import { describe, expect, it, vi } from "vitest";
+import { Run } from "../../src/report/run";
+import { Track } from "../../src/report/track";
+import type { Cover, Vec2 } from "../../src/report/types";
+import { comesOver, Way } from "../../src/report/way";
+import { report } from "./report";
+
+vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener: () => undefined }));
+const { areaOfOutlines, coverLegend, passAt, storyOf, within } = await import("../../src/watch/cover_layer");
+const { coverSeries } = await import("../../src/watch/cover_series");
+const { pictureSize, Strip } = await import("../../src/watch/strip");
+
+/** East with a ramp, a turn, north, back west over the same way again. */
+const rows = [[0, 0, 0, 0, 0, 0], [1, 0.5, 0, 0, 0, 0], [2, 2, 0, 0, 0, 0], [5, 2, 0, 1.57, 0, 0], [7, 2, 2, 1.57, 0, 0], [9, 2, 0, -1.57, 0, 0],
+  [11, 0, 0, 3.14, 0, 0]];
+const track = new Track(rows, [0, 0, 0]);
+const square = (low: number, high: number): Vec2[] => [[low, low], [high, low], [high, high], [low, high]];
+const cover: Cover = { width_m: 1, area: [square(-1, 4), [...square(3, 3.5)].reverse()], reach: [square(-0.9, 2.9)], missed: [], twice: [], planned: [],
+  passes: [{ start_s: 0, end_s: 5, role: "lap" }, { start_s: 5, end_s: 11, role: "lane" }], covered: [[0, 0, 0], [11, 7.22, 3.61]] };
+const run = new Run(report({ job: "cover", track: rows, cover }));
+
+describe("the way", () => {
+  const way = new Way(track);
+
+  it("has the corners alone, at the times when they are reached", () => {
+    expect(way.corners).toEqual([[0, 0], [2, 0], [2, 2], [2, 0], [0, 0]]);
+    expect(way.time).toEqual([0, 2, 7, 9, 11]);
+    expect(new Way(track, [1]).time).toEqual([0, 1, 2, 7, 9, 11]);
+  });
+
+  it("is as long between two times as the track is", () => {
+    const length = (line: Vec2[]): number => line.reduce((sum, [x, y], i) => sum + (i ? Math.hypot(x - line[i - 1]![0], y - line[i - 1]![1]) : 0), 0);
+    for (let from = 0; from < 11; from += 0.7) {
+      for (let to = from; to < 11.5; to += 0.9) {
+        const fine = Array.from({ length: 1001 }, (_, i): Vec2 => way.at(from + ((to - from) * i) / 1000));
+        expect(length(way.between(from, to))).toBeCloseTo(length(fine), 1);
+      }
+    }
+  });
+});
+
+describe("a place", () => {
+  it("is come over when a dense look at the track says so", () => {
+    for (let k = 0; k < 24; ++k) {
+      const [x, y] = [-0.8 + ((k * 0.618) % 1) * 3.6, -0.8 + ((k * 0.382) % 1) * 3.6];
+      const slow: number[] = [];
+      let over = false;
+      for (let i = 0; i <= 11000; ++i) {
+        const at = track.at(i / 1000);
+        const now = Math.hypot(at.x - x, at.y - y) <= 0.5;
+        if (now && !over) slow.push(i / 1000);
+        over = now;
+      }
+      const found = comesOver(track, x, y, 0.5);
+      expect(found.length, `(${x}, ${y})`).toBe(slow.length);
+      found.forEach((t, i) => expect(Math.abs(t - slow[i]!)).toBeLessThan(0.0011));
+    }
+  });
+
+  it("has a story: covered and when, missed, out of reach; none outside and in a hole", () => {
+    expect(storyOf(run, cover, 0.1, 0)).toBe("covered at 0:00, 0:10");
+    expect(storyOf(run, cover, 0, 2)).toBe("missed");
+    expect(storyOf(run, cover, 3.9, 2)).toBe("out of reach");
+    expect(storyOf(run, cover, 3.2, 3.2)).toBeNull();
+    expect(storyOf(run, cover, 9, 9)).toBeNull();
+    expect(within(cover.area, 3.2, 3.2)).toBe(false);
+  });
+});
+
+describe("what is told of covering", () => {
+  it("is the share of the reach, by outlines with holes", () => {
+    expect(areaOfOutlines(cover.area)).toBeCloseTo(25 - 0.25);
+    const [series] = coverSeries(run);
+    const [covered, twice] = series!.lines.map((line) => line.values[1]);
+    expect(covered).toBeCloseTo(50);
+    expect(twice).toBeCloseTo(25);
+  });
+
+  it("is the pass that goes on, and none in the end", () => {
+    expect([0, 4.9, 5, 10.9].map((t) => passAt(cover, t)!.role)).toEqual(["lap", "lap", "lane", "lane"]);
+    expect(passAt(cover, 11)).toBeUndefined();
+  });
+
+  it("is named as far as it is there", () => {
+    expect(coverLegend(run).map((one) => one.name)).toEqual(["covered", "lap", "lane", "planned", "out of reach"]);
+    expect(coverLegend(new Run(report()))).toEqual([]);
+  });
+});
+
+describe("the strip", () => {
+  /** Lines that a canvas shows, in the order of their drawing. */
+  const shown = new Map<HTMLCanvasElement, string[]>();
+  const lines = (canvas: HTMLCanvasElement): string[] => shown.get(canvas) ?? [];
+  vi.spyOn(HTMLCanvasElement.prototype, "getContext").mockImplementation(function (this: HTMLCanvasElement) {
+    let path: string[] = [];
+    const add = (...more: string[]): void => { shown.set(this, [...lines(this), ...more]); };
+    return { strokeStyle: "", setTransform: () => undefined, beginPath: () => { path = []; }, moveTo: (...p: number[]) => path.push(String(p)), lineTo: (...p: number[]) => path.push(String(p)),
+      arc: (x: number, y: number) => path.push(`disk ${x},${y}`), fill: () => add(path.join(" ")), stroke(this: { strokeStyle: string }) { add(`${this.strokeStyle} ${path.join(" ")}`); },
+      clearRect: () => shown.set(this, []), drawImage: (other: HTMLCanvasElement) => add(...lines(other)) } as never;
+  });
+  for (const name of ["width", "height"]) {
+    Object.defineProperty(HTMLCanvasElement.prototype, name, { get: () => 0, set(this: HTMLCanvasElement) { shown.set(this, []); } });
+  }
+
+  it("shows the same at a time, whatever it showed before", () => {
+    const of = (times: number[], view: (t: number) => string = () => "v"): string[] => {
+      const strip = new Strip(new Way(track), [(ctx) => { ctx.strokeStyle = "thick"; }, (ctx) => { ctx.strokeStyle = "thin"; }], (leg) => leg % 2);
+      for (const t of times) strip.paint(t, { size: [10, 10], name: view(t), px: 1, toPlane: () => undefined }, "");
+      return lines(strip.canvas);
+    };
+    for (const t of [0, 1, 2, 4, 8.3, 11, 99]) {
+      const alone = of([t]);
+      expect(of([0.5, 1, 3, 6, t].filter((one) => one <= t).concat(t))).toEqual(alone);
+      expect(of([11, 9, t])).toEqual(alone);
+      expect(of([0, 8, t], String)).toEqual(alone);
+    }
+    expect(of([8])).toEqual(["thick 0,0 2,0", "thin 2,0 2,2", "thick 2,2 2,1"]);
+    expect(of([0])).toEqual(["disk 0,0"]);
+  });
+
+  it("is painted in the proportions of the area", () => {
+    expect(pictureSize([0, 0, 4, 1], 1000)).toEqual({ size: [1000, 250], scale: 250 });
+    expect(pictureSize([1, 2, 2, 12], 500).size).toEqual([50, 500]);
+  });
+});
