@@ -28,20 +28,11 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
 
 }  // namespace
 
-LaserSlamOptions options_for_logs() {
-  LaserSlamOptions options;
-  options.draw_late = true;
-  options.odometry_distance = 0.1;
-  options.odometry_turn = 0.1;
-  options.odometry_turn_per_distance_rad = 0.1;
-  options.odometry_rest_m = 0.05;
-  options.odometry_rest_rad = 0.03;
-  return options;
-}
-
 Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options,
-                                const std::function<void(double)>& part) {
-  auto begun = LaserSlam::begin(options, {});
+                                const LaserWatch& watch) {
+  LaserSlamOptions used = options;
+  if (used.trust_odometry) used.draw_late = false;  // nothing is matched that settle() would draw
+  auto begun = LaserSlam::begin(used, {});
   if (!begun) return pass_on(begun);
   LaserRun run{std::move(*begun), 0, 0.0, 0.0, 0.0, {}, {}, {}};
   const auto timed = [&](const auto& work) {
@@ -56,7 +47,8 @@ Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& opt
     timed([&] { step = run.slam.advance(log.steps[i].motion, log.steps[i].scan); });
     if (!step) return pass_on(step);
     run.matched += step->matched ? 1 : 0;
-    part(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
+    if (watch.stepped) watch.stepped(run.slam, i, *step);
+    if (watch.progress) watch.progress(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
   }
   const double step_s = run.max_step_s;
   timed([&] { run.slam.settle(); });

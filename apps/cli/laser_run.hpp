@@ -8,9 +8,6 @@
 
 namespace outrider::cli {
 
-/// For recorded logs: odometry that is worse than a wheel's, and a map that is drawn once.
-LaserSlamOptions options_for_logs();
-
 struct LaserRun {
   LaserSlam slam;
   std::size_t matched = 0;
@@ -22,8 +19,13 @@ struct LaserRun {
   std::vector<Vec2> reference;         ///< moved onto the track by the rigid motion of least squares
 };
 
-/// `part` hears how much is done, from 0 to 1.
+/// Who looks on. What they do is not in the times.
+struct LaserWatch {
+  std::function<void(double)> progress = nullptr;  ///< how much is done, from 0 to 1
+  std::function<void(const LaserSlam&, std::size_t step, const LaserSlamStep&)> stepped = nullptr;
+};
+
 Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options,
-                                const std::function<void(double)>& part);
+                                const LaserWatch& watch);
 
 }  // namespace outrider::cli

@@ -70,6 +70,7 @@ Outcome<LandmarkLog> landmark_log_from_mrclam(const MrclamTexts& texts, const Lo
   std::map<double, std::int64_t> subject_of;
   for (const auto& row : *barcodes) subject_of[row[1]] = static_cast<std::int64_t>(row[0]);
   LandmarkLog log;
+  log.timed = true;
   for (const auto& row : *landmarks) log.true_landmarks[static_cast<std::int64_t>(row[0])] = {row[1], row[2]};
   double now_s = odometry->front()[0];
   std::size_t row = 0;

@@ -133,6 +133,21 @@ Outcome<std::string> scenario_job(const std::string& path) {
   return job && job.IsScalar() ? job.Scalar() : std::string{};
 }
 
+Outcome<std::vector<std::string>> scenario_keys(const std::string& path) {
+  auto text = read_file(path);
+  if (!text) return pass_on(text);
+  auto root = yaml_map(*text, path);
+  if (!root) return pass_on(root);
+  std::vector<std::string> keys;
+  for (const auto& entry : *root) {
+    const std::string key = entry.first.Scalar();
+    if (!entry.second.IsMap()) keys.push_back(key);
+    if (!entry.second.IsMap()) continue;
+    for (const auto& inner : entry.second) keys.push_back(fmt::format("{}.{}", key, inner.first.Scalar()));
+  }
+  return keys;
+}
+
 Status load_scenario(const std::string& path, const std::vector<OptionGroup>& groups) {
   auto text = read_file(path);
   if (!text) return pass_on(text);

@@ -117,7 +117,7 @@ void ReportGrowth::add_slam(Report& news, const ReportSlam& slam) {
   part.scans = rest_of(slam.scans, told_.scans);
   part.loops = slam.loops;
   part.landmarks = slam.landmarks;
-  if (slam.map && !same(*slam.map, map_)) part.map = map_ = *slam.map;
+  if (slam.map && !same(*slam.map, slam_map_)) part.map = slam_map_ = *slam.map;
 }
 
 }  // namespace outrider

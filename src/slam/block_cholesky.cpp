@@ -198,6 +198,24 @@ std::vector<Matrix3> BlockCholesky::inverse_columns(std::uint32_t node) const {
   return result;
 }
 
+/// The inverse is L^-T L^-1: with Y the columns of L^-1 that belong to the node, its block is Y^T Y.
+Matrix3 BlockCholesky::inverse_diagonal(std::uint32_t node) const {
+  const std::uint32_t first = place_[node];
+  std::vector<Matrix3> y(order_.size() - first);
+  y.front() = diagonal<3>({1.0, 1.0, 1.0});
+  Matrix3 sum;
+  for (std::uint32_t place = first; place < order_.size(); ++place) {
+    Matrix3& here = y[place - first];
+    if (here == Matrix3{}) continue;
+    const Column& column = columns_[place];
+    here = column.inverse * here;
+    sum += transposed(here) * here;
+    for (std::size_t i = 0; i < column.rows.size(); ++i)
+      y[column.rows[i] - first] += -1.0 * (column.blocks[i] * here);
+  }
+  return sum;
+}
+
 /// With Z the inverse and S(i) = L(i,j) L(j,j)^-1 for the rows i of column j: Z(i,j) = -sum of Z(i,k) S(k),
 /// and Z(j,j) = L(j,j)^-T L(j,j)^-1 - sum of Z(j,k) S(k); every Z(i,k) needed lies in the structure of L.
 std::vector<Matrix3> BlockCholesky::inverse_diagonals() const {

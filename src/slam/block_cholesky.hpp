@@ -73,6 +73,9 @@ class BlockCholesky {
   [[nodiscard]] std::vector<Block3> solve(std::span<const Block3> b) const;
   /// The columns of the inverse that belong to a node: three solutions, as blocks by node.
   [[nodiscard]] std::vector<Matrix3> inverse_columns(std::uint32_t node) const;
+  /// The diagonal block of the inverse for a node: as much work as the columns of L from it on that depend on
+  /// it, next to nothing for one of the last.
+  [[nodiscard]] Matrix3 inverse_diagonal(std::uint32_t node) const;
   /// The diagonal blocks of the inverse, by node (Takahashi, Fagan and Chen, 1973): as much work as a
   /// factorisation.
   [[nodiscard]] std::vector<Matrix3> inverse_diagonals() const;

@@ -176,7 +176,7 @@ double GrowingGraph::cost() const {
 }
 
 Matrix3 GrowingGraph::covariance(std::uint32_t node) const {
-  return node == 0 ? Matrix3{} : factor_.inverse_columns(node)[node];
+  return node == 0 ? Matrix3{} : factor_.inverse_diagonal(node);
 }
 
 std::vector<Matrix3> GrowingGraph::covariances() const {

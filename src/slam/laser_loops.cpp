@@ -115,7 +115,7 @@ bool LoopSearch::close(KeyGraph& graph, double reach_sd) {
         recognised(map_of_visit(graph, scan), query, {here, reach_m, turn_rad, reach_m, turn_rad});
     if (!fit || !believable(graph.keys.back(), fit->pose, reach_sd) || !tied(graph, scan, *fit)) continue;
     any = true;
-    ++closed;
+    closed.emplace_back(scan, static_cast<std::uint32_t>(graph.keys.size() - 1));
   }
   return any;
 }

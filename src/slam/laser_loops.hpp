@@ -5,14 +5,16 @@
 // on a surface, no other place does nearly as well, and the ties already there can give way to it.
 #pragma once
 
+#include <utility>
+
 #include "key_graph.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
 
 struct LoopSearch {
-  std::size_t closed = 0;
-  double tried_at_m = 0.0;  ///< way driven at the last search
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< scans tied: the earlier, the later
+  double tried_at_m = 0.0;                                      ///< way driven at the last search
 
   /// Ties the last scan to earlier visits and relaxes the graph; true when it did. What lies farther from
   /// where it is believed to be than `reach_sd` standard deviations is a look-alike.

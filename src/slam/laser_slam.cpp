@@ -288,6 +288,7 @@ void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep
   if (is_key()) {
     if (fit) learn(*fit);
     add_key(scan, std::move(surface), fit);
+    step.kept = true;
     step.closed_loop = options.close_loops && loops.close(graph, options.loop_reach_sd);
     pose = graph.keys.back().pose;
     gather();
@@ -339,7 +340,16 @@ Matrix3 LaserSlam::pose_covariance() const {
   return state_->graph.keys.empty() ? Matrix3{} : state_->graph.keys.back().covariance;
 }
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
-std::size_t LaserSlam::loops() const { return state_->loops.closed; }
+std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
+std::vector<LaserLoop> LaserSlam::closed_loops() const {
+  std::vector<std::size_t> pose_of;  // by kept scan: the first pose that hangs on it is its own
+  for (std::size_t i = 0; i < state_->track.size(); ++i) {
+    if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keys.size() + i);
+  }
+  std::vector<LaserLoop> result;
+  for (const auto& [from, to] : state_->loops.closed) result.push_back({pose_of[from], pose_of[to]});
+  return result;
+}
 std::vector<Pose2> LaserSlam::trajectory() const {
   std::vector<Pose2> poses = state_->before_keys;
   for (const TrackPoint& point : state_->track) {

@@ -1,5 +1,6 @@
 """`outrider slam` and `bench slam` on small files and, where it is, on published data."""
 import gzip
+import json
 import math
 import os
 import unittest
@@ -8,6 +9,7 @@ from tool import DATA, SOURCE, ToolTest, main
 
 EDGE = "EDGE_SE2 {} {} 1 0 {} 100 0 0 100 0 400\n"
 SQUARE = "".join(EDGE.format(i, (i + 1) % 4, math.pi / 2 + 0.02 * i) for i in range(4))
+TIMES = ("time_s", "max_step_s", "median_step_s", "real_time_factor")
 KEYS = {"landmark_rmse_m", "landmark_rmse_aligned_m", "ate_m", "cost", "steps", "time_s", "max_step_s"}
 
 
@@ -33,6 +35,151 @@ class Slam(ToolTest):
         self.assertEqual((found["status"], found["job"]), ("done", "slam"))
         self.assertLessEqual(KEYS, set(found))
         return found
+
+    def report(self, folder, timeless=False):
+        found = json.loads((self.folder / folder / "slam.json").read_text())
+        for name in TIMES if timeless else ():
+            found["metrics"].pop(name, None)
+        return found
+
+    def rows(self, folder):
+        """The columns x, y of track.csv."""
+        lines = (self.folder / folder / "track.csv").read_text().splitlines()
+        at = lines[0].split(",").index("x")
+        return [[float(value) for value in line.split(",")[at:at + 2]] for line in lines[1:]]
+
+    def check_report(self, found, folder, track):
+        """The report says what was printed, and its track is that of track.csv."""
+        report = self.report(folder)
+        self.assertEqual((report["job"], report["status"]), ("slam", found["status"]))
+        self.assertEqual(found["report"], f"{folder}/slam.json")
+        for name, value in found.items():
+            if isinstance(value, (int, float)):
+                self.assertEqual(report["metrics"][name], value, name)
+        slam = report["slam"]
+        self.assertEqual(slam["engine"], found["engine"])
+        self.assertEqual(len(report["track"]), len(slam["beliefs"]))
+        self.assertEqual(len(slam["odometry"]), len(slam["beliefs"]))
+        self.assertEqual(len(report["track"]), len(track))
+        for row, (x, y) in zip(report["track"], track):
+            self.assertLess(math.dist(row[1:3], (x, y)), 2e-6)
+        for belief, row in zip(slam["beliefs"], report["track"]):
+            self.assertEqual(belief["time_s"], row[0])
+        low, high = report["world"]["bounds"]
+        self.assertTrue(all(low[0] < row[1] < high[0] and low[1] < row[2] < high[1] for row in report["track"]))
+        return report
+
+    def test_report_of_landmarks(self):
+        log, world = freiburg_log()
+        self.write("log.dat", log)
+        self.write("world.dat", world)
+        for engine in ("ekf", "graph"):
+            found = self.result("log.dat", "--slam-engine", engine, "--out", engine)
+            report = self.check_report(found, engine, self.rows(engine)[1:])
+            slam = report["slam"]
+            self.assertEqual([row[0] for row in report["track"]], [round(0.1 * i, 6) for i in range(16)])
+            self.assertEqual([one["id"] for one in slam["landmarks"]], [1, 2])
+            for one in slam["landmarks"]:
+                self.assertLess(math.dist(one["position"], one["truth"]), 1e-5)
+                self.assertEqual((one["first_s"], one["sightings"]), (0.1, 16 if engine == "graph" else 15))
+            self.assertEqual([event["time_s"] for event in report["events"]], [0.1, 0.1])
+            self.assertEqual((len(slam["scans"]), len(slam["scans"][0]["points"])), (16, 2))
+            self.assertNotIn("map", slam)
+
+    def test_report_of_a_graph(self):
+        found = self.result(SOURCE / "scenarios/slam/yard.g2o", "--out", "out")
+        report = self.check_report(found, "out", [pose for i, pose in enumerate(self.rows("out")) if i < 25])
+        slam = report["slam"]
+        self.assertEqual([one["id"] for one in slam["landmarks"]], [100, 101, 102])
+        edges = [line.split() for line in (SOURCE / "scenarios/slam/yard.g2o").read_text().splitlines() if line.startswith("EDGE")]
+        ends = [tuple(map(int, edge[1:3])) for edge in edges if edge[0] == "EDGE_SE2"]
+        loops = sorted(0.1 * max(a, b) for a, b in ends if abs(a - b) > 1)
+        self.assertEqual([loop["time_s"] for loop in slam["loops"]], [round(t, 6) for t in loops])
+        for one in slam["landmarks"]:
+            self.assertEqual(one["sightings"], sum(edge[2] == str(one["id"]) for edge in edges))
+        self.assertEqual(report["paths"], [])
+        text = self.run_tool("replay", "out/slam.json", "--svg", "moving.svg")
+        self.assertEqual(text.returncode, 0, text.stderr)
+        self.assertIn("yard: ", text.stdout)
+        self.assertIn("3 landmarks", text.stdout)
+        self.assertIn("way as settled", (self.folder / "moving.svg").read_text())
+        again = self.json_of(self.run_tool("replay", "out/slam.json", "--json"))
+        self.assertEqual((again["job"], again["cost"]), ("slam", found["cost"]))
+
+    def test_several_robots_are_not_joined(self):
+        """Two ways through one graph: no leg leads from the end of the one to the start of the other."""
+        away = "".join(EDGE.format(i, i + 1, 0) for i in range(10, 13))
+        self.write("two.g2o", "".join(EDGE.format(i, i + 1, 0) for i in range(5)) + away +
+                   "EDGE_SE2 2 11 0 8 0 100 0 0 100 0 400\nEDGE_SE2 3 12 0 8 0 100 0 0 100 0 400\n")
+        self.result("two.g2o", "--out", "out")
+        report = self.report("out")
+        self.assertEqual(len(report["track"]), 6)
+        self.assertEqual([len(path["waypoints"]) for path in report["paths"]], [6, 4])
+        for way in [[row[1:3] for row in report["track"]], *(path["waypoints"] for path in report["paths"])]:
+            self.assertTrue(all(math.dist(a, b) < 1.5 for a, b in zip(way, way[1:])))
+        self.assertEqual([loop["time_s"] for loop in report["slam"]["loops"]], [0.2, 0.3])
+
+    def test_scenario(self):
+        by_file = self.json_of(self.run_tool("run", SOURCE / "scenarios/slam/posts.yaml", "--json", "--out", "a"))
+        self.assertEqual((by_file["status"], by_file["landmarks"]), ("done", 16))
+        self.assertLess(by_file["landmark_rmse_aligned_m"], 0.05)
+        flags = ["--truth", SOURCE / "scenarios/slam/posts_world.dat", "--noise-distance", "0.03",
+                 "--noise-turn-per-distance", "2", "--noise-turn", "0.03", "--noise-range", "0.05", "--noise-bearing", "1"]
+        self.result(SOURCE / "scenarios/slam/posts.dat", *flags, "--out", "b")
+        self.result("--scenario", SOURCE / "scenarios/slam/posts.yaml", "--out", "c")
+        for folder in "bc":
+            self.assertEqual((self.folder / "a/landmarks.csv").read_bytes(), (self.folder / folder / "landmarks.csv").read_bytes())
+        by_flag = self.result(SOURCE / "scenarios/slam/posts.yaml", "--slam-engine", "ekf", "--out", "d")
+        self.assertEqual(by_flag["engine"], "ekf")
+
+    def test_scenario_refusals(self):
+        def refused(text, says, *flags):
+            self.write("bad.yaml", text)
+            self.refused("run", "bad.yaml", *flags, says=says)
+        refused("job: slam\n", ["log", "missing", "name the file"])
+        refused("job: slam\nlog: none.g2o\n", ["none.g2o"])
+        refused("job: slam\nlogs: x\n", ["bad.yaml:2", "'logs'", "did you mean 'log'"])
+        refused("job: slam\nlog: x\nlaser: {reach: -1}\n", ["bad.yaml:3", "laser.reach", "-1"])
+        refused("job: slam\nlog: x\nslam: {gates: 1}\n", ["bad.yaml:3", "slam.gates", "'gate'"])
+        refused("job: slam\nlog: x\n", ["--seed", "slam"], "--seed", "1")
+        self.refused("slam", says=["log", "missing"])
+
+    def test_a_file_chooses_what_a_log_would(self):
+        """A chain log needs no gate; a gate in the file holds, though it is the usual one."""
+        chain = "".join(f"ODOMETRY {i} {i + 1} 1 0 0 0.01 0 0 0.01 0 0.001\nLANDMARK {i + 1} 1 {2 - i} 1 0.01 0 0.01\n" for i in range(6))
+        self.write("chain.txt", chain.replace("LANDMARK 4 1 -1 1", "LANDMARK 4 1 9 9"))
+        self.write("free.yaml", "job: slam\nlog: chain.txt\n")
+        self.write("gated.yaml", "job: slam\nlog: chain.txt\nslam: {gate: 0.9999, patience: 1}\n")
+        self.assertEqual(self.result("free.yaml")["sightings_refused"], 0)
+        self.assertGreater(self.result("gated.yaml")["sightings_refused"], 0)
+
+    def test_laser_scenario(self):
+        """The bundled log of a simulated robot: the map it makes, beside the truth in the log."""
+        found = self.mapped("--scenario", SOURCE / "scenarios/slam/office.yaml", "--out", "out")
+        self.assertLess(found["mean_absolute_error_m"], 0.05)
+        report = self.check_report(found, "out", self.rows("out"))
+        slam = report["slam"]
+        for belief, reference, row in zip(slam["beliefs"], slam["reference"], report["track"]):
+            self.assertLess(math.dist(reference, row[1:3]), 0.2)
+            self.assertLess(math.dist(belief["pose"][:2], row[1:3]), 0.5)
+        self.assertEqual(len(slam["loops"]), found["loops"])
+        self.assertEqual(len([one for one in report["events"] if one["kind"] == "loop"]), found["loops"])
+        times = [scan["time_s"] for scan in slam["scans"]]
+        self.assertEqual(times, sorted(times))
+        self.assertTrue(50 < len(times) <= 400)
+        self.assertTrue(all(len(scan["points"]) <= 180 for scan in slam["scans"]))
+        known = slam["map"]
+        self.assertEqual(sum(known["state_runs"][1::2]), known["columns"] * known["rows"])
+        self.assertEqual(sum(known["known_runs"][1::2]), known["columns"] * known["rows"])
+        self.assertGreater(max(known["known_runs"][::2]) * known["step_s"], 0.5 * report["track"][-1][0])
+        self.assertLess((self.folder / "out/slam.json").stat().st_size, 3_000_000)
+
+    def test_trusted_odometry_has_a_map(self):
+        self.mapped(SOURCE / "scenarios/slam/office.log.gz", "--laser-trust-odometry", "--out", "out")
+        size = (self.folder / "out/map.pgm").read_bytes().split()[1:3]
+        self.assertTrue(all(int(side) > 50 for side in size))
+        drawn = self.report("out")["slam"]["map"]
+        self.assertLess(abs(drawn["columns"] * drawn["cell_m"] - 0.05 * int(size[0])), 0.2)
 
     def test_graph(self):
         self.write("square.g2o", SQUARE)
@@ -82,6 +229,7 @@ class Slam(ToolTest):
         self.write("log.dat", log)
         self.result("log.dat", "--out", "a")
         self.result("log.dat", "--out", "b")
+        self.assertEqual(self.report("a", timeless=True), self.report("b", timeless=True))
         for name in ("track.csv", "landmarks.csv", "state.txt", "slam.svg"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
 

@@ -30,6 +30,9 @@ Status scenario_from_text(std::string_view text, const std::string& name,
 /// The value of the key `job` in a scenario file; empty when there is none.
 Outcome<std::string> scenario_job(const std::string& path);
 
+/// The keys that stand in a scenario file, those of sections as in `robot.radius`.
+Outcome<std::vector<std::string>> scenario_keys(const std::string& path);
+
 /// JSON schema (draft 2020-12) of the scenarios that load_scenario() accepts, with present values as
 /// defaults.
 std::string scenario_schema(const std::vector<OptionGroup>& groups, const std::string& title);

@@ -58,7 +58,7 @@ class ReportGrowth {
   Told told_;
   std::vector<TargetState> targets_;
   std::vector<double> arrivals_;  ///< at the stops of a drive; -1: not yet
-  ReportMap map_;
+  ReportMap map_, slam_map_;
 };
 
 }  // namespace outrider

@@ -38,6 +38,7 @@ Status check(const LogStep& step);
 struct LandmarkLog {
   Pose2 start;              ///< world_T_robot before the first step, held as exact
   bool told_apart = false;  ///< whoever made the log vouches for the ids: no gate, no patience is needed
+  bool timed = false;       ///< its steps have times; else they are numbered
   std::vector<LogStep> steps;
   std::map<std::int64_t, Vec2>
       true_landmarks;  ///< where known; their world may be another than that of `start`

@@ -51,8 +51,16 @@ std::vector<Option> describe(LaserSlamOptions& options);
 struct LaserSlamStep {
   Pose2 pose;            ///< now
   bool matched = false;  ///< the scan fitted the map; else the pose is that of the odometry
+  bool kept = false;     ///< the scan is one that settle() draws the map from
   bool closed_loop = false;
   MapUpdate update;  ///< of map()
+};
+
+/// A place that was recognised: two poses of trajectory() that were tied together, by their numbers.
+struct LaserLoop {
+  std::size_t from = 0;
+  std::size_t to = 0;  ///< the later one, when it was recognised
+  friend bool operator==(const LaserLoop&, const LaserLoop&) = default;
 };
 
 class LaserSlam {
@@ -80,6 +88,8 @@ class LaserSlam {
   [[nodiscard]] std::vector<Pose2> trajectory() const;
   /// Loops closed so far.
   [[nodiscard]] std::size_t loops() const;
+  /// The same one by one, in the order of closing.
+  [[nodiscard]] std::vector<LaserLoop> closed_loops() const;
 
  private:
   struct State;

@@ -67,7 +67,7 @@ void expect_sound(const std::string& svg) {
     ASSERT_EQ(times.size(), values.size()) << tag;
     ASSERT_GE(times.size(), 2U) << tag;
     double before = 0.0;
-    EXPECT_EQ(times.front(), "0") << tag;
+    EXPECT_EQ(std::stod(times.front()), 0.0) << tag;
     for (const std::string& text : times) {
       const double time = std::stod(text);
       EXPECT_GE(time, before) << tag;
@@ -75,7 +75,7 @@ void expect_sound(const std::string& svg) {
       before = time;
     }
     if (attribute(tag, "calcMode") != "discrete") {
-      EXPECT_EQ(times.back(), "1") << tag;
+      EXPECT_EQ(std::stod(times.back()), 1.0) << tag;
     }
   }
 }
@@ -100,6 +100,25 @@ TEST(AnimatedSvg, IsSoundAndSmall) {
   expect_sound(svg);
   EXPECT_LT(svg.size(), 100'000U);
   EXPECT_EQ(svg, to_animated_svg(test::sample_report(), 24.0));
+}
+
+TEST(AnimatedSvg, ShowsTheStripThatIsCovered) {
+  Report report;
+  report.track = {{0.0, {{1, 1}, 0.0}, 0, 0}, {2.0, {{3, 1}, 0.0}, 0, 0}, {4.0, {{3, 1}, 1.5}, 0, 0}};
+  report.cover = ReportCover{.width_m = 0.8,
+                             .area = {{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {{2, 1.6}, {2, 1.8}, {2.2, 1.6}}},
+                             .reach = {{{0.1, 0}, {4, 0}, {4, 2}}},
+                             .missed = {{{0.1, 0}, {0.2, 0}, {0.2, 0.1}}},
+                             .twice = {},
+                             .planned = {{1, 1}, {3, 1}},
+                             .passes = {{0.0, 4.0, "lane"}},
+                             .covered = {}};
+  const std::string svg = to_animated_svg(report, 24.0);
+  expect_sound(svg);
+  EXPECT_NE(svg.find("missed in the end"), std::string::npos);
+  report = {};
+  report.cover.emplace();
+  expect_sound(to_animated_svg(report, 24.0));
 }
 
 TEST(AnimatedSvg, StaysSmallForLongRuns) {

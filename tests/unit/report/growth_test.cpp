@@ -22,6 +22,9 @@ Report everything() {
   drive.loop = "closed";
   drive.tags = {{1, {0.0, 1.0}, 0.0, 0.1}};
   drive.stops = {{{{1.0, 1.0}, 0.0}, true, 3.0, {}, 0.0}};
+  ReportSlam& slam = report.slam.emplace();
+  slam.engine = "laser";
+  slam.map = report.explore->map;
   ReportChase& chase = report.chase.emplace();
   chase.columns = chase.rows = 1;
   chase.cost_runs = {5.0, 1.0};
@@ -29,6 +32,12 @@ Report everything() {
   for (int i = 0; i < 9; ++i) {
     const Vec2 at{0.1 * i, 1.0};
     drive.beliefs.push_back({1.0 * i, {at, 0.0}, 0.1, 0.1, 0.0, 0.1, false});
+    slam.beliefs.push_back(drive.beliefs.back());
+    slam.odometry.push_back(at);
+    slam.reference.push_back(at);
+    slam.scans.push_back({1.0 * i, {at, at}});
+    slam.loops.push_back({1.0 * i, at, {}});
+    slam.landmarks.push_back({i, 1.0 * i, at, 0.1, 0.2, 0.0, i, {}});
     chase.target.push_back(at);
     for (auto& way : chase.robots) way.push_back(at);
     chase.paid.push_back(i);
@@ -57,6 +66,13 @@ Report at(Report report, double part) {
   cut(report.explore->beliefs, part);
   cut(report.explore->decisions, part);
   if (part < 0.5) report.explore->map = {};
+  cut(report.slam->beliefs, part);
+  cut(report.slam->odometry, part);
+  cut(report.slam->reference, part);
+  cut(report.slam->scans, part);
+  cut(report.slam->loops, part);
+  cut(report.slam->landmarks, part);
+  if (part < 0.5) report.slam->map.reset();
   for (auto* list : {&report.chase->target, &report.chase->robots[0], &report.chase->robots[1]})
     cut(*list, part);
   cut(report.chase->paid, part);
@@ -86,6 +102,13 @@ void join(Report& told, const Report& news) {
   append(told.explore->beliefs, news.explore->beliefs);
   append(told.explore->decisions, news.explore->decisions);
   if (news.explore->map.columns > 0) told.explore->map = news.explore->map;
+  append(told.slam->beliefs, news.slam->beliefs);
+  append(told.slam->odometry, news.slam->odometry);
+  append(told.slam->reference, news.slam->reference);
+  append(told.slam->scans, news.slam->scans);
+  replace(told.slam->loops, news.slam->loops);
+  replace(told.slam->landmarks, news.slam->landmarks);
+  if (news.slam->map) told.slam->map = news.slam->map;
   append(told.chase->target, news.chase->target);
   append(told.chase->paid, news.chase->paid);
   append(told.chase->bounds, news.chase->bounds);
@@ -129,6 +152,7 @@ TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
   EXPECT_TRUE(nothing.explore->beliefs.empty() && nothing.explore->map.columns == 0);
   EXPECT_TRUE(nothing.chase->robots[0].empty() && nothing.chase->paid.empty() &&
               nothing.chase->cost_runs.empty());
+  EXPECT_TRUE(nothing.slam->beliefs.empty() && nothing.slam->scans.empty() && !nothing.slam->map);
   EXPECT_EQ(to_json_line(nothing).find('\n'), std::string::npos);
 }
 

@@ -73,6 +73,9 @@ TEST(BlockCholesky, SolvesAndInvertsAsADenseSolverDoes) {
     const std::vector<Matrix3> diagonals = factor.inverse_diagonals();
     const auto some = static_cast<std::uint32_t>(rng.below(nodes));
     const std::vector<Matrix3> columns = factor.inverse_columns(some);
+    const Matrix3 own = factor.inverse_diagonal(some);
+    for (std::size_t k = 0; k < 9; ++k)
+      EXPECT_NEAR(own(k / 3, k % 3), inverse[3 * some + k / 3][3 * some + k % 3], 1e-6);
     for (std::size_t row = 0; row < 3 * nodes; ++row) {
       double sum = 0.0;
       for (std::size_t k = 0; k < 3 * nodes; ++k) sum += inverse[row][k] * b[k / 3][k % 3];

@@ -57,6 +57,7 @@ struct Mapped {
   double odometry_m = 0.0;
   int matched = 0;
   int steps = 0;
+  std::vector<std::size_t> closings;  ///< numbers of poses of the trajectory
 };
 Mapped map_along(LaserSlam& slam, const std::vector<testing::Wall>& walls, const Drive& drive, Rng& rng,
                  const testing::Finder& finder = {}) {
@@ -70,6 +71,7 @@ Mapped map_along(LaserSlam& slam, const std::vector<testing::Wall>& walls, const
     result.mean_m += off;
     result.most_m = std::max(result.most_m, off);
     result.matched += step->matched ? 1 : 0;
+    if (step->closed_loop) result.closings.push_back(i + 1);
     ++result.steps;
   }
   result.mean_m /= result.steps;
@@ -116,6 +118,22 @@ Drive round_the_ring(Rng& rng) {
   return drive_along({{3, 0.8}, {12.2, 0.8}, {12.2, 8.2}, {0.8, 8.2}, {0.8, 0.8}, {7, 0.8}}, 0.0, rng);
 }
 
+/// Loops end at the poses where they were closed, begin at poses that see the same, and some lead all around.
+void expect_loops_of(const LaserSlam& slam, const Drive& drive, const std::vector<std::size_t>& closings) {
+  constexpr std::size_t around = 400;  // steps of 4.4 cm
+  const std::vector<LaserLoop> loops = slam.closed_loops();
+  EXPECT_EQ(loops.size(), slam.loops());
+  std::vector<std::size_t> ends;
+  std::size_t most = 0;
+  for (const LaserLoop& loop : loops) {
+    if (ends.empty() || ends.back() != loop.to) ends.push_back(loop.to);
+    EXPECT_LT(distance(drive.poses[loop.from - 1].position, drive.poses[loop.to - 1].position), 5.0);
+    most = std::max(most, loop.to - loop.from);
+  }
+  EXPECT_EQ(ends, closings);
+  EXPECT_GT(most, around);
+}
+
 TEST(LaserSlam, ClosesALoopThatOpenedByDrift) {
   const auto driven = [&](bool close_loops, bool late) {
     Rng rng(3);
@@ -125,8 +143,9 @@ TEST(LaserSlam, ClosesALoopThatOpenedByDrift) {
     options.draw_late = late;
     options.odometry_distance = 0.1;
     auto slam = LaserSlam::begin(options, drive.poses.front());
-    map_along(*slam, ring(), drive, rng);
+    const Mapped mapped = map_along(*slam, ring(), drive, rng);
     slam->settle();
+    if (close_loops) expect_loops_of(*slam, drive, mapped.closings);
     return std::pair(std::move(*slam), distance(slam->pose().position, drive.poses.back().position));
   };
   const auto [open, open_m] = driven(false, true);
