@@ -17,6 +17,8 @@ export interface PlannerRow {
   guarantee: { sentence: string; measure: string; cost_unit: string };
   grounds: ("cells" | "corners" | "polygons")[];
   traces: boolean;
+  /** Of its search: every expansion and its queue, or the tree that it drew, or nothing because it looks its answer up. */
+  tells: "search" | "tree" | "lookup";
   index: boolean;
   options: OptionRow[];
 }
@@ -46,15 +48,27 @@ export interface PlanRequest {
 }
 /** A straight line, or an arc about a centre. */
 export interface Piece { from: [number, number]; to: [number, number]; centre?: [number, number]; turn_rad?: number }
-export interface TraceAnswer {
+export interface GridTrace {
   columns: string[];
   rows: number[][];
-  /** x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue. Not of every planner. */
+  /** x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue. */
   openings?: number[];
   model: "cells" | "corners";
   frame: { origin: [number, number]; resolution_m: number; width: number; height: number };
   truncated: boolean;
 }
+/** Of a search without a grid: its states are numbers. */
+export interface PlacedTrace {
+  columns: string[];
+  rows: number[][];
+  /** State, so many expansions, state, ... */
+  openings?: number[];
+  model: "places";
+  /** By state. */
+  places: [number, number][];
+  truncated: boolean;
+}
+export type TraceAnswer = GridTrace | PlacedTrace;
 export interface PlanAnswer {
   status: "done" | "not_done" | "refused";
   planner: string;
@@ -75,13 +89,25 @@ export interface PlanAnswer {
   where?: string;
 }
 export interface YardTarget { name: string; position: [number, number, number]; size: [number, number, number]; heading_rad: number }
+/** What of a yard's world can stand elsewhere: its polygons as the world has them, and where its middle is now. */
+export interface YardThing { name: string; middle: [number, number]; polygons: [number, number][][]; place: [number, number]; turn_rad: number; removed: boolean }
+export interface YardRequest {
+  scenario: string;
+  start: [number, number];
+  heading_rad: number;
+  targets: { name: string; position: [number, number]; heading_rad: number }[];
+  /** Low x, low y, high x, high y, and the turn about the middle. */
+  boxes: number[][];
+  moved: { name: string; place: [number, number]; turn_rad: number }[];
+  removed: string[];
+}
 /** A scenario that the page shows and changes: a question of a planner, or a yard to guard. */
 export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
   | { job: "plan"; goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
-  | { job: "guard"; heading_rad: number; targets: YardTarget[] });
+  | { job: "guard"; heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
 export type ScenarioRequest =
   | { plan: PlanRequest }
-  | { guard: { scenario: string; start: [number, number]; targets: { name: string; position: [number, number] }[]; boxes: number[][] } };
+  | { guard: YardRequest };
 export interface RunRow {
   id: string;
   state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed";

@@ -14,11 +14,14 @@ export function tools(): HTMLElement {
   return h("div", { class: "tools" }, iconButton("theme", "Light or dark", toggleTheme, "d"), iconButton("help", "Keys", showHelp, "?"));
 }
 
+export const heading = (report: Report): HTMLHeadingElement =>
+  h("h1", {}, h("span", { class: "job" }, report.job), report.world.name || "no name");
+
 /** Title and verdict, for the header of the viewer and above a run in the app. */
 export function title(report: Report, seed: string): HTMLElement[] {
   const done = report.status === "done";
   const reason = report.reason || (report.chase && done ? `caught in second ${report.metrics.catch_time_s ?? ""}` : "");
-  return [h("h1", {}, h("span", { class: "job" }, report.job), report.world.name || "no name"),
+  return [heading(report),
     h("p", { class: "verdict", title: report.reason }, h("b", done ? {} : { class: "not" }, done ? "Done" : "Not done"), reason ? ` ${reason}` : ""),
     h("p", { class: "seed" }, seed ? `seed ${seed}` : "")];
 }

@@ -41,6 +41,8 @@ const icons: Record<string, string> = {
   help: "M7.2 7.4a2.8 2.8 0 1 1 4.3 2.4c-1 .6-1.5 1.2-1.5 2.4M10 15.2v.1",
   save: "M10 3v9M6.2 8.6L10 12.4l3.8-3.8M4 16.5h12",
   film: "M3.5 4.5h13v11h-13zM7 4.5v11M13 4.5v11M3.5 8.2h3.5M3.5 11.8h3.5M13 8.2h3.5M13 11.8h3.5",
+  undo: "M7.5 4L3.8 7.7l3.7 3.7M4 7.7h7.6a4.4 4.4 0 0 1 0 8.8H7",
+  redo: "M12.5 4l3.7 3.7l-3.7 3.7M16 7.7H8.4a4.4 4.4 0 0 0 0 8.8H13",
   near: "M10 5a5 5 0 1 0 0 10a5 5 0 1 0 0-10M10 2v4M10 14v4M2 10h4M14 10h4",
 };
 const solid = new Set(["play", "pause", "back", "next"]);

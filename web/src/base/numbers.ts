@@ -32,15 +32,17 @@ export function roundStep(least: number): number {
   return power * ([1, 2, 5, 10].find((k) => k * power >= least * (1 - 1e-9)) ?? 10);
 }
 
-/** A metric's label, value and unit from its name: mission_s, driven_m, turned_rad, ... */
+/** A metric's label, value and unit from its name: mission_s, driven_m, turned_rad, covered_fraction, ... */
 export function metric(name: string, value: Num): { label: string; value: string; unit: string } {
-  const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|rad|mps|j))?$/) ?? [];
+  const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|m2|rad|mps|j|fraction))?$/) ?? [];
   const label = stem.replaceAll("_", " ");
   if (!Number.isFinite(value)) return { label, value: "\u2013", unit: "" };
   const v = value as number;
   if (unit === "s" && v >= 100) return { label, value: clockText(v), unit: "min" };
   if (unit === "s") return { label, value: figures(v), unit: "s" };
   if (unit === "m") return { label, value: figures(v), unit: "m" };
+  if (unit === "m2") return { label, value: figures(v), unit: "m\u00b2" };
+  if (unit === "fraction") return { label, value: fixed(100 * v, 2), unit: "%" };
   if (unit === "j") return { label, value: figures(v), unit: "J" };
   if (unit === "mps") return { label, value: figures(v), unit: "m/s" };
   if (unit === "rad") return { label, value: figures(v / (2 * Math.PI)), unit: "turns" };

@@ -43,7 +43,7 @@ export class Growth {
     }
     if (!this.report) return false;
     if (message.type === "growth") this.add(message.report as Part);
-    else if (message.type === "map") this.add({ explore: { map: message.map } });
+    else if (message.type === "map") this.add({ [this.report.slam ? "slam" : "explore"]: { map: message.map } });
     else if (message.type === "samples") this.add({ track: message.rows });
     else if (message.type === "events") this.add({ events: message.events });
     else return false;

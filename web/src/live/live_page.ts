@@ -1,66 +1,84 @@
-// Live: one mission, drawn as it runs; when it has ended, its report.
-import { getText, send, type RunRow } from "../api";
-import { title } from "../banner";
+// Live: one mission, watched as it runs with all that shows it later; when it has ended, its report takes over.
+import { getJson, getText, send, type RunRow } from "../api";
+import { heading, title } from "../banner";
 import { h } from "../base/dom";
-import { clockText } from "../base/numbers";
-import { parseReport } from "../report/types";
+import { formatAddress } from "../base/url";
+import { parseReport, type Report } from "../report/types";
 import { Watch } from "../watch/watch";
 import { Growth } from "./growth";
-import { LiveView } from "./live_view";
 import { Socket, type Message } from "./socket";
 
+/** What came meanwhile is shown together, so often. */
+const rest_ms = 200;
 const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
+/** A plan leaves no report: the page that plans shows it again, and how it was found or that there is none. */
+const showsPlan = new Set(["done", "not_done", "refused"]);
+const isFile = (scenario: string): boolean => /\.ya?ml$/.test(scenario);
 const stateWords: Record<string, string> = {
   queued: "Waiting for its turn", running: "Running", done: "Done", not_done: "Not done", refused: "Refused", cancelled: "Cancelled", failed: "Failed",
 };
 
 export class LivePage {
   readonly element = h("div", { class: "live-page" });
-  private head = h("div", { class: "run-head" });
+  private name = h("h1");
   private state = h("b", { class: "run-state" }, "Connecting");
   private words = h("span", { class: "run-words" });
   private bar = h("progress", { max: 1, "aria-label": "Progress" });
   private cancel = h("button", { type: "button", class: "button", onclick: () => void this.stop() }, "Cancel");
-  private events = h("ol", { class: "events scrolls", tabindex: 0, "aria-label": "Events" });
-  private view = new LiveView();
+  private head = h("div", { class: "run-head" }, this.name, this.state, this.words, this.bar, this.cancel);
+  /** Why nothing is drawn, or not all. */
+  private omitted = h("p", { class: "hint", role: "status", hidden: true });
   private growth = new Growth();
-  private body = h("div", { class: "run-body", hidden: true }, h("section", { class: "panel stage-panel" }, this.view.element),
-    h("section", { class: "panel aside" }, this.events));
-  private socket: Socket;
+  private socket: Socket | null = null;
   private watch: Watch | null = null;
+  private timer = 0;
   private seen = 0;
   private present = "queued";
   private ended = false;
+  private closed = false;
 
   constructor(private id: string, private query: Record<string, string>) {
-    this.head.append(this.state, this.words, this.bar, this.cancel);
-    this.element.append(h("section", { class: "panel run-panel" }, this.head), this.body);
-    this.socket = new Socket(() => [{ type: "watch", run: id, from: this.seen }], (message) => this.hear(message),
-      (connected) => {
-        if (connected) this.show(this.present);
-        else if (!this.ended) this.state.textContent = "Connection lost, trying again";
-      });
+    this.element.append(this.head, this.omitted);
+    void this.begin();
   }
 
   close(): void {
-    this.socket.close();
-    this.view.close();
+    this.closed = true;
+    clearTimeout(this.timer);
+    this.socket?.close();
     this.watch?.close();
   }
 
-  private hear(message: Message): void {
-    if (message.type === "error") {
-      this.state.textContent = "Not found";
-      this.words.textContent = String(message.error);
-      this.bar.hidden = this.cancel.hidden = true;
-      return;
+  /** What is over already is shown as any report; of the rest the server tells all that was, and goes on. */
+  private async begin(): Promise<void> {
+    const run = await getJson<RunRow>(`runs/${this.id}`).catch((error: Error) => error);
+    if (this.closed) return;
+    if (run instanceof Error) {
+      this.notFound(run.message);
+    } else if (over.has(run.state) && run.has_report) {
+      void this.end(run);
+    } else {
+      this.socket = new Socket(() => [{ type: "watch", run: this.id, from: this.seen }], (message) => this.hear(message), (connected) => {
+        if (connected) this.show(this.present);
+        else if (!this.ended) this.state.textContent = "Connection lost, trying again";
+      });
     }
+  }
+
+  private notFound(sentence: string): void {
+    this.state.textContent = "Not found";
+    this.words.textContent = sentence;
+    this.bar.hidden = this.cancel.hidden = true;
+  }
+
+  private hear(message: Message): void {
+    if (message.type === "error") this.notFound(String(message.error));
     if (message.run !== this.id) return;
     this.seen = Math.max(this.seen, Number(message.seq ?? 0));
-    if (this.growth.hear(message)) {
-      this.body.hidden = false;
-      this.view.show(this.growth.report!);
-      this.element.dataset.samples = String(this.growth.report!.track.length);
+    if (this.growth.hear(message)) this.timer ||= window.setTimeout(() => this.grow(), this.watch ? rest_ms : 0);
+    if (message.type === "omitted") {
+      this.omitted.hidden = false;
+      this.omitted.textContent = `${message.what === "scene" ? "Not drawn while it runs" : "Not all is drawn while it runs"}: ${String(message.sentence)}.`;
     }
     if (message.type === "state") this.show(String(message.state));
     if (message.type === "progress") {
@@ -69,7 +87,6 @@ export class LivePage {
       this.words.textContent = `${name}, step ${step} of ${steps}`;
       this.bar.value = steps > 0 ? Math.min(1, (step - 1 + part) / steps) : part;
     }
-    if (message.type === "events") this.addEvents(message.events as { time_s: number; kind: string; text: string }[]);
     if (message.type === "end") void this.end(message as unknown as RunRow);
   }
 
@@ -82,10 +99,24 @@ export class LivePage {
     this.bar.hidden = over.has(state);
   }
 
-  private addEvents(events: { time_s: number; kind: string; text: string }[]): void {
-    this.events.append(...events.map((event) => h("li", {}, h("button", { type: "button", class: event.kind, disabled: true },
-      h("time", {}, clockText(event.time_s, 1)), h("span", {}, event.text)))));
-    this.events.scrollTop = this.events.scrollHeight;
+  /** Brings what is shown up to what was told. */
+  private grow(): void {
+    clearTimeout(this.timer);
+    this.timer = 0;
+    const { report } = this.growth;
+    if (!report) return;
+    this.name.replaceWith(this.name = heading(report));
+    this.element.dataset.samples = String(report.track.length);
+    this.display(report);
+  }
+
+  private display(report: Report): void {
+    if (this.watch) {
+      this.watch.renew(report, !this.ended);
+      return;
+    }
+    this.watch = new Watch(report, this.query, !this.ended);
+    this.element.append(this.watch.element);
   }
 
   private async stop(): Promise<void> {
@@ -94,20 +125,30 @@ export class LivePage {
     this.cancel.disabled = false;
   }
 
-  /** Shows the report where the run left one, else why it left none. */
+  /** The report where the run left one, in the place of what was told; else why there is none. */
   private async end(run: RunRow): Promise<void> {
     if (this.ended) return;
     this.ended = true;
     this.show(run.state);
     this.words.textContent = run.error || run.scenario;
-    if (!run.has_report) return;
+    if (!run.has_report) {
+      this.grow();
+      if (run.job === "plan" && showsPlan.has(run.state) && isFile(run.scenario)) {
+        location.replace(formatAddress({ view: "change", path: run.scenario, query: {} }));
+      }
+      return;
+    }
     try {
       const text = await getText(`runs/${this.id}/report`);
+      if (this.closed) return;
       const report = parseReport(text);
       if (typeof report === "string") throw new Error(report);
-      this.watch = new Watch(report, this.query);
-      this.element.replaceChildren(h("div", { class: "run-head" }, ...title(report, text.match(/"seed": ?(\d+)/)?.[1] ?? "")), this.watch.element);
+      clearTimeout(this.timer);
+      this.display(report);
+      this.omitted.hidden = true;
+      this.head.replaceChildren(...title(report, text.match(/"seed": ?(\d+)/)?.[1] ?? ""));
     } catch (error) {
+      this.grow();
       this.words.textContent = error instanceof Error ? error.message : String(error);
     }
   }

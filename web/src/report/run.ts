@@ -51,18 +51,20 @@ export class Run {
   /** Where the ground is not flat. */
   readonly relief: Relief | null;
 
-  constructor(readonly report: Report) {
+  /** `goesOn`: it is not over, and lasts so long as it is known where the robot was. */
+  constructor(readonly report: Report, goesOn = false) {
     this.track = new Track(report.track, report.robot.start);
-    const last = (report.drive ?? report.explore)?.beliefs.at(-1);
+    const last = (report.drive ?? report.explore ?? report.slam)?.beliefs.at(-1);
     this.believedUntil = last ? last.time_s + 1.5 : -Infinity;
     this.relief = Relief.of(report.world.terrain?.relief);
     this.flights = report.shots.map(flightOf);
-    const { chase, explore, drive } = report;
+    const { chase, explore, drive, slam } = report;
     const latest = (times: (number | null | undefined)[]): number =>
       times.reduce<number>((most, t) => Math.max(most, finite(t)), 0);
-    this.duration = Math.max(1e-3, this.track.end, latest(this.flights.map((one) => one.end)),
+    const told = Math.max(1e-3, this.track.end, latest(this.flights.map((one) => one.end)),
       latest(report.events.map((one) => one.time_s)), latest((chase?.robots ?? []).map((way) => way.length - 1)),
-      latest((explore?.beliefs ?? []).map((one) => one.time_s)), latest((drive?.beliefs ?? []).map((one) => one.time_s)));
+      latest([explore, drive, slam].map((part) => part?.beliefs.at(-1)?.time_s)));
+    this.duration = goesOn && this.track.end > 0 ? this.track.end : told;
   }
 
   /** Of the ground, m. */
@@ -90,8 +92,10 @@ export class Run {
     };
   }
 
-  targetOf(shot: Shot | null): Target | null {
-    return this.report.targets.find((one) => one.name === shot?.target) ?? null;
+  targetOf(shot: Shot | null): Target | null { return this.targetNamed(shot?.target); }
+
+  targetNamed(name: string | undefined): Target | null {
+    return this.report.targets.find((one) => one.name === name) ?? null;
   }
 
   doneAt(target: Target): number {

@@ -28,6 +28,13 @@ export function nearest(column: ArrayLike<number>, t: number): number {
   return t - column[low]! <= column[high]! - t ? low : high;
 }
 
+/** Of rows, with 0 for what is not known. A loop, since of all ways it is the fastest by far. */
+function column(rows: Num[][], k: number): Float64Array {
+  const values = new Float64Array(rows.length);
+  for (let i = 0; i < rows.length; ++i) values[i] = finite(rows[i]![k]);
+  return values;
+}
+
 /** Adds turns so that neighbours differ by at most half a turn. */
 export function unwrap(angles: Float64Array): Float64Array {
   for (let i = 1; i < angles.length; ++i) {
@@ -46,13 +53,12 @@ export class Track {
 
   constructor(rows: Num[][], start: Num[]) {
     const used = rows.length > 0 ? rows : [[0, start[0] ?? 0, start[1] ?? 0, start[2] ?? 0, start[2] ?? 0, 0]];
-    const column = (k: number): Float64Array => Float64Array.from(used, (row) => finite(row[k]));
-    this.time = column(0);
-    this.x = column(1);
-    this.y = column(2);
-    this.heading = unwrap(column(3));
-    this.yaw = unwrap(column(4));
-    this.pitch = column(5);
+    this.time = column(used, 0);
+    this.x = column(used, 1);
+    this.y = column(used, 2);
+    this.heading = unwrap(column(used, 3));
+    this.yaw = unwrap(column(used, 4));
+    this.pitch = column(used, 5);
   }
 
   get length(): number { return this.time.length; }

@@ -7,9 +7,16 @@ import { Beliefs, deviations, ellipseOf } from "./ellipse";
 import { disk, type Layer, type Pen } from "./layer";
 
 export function believed(run: Run): Layer | null {
-  const beliefs = new Beliefs(run);
+  const beliefs = Beliefs.of(run);
   if (beliefs.all.length === 0) return null;
   const radius = finite(run.report.robot.radius_m);
+  const { slam } = run.report;
+  const reference = slam ? " the way as settled" : "";
+  /** Of a log that was mapped, the way believed is drawn where it is not that which was settled. */
+  const away = Float64Array.from(slam ? beliefs.all : [], ({ time_s, pose: [x, y] }) => {
+    const at = run.track.at(time_s);
+    return Math.hypot(x - at.x, y - at.y);
+  });
 
   function drawWay({ ctx, camera, now }: Pen, belief: Belief | null): void {
     ctx.lineWidth = camera.px(1.2);
@@ -17,13 +24,20 @@ export function believed(run: Run): Layer | null {
     ctx.beginPath();
     const least = camera.px(2);
     let [lx, ly] = [Infinity, Infinity];
+    let joined = true;
     for (let i = 0; i <= beliefs.index(now.t); ++i) {
       const [x, y] = beliefs.all[i]!.pose;
+      if (away[i]! < least) {
+        joined = false;
+        continue;
+      }
+      if (!joined) ctx.moveTo(x, y);
+      joined = true;
       if (Math.abs(x - lx) < least && Math.abs(y - ly) < least) continue;  // dashes of many short lines are slow
       ctx.lineTo(x, y);
       [lx, ly] = [x, y];
     }
-    if (belief) ctx.lineTo(belief.pose[0], belief.pose[1]);
+    if (belief && joined) ctx.lineTo(belief.pose[0], belief.pose[1]);
     ctx.stroke();
     ctx.setLineDash([]);
   }
@@ -62,7 +76,7 @@ export function believed(run: Run): Layer | null {
       const { major, minor } = ellipseOf(belief);
       const mm = (metres: number): string => `${fixed(1000 * metres, 0)} mm`;
       return { lines: [
-        `believed ${mm(Math.hypot(belief.pose[0] - truth.x, belief.pose[1] - truth.y))} and ${degrees(wrapped(belief.pose[2] - truth.heading))} off`,
+        `believed ${mm(Math.hypot(belief.pose[0] - truth.x, belief.pose[1] - truth.y))} and ${degrees(wrapped(belief.pose[2] - truth.heading))} off${reference}`,
         `2\u03c3: ${mm(deviations * major)} by ${mm(deviations * minor)}, ${degrees(deviations * belief.sigma_rad)}`] };
     },
   };

@@ -19,9 +19,11 @@ export function ellipseOf({ sigma_x_m: a, sigma_y_m: b, correlation }: Pick<Beli
 
 /** How many times ellipses are enlarged, so that they can be seen: ten where most are small beside the robot. */
 export function enlargement(beliefs: Belief[], radius: number): number {
-  const sizes = beliefs.map((one) => deviations * ellipseOf(one).major).sort((a, b) => a - b);
+  const sizes = Float64Array.from(beliefs, (one) => deviations * ellipseOf(one).major).sort();
   return (sizes[sizes.length >> 1] ?? 0) < 0.3 * radius ? 10 : 1;
 }
+
+const known = new WeakMap<Run, Beliefs>();
 
 /** Beliefs of a run over its time. Between two of them the pose is linear, so that a ghost does not lag behind. */
 export class Beliefs {
@@ -29,8 +31,13 @@ export class Beliefs {
   readonly enlarged: number;
   private times: Float64Array;
 
+  static of(run: Run): Beliefs {
+    if (!known.has(run)) known.set(run, new Beliefs(run));
+    return known.get(run)!;
+  }
+
   constructor(private run: Run) {
-    this.all = run.report.drive?.beliefs ?? run.report.explore?.beliefs ?? [];
+    this.all = (run.report.drive ?? run.report.explore ?? run.report.slam)?.beliefs ?? [];
     this.times = Float64Array.from(this.all, (one) => one.time_s);
     this.enlarged = enlargement(this.all, run.report.robot.radius_m ?? 0);
   }

@@ -73,6 +73,18 @@ export class Discovery {
   }
 }
 
+/** The map as far as it is known now. */
+export function drawDiscovery({ ctx, now }: Pen, discovery: Discovery, map: Explore["map"]): void {
+  discovery.paint(now.t);
+  ctx.save();
+  ctx.imageSmoothingEnabled = false;
+  ctx.globalAlpha = 0.85;
+  ctx.translate(map.origin[0], map.origin[1] + map.rows * map.cell_m);
+  ctx.scale(map.cell_m, -map.cell_m);
+  ctx.drawImage(discovery.canvas, 0, 0);
+  ctx.restore();
+}
+
 /** The decision that holds at t; none once there is nothing to explore any more. */
 export function decisionAt(run: Run, t: number): Explore["decisions"][number] | undefined {
   return t <= run.believedUntil ? run.report.explore?.decisions.findLast((one) => one.time_s <= t) : undefined;
@@ -107,14 +119,7 @@ export function explore(run: Run): Layer | null {
     },
     moving(pen) {
       const { ctx, camera, now } = pen;
-      discovery.paint(now.t);
-      ctx.save();
-      ctx.imageSmoothingEnabled = false;
-      ctx.globalAlpha = 0.85;
-      ctx.translate(map.origin[0], map.origin[1] + map.rows * map.cell_m);
-      ctx.scale(map.cell_m, -map.cell_m);
-      ctx.drawImage(discovery.canvas, 0, 0);
-      ctx.restore();
+      drawDiscovery(pen, discovery, map);
       const decision = decisionAt(run, now.t);
       if (decision) drawDecision(pen, decision);
       if (now.t < run.duration - 1e-6) return;

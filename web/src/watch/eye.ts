@@ -43,7 +43,7 @@ export class Sight {
   private constructor(run: Run, readonly eye: Eye, private tags: Tag[]) {
     const solids = run.report.world.solids.filter((one) => finite(one.low_z_m) <= eye.height_m && finite(one.high_z_m) >= eye.height_m);
     this.walls = new Walls(solids.flatMap((one) => one.footprint.map(({ core, radius_m }) => roundedPoints(core, radius_m))));
-    this.beliefs = new Beliefs(run);
+    this.beliefs = Beliefs.of(run);
     this.reach = Math.max(1, ...tags.map((tag) => Math.hypot(tag.position[0] - run.track.x[0]!, tag.position[1] - run.track.y[0]!)));
   }
 

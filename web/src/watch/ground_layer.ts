@@ -1,10 +1,10 @@
 // The world from above: solids in tones of their height, where the robot's centre cannot be, slopes.
-import { Path } from "../base/ink";
+import { type Ink, Path } from "../base/ink";
 import { finite, clamp, fixed } from "../base/numbers";
 import { nearestOnPolygon, traceRounded, type Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";
-import type { Solid } from "../report/types";
+import type { Report, Solid } from "../report/types";
 import type { Layer, Pen } from "./layer";
 
 interface Shape extends Solid { path: Path; top: number }
@@ -54,25 +54,29 @@ function hatch(ctx: CanvasRenderingContext2D, dpr: number): CanvasPattern {
   return ctx.createPattern(tile, "repeat")!;
 }
 
+function sheet({ canvas }: Ink): CanvasRenderingContext2D {
+  const { width, height } = canvas;
+  return Object.assign(document.createElement("canvas"), { width, height }).getContext("2d")!;
+}
+
+function put(ctx: Ink, picture: HTMLCanvasElement): void {
+  ctx.save();
+  ctx.setTransform(1, 0, 0, 1, 0, 0);
+  ctx.drawImage(picture, 0, 0);
+  ctx.restore();
+}
+
 /** The union of overlapping outlines: hatched, with one contour around it. */
-export function drawUnion({ ctx, camera }: Pen, union: Path): void {
-  const layer = document.createElement("canvas");
-  layer.width = ctx.canvas.width;
-  layer.height = ctx.canvas.height;
-  const pen = layer.getContext("2d")!;
-  const put = (): void => {
-    ctx.save();
-    ctx.setTransform(1, 0, 0, 1, 0, 0);
-    ctx.drawImage(layer, 0, 0);
-    ctx.restore();
-  };
+function unionOf({ ctx, camera }: Pen, union: Path): HTMLCanvasElement {
+  const [whole, pen] = [sheet(ctx), sheet(ctx)];
+  const layer = pen.canvas;
   camera.toPlane(pen);
   pen.fill(union);
   pen.globalCompositeOperation = "source-in";
   pen.setTransform(1, 0, 0, 1, 0, 0);
   pen.fillStyle = hatch(pen, camera.dpr);
   pen.fillRect(0, 0, layer.width, layer.height);
-  put();
+  put(whole, layer);
   pen.globalCompositeOperation = "source-over";
   pen.clearRect(0, 0, layer.width, layer.height);
   camera.toPlane(pen);
@@ -82,8 +86,11 @@ export function drawUnion({ ctx, camera }: Pen, union: Path): void {
   pen.globalCompositeOperation = "destination-out";
   pen.fillStyle = "#000";
   pen.fill(union);
-  put();
+  put(whole, layer);
+  return whole.canvas;
 }
+
+export const drawUnion = (pen: Pen, union: Path): void => put(pen.ctx, unionOf(pen, union));
 
 function drawSolid({ ctx, camera }: Pen, solid: Shape, highest: number): void {
   ctx.fillStyle = tone(solid.top, highest);
@@ -125,7 +132,16 @@ function drawTerrain({ ctx, camera }: Pen, run: Run): void {
   ctx.globalAlpha = 1;
 }
 
+const made = new WeakMap<Report["world"], Layer>();
+
+/** Made once for a world, however often its run grows. */
 export function ground(run: Run): Layer {
+  const { world } = run.report;
+  if (!made.has(world)) made.set(world, groundOf(run));
+  return made.get(world)!;
+}
+
+function groundOf(run: Run): Layer {
   const { bounds, solids } = run.report.world;
   const shapes: Shape[] = solids.filter((solid) => solid.footprint.length > 0).map((solid) => {
     const path = new Path();
@@ -134,6 +150,18 @@ export function ground(run: Run): Layer {
   }).sort((a, b) => a.top - b.top);
   const highest = highestOf(run);
   const inflated = run.report.chase ? null : inflationOf(run, shapes);
+  let hatched: HTMLCanvasElement | null = null;
+  let view = "";
+
+  /** Painted once for a view: a run that grows shows the same ground again and again. */
+  function drawInflated(pen: Pen, union: Path): void {
+    const { ctx, camera } = pen;
+    const asked = [camera.x, camera.y, camera.scale, ctx.canvas.width, ctx.canvas.height, theme.inflated].join();
+    if (asked !== view) hatched = unionOf(pen, union);
+    view = asked;
+    put(ctx, hatched!);
+  }
+
   return {
     still(pen) {
       const { ctx } = pen;
@@ -144,7 +172,7 @@ export function ground(run: Run): Layer {
         if (bounds) ctx.rect(bounds[0][0], bounds[0][1], bounds[1][0] - bounds[0][0], bounds[1][1] - bounds[0][1]);
         else ctx.rect(-1e6, -1e6, 2e6, 2e6);
         ctx.clip();
-        drawUnion(pen, inflated);
+        drawInflated(pen, inflated);
         ctx.restore();
       }
       for (const solid of shapes) drawSolid(pen, solid, highest);

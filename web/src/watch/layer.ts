@@ -36,6 +36,17 @@ export function disk(ctx: Ink, x: number, y: number, radius: number): void {
   ctx.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
+/** A line through the first places, without those that stand too close to the one before to be told from it. */
+export function traceWay({ ctx, camera }: Pen, x: ArrayLike<number>, y: ArrayLike<number>, count: number): void {
+  const least = camera.px(1.5);
+  let [lx, ly] = [Infinity, Infinity];
+  for (let i = 0; i < count; ++i) {
+    if (Math.abs(x[i]! - lx) < least && Math.abs(y[i]! - ly) < least) continue;
+    [lx, ly] = [x[i]!, y[i]!];
+    ctx.lineTo(lx, ly);
+  }
+}
+
 /** A name with a rim, so that it can be read over anything. In pixels. */
 export function label(ctx: Ink, text: string, x: number, y: number, ink: string, rim: string): void {
   ctx.lineJoin = "round";

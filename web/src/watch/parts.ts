@@ -2,7 +2,9 @@
 import { h } from "../base/dom";
 import { signElement, statuses } from "../base/signs";
 import type { Run } from "../report/run";
+import { coverLegend } from "./cover_layer";
 import { Beliefs } from "./ellipse";
+import { slamLegend } from "./slam_layer";
 
 export { h, iconButton } from "../base/dom";
 
@@ -17,9 +19,10 @@ export function signedLegend(run: Run): HTMLElement {
   }
   if (report.drive || report.explore) {
     line("true", "border-color:var(--robot)");
-    const { enlarged } = new Beliefs(run);
+    const { enlarged } = Beliefs.of(run);
     line(`believed, 2\u03c3${enlarged > 1 ? ` \u00d7 ${enlarged}` : ""}`, "border-color:var(--belief);border-top-style:dashed");
   }
+  for (const [name, style] of slamLegend(run)) line(name, style);
   if (report.explore?.laser) line("range finder", "border-color:var(--failed);border-top-width:1.5px");
   if (report.drive?.camera) line("camera", "border-color:var(--water);border-top-width:1.5px");
   if (report.explore) line("way chosen", "border-color:var(--open)");
@@ -27,6 +30,7 @@ export function signedLegend(run: Run): HTMLElement {
   if (report.world.terrain && report.world.terrain.steep.length > 0) {
     items.push(h("li", {}, h("i", { class: "swatch", style: "background:var(--failed);opacity:.35" }), "too steep"));
   }
+  items.push(...coverLegend(run).map(({ name, style, swatch }) => h("li", {}, h("i", { class: swatch ? "swatch" : "line", style }), name)));
   if (report.chase) {
     line("target", "border-color:var(--failed)");
     line(report.chase.robots.length > 1 ? "robots" : "robot", "border-color:var(--water)");

@@ -10,6 +10,7 @@ import type { Target } from "../report/types";
 import { areaOf } from "./area";
 import { believed } from "./belief";
 import { chase } from "./chase_layer";
+import { cover } from "./cover_layer";
 import { drive } from "./drive_layer";
 import { explore } from "./explore_layer";
 import { flights } from "./flight_layer";
@@ -18,11 +19,12 @@ import { laser } from "./laser_layer";
 import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
 import { robot } from "./robot_layer";
 import { scales } from "./scale_layer";
+import { slam } from "./slam_layer";
 import { stations } from "./station_layer";
 import { targets } from "./target_layer";
 
 function layersOf(run: Run, area: Box): Layer[] {
-  const makers: LayerOf[] = [ground, chase, explore, laser, flights, drive, stations, targets, robot, believed];
+  const makers: LayerOf[] = [ground, chase, cover, explore, slam, laser, flights, drive, stations, targets, robot, believed];
   return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
 }
 
@@ -40,14 +42,14 @@ export class PlanView {
   private tip = h("div", { class: "tip", hidden: true });
   private still = document.createElement("canvas");
   private stillVersion = "";
-  private layers: Layer[];
+  private layers: Layer[] = [];
+  private drawn: Run | null = null;
   private now: Now = { t: 0, shot: null, target: null, speed: 0 };
   private area: Box;
   private off: () => void;
 
   constructor(private run: Run, private choices: Choices) {
     this.area = areaOf(run);
-    this.layers = layersOf(run, this.area);
     this.element = h("div", { class: "view plan-view" }, this.canvas, this.tip,
       h("div", { class: "camera", role: "group", "aria-label": "View" },
         iconButton("in", "Zoom in", () => this.camera.zoom(1.5), "+"),
@@ -66,11 +68,13 @@ export class PlanView {
     this.camera.close();
   }
 
-  /** Shows another run, or more of the same one; a view that somebody moved stays. */
-  renew(run: Run): void {
-    this.run = run;
-    const area = areaOf(run);
-    this.layers = layersOf(run, area);
+  /** Shows another run, or more of the same one, from its next frame on; a view that somebody moved stays. */
+  renew(run: Run): void { this.run = run; }
+
+  private bringUpToDate(): void {
+    this.drawn = this.run;
+    const area = areaOf(this.run);
+    this.layers = layersOf(this.run, area);
     this.stillVersion = "";
     if (area.every((value, i) => value === this.area[i])) return;
     this.area = this.camera.box = area;
@@ -84,6 +88,7 @@ export class PlanView {
 
   draw(now: Now): void {
     this.now = now;
+    if (this.run !== this.drawn) this.bringUpToDate();
     const { camera } = this;
     if (this.follow) {
       const at = this.run.track.at(now.t);
@@ -140,7 +145,7 @@ export class PlanView {
 
   private find(at: Point): Found {
     const pen = { ctx: this.camera.ctx, camera: this.camera, now: this.now };
-    const all = this.layers.toReversed().flatMap((layer) => layer.find?.(at, pen) ?? []);
+    const all = [...this.layers].reverse().flatMap((layer) => layer.find?.(at, pen) ?? []);
     return all.reduce((sum, one) => ({ ...one, ...sum, lines: [...sum.lines, ...one.lines] }), { lines: [] as string[] });
   }
 

@@ -10,22 +10,41 @@ import { seriesOf, type Series } from "./series";
 
 const height = 128;
 
+const dataOf = ({ time, lines }: Series): uPlot.AlignedData => [time, ...lines.map((line) => line.values)];
+
 export class Plots {
   readonly element = h("section", { class: "plots scrolls", tabindex: 0, "aria-label": "Plots" });
   private plots: uPlot[] = [];
   private timed: uPlot[] = [];  // those whose cursors follow the clock
-  private all: Series[];
+  private all: Series[] = [];
+  private run!: Run;
+  private drawn: Run | null = null;
   private t = 0;
   private off: () => void;
   private watcher = new ResizeObserver(() => this.resize());
 
   constructor(run: Run, private seek: (t: number) => void) {
-    this.all = seriesOf(run);
     this.off = onTheme(() => this.build());
     this.watcher.observe(this.element);
+    this.renew(run);
   }
 
   get empty(): boolean { return this.all.length === 0; }
+
+  /** What is not in sight is brought up to date when it comes there. */
+  renew(run: Run): void {
+    this.run = run;
+    if (this.empty) this.all = seriesOf(run);
+  }
+
+  private bringUpToDate(): void {
+    this.drawn = this.run;
+    const before = this.all;
+    this.all = seriesOf(this.run);
+    const shape = (all: Series[]): string => JSON.stringify(all.map(({ title, lines }) => [title, lines.map(({ name }) => name)]));
+    if (this.plots.length === 0 || shape(before) !== shape(this.all)) this.build();
+    else this.plots.forEach((plot, i) => plot.setData(dataOf(this.all[i]!)));
+  }
 
   close(): void {
     this.off();
@@ -63,7 +82,7 @@ export class Plots {
         value: (_: uPlot, v: number | null) => (v === null ? "\u2013" : figures(v)),
         ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
       }))],
-    }, [series.time, ...series.lines.map((line) => line.values)], place);
+    }, dataOf(series), place);
     if (series.along) return plot;
     this.seekOn(plot);
     this.timed.push(plot);
@@ -81,6 +100,8 @@ export class Plots {
 
   show(t: number): void {
     this.t = t;
+    if (this.element.hidden) return;
+    if (this.run !== this.drawn) this.bringUpToDate();
     for (const plot of this.timed) plot.setCursor({ left: plot.valToPos(t, "x"), top: 0 }, false);
     for (const plot of this.timed) plot.setLegend({ idx: nearest(plot.data[0] as number[], t) }, false);
   }

@@ -1,10 +1,9 @@
 // The robot: the way it drove, and the disk with its heading and its gun.
-import { Path } from "../base/ink";
 import { finite } from "../base/numbers";
 import { theme } from "../base/theme";
 import { lastNotAfter } from "../report/track";
 import type { Run } from "../report/run";
-import { disk, type Layer, type Pen } from "./layer";
+import { disk, traceWay, type Layer, type Pen } from "./layer";
 
 /** A disk of the robot's size with a wedge that shows its heading. In metres. */
 export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: number, radius: number, colour: string): number {
@@ -32,23 +31,25 @@ export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: nu
 export function robot(run: Run): Layer | null {
   const { track, report } = run;
   if (report.track.length === 0 && report.chase) return null;
-  const whole = new Path();
-  for (let i = 0; i < track.length; ++i) whole.lineTo(track.x[i]!, track.y[i]!);
   const radius = finite(report.robot.radius_m);
   const gunLength = finite(report.robot.gun_length_m);
   return {
-    still({ ctx, camera }) {
+    still(pen) {
+      const { ctx, camera } = pen;
+      if (report.cover) return;  // its layer draws the way
       ctx.strokeStyle = theme.robot;
       ctx.globalAlpha = 0.3;
       ctx.lineWidth = camera.px(1.2);
-      ctx.stroke(whole);
+      ctx.beginPath();
+      traceWay(pen, track.x, track.y, track.length);
+      ctx.stroke();
     },
     moving(pen) {
       const { ctx, camera, now } = pen;
       const index = lastNotAfter(track.time, now.t);
       const at = track.at(now.t);
       ctx.beginPath();
-      for (let i = 0; i <= index; ++i) ctx.lineTo(track.x[i]!, track.y[i]!);
+      if (!report.cover) traceWay(pen, track.x, track.y, index + 1);
       ctx.lineTo(at.x, at.y);
       ctx.strokeStyle = theme.robot;
       ctx.lineWidth = camera.px(2.2);

@@ -2,8 +2,10 @@
 import { finite } from "../base/numbers";
 import type { Colour } from "../base/theme";
 import type { Run } from "../report/run";
+import { coverSeries } from "./cover_series";
 import { Discovery } from "./explore_layer";
 import { ellipseOf } from "./ellipse";
+import { slamSeries } from "./slam_series";
 
 export interface Series {
   title: string;
@@ -17,14 +19,15 @@ export interface Series {
 /** Speed along the track between each row and the next, m/s. */
 export function speedOf(run: Run): Series | null {
   const { track } = run;
-  if (track.length < 3) return null;
-  const values = Array.from(track.time, (_, i) => {
+  if (track.length < 3 || run.report.slam) return null;  // times of a log may be made up
+  const time = Array.from(track.time);
+  const values = time.map((_, i) => {
     const next = Math.min(i + 1, track.length - 1);
     const before = Math.max(0, next - 1);
-    const span = track.time[next]! - track.time[before]!;
+    const span = time[next]! - time[before]!;
     return span > 0 ? Math.hypot(track.x[next]! - track.x[before]!, track.y[next]! - track.y[before]!) / span : 0;
   });
-  return { title: "Speed", unit: "m/s", time: [...track.time], lines: [{ name: "robot", colour: "robot", values }] };
+  return { title: "Speed", unit: "m/s", time, lines: [{ name: "robot", colour: "robot", values, steps: true }] };
 }
 
 function targetsOf(run: Run): Series | null {
@@ -47,7 +50,7 @@ function suppliesOf(run: Run): Series[] {
 
 /** How far the belief is from the truth, and its own doubt. */
 function beliefOf(run: Run): Series | null {
-  const beliefs = run.report.drive?.beliefs ?? run.report.explore?.beliefs ?? [];
+  const beliefs = ((run.report.drive ?? run.report.explore)?.beliefs ?? []).filter(({ time_s }) => time_s <= run.track.end);
   if (beliefs.length < 2) return null;
   const off = beliefs.map(({ time_s, pose }) => {
     const at = run.track.at(time_s);
@@ -81,16 +84,17 @@ function planningOf(run: Run): Series | null {
 }
 
 function knownOf(run: Run): Series | null {
-  const { explore } = run.report;
-  if (!explore) return null;
-  const discovery = new Discovery(explore.map);
+  const { explore, slam } = run.report;
+  const map = explore?.map ?? slam?.map;
+  if (!map) return null;
+  const discovery = new Discovery(map);
   const time = Array.from({ length: 201 }, (_, i) => (run.duration * i) / 200);
-  const area = explore.map.cell_m ** 2;
+  const area = map.cell_m ** 2;
   return { title: "Area known", unit: "m\u00b2", time, lines: [
     { name: "known", colour: "water", values: time.map((t) => discovery.knownAt(t) * area) }] };
 }
 
 export function seriesOf(run: Run): Series[] {
-  return [knownOf(run), chaseOf(run), planningOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), speedOf(run)]
+  return [knownOf(run), ...coverSeries(run), chaseOf(run), planningOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), ...slamSeries(run), speedOf(run)]
     .filter((one): one is Series => one !== null);
 }

@@ -35,6 +35,14 @@ export class SideView {
     this.camera.close();
   }
 
+  /** The same shot, of a run that has gone on. */
+  renew(run: Run): void {
+    this.run = run;
+    this.shot = this.shot && (run.flights[this.shot.index] ?? null);
+    this.target = run.targetNamed(this.target?.name);
+    this.describe();
+  }
+
   select(shot: Flight | null, target: Target | null): void {
     if (shot === this.shot && target === this.target) return;
     this.shot = shot;

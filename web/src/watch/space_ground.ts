@@ -9,7 +9,7 @@ import type { Relief } from "../report/relief";
 import type { Run } from "../report/run";
 import type { Vec3 } from "../report/types";
 import { highestOf } from "./ground_layer";
-import { lineOf, prism } from "./space_parts";
+import { lineOf, linesOf, prism } from "./space_parts";
 
 function floorOf([x0, y0, x1, y1]: Box, colour: string): Group {
   const group = new Group();
@@ -17,9 +17,10 @@ function floorOf([x0, y0, x1, y1]: Box, colour: string): Group {
   floor.position.set((x0 + x1) / 2, (y0 + y1) / 2, -0.01);
   group.add(floor);
   const step = roundStep(Math.max(x1 - x0, y1 - y0) / 24);
-  for (let x = Math.ceil(x0 / step) * step; x <= x1; x += step) group.add(lineOf([[x, y0, 0], [x, y1, 0]], theme.line));
-  for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) group.add(lineOf([[x0, y, 0], [x1, y, 0]], theme.line));
-  return group;
+  const grid: Vec3[] = [];
+  for (let x = Math.ceil(x0 / step) * step; x <= x1; x += step) grid.push([x, y0, 0], [x, y1, 0]);
+  for (let y = Math.ceil(y0 / step) * step; y <= y1; y += step) grid.push([x0, y, 0], [x1, y, 0]);
+  return group.add(linesOf(grid, theme.line));
 }
 
 const within = (x: number, y: number, { core, radius_m }: Rounded): boolean => nearestOnPolygon(x, y, core).distance <= radius_m + 1e-9;
@@ -77,9 +78,9 @@ function solidsOf(run: Run): Mesh[] {
 /** Where the map is what counts, the true walls are a shade of themselves. */
 export function stillWorld(run: Run, area: Box): Group {
   const { world, explore } = run.report;
-  const group = run.relief ? new Group().add(hill(run.relief, world.terrain?.steep ?? [])) : floorOf(area, explore ? theme.ground : theme.yard);
+  const group = run.relief ? new Group().add(hill(run.relief, world.terrain?.steep ?? [])) : floorOf(area, explore || run.report.slam?.map ? theme.ground : theme.yard);
   const solids = solidsOf(run);
-  group.add(...(explore ? veil(solids) : solids));
+  for (const one of explore ? veil(solids) : solids) group.add(one);
   for (const { height_m, points } of world.terrain?.contours ?? []) {
     group.add(lineOf(points.map(([x, y]) => [x, y, height_m + 0.01]), theme.soft, 0.6));
   }

@@ -6,12 +6,13 @@ import { Discovery } from "./explore_layer";
 import { carpet, lambert, type Actor } from "./space_parts";
 
 export function mapActor(run: Run): Actor[] {
-  const { explore } = run.report;
-  if (!explore || explore.map.columns === 0) return [];
-  const { origin: [x, y], columns, rows, cell_m } = explore.map;
-  const discovery = new Discovery(explore.map);
+  const { explore, slam } = run.report;
+  const map = explore?.map ?? slam?.map;
+  if (!map || map.columns === 0) return [];
+  const { origin: [x, y], columns, rows, cell_m } = map;
+  const discovery = new Discovery(map);
   const { mesh, texture } = carpet(discovery.canvas, [x, y, x + columns * cell_m, y + rows * cell_m], 0.002);
-  const height = explore.laser?.height_m ?? 0.2;
+  const height = explore?.laser?.height_m ?? (explore ? 0.2 : Math.min(0.6, 0.1 + 0.02 * Math.max(columns, rows) * cell_m));
   const cells = discovery.occupied();
   const walls = new InstancedMesh(new BoxGeometry(cell_m, cell_m, height), lambert(theme["solid-high"]), cells.length);
   const matrix = new Matrix4();

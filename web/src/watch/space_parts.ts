@@ -1,5 +1,5 @@
 // Pieces that things in space are made of: prisms, lines, ribbons on the ground, pictures laid on it.
-import { BufferGeometry, CanvasTexture, DoubleSide, ExtrudeGeometry, Float32BufferAttribute, Line, LineBasicMaterial, LineSegments, Mesh,
+import { BufferAttribute, BufferGeometry, CanvasTexture, DoubleSide, ExtrudeGeometry, Float32BufferAttribute, Line, LineBasicMaterial, LineSegments, Mesh,
   MeshBasicMaterial, MeshLambertMaterial, NearestFilter, PlaneGeometry, Shape, SRGBColorSpace, Vector2 } from "three";
 import type { Object3D } from "three";
 import type { Box } from "../base/camera";
@@ -36,18 +36,33 @@ export function moveTo(geometry: BufferGeometry, points: Vec3[]): void {
   positions.needsUpdate = true;
 }
 
-/** A band along a way, flat as the ground; two triangles for each step of it. */
-export function ribbon(way: Vec3[], width: number, colour: string): Mesh {
-  let aside: Vec2 = [0, 0];
-  const points = way.flatMap(([x, y, z], i): Vec3[] => {
-    const [before, after] = [way[Math.max(0, i - 1)]!, way[Math.min(i + 1, way.length - 1)]!];
-    const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+function put(into: Float32Array | Uint32Array, at: number, a: number, b: number, c: number, d: number, e: number, f: number): void {
+  into[at] = a;
+  into[at + 1] = b;
+  into[at + 2] = c;
+  into[at + 3] = d;
+  into[at + 4] = e;
+  into[at + 5] = f;
+}
+
+/** A band along a way (x, y, z, x, y, z, ...), flat as the ground; two triangles for each step of it. */
+export function ribbon(way: Float64Array, width: number, colour: string): Mesh {
+  const count = way.length / 3;
+  const points = new Float32Array(6 * count);
+  const corners = new Uint32Array(6 * Math.max(0, count - 1));
+  let [ax, ay] = [0, 0];  // from the middle to the left
+  for (let i = 0; i < count; ++i) {
+    const [before, here, after] = [3 * Math.max(0, i - 1), 3 * i, 3 * Math.min(i + 1, count - 1)];
+    const [dx, dy] = [way[after]! - way[before]!, way[after + 1]! - way[before + 1]!];
     const length = Math.hypot(dx, dy);
-    if (length > 0) aside = [(-0.5 * width * dy) / length, (0.5 * width * dx) / length];
-    return [[x + aside[0], y + aside[1], z], [x - aside[0], y - aside[1], z]];
-  });
-  const geometry = geometryOf(points);
-  geometry.setIndex(way.slice(1).flatMap((_, i) => [2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3]));
+    if (length > 0) [ax, ay] = [(-0.5 * width * dy) / length, (0.5 * width * dx) / length];
+    const [x, y, z] = [way[here]!, way[here + 1]!, way[here + 2]!];
+    put(points, 6 * i, x + ax, y + ay, z, x - ax, y - ay, z);
+    if (i > 0) put(corners, 6 * i - 6, 2 * i - 2, 2 * i - 1, 2 * i, 2 * i, 2 * i - 1, 2 * i + 1);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(points, 3));
+  geometry.setIndex(new BufferAttribute(corners, 1));
   const mesh = new Mesh(geometry, new MeshBasicMaterial({ color: colour, side: DoubleSide }));
   mesh.frustumCulled = false;
   return mesh;

@@ -4,7 +4,7 @@ import { finite, mix } from "../base/numbers";
 import { theme } from "../base/theme";
 import { lastNotAfter } from "../report/track";
 import type { Run } from "../report/run";
-import type { Vec3 } from "../report/types";
+import type { Vec2, Vec3 } from "../report/types";
 import { areaOf } from "./area";
 import { Beliefs, deviations, ellipseOf } from "./ellipse";
 import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
@@ -12,7 +12,12 @@ import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
 const mostSteps = 20_000;
 const up = new Vector3(0, 0, 1);
 
-export const radiusOf = (run: Run): number => Math.max(0.05, finite(run.report.robot.radius_m));
+/** Of a robot whose size is not told, so large that it is seen from afar. */
+export function radiusOf(run: Run): number {
+  if (finite(run.report.robot.radius_m) > 0 || !run.report.slam) return Math.max(0.05, finite(run.report.robot.radius_m));
+  const [x0, y0, x1, y1] = areaOf(run);
+  return Math.max(0.1, 0.006 * Math.max(x1 - x0, y1 - y0));
+}
 
 /** Puts a thing onto the ground there, upright to it, and turns it. */
 export function stand(run: Run, thing: Group, x: number, y: number, heading: number): void {
@@ -21,24 +26,32 @@ export function stand(run: Run, thing: Group, x: number, y: number, heading: num
   thing.rotateOnAxis(up, heading);
 }
 
-/** A way in steps that are short beside the robot, on the ground; with the time of each of them. */
-export function wayOnGround(run: Run, time: ArrayLike<number>, places: [number, number][], above: number): { time: number[]; way: Vec3[] } {
-  const length = places.reduce((sum, [x, y], i) => sum + (i > 0 ? Math.hypot(x - places[i - 1]![0], y - places[i - 1]![1]) : 0), 0);
-  const step = Math.max(0.7 * radiusOf(run), length / mostSteps);
-  const all: { time: number[]; way: Vec3[] } = { time: [], way: [] };
-  places.forEach(([x, y], i) => {
-    const [fx, fy] = places[Math.max(0, i - 1)]!;
-    const count = Math.max(1, Math.ceil(Math.hypot(x - fx, y - fy) / step));
-    for (let k = 1; k <= count; ++k) {
-      const [px, py] = [mix(fx, x, k / count), mix(fy, y, k / count)];
-      all.time.push(mix(time[Math.max(0, i - 1)]!, time[i]!, k / count));
-      all.way.push([px, py, run.height(px, py) + above]);
+/** A way in steps that are short beside the robot, on the ground (x, y, z, x, y, z, ...); with the time of each of them. */
+export function wayOnGround(run: Run, time: ArrayLike<number>, places: Vec2[], above: number): { time: Float64Array; way: Float64Array } {
+  const legs = new Float64Array(places.length);
+  for (let i = 1; i < places.length; ++i) legs[i] = Math.hypot(places[i]![0] - places[i - 1]![0], places[i]![1] - places[i - 1]![1]);
+  const step = Math.max(0.7 * radiusOf(run), legs.reduce((sum, leg) => sum + leg, 0) / mostSteps);
+  const counts = legs.map((leg) => Math.max(1, Math.ceil(leg / step)));
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  const all = { time: new Float64Array(total), way: new Float64Array(3 * total) };
+  let at = 0;
+  for (let i = 0; i < places.length; ++i) {
+    const from = Math.max(0, i - 1);
+    const [[ax, ay], [bx, by]] = [places[from]!, places[i]!];
+    for (let k = 1; k <= counts[i]!; ++k, ++at) {
+      const share = k / counts[i]!;
+      const px = mix(ax, bx, share);
+      const py = mix(ay, by, share);
+      all.time[at] = mix(time[from]!, time[i]!, share);
+      all.way[3 * at] = px;
+      all.way[3 * at + 1] = py;
+      all.way[3 * at + 2] = run.height(px, py) + above;
     }
-  });
+  }
   return all;
 }
 
-function wayActor(run: Run, time: ArrayLike<number>, places: [number, number][], colour: string, above: number): Actor {
+function wayActor(run: Run, time: ArrayLike<number>, places: Vec2[], colour: string, above: number): Actor {
   const { time: times, way } = wayOnGround(run, time, places, above);
   const [x0, y0, x1, y1] = areaOf(run);
   const band = ribbon(way, Math.max(0.22 * radiusOf(run), 0.0045 * Math.max(x1 - x0, y1 - y0)), colour);  // seen from afar as well
@@ -74,13 +87,14 @@ export function robotActor(run: Run): Actor[] {
     gun.position.set(at.x, at.y, run.height(at.x, at.y) + mounted);
     gun.rotation.set(0, -at.pitch, at.yaw);
   };
+  if (run.report.cover) return [{ things: [body, gun], act }];  // its way is drawn by what it does
   const { time, x, y } = run.track;
-  return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i) => [one, y[i]!]), theme.robot, 0.012)];
+  return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), theme.robot, 0.012)];
 }
 
 /** A ghost at the believed pose on the ellipse of its doubt. */
 export function beliefActor(run: Run): Actor[] {
-  const beliefs = new Beliefs(run);
+  const beliefs = Beliefs.of(run);
   if (beliefs.all.length === 0) return [];
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
@@ -104,6 +118,6 @@ export function beliefActor(run: Run): Actor[] {
     const axis = (sigma: number): number => Math.max(0.01, deviations * beliefs.enlarged * sigma);
     ellipse.scale.set(axis(major), axis(minor), 1);
   };
-  const way = wayActor(run, beliefs.all.map((one) => one.time_s), beliefs.all.map(({ pose }) => [pose[0], pose[1]]), theme.belief, 0.008);
+  const way = wayActor(run, beliefs.all.map((one) => one.time_s), beliefs.all.map(({ pose }): Vec2 => [pose[0], pose[1]]), theme.belief, 0.008);
   return [{ things: [ghost, ellipse], act }, way];
 }

@@ -32,7 +32,7 @@ export function laserActor(run: Run): Actor[] {
 }
 
 /** Not its true pattern: a frame with its number. */
-function face(tag: Tag): CanvasTexture {
+function drawnFace(tag: Tag): CanvasTexture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 128;
   const ctx = canvas.getContext("2d")!;
@@ -48,6 +48,14 @@ function face(tag: Tag): CanvasTexture {
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   return texture;
+}
+
+const faces = new WeakMap<Tag, CanvasTexture>();
+
+/** Drawn once, however often the run grows. */
+function face(tag: Tag): CanvasTexture {
+  if (!faces.has(tag)) faces.set(tag, drawnFace(tag));
+  return faces.get(tag)!;
 }
 
 function board(tag: Tag, middle: Vec3): Group {

@@ -1,6 +1,6 @@
 // The view in space: the same run in three dimensions. Loaded when it is first asked for, since three.js is large.
 import { AmbientLight, BoxGeometry, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Float32BufferAttribute,
-  Line, LineBasicMaterial, LineSegments, Mesh, type MeshLambertMaterial, PerspectiveCamera, Points, RingGeometry, Scene, SphereGeometry, WebGLRenderer } from "three";
+  Group, Line, LineBasicMaterial, LineSegments, Mesh, type MeshLambertMaterial, type Object3D, PerspectiveCamera, Points, RingGeometry, Scene, SphereGeometry, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
@@ -12,12 +12,26 @@ import type { Target } from "../report/types";
 import { areaOf } from "./area";
 import { costPicture, placeOnWay } from "./chase_layer";
 import type { Now } from "./layer";
+import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
 import { decisionActor, stationActor, stopActor } from "./space_marks";
 import { carpet, lambert, lineOf } from "./space_parts";
 import { beliefActor, robotActor } from "./space_robot";
 import { eyeActor, laserActor } from "./space_sight";
+import { slamActor } from "./space_slam";
+
+/** Gives back what a thing and its parts hold of the graphics card. */
+function dispose(whole: Object3D): void {
+  whole.traverse((thing) => {
+    if (!(thing instanceof Mesh || thing instanceof Line || thing instanceof Points)) return;
+    (thing.geometry as BufferGeometry).dispose();
+    for (const material of [thing.material].flat() as MeshLambertMaterial[]) {
+      material.map?.dispose();
+      material.dispose();
+    }
+  });
+}
 
 export class SpaceView {
   readonly element: HTMLElement;
@@ -27,7 +41,12 @@ export class SpaceView {
   private camera = new PerspectiveCamera(42, 1, 0.05, 500);
   private controls: OrbitControls;
   private scene = new Scene();
+  private still = new Group();   // the world
+  private moving = new Group();  // what the run tells
+  private spent: Group[] = [];   // taken away since the last frame
   private actors: ((now: Now) => void)[] = [];
+  private drawn: Run | null = null;
+  private home = true;  // nobody moved the view
   private area: Box;
   private watcher: ResizeObserver;
   private off: () => void;
@@ -43,49 +62,57 @@ export class SpaceView {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
     this.controls.addEventListener("change", redraw);
-    this.build();
+    this.controls.addEventListener("start", () => { this.home = false; });
+    const sun = new DirectionalLight("#ffffff", 1.7);
+    sun.position.set(-6, -9, 14);
+    this.scene.add(new AmbientLight("#ffffff", 1.9), sun, this.still, this.moving);
     this.frameAll();
     this.watcher = new ResizeObserver(() => this.resize());
     this.watcher.observe(this.canvas);
-    this.off = onTheme(() => { this.build(); redraw(); });
+    this.off = onTheme(() => { this.drawn = null; redraw(); });
   }
 
   close(): void {
     this.off();
     this.watcher.disconnect();
     this.controls.dispose();
-    this.clear();
+    dispose(this.scene);
     this.renderer.dispose();
   }
 
-  private clear(): void {
-    this.scene.traverse((thing) => {
-      if (!(thing instanceof Mesh || thing instanceof Line || thing instanceof Points)) return;
-      (thing.geometry as BufferGeometry).dispose();
-      for (const material of [thing.material].flat() as MeshLambertMaterial[]) {
-        material.map?.dispose();
-        material.dispose();
-      }
-    });
-    this.scene.clear();
-    this.actors = [];
-  }
+  /** Shows another run, or more of the same one, from its next frame on; a view that somebody moved stays. */
+  renew(run: Run): void { this.run = run; }
 
-  private build(): void {
-    this.clear();
-    this.scene.background = new Color(theme.panel);
-    const sun = new DirectionalLight("#ffffff", 1.7);
-    sun.position.set(-6, -9, 14);
-    this.scene.add(new AmbientLight("#ffffff", 1.9), sun, stillWorld(this.run, this.area));
-    for (const make of [robotActor, beliefActor, mapActor, laserActor, eyeActor, stopActor, decisionActor, stationActor]) {
+  private bringUpToDate(): void {
+    const { run, drawn } = this;
+    this.drawn = run;
+    const area = areaOf(run);
+    const grew = area.some((value, i) => value !== this.area[i]);
+    this.area = area;
+    if (grew && this.home) this.frameAll();
+    if (grew || run.report.world !== drawn?.report.world) {
+      this.scene.background = new Color(theme.panel);
+      this.still = this.exchanged(this.still, stillWorld(run, area));
+    }
+    this.moving = this.exchanged(this.moving, new Group());
+    this.actors = [];
+    for (const make of [robotActor, beliefActor, mapActor, laserActor, eyeActor, slamActor, stopActor, decisionActor, stationActor, coverActor]) {
       for (const { things, act } of make(this.run)) {
-        this.scene.add(...things);
+        this.moving.add(...things);
         if (act) this.actors.push(act);
       }
     }
     for (const target of this.run.report.targets) this.addTarget(target);
     if (this.run.flights.length > 0) this.addWater();
     this.addChase();
+  }
+
+  /** What is taken away is disposed of after the next frame, which then needs no new shaders for what came instead. */
+  private exchanged(old: Group, made: Group): Group {
+    this.scene.remove(old);
+    this.scene.add(made);
+    this.spent.push(old);
+    return made;
   }
 
   private addTarget(target: Target): void {
@@ -95,7 +122,7 @@ export class SpaceView {
     box.rotation.z = finite(target.box_yaw_rad);
     box.add(new LineSegments(new EdgesGeometry(box.geometry), new LineBasicMaterial({ color: theme.ink })));
     const halo = new Mesh(new RingGeometry(0.32, 0.38, 40), lambert(theme.ink));
-    this.scene.add(box, halo);
+    this.moving.add(box, halo);
     this.actors.push((now) => {
       const place = this.run.place(target, now.t);
       box.visible = place !== null;
@@ -116,7 +143,7 @@ export class SpaceView {
     const material = new LineBasicMaterial({ color: theme.water });
     const curve = new Line(geometry, material);
     curve.frustumCulled = false;
-    this.scene.add(ball, curve);
+    this.moving.add(ball, curve);
     const draw = (shot: Flight, until: number): void => {
       const positions = geometry.getAttribute("position");
       for (let i = 0; i <= samples; ++i) {
@@ -142,17 +169,18 @@ export class SpaceView {
     const { chase, world } = this.run.report;
     if (!chase || !world.bounds) return;
     const [x, y] = world.bounds[0];
-    this.scene.add(carpet(costPicture(this.run), [x, y, x + chase.columns * chase.cell_m, y + chase.rows * chase.cell_m], 0).mesh);
+    this.moving.add(carpet(costPicture(this.run), [x, y, x + chase.columns * chase.cell_m, y + chase.rows * chase.cell_m], 0).mesh);
     const size = 0.6 * chase.cell_m;
     [chase.target, ...chase.robots].forEach((way, i) => {
       const colour = i === 0 ? theme.failed : chaserColours()[(i - 1) % chaserColours().length]!;
       const body = new Mesh(new SphereGeometry(size, 20, 14), lambert(colour));
-      this.scene.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
+      this.moving.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
       this.actors.push(({ t }) => body.position.set(...placeOnWay(way, t), size));
     });
   }
 
   zoom(factor: number): void {
+    this.home = false;
     const away = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
     this.camera.position.copy(this.controls.target).add(away);
     this.controls.update();
@@ -164,6 +192,7 @@ export class SpaceView {
   }
 
   private frameAll(): void {
+    this.home = true;
     const [x0, y0, x1, y1] = this.area;
     const size = Math.max((x1 - x0) / Math.max(0.6, this.camera.aspect) * 1.1, y1 - y0);
     this.controls.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
@@ -187,9 +216,11 @@ export class SpaceView {
   }
 
   draw(now: Now): void {
+    if (this.run !== this.drawn) this.bringUpToDate();
     for (const act of this.actors) act(now);
     if (this.follow) this.chase(now.t);
     this.renderer.render(this.scene, this.camera);
+    for (const old of this.spent.splice(0)) dispose(old);
   }
 
   /** Keeps the robot in the middle, from the side that was chosen. */

@@ -1,13 +1,20 @@
 // Tabs of the panel beside the stage, as the ARIA practices describe them.
 import { h } from "../base/dom";
 
+export interface Page {
+  name: string;
+  element: HTMLElement;
+  /** There is nothing to show on it yet. */
+  empty: () => boolean;
+}
+
 export class Tabs {
   readonly element: HTMLElement;
   private buttons: HTMLButtonElement[];
-  private chosen = 0;
+  private wanted = "";
 
-  constructor(private pages: [string, HTMLElement][], private changed: (name: string) => void) {
-    this.buttons = pages.map(([name], i) => h("button", { type: "button", role: "tab", onclick: () => this.choose(pages[i]![0]) }, name));
+  constructor(private pages: Page[], private changed: (name: string) => void) {
+    this.buttons = pages.map(({ name }) => h("button", { type: "button", role: "tab", onclick: () => this.choose(name) }, name));
     const list = h("div", { class: "tabs", role: "tablist" }, ...this.buttons);
     list.addEventListener("keydown", (event) => {
       const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
@@ -15,24 +22,35 @@ export class Tabs {
       event.preventDefault();
       event.stopPropagation();
       this.next(by);
-      this.buttons[this.chosen]!.focus();
+      this.buttons.find((one) => one.tabIndex === 0)!.focus();
     });
-    pages.forEach(([, page]) => { page.setAttribute("role", "tabpanel"); });
-    this.element = h("div", { class: "tabbed" }, list, ...pages.map(([, page]) => page));
+    for (const { element } of pages) element.setAttribute("role", "tabpanel");
+    this.element = h("div", { class: "tabbed" }, list, ...pages.map(({ element }) => element));
   }
 
   next(by = 1): void {
-    this.choose(this.pages[(this.chosen + by + this.pages.length) % this.pages.length]![0]);
+    const shown = this.pages.filter((page) => !page.empty());
+    const chosen = shown.findIndex(({ element }) => !element.hidden);
+    this.choose(shown[(chosen + by + shown.length) % shown.length]!.name);
   }
 
-  /** By its name in any case; an unknown one chooses the first. */
+  /** By its name in any case. */
   choose(name: string, tell = true): void {
-    this.chosen = Math.max(0, this.pages.findIndex(([one]) => one.toLowerCase() === name.toLowerCase()));
-    this.pages.forEach(([, page], i) => { page.hidden = i !== this.chosen; });
-    this.buttons.forEach((button, i) => {
-      button.setAttribute("aria-selected", String(i === this.chosen));
-      button.tabIndex = i === this.chosen ? 0 : -1;
+    this.wanted = name.toLowerCase();
+    this.renew();
+    if (tell) this.changed(name);
+  }
+
+  /** Shows the page that was chosen last, or the first while that one is empty. */
+  renew(): void {
+    const shown = this.pages.filter((page) => !page.empty());
+    const chosen = shown.find(({ name }) => name.toLowerCase() === this.wanted) ?? shown[0];
+    this.pages.forEach((page, i) => {
+      const button = this.buttons[i]!;
+      button.hidden = !shown.includes(page);
+      page.element.hidden = page !== chosen;
+      button.setAttribute("aria-selected", String(page === chosen));
+      button.tabIndex = page === chosen ? 0 : -1;
     });
-    if (tell) this.changed(this.pages[this.chosen]![0]);
   }
 }

@@ -28,23 +28,34 @@ const columns: Column[] = [
 export class TargetTable {
   readonly element: HTMLElement;
   private table = h("table");
-  private bodies: Map<Target, HTMLTableSectionElement>;
+  private bodies = new Map<Target, HTMLTableSectionElement>();
+  private listed: Target[] = [];
+  private run!: Run;
   private order: { column: Column | null; falling: boolean } = { column: null, falling: false };
 
-  constructor(private run: Run, select: (target: Target) => void) {
-    this.bodies = new Map(run.report.targets.map((target) => [target, this.body(target, select)]));
+  constructor(run: Run, private select: (target: Target) => void) {
     const head = h("tr", {}, ...columns.map((column) => {
       const cell = h("th", { scope: "col" }, h("button", { type: "button", onclick: () => this.sort(column, cell) }, column.label));
       return cell;
     }));
-    this.table.append(h("thead", {}, head), ...this.bodies.values());
+    this.table.append(h("thead", {}, head));
     this.element = h("section", { class: "targets scrolls", tabindex: 0, "aria-label": "Targets" }, this.table);
+    this.renew(run);
   }
 
-  private body(target: Target, select: (target: Target) => void): HTMLTableSectionElement {
+  renew(run: Run): void {
+    this.run = run;
+    if (run.report.targets === this.listed) return;
+    this.listed = run.report.targets;
+    for (const body of this.bodies.values()) body.remove();
+    this.bodies = new Map(this.listed.map((target) => [target, this.body(target)]));
+    this.arrange();
+  }
+
+  private body(target: Target): HTMLTableSectionElement {
     const cells = columns.map((column, i) => h("td", i === 1 ? { class: "status" } : {},
       i > 0 ? column.text(target) : h("button", { type: "button", title: target.name }, h("i"), h("span", {}, target.name))));
-    return h("tbody", { onclick: () => select(target) }, h("tr", {}, ...cells),
+    return h("tbody", { onclick: () => this.select(target) }, h("tr", {}, ...cells),
       h("tr", { class: "reason" }, h("td", { colspan: columns.length }, target.reason)));
   }
 
@@ -54,12 +65,22 @@ export class TargetTable {
     order.column = column;
     for (const other of this.table.querySelectorAll("th")) other.removeAttribute("aria-sort");
     cell.setAttribute("aria-sort", order.falling ? "descending" : "ascending");
+    this.arrange();
+  }
+
+  /** In the order of the column that was chosen; in that of the report before one was. */
+  private arrange(): void {
+    const { column, falling } = this.order;
+    if (!column) {
+      this.table.append(...this.bodies.values());
+      return;
+    }
     const rank = (a: Target, b: Target): number => {
       const [x, y] = [column.value(a), column.value(b)];
       return typeof x === "string" ? x.localeCompare(String(y), "en", { numeric: true }) : x - Number(y);
     };
     const none = (target: Target): number => (Number.isNaN(column.value(target)) ? 1 : 0);  // last, either way round
-    const sorted = [...this.bodies.keys()].sort((a, b) => none(a) - none(b) || (order.falling ? -1 : 1) * rank(a, b) || 0);
+    const sorted = [...this.bodies.keys()].sort((a, b) => none(a) - none(b) || (falling ? -1 : 1) * rank(a, b) || 0);
     this.table.append(...sorted.map((target) => this.bodies.get(target)!));
   }
 

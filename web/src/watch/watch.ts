@@ -9,7 +9,7 @@ import { Run } from "../report/run";
 import type { Report, Target } from "../report/types";
 import { Clock, neighbour } from "./clock";
 import { EventList } from "./event_list";
-import { facts } from "./facts";
+import { Facts } from "./facts";
 import { showFilmDialog } from "./film_dialog";
 import { Frame } from "./frame";
 import type { Now } from "./layer";
@@ -34,33 +34,41 @@ export class Watch {
   private plan: PlanView;
   private space: SpaceView | null = null;
   private inSpace = false;
-  private side: SideView | null = null;
-  private table: TargetTable | null = null;
+  private side: SideView;
+  private table: TargetTable;
   private events: EventList;
   private plots: Plots;
+  private facts = new Facts();
   private tabs: Tabs;
   private timeline: Timeline;
   private frameAsked = 0;
   private before = 0;
   private last: Flight | undefined;
   private switcher: HTMLElement;
+  private legend: HTMLElement;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
   private following = false;
   private barWatcher: ResizeObserver;
 
-  constructor(report: Report, query: Record<string, string>) {
-    this.run = new Run(report);
-    this.clock = new Clock(this.run.duration, () => this.invalidate());
+  /** `goesOn`: the run is not over; renew() shows more of it. */
+  constructor(report: Report, query: Record<string, string>, goesOn = false) {
+    this.run = new Run(report, goesOn);
+    this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.plan = new PlanView(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one) });
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
     this.plots = new Plots(this.run, (t) => this.clock.seek(t));
-    this.timeline = new Timeline(this.run, this.clock, this.marks, { step: (d) => this.step(d), select: (mark) => this.selectMark(mark) });
+    this.side = new SideView(this.run, () => this.invalidate());
+    this.table = new TargetTable(this.run, (target) => this.selectTarget(target));
+    this.timeline = new Timeline(this.clock, { step: (d) => this.step(d), select: (mark) => this.selectMark(mark) });
+    this.timeline.renew(this.run, this.marks);
+    this.facts.renew(this.run, goesOn);
     this.tabs = this.madeTabs();
+    this.legend = signedLegend(this.run);
     this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
       h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
       h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, signedLegend(this.run));
+    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
     this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
     this.barWatcher.observe(bar);
     this.stage.append(this.plan.element, bar,
@@ -75,30 +83,47 @@ export class Watch {
   close(): void {
     cancelAnimationFrame(this.frameAsked);
     this.frameAsked = -1;
-    keys.set("Playing", []);
-    keys.set("View", []);
+    keys.drop(this);
     this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();
-    this.side?.close();
+    this.side.close();
     this.plots.close();
   }
 
   private madeTabs(): Tabs {
-    const { report } = this.run;
-    const pages: [string, HTMLElement][] = [];
-    if (report.targets.length > 0) {
-      this.side = new SideView(this.run, () => this.invalidate());
-      this.table = new TargetTable(this.run, (target) => this.selectTarget(target));
-      pages.push(["Targets", h("div", { class: "split" }, this.side.element, this.table.element)]);
-    }
-    if (!this.plots.empty) pages.push(["Plots", this.plots.element]);
-    if (report.events.length > 0) pages.push(["Events", this.events.element]);
-    pages.push(["Numbers", facts(report)]);
-    return new Tabs(pages, (name) => { keepInAddress({ tab: name.toLowerCase() }); this.invalidate(); });
+    return new Tabs([
+      { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => this.run.report.targets.length === 0 },
+      { name: "Plots", element: this.plots.element, empty: () => this.plots.empty },
+      { name: "Events", element: this.events.element, empty: () => this.events.empty },
+      { name: "Numbers", element: this.facts.element, empty: () => false },
+    ], (name) => { keepInAddress({ tab: name.toLowerCase() }); this.invalidate(); });
   }
 
-  /** As the address says: t, shot, view, tab, follow. Without a time it plays. */
+  /** Shows more of the run, or all of it in the end, and else what it showed: the time, the shot, the tab, the view. */
+  renew(report: Report, goesOn: boolean): void {
+    const run = new Run(report, goesOn);
+    const { shot, target, mark } = this.selected;
+    this.run = run;
+    this.marks = marksOf(run);
+    for (const part of [this.plan, this.space, this.side, this.table, this.events, this.plots]) part?.renew(run);
+    this.clock.grow(run.duration, goesOn);
+    this.timeline.renew(run, this.marks);
+    this.facts.renew(run, goesOn);
+    this.tabs.renew();
+    const legend = signedLegend(run);
+    if (!legend.isEqualNode(this.legend)) {
+      this.legend.replaceWith(legend);
+      this.legend = legend;
+    }
+    const same = shot && (run.flights[shot.index] ?? null);
+    this.last = this.last && run.flights[this.last.index];
+    this.select(same, run.targetNamed(target?.name) ?? report.targets[0] ?? null);
+    if (mark && !same) this.selected.mark = this.marks.find((one) => one.t === mark.t && one.title === mark.title) ?? null;
+    if (!goesOn) this.bindKeys();
+  }
+
+  /** As the address says: t, shot, view, tab, follow. Without a time it plays, or keeps to the head of a run that goes on. */
   private begin(query: Record<string, string>): void {
     this.tabs.choose(query.tab ?? "", false);
     const shot = this.run.flights[Number(query.shot ?? 1) - 1] ?? this.run.flights[0] ?? null;
@@ -107,6 +132,7 @@ export class Watch {
     if (query.follow) this.setFollow(true);
     if (query.t !== undefined) this.clock.seek(finite(Number(query.t)));
     else if (query.shot !== undefined && shot) this.clock.seek(shot.start);
+    else if (this.clock.goesOn) this.clock.follow();
     else if (!calm.matches) this.clock.toggle(true);
     else this.invalidate();
   }
@@ -118,38 +144,42 @@ export class Watch {
   private frame(now: number): void {
     this.frameAsked = 0;
     const { clock } = this;
-    clock.advance((now - this.before) / 1000);
+    clock.advance(clock.live && calm.matches ? Infinity : (now - this.before) / 1000);
     this.before = now;
     this.followShots();
     if (this.inSpace) this.space?.draw(this.present);
     else this.plan.draw(this.present);
-    this.side?.draw(clock.t);
-    this.table?.show(clock.t, this.selected.target);
+    this.side.draw(clock.t);
+    this.table.show(clock.t, this.selected.target);
     this.events.show(clock.t);
     this.plots.show(clock.t);
     this.timeline.show(this.selected.mark);
-    if (clock.playing) this.invalidate();
-    else keepInAddress({ t: clock.t.toFixed(2) });
+    if (clock.moves) this.invalidate();
+    else keepInAddress({ t: clock.live ? "" : clock.t.toFixed(2) });
   }
 
   private get present(): Now {
     const { clock, selected: { shot, target } } = this;
-    return { t: clock.t, shot, target, speed: clock.playing && !calm.matches ? clock.speed : 0 };
+    return { t: clock.t, shot, target, speed: clock.moves && !calm.matches ? clock.speed : 0 };
   }
 
-  /** While playing, the side view shows the shot that was fired last. */
+  /** While time passes, the side view shows the shot that was fired last. */
   private followShots(): void {
-    if (!this.clock.playing) return;
+    if (!this.clock.playing && !this.clock.live) return;
     const last = this.run.flights.findLast((shot) => shot.start <= this.clock.t);
     if (last && last !== this.last) this.choose(last, this.run.targetOf(last));
     this.last = last;
   }
 
-  private choose(shot: Flight | null, target: Target | null): void {
+  private select(shot: Flight | null, target: Target | null): void {
     this.selected = { shot, target, mark: this.marks.find((mark) => shot !== null && mark.shot === shot) ?? null };
-    this.side?.select(shot, target);
-    if (target) this.table?.reveal(target);
+    this.side.select(shot, target);
     this.invalidate();
+  }
+
+  private choose(shot: Flight | null, target: Target | null): void {
+    this.select(shot, target);
+    if (target) this.table.reveal(target);
   }
 
   private selectShot(shot: Flight): void {
@@ -230,6 +260,7 @@ export class Watch {
 
   private bindKeys(): void {
     const { clock } = this;
+    const toLive = { key: "l", words: "keep to what happens now", act: () => clock.follow() };
     keys.set("Playing", [
       { key: " ", words: "play or pause", act: () => clock.toggle() },
       { key: "ArrowLeft", words: "1 s back", act: () => clock.seek(clock.t - 1) },
@@ -241,10 +272,11 @@ export class Watch {
       { key: "p", words: "previous event", act: () => this.step(-1) },
       { key: "n", words: "next event", act: () => this.step(1) },
       { key: "Home", words: "to the start", act: () => clock.seek(0) },
-      { key: "End", words: "to the end", act: () => clock.seek(clock.duration) },
+      { key: "End", words: "to the end", act: () => clock.follow() },
+      ...(clock.goesOn ? [toLive] : []),
       { key: "<", words: "slower", act: () => clock.shift(-1) },
       { key: ">", words: "faster", act: () => clock.shift(1) },
-    ]);
+    ], this);
     keys.set("View", [
       { key: "v", words: "plan or space", act: () => void this.show(!this.inSpace) },
       { key: "f", words: "follow the robot", act: () => this.setFollow(!this.following) },
@@ -256,6 +288,6 @@ export class Watch {
       { key: "g", words: "save the plan view as SVG", act: () => saveText(this.plan.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
       { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
       { key: "j", words: "save the report as JSON", act: () => saveText(JSON.stringify(this.run.report), `${this.run.report.job}.json`) },
-    ]);
+    ], this);
   }
 }

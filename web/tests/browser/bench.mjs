@@ -1,11 +1,13 @@
-// What the page costs: bytes and time to its first frame, and the time of a frame while one scrubs through
-// recordings of 10 minutes at 20 Hz.
+// What the page costs: bytes and time to its first frame, the time of a frame while one scrubs through recordings of
+// 10 minutes at 20 Hz, what a running mission adds, and plans while one drags. The plane is measured in a browser as it
+// is without a graphics card, space in one whose card is software, since there it is drawn on no other.
 //   OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/bench.mjs
 import { readFileSync, writeFileSync } from "node:fs";
 import { loadavg } from "node:os";
 import { join } from "node:path";
-import { executable, launch } from "./browser.mjs";
+import { executable, launch, launchPlain } from "./browser.mjs";
 import { measureDragging } from "./drag.mjs";
+import { measureGrowth } from "./grow.mjs";
 import { makeFolder, serve } from "./server.mjs";
 
 if (!executable) {
@@ -22,17 +24,19 @@ const beliefs = rows.map(([time_s, x, y, heading], i) => ({ time_s, pose: [x + 0
   sigma_x_m: 0.03, sigma_y_m: 0.02, correlation: 0.2, sigma_rad: 0.01, saw_tag: i % 40 < 20 }));
 const tags = Array.from({ length: 8 }, (_, id) => ({ id, position: [2.2 * id - 8, 6.5], facing_rad: -1.5708, size_m: 0.2, height_m: 0.4 }));
 const write = (name, report) => writeFileSync(join(folder, `reports/${name}.json`), JSON.stringify(report));
-write("guard", { ...yard, track: rows, events });
-write("drive", { ...yard, job: "drive", targets: [], shots: [], track: rows, events, drive: { loop: "closed", tags, stops: [], beliefs } });
+const long = { guard: { ...yard, track: rows, events },
+  drive: { ...yard, job: "drive", targets: [], shots: [], track: rows, events, drive: { loop: "closed", tags, stops: [], beliefs } } };
+for (const [name, report] of Object.entries(long)) write(name, report);
 
 const server = await serve(folder);
-const browser = await launch();
+const browsers = { plane: await launchPlain(), space: await launch() };
+const browserFor = (hash) => (hash.includes("view=3d") ? browsers.space : browsers.plane);
 const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`;
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Opens a view in a browser that knows nothing yet; returns the page, the time to its first frame, and what was moved. */
 async function open(hash, selector) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" });
+  const context = await browserFor(hash).newContext({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" });
   const page = await context.newPage();
   const session = await context.newCDPSession(page);
   await session.send("Network.enable");
@@ -98,8 +102,11 @@ for (const [name, hash, selector] of [["guard", "tab=targets", ".tabbed"], ["gua
   console.log(`page: scrubbing 10 minutes at 20 Hz, ${name}, ${hash}: a frame takes ${at(0.5)} ms (median), 99 % within ${at(0.99)} ms; ${spent.toFixed(1)} ms of processor time`);
   await page.context().close();
 }
+for (const [name, hash] of [["guard", "tab=targets"], ["drive", "tab=plots"], ["drive", "tab=plots&view=3d"]]) {
+  await measureGrowth(browserFor(hash), server, long[name], hash);
+}
 await measureDragging(server, folder);
 console.log(`page: the load of the machine was ${loadavg()[0].toFixed(1)}`);
-await browser.close();
+for (const browser of Object.values(browsers)) await browser.close();
 await server.stop();
 remove();

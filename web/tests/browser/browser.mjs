@@ -9,13 +9,14 @@ const shots = fileURLToPath(new URL("../shots/", import.meta.url));
 
 export const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 
-export async function launch() {
-  return chromium.launch({
-    executablePath: executable,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-      "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"],
-  });
-}
+const plain = ["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"];
+/** A graphics card made of software, which the view in space needs where there is none. It draws the plane as well, and slowly. */
+const card = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+
+export const launch = () => chromium.launch({ executablePath: executable, args: [...plain, ...card] });
+
+/** As Chromium runs on a machine without a graphics card: it draws by itself. */
+export const launchPlain = () => chromium.launch({ executablePath: executable, args: [...plain, "--disable-gpu"] });
 
 /** Waits until `ask` answers with something true, which is returned. */
 export async function until(what, ask, seconds = 15) {

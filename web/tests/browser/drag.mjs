@@ -1,8 +1,7 @@
 // Plans while one drags, measured: how often a plan comes back, and how long after the pointer moved.
 import { cpSync } from "node:fs";
 import { join } from "node:path";
-import { chromium } from "playwright-core";
-import { executable } from "./browser.mjs";
+import { launchPlain } from "./browser.mjs";
 import { source } from "./server.mjs";
 
 const margin = { left: 34, right: 20, top: 50, bottom: 40 };  // as Camera has it
@@ -56,12 +55,9 @@ async function drag(page, from, to, seconds = 2) {
   return { moves: steps / spent, answers: notes.length / spent, median: at(0.5), most: at(0.99) };
 }
 
-/**
- * Says for each kind of ground how it goes. In a browser of its own: the graphics card in software, which the view in
- * space needs here, would take 57 ms for each frame of the plane.
- */
+/** Says for each kind of ground how it goes. */
 export async function measureDragging(server, folder) {
-  const browser = await chromium.launch({ executablePath: executable, args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"] });
+  const browser = await launchPlain();
   cpSync(join(source, "scenarios/explore"), join(folder, "explore"), { recursive: true });
   for (const [what, path, planner, tool, from, to] of [
     ["the goal", "maps/gallery.map", "a_star", "", "goal", [0.5, 0.5]],

@@ -7,7 +7,8 @@ import { join } from "node:path";
 import { compareShot, executable, launch, saved, until } from "./browser.mjs";
 import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
-import { makeRuns } from "./runs.mjs";
+import { liveCases } from "./live_cases.mjs";
+import { makeMaps, makeRuns } from "./runs.mjs";
 import { makeFolder, makeViewer, serve, tool } from "./server.mjs";
 
 const [output, ...only] = process.argv.slice(2);
@@ -48,6 +49,21 @@ const onMap = (page, x, y) => page.evaluate(([px, py]) => {
   const scale = Math.min((width - 54) / w, (height - 90) / h);
   return [left + 34 + (width - 54) / 2 + scale * (px - w / 2), top + 50 + (height - 90) / 2 - scale * (py - h / 2)];
 }, [x, y]);
+
+/** Compares what `g` saves with what `s` saves. */
+async function svgIsAsTheView(page) {
+  const view = readPng(await saved(page, () => page.keyboard.press("s")));
+  const drawn = readPng(await page.evaluate(async (svg) => {
+    const image = new Image();
+    image.src = `data:image/svg+xml;base64,${svg}`;
+    await image.decode();
+    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    return canvas.toDataURL().split(",")[1];
+  }, (await saved(page, () => page.keyboard.press("g"))).toString("base64")).then((text) => Buffer.from(text, "base64")));
+  const off = difference(shrunk(view, 2), shrunk(drawn, 2));
+  assert.ok(off < 0.01, `${(100 * off).toFixed(1)} % of the SVG differs from the view`);
+}
 
 const cases = {
   async "a report: scrub to a shot, step, switch to space, reload at its address"() {
@@ -93,6 +109,68 @@ const cases = {
     await page.close();
   },
 
+  async "mapping from logs: the map, landmarks and their ellipses, in plan and in space"() {
+    makeMaps(folder);
+    const rooms = await open("#watch/reports/office/slam.json?t=95&tab=plots");
+    await rooms.waitForSelector(".plots figure");
+    const legend = await text(rooms, ".legend");
+    assert.match(legend, /way settled in the end.*believed then, 2\u03c3.*odometry alone.*reference.*range finder/);
+    assert.doesNotMatch(legend, /\btrue\b/);
+    await frames(rooms);
+    await compareShot(rooms, "slam", output);
+    await rooms.close();
+    const page = await open("#watch/reports/posts/slam.json?t=10&view=3d");
+    await page.waitForSelector(".space-view canvas");
+    assert.match(await text(page, ".legend"), /landmark, 2\u03c3.*true place/);
+    await frames(page);
+    await compareShot(page, "slam-space", output);
+    await page.keyboard.press("v");
+    await page.keyboard.press("End");
+    await page.keyboard.press("f");  // the robot is in the middle then
+    await frames(page);
+    const view = await page.locator(".plan-view canvas").boundingBox();
+    await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
+    assert.match(await text(page, ".plan-view .tip"), /^believed .* off the way as settled/);
+    await page.close();
+  },
+
+  async "an area is covered live; the strip is the same whether one comes from before or after, and as SVG"() {
+    const page = await open("#live?scenario=cover/cover_room.yaml");
+    await page.waitForSelector(".start button:enabled");
+    await page.click(".start button");
+    await page.waitForSelector(".live-page .verdict", { timeout: 30000 });
+    assert.match(await text(page, ".verdict"), /Done/);
+    assert.match(await text(page, ".legend"), /covered.*lap.*lane.*move.*planned.*out of reach/);
+    const at = async (seconds) => {
+      await page.locator(".transport input[type=range]").evaluate((slider, t) => {
+        slider.value = String(t);
+        slider.dispatchEvent(new Event("input"));
+      }, seconds);
+      await frames(page);
+    };
+    const picture = () => saved(page, () => page.keyboard.press("s"));
+    await page.evaluate(() => document.activeElement.blur());
+    await at(0);
+    await at(60);
+    const first = await picture();
+    await page.keyboard.press("n");
+    await frames(page);
+    assert.match(await text(page, ".action"), /^lap 1 of 1 begins/);
+    await page.keyboard.press("End");
+    await frames(page);
+    assert.match(await text(page, ".action"), /% of the reach is covered/);
+    await at(60);
+    assert.ok(first.equals(await picture()), "the view at 60 s depends on what was shown before");
+    await svgIsAsTheView(page);
+    await compareShot(page, "cover", output);
+    const frame = await page.locator(".plan-view canvas").boundingBox();
+    await page.keyboard.press("f");
+    await frames(page);
+    await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
+    assert.match(await text(page, ".plan-view .tip"), /^covered at (0:5\d|1:00)/);
+    await page.close();
+  },
+
   async "the viewer is one file that shows the same, dark, on a phone"() {
     const page = await open(`file://${makeViewer(folder, "reports/yard.json")}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
     await page.waitForSelector(".targets tbody");
@@ -122,17 +200,7 @@ const cases = {
     assert.match(await text(page, ".film .hint"), /^To: it takes a time from/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("dialog.film", { state: "detached" });
-    const view = readPng(await saved(page, () => page.keyboard.press("s")));
-    const drawn = readPng(await page.evaluate(async (svg) => {
-      const image = new Image();
-      image.src = `data:image/svg+xml;base64,${svg}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-      canvas.getContext("2d").drawImage(image, 0, 0);
-      return canvas.toDataURL().split(",")[1];
-    }, (await saved(page, () => page.keyboard.press("g"))).toString("base64")).then((text) => Buffer.from(text, "base64")));
-    const off = difference(shrunk(view, 2), shrunk(drawn, 2));
-    assert.ok(off < 0.01, `${(100 * off).toFixed(1)} % of the SVG differs from the view`);
+    await svgIsAsTheView(page);
     await page.close();
   },
 
@@ -157,6 +225,39 @@ const cases = {
     const [, g, h, f] = words.match(/g ([\d.]+) +h ([\d.]+) +f ([\d.]+)/).map(Number);
     assert.ok(Math.abs(g + h - f) < 0.002, words);
     assert.match(words, /parent \(\d+, \d+\)|the start/);
+    await page.close();
+  },
+
+  async "a search on polygons is stepped through by its legs; the heading is turned; a lookup says that it is none"() {
+    const page = await open("#plan/yard/yard.sdf?planner=visibility_graph_implicit&start=-6,-5&goal=0,4.4");
+    await page.waitForSelector(".result");
+    const clock = () => text(page, ".transport .clock");
+    await until("the trace", async () => (await clock()).includes("/"));
+    const all = Number((await clock()).split("/")[1].replaceAll(",", ""));
+    assert.equal(await cell(page, "expansions"), all.toLocaleString("en"));
+    await page.keyboard.press("Home");
+    for (let i = 0; i < 12; ++i) await page.keyboard.press("ArrowRight");
+    await frames(page);
+    const box = [-10.06, -7.06, 10.06, 7.06];
+    await page.mouse.move(...await onScreen(page, box, [-6, -5]));
+    assert.match(await text(page, ".pane .tip"), /^\(\u22126\.00, \u22125\.00\) m expanded as number 1\ng 0\.000/);
+    await compareShot(page, "search-polygons", output);
+    const choose = async (name) => {
+      const seen = await answers(page);
+      await page.selectOption(".choice select", name);
+      await nextAnswer(page, seen);
+    };
+    await choose("least_time");
+    const free = Number.parseFloat(await cell(page, "cost"));
+    const seen = await answers(page);
+    await page.evaluate(() => document.activeElement.blur());
+    for (let i = 0; i < 18; ++i) await page.keyboard.press(".");  // to 90 degrees to the right of the goal's side
+    await until("a dearer way", async () => await answers(page) > seen && Number.parseFloat(await cell(page, "cost")) > free + 0.5);
+    assert.equal(await page.inputValue("#option-heading"), "-90");
+    assert.ok(await page.isChecked("#option-first_turn"));
+    await page.goto(`${server.url}#plan/maps/gallery.map?planner=hub_labels`);
+    await page.waitForSelector(".result");
+    await until("the sentence", async () => /^hub_labels looks its answer up in an index/.test(await text(page, ".action")));
     await page.close();
   },
 
@@ -237,7 +338,7 @@ const cases = {
     await page.close();
   },
 
-  async "a yard: a target is dragged, an obstacle added, both are saved and guarded"() {
+  async "a yard: targets and things of the world are dragged, turned, removed and restored, all is saved and guarded"() {
     const page = await open("#change/yard/yard.yaml");
     await page.waitForSelector(".yard-page tbody");
     const box = [-10.06, -7.06, 10.06, 7.06];  // of its fence
@@ -257,6 +358,40 @@ const cases = {
     await until("the target", async () => Math.abs((await position())[0] - x - 0.5) < 0.1);
     await page.keyboard.press("e");
     await page.mouse.click(...await onScreen(page, box, [-7, -2]));
+    // A thing of the world: dragged, turned by its handle, and again by the keyboard.
+    await page.keyboard.press("q");
+    const row = async (of) => (await page.locator(`.result tr[data-name="${of}"] td`).allTextContents()).map((one) => Number(one.replace("\u2212", "-")));
+    const dragBy = async (from, to) => {
+      await page.mouse.move(...from);
+      await page.mouse.down();
+      await page.mouse.move(...to, { steps: 4 });
+      await page.mouse.up();
+      await frames(page);
+    };
+    const things = JSON.parse(await page.evaluate(async () => (await fetch("api/v1/scenarios/yard/yard.yaml")).text())).things;
+    const oak = things.find((one) => one.name === "oak");
+    const [wx, wy] = oak.middle;
+    await dragBy(await onScreen(page, box, [wx, wy]), await onScreen(page, box, [wx + 1, wy - 0.5]));
+    assert.ok(Math.hypot((await row("oak"))[0] - wx - 1, (await row("oak"))[1] - wy + 0.5) < 0.05, String(await row("oak")));
+    const reach = Math.max(...oak.polygons.flat().map(([u, v]) => Math.hypot(u - wx, v - wy)));
+    const [hx, hy] = await onScreen(page, box, [wx + 1 + reach, wy - 0.5]);
+    await dragBy([hx + 34, hy], await onScreen(page, box, [wx + 1, wy + 2]));
+    assert.equal((await row("oak"))[2], 90);
+    await page.keyboard.press(",");
+    assert.equal((await row("oak"))[2], 95);
+    // Taken away, brought back by a step back, taken away again.
+    await page.locator('.result tr[data-name="oak"]').click();
+    for (let i = 0; i < things.length; ++i) {
+      await page.keyboard.press("o");
+      if (await page.locator('.result tr[data-name="bench"]').count() > 0) break;
+    }
+    await page.keyboard.press("Delete");
+    assert.match(await text(page, '.result tr[data-name="bench"]'), /removed/);
+    await page.keyboard.press("Control+z");
+    assert.doesNotMatch(await text(page, '.result tr[data-name="bench"]'), /removed/);
+    await page.keyboard.press("x");
+    assert.match(await text(page, ".yard-page .hint"), /bench is removed; x brings it back/);
+    await page.locator('.result tr[data-name="oak"]').click();
     await frames(page);
     await compareShot(page, "yard", output);
     await page.click('.save button[type="button"]');
@@ -265,49 +400,22 @@ const cases = {
     assert.match(list, /Saved by the page/);
     assert.equal(list.trim().split("\n").length, before.length, "a line each, and the mark in place of the robot");
     assert.match(readFileSync(join(folder, "yard/yard_changed_world.sdf"), "utf8"), /<model name="box_/);
+    const scenario = readFileSync(join(folder, "yard/yard_changed.yaml"), "utf8");
+    assert.match(scenario, /moved: .?oak=[-\d.]+,[-\d.]+,95\b/);
+    assert.match(scenario, /removed: .?bench\b/);
     await page.click(".run-head .button");
+    await page.goto(`${server.url}#change/yard/yard_changed.yaml`);
+    await page.waitForSelector('.result tr[data-name="oak"]');
+    assert.equal((await row("oak"))[2], 95);
+    assert.match(await text(page, '.result tr[data-name="bench"]'), /removed/);
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.keyboard.press("d");
+    await frames(page);
+    await compareShot(page, "yard-phone-dark", output);
     await page.close();
   },
 
-  async "a mission runs live, is cancelled, another is run; two viewers see it"() {
-    const page = await open("#live?scenario=yard/yard.yaml");
-    await page.waitForSelector(".start button:enabled");
-    assert.equal(await page.inputValue("#scenario"), "yard/yard.yaml");
-    await page.click(".start button");
-    await page.waitForSelector('.live-page[data-state="running"]');
-    const other = await open(await page.evaluate(() => location.hash));
-    await other.waitForSelector('.live-page[data-state="running"]');
-    await page.click(".run-head .button");
-    await page.waitForSelector('.live-page[data-state="cancelled"]');
-    await other.waitForSelector('.live-page[data-state="cancelled"]');
-    await other.close();
-    await page.goto(`${server.url}#live?scenario=pursuit/park.yaml`);
-    await page.waitForSelector(".start button:enabled");
-    await page.click(".start button");
-    await page.waitForSelector(".live-page .watch", { timeout: 30000 });
-    assert.match(await text(page, ".verdict"), /Done/);
-    await page.close();
-  },
-
-  async "a mission is drawn while it runs, and somebody who comes in the middle sees it from the start"() {
-    const page = await open("#live?scenario=waypoints/closed_loop.yaml");
-    await page.waitForSelector(".start button:enabled");
-    await page.evaluate(() => {
-      window.told = [];
-      new MutationObserver((changes) => window.told.push(...changes.map(({ target }) => Number(target.dataset.samples))))
-        .observe(document.querySelector("main"), { subtree: true, attributeFilter: ["data-samples"] });
-    });
-    await page.click(".start button");
-    await page.waitForSelector(".run-body:not([hidden]) .plan-view canvas");
-    const late = await open(await page.evaluate(() => location.hash));
-    for (const one of [page, late]) await one.waitForSelector(".live-page .watch", { timeout: 30000 });
-    const told = await page.evaluate(() => window.told);
-    assert.ok(told.length > 2 && told.every((samples, i) => i === 0 || samples >= told[i - 1]), String(told));
-    assert.ok(told.at(-1) > told[0], String(told));
-    assert.match(await text(late, ".verdict"), /Done/);
-    await late.close();
-    await page.close();
-  },
+  ...liveCases({ open, text, server, folder }),
 
   async "a broken file is refused with a sentence, a good one opens"() {
     const page = await open();

@@ -71,6 +71,14 @@ const pictures = {
     execFileSync(tool, ["run", join(source, "scenarios/explore/office.yaml"), "--out", join(folder, "office")], { stdio: "ignore" });
     return still(name, "#watch/office/explore.json?view=3d&follow=1&t=36&theme=dark&tab=plots", ".space-view canvas");
   },
+  "page-slam.png": (name) => {
+    execFileSync(tool, ["run", join(source, "scenarios/slam/office.yaml"), "--out", join(folder, "slam")], { stdio: "ignore" });
+    return still(name, "#watch/slam/slam.json?t=95&theme=light&tab=plots", ".plots figure");
+  },
+  "page-cover.png": (name) => {
+    execFileSync(tool, ["run", join(source, "scenarios/cover/cover_field.yaml"), "--out", join(folder, "field")], { stdio: "ignore" });
+    return still(name, "#watch/field/cover.json?view=3d&t=4985&theme=light&tab=plots", ".space-view canvas");
+  },
   "page-search.png": (name) => still(name, "#plan/maps/gallery.map?planner=a_star&radius=0&theme=dark&step=70", ".result", async (page) => {
     await until("the trace", async () => (await page.locator(".transport .clock").textContent()).startsWith("70 /"));
     const view = await page.locator(".pane canvas").boundingBox();

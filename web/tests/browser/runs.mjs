@@ -1,8 +1,8 @@
-// Reports of two short runs, made by the tool: a robot explores two rooms on a map with a heading, another drives by tags.
+// Reports of short runs, made by the tool: a robot explores two rooms on a map with a heading, another drives by tags, logs are mapped.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { tool } from "./server.mjs";
+import { source, tool } from "./server.mjs";
 
 /** Rooms of 4.2 by 3.2 m as an image: what lies in one of the boxes (columns and rows of 5 cm, from the upper left) is wall. */
 function rooms() {
@@ -22,4 +22,9 @@ export function makeRuns(folder) {
   const drive = join(folder, "waypoints/modelled.yaml");
   writeFileSync(drive, readFileSync(join(folder, "waypoints/closed_loop.yaml"), "utf8").replace("sight: rendered", "sight: modelled"));
   run("run", drive, "--out", join(folder, "reports/drive"));
+}
+
+export function makeMaps(folder) {
+  for (const name of ["office", "posts"])
+    execFileSync(tool, ["run", join(source, `scenarios/slam/${name}.yaml`), "--out", join(folder, `reports/${name}`)], { stdio: "ignore" });
 }

@@ -11,7 +11,7 @@ export const source = process.env.OUTRIDER_SOURCE;
 export function makeFolder() {
   const home = mkdtempSync(join(tmpdir(), "outrider-page-"));
   const folder = join(home, "ground");
-  for (const name of ["maps", "pursuit", "waypoints", "yard"]) cpSync(join(source, "scenarios", name), join(folder, name), { recursive: true });
+  for (const name of ["cover", "maps", "pursuit", "waypoints", "yard"]) cpSync(join(source, "scenarios", name), join(folder, name), { recursive: true });
   mkdirSync(join(folder, "reports"));
   copyFileSync(join(source, "web/tests/browser/yard.json"), join(folder, "reports/yard.json"));
   return { folder, remove: () => rmSync(home, { recursive: true, force: true }) };

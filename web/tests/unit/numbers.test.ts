@@ -13,6 +13,8 @@ describe("numbers for people", () => {
     expect(metric("mission_s", 58.107)).toEqual({ label: "mission", value: "58.1", unit: "s" });
     expect(metric("driven_m", 21.67)).toEqual({ label: "driven", value: "21.7", unit: "m" });
     expect(metric("turned_rad", 2 * Math.PI)).toEqual({ label: "turned", value: "1.00", unit: "turns" });
+    expect(metric("reach_m2", 41.26)).toEqual({ label: "reach", value: "41.3", unit: "m\u00b2" });
+    expect(metric("covered_fraction", 0.99987)).toEqual({ label: "covered", value: "99.99", unit: "%" });
     expect(metric("places", 18569)).toEqual({ label: "places", value: "18,569", unit: "" });
     expect(metric("gap", null).value).toBe("\u2013");
   });

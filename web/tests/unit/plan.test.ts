@@ -122,7 +122,7 @@ describe("saving a scenario", () => {
       asked.push([url, new Headers(init.headers).get("If-None-Match")]);
       return replies.shift()!;
     });
-    const form = new SaveForm("a", "", () => ({ guard: { scenario: "yard.yaml", start: [0, 0], targets: [], boxes: [] } }));
+    const form = new SaveForm("a", "", () => ({ guard: { scenario: "yard.yaml", start: [0, 0], heading_rad: 0, targets: [], boxes: [], moved: [], removed: [] } }));
     expect(await form.save()).toBe("a.yaml");
     expect(form.element.textContent).toContain("outrider run a.yaml");
     expect(await form.save()).toBe("a.yaml");
@@ -143,7 +143,7 @@ describe("answers", () => {
   });
 
   it("become a drawing", () => {
-    const svg = pathSvg({ ground: new GridGround(grid), start: [0, 0], goal: [3, 0], radius_m: 0, selected: null }, answer);
+    const svg = pathSvg({ ground: new GridGround(grid), start: [0, 0], goal: [3, 0], radius_m: 0, selected: null, heading_rad: null }, answer);
     const drawn = new DOMParser().parseFromString(svg, "image/svg+xml");
     expect(drawn.querySelector("polyline")!.getAttribute("points")).toBe("0,0 3,0");
     expect(drawn.querySelectorAll("rect").length).toBe(1);

@@ -69,6 +69,16 @@ describe("keys", () => {
     expect(acted).toBe(11);
   });
 
+  it("stay with the view that came later when the one before closes", () => {
+    const keys = new Keys();
+    const [before, later] = [{}, {}];
+    keys.set("View", [{ key: "a", words: "old", act: () => undefined }], before);
+    keys.set("Film", [{ key: "b", words: "old", act: () => undefined }], before);
+    keys.set("View", [{ key: "a", words: "new", act: () => undefined }], later);
+    keys.drop(before);
+    expect(keys.list().map(([group, [first]]) => [group, first!.words])).toEqual([["View", "new"]]);
+  });
+
   it("have names", () => {
     expect(keyOf({ key: "?", shiftKey: true })).toBe("?");
     expect(keyOf({ key: "ArrowLeft", shiftKey: true })).toBe("Shift+ArrowLeft");

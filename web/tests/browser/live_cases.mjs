@@ -1,0 +1,135 @@
+// The cases of the page about missions that run.
+import assert from "node:assert/strict";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { until } from "./browser.mjs";
+import { tellRun } from "./told.mjs";
+
+/** A scenario in the folder whose robot drives so many laps by tags: some take longer than a page takes to open. */
+function lapsFile(folder, laps) {
+  const lap = " 1,0,0 1,2,180 0,0,0";
+  const one = readFileSync(join(folder, "waypoints/closed_loop.yaml"), "utf8");
+  const path = `waypoints/${laps}_laps.yaml`;
+  writeFileSync(join(folder, path), one.replace(lap, lap.repeat(laps)));
+  return path;
+}
+
+export const liveCases = ({ open, text, server, folder }) => ({
+  async "a mission runs live, is cancelled, another is run; two viewers see it"() {
+    const long = lapsFile(folder, 300);
+    const page = await open(`#live?scenario=${long}`);
+    await page.waitForSelector(".start button:enabled");
+    assert.equal(await page.inputValue("#scenario"), long);
+    await page.click(".start button");
+    await page.waitForSelector('.live-page[data-state="running"]');
+    const other = await open(await page.evaluate(() => location.hash));
+    await other.waitForSelector('.live-page[data-state="running"]');
+    await page.click(".run-head .button");
+    await page.waitForSelector('.live-page[data-state="cancelled"]');
+    await other.waitForSelector('.live-page[data-state="cancelled"]');
+    await other.close();
+    rmSync(join(folder, long));
+    await page.goto(`${server.url}#live?scenario=pursuit/park.yaml`);
+    await page.waitForSelector(".start button:enabled");
+    await page.click(".start button");
+    await page.waitForSelector(".live-page .verdict", { timeout: 30000 });
+    assert.match(await text(page, ".verdict"), /Done/);
+    await page.close();
+  },
+
+  async "a mission is drawn while it runs, and somebody who comes in the middle sees it from the start"() {
+    const laps = lapsFile(folder, 3);
+    const page = await open(`#live?scenario=${laps}`);
+    await page.waitForSelector(".start button:enabled");
+    await page.evaluate(() => {
+      window.told = [];
+      new MutationObserver((changes) => window.told.push(...changes.map(({ target }) => Number(target.dataset.samples))))
+        .observe(document.querySelector("main"), { subtree: true, attributeFilter: ["data-samples"] });
+    });
+    await page.click(".start button");
+    await page.waitForSelector(".live-page .plan-view canvas");
+    const late = await open(await page.evaluate(() => location.hash));
+    for (const one of [page, late]) await one.waitForSelector(".live-page .verdict", { timeout: 30000 });
+    const told = await page.evaluate(() => window.told);
+    assert.ok(told.length > 2 && told.every((samples, i) => i === 0 || samples >= told[i - 1]), String(told));
+    assert.ok(told.at(-1) > told[0], String(told));
+    assert.match(await text(late, ".verdict"), /Done/);
+    assert.equal(await page.locator(".live").isHidden(), true);
+    rmSync(join(folder, laps));
+    await late.close();
+    await page.close();
+  },
+
+  async "a running mission is watched with everything, left and come back to; its end keeps the time, the tab and the view"() {
+    const page = await open();
+    const run = await tellRun(page, JSON.parse(readFileSync(join(folder, "reports/yard.json"), "utf8")));
+    run.upTo(10);
+    await page.goto("about:blank");  // what stands in for the server is there from the next page on
+    await page.goto(`${server.url}#live/told`);
+    const clock = async () => (await text(page, ".transport .clock")).split(" / ").map((time) => time.split(":").reduce((sum, part) => 60 * sum + Number(part), 0));
+    const stands = (at, after) => until(`the clock at ${at} of more than ${after} s`, async () => {
+      const [now, end] = await clock();
+      return Math.abs(now - (at === "head" ? end : at)) <= (at === "head" ? 0.5 : 0) && end > after;
+    });
+    const live = () => page.locator(".live").getAttribute("aria-pressed");
+    await page.waitForSelector(".targets tbody");
+    await stands("head", 5);
+    assert.equal(await live(), "true");
+    await until("the last shot", async () => /^Shot \d+ at /.test(await text(page, ".side h2")));
+    await page.locator(".tabs button", { hasText: "Plots" }).click();
+    await page.waitForSelector(".plots canvas");
+    await page.evaluate(() => document.activeElement.blur());
+    await page.keyboard.press("v");
+    await page.waitForSelector(".space-view canvas");
+    await page.keyboard.press("Home");
+    await page.keyboard.press("ArrowRight");
+    await stands(1, 5);
+    assert.equal(await live(), "false");
+    const ticks = await page.locator(".tick").count();
+    run.upTo(20);
+    await stands(1, 15);
+    assert.ok(await page.locator(".tick").count() > ticks);
+    await page.keyboard.press("l");
+    await stands("head", 15);
+    assert.equal(await live(), "true");
+    run.drop();
+    await until("the break", async () => /^Connection lost/.test(await text(page, ".run-state")));
+    const before = run.log.length;
+    run.upTo(30);
+    await stands("head", 25);
+    assert.deepEqual(run.asked, [0, before]);
+    assert.equal(await text(page, ".run-state"), "Running");
+    await page.keyboard.press("Home");
+    for (let i = 0; i < 3; ++i) await page.keyboard.press("ArrowRight");
+    await stands(3, 25);
+    const watched = await page.evaluateHandle(() => document.querySelector(".live-page .watch"));
+    run.upTo(1e9);
+    run.end();
+    await page.waitForSelector(".live-page .verdict");
+    await stands(3, 30);
+    assert.ok(await page.locator(".live").isHidden());
+    assert.ok(await page.evaluate((one) => one === document.querySelector(".live-page .watch"), watched), "the view was made anew");
+    assert.ok(await page.locator(".space-view canvas").isVisible() && await page.locator(".plots canvas").first().isVisible());
+    await until("the address", async () => /#live\/told\?.*t=3\.00/.test(await page.evaluate(() => location.hash)));
+    assert.match(await page.evaluate(() => location.hash), /tab=plots.*view=3d|view=3d.*tab=plots/);
+    await page.close();
+  },
+
+  async "a plan that was run is shown with its search, since it leaves no report; what cannot run is not offered"() {
+    writeFileSync(join(folder, "maps/gallery.yaml"), "job: plan\nmap: gallery.map\nfrom: 2,2\nto: 29,12\nradius: 0\nplanner: a_star\n");
+    const answer = await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "maps/gallery.yaml" }) });
+    const { id } = await answer.json();
+    const page = await open(`#live/${id}`);
+    await page.waitForSelector(".plan-page .result");
+    assert.match(await page.evaluate(() => location.hash), /^#change\/maps\/gallery\.yaml/);
+    writeFileSync(join(folder, "dance.yaml"), "job: dance\n");
+    await page.goto("about:blank");
+    await page.goto(`${server.url}#live`);
+    await page.waitForSelector(".start button:enabled");
+    const offered = await page.locator("#scenario option").allTextContents();
+    assert.ok(offered.includes("pursuit/park.yaml"));
+    for (const name of ["dance.yaml", "maps/gallery.yaml", "waypoints/calibration.yaml"]) assert.ok(!offered.includes(name), name);
+    for (const name of ["dance.yaml", "maps/gallery.yaml"]) rmSync(join(folder, name));
+    await page.close();
+  },
+});
