@@ -204,7 +204,16 @@ Response App::version(const Request&, const Parts&) {
   return json_response({{"name", "outrider"}, {"version", settings_.version}, {"api", 1}});
 }
 
-Response App::list_files(const Request&, const Parts&) { return json_response(folder_.list()); }
+/// A scenario of a job that there is none of is no more than a file.
+Response App::list_files(const Request&, const Parts&) {
+  auto listed = folder_.list();
+  for (auto& file : listed["files"]) {
+    const bool known = std::ranges::any_of(
+        settings_.jobs, [&](const JobForm& job) { return file.value("job", "") == job.name; });
+    if (file["kind"] == "scenario" && !known) file["kind"] = "other";
+  }
+  return json_response(listed);
+}
 
 Response App::read_file(const Request&, const Parts& parts) { return folder_.read(parts[0]); }
 

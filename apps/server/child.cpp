@@ -117,10 +117,18 @@ void give_lines(std::string& pending, const std::function<void(std::string_view)
   if (pending.size() > longest_line) pending.clear();
 }
 
-/// Asks the child to end, and ends it when the grace is over.
+/// Asks the child to end, ends it when the grace is over, and sees it off however we leave.
 class Ending {
  public:
   explicit Ending(pid_t child) : child_(child) {}
+  Ending(const Ending&) = delete;
+  Ending& operator=(const Ending&) = delete;
+  ~Ending() {
+    ::kill(-child_, SIGKILL);  // and what it may have left behind
+    if (!ended_) ::waitpid(child_, nullptr, 0);
+  }
+  /// Whether it has ended of itself.
+  bool ended(int& status) { return ended_ = ::waitpid(child_, &status, WNOHANG) == child_; }
   void ask() {
     if (!asked_) ::kill(-child_, SIGTERM);
     if (!asked_) last_moment_ = Clock::now() + grace;
@@ -131,6 +139,7 @@ class Ending {
  private:
   pid_t child_;
   bool asked_ = false;
+  bool ended_ = false;
   Clock::time_point last_moment_;
 };
 
@@ -168,14 +177,13 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
     result.timed_out = result.timed_out || Clock::now() > end;
     result.cancelled = result.cancelled || stop.stop_requested();
     if (result.cancelled || result.timed_out) ending.ask();
-    running = ::waitpid(child, &status, WNOHANG) != child;
+    running = !ending.ended(status);
     const bool open = out.read(result.output, most_output);
     err.read(result.errors, most_errors);
     telling.read(pending, 2 * longest_line);
     give_lines(pending, on_line);
     if (running && !open) ::usleep(1000 * poll_ms);  // a closed pipe does not wait
   }
-  ::kill(-child, SIGKILL);  // what it may have left behind
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
 }

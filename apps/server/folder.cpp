@@ -70,10 +70,11 @@ Kind kind_of(const fs::path& path) {
     return {job.empty() ? "other" : "report", job};
   }
   if (extension == ".yaml" || extension == ".yml") {
-    if (has_key(first_bytes(path, 4000), "image")) return {"map", {}};
+    const std::string head = first_bytes(path, 4000);
+    if (has_key(head, "image")) return {"map", {}};
     auto job = scenario_job(path.string());
-    if (job && job->empty()) *job = "guard";  // what `outrider run` takes it for
-    return job ? Kind{"scenario", *job} : Kind{"other", {}};
+    if (job && job->empty() && has_key(head, "world")) *job = "guard";  // what `outrider run` takes it for
+    return job && !job->empty() ? Kind{"scenario", *job} : Kind{"other", {}};
   }
   for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {
     if (extension == map) return {"map", {}};

@@ -118,6 +118,24 @@ Json openings_json(const Trace& trace, const GridGround& grid) {
   return list;
 }
 
+/// Of a search without a grid: its states are numbers, and `places` says where they are.
+Json placed_trace_json(const Trace& trace, Measure measure) {
+  Json rows = Json::array(), openings = Json::array(), places = Json::array();
+  for (const Expansion& e : trace.expansions) rows.push_back({e.state, e.parent, e.f, e.g, e.h});
+  for (const auto& [state, after] : trace.openings) {
+    openings.push_back(state);
+    openings.push_back(after);
+  }
+  for (const auto& [x, y] : trace.places) places.push_back({x, y});
+  return {{"columns", {"state", "parent", "f", "g", "h"}},
+          {"rows", std::move(rows)},
+          {"openings", std::move(openings)},
+          {"unit", unit_of(measure)},
+          {"model", "places"},
+          {"places", std::move(places)},
+          {"truncated", trace.expansions.size() == trace.most}};
+}
+
 Json trace_json(const Trace& trace, const PreparedGround& ground) {
   const GridGround& grid = *ground.grid;
   Json rows = Json::array();
@@ -200,7 +218,7 @@ Outcome<Json> solve(const Question& question, const PreparedGround& ground, Work
   budget.wall_time = longest_planning;
   budget.stop = stop;
   trace.most = question.trace;
-  const bool traces = question.trace > 0 && problem.grid;
+  const bool traces = question.trace > 0;
   workspace.trace = traces ? &trace : nullptr;
   const auto begin = std::chrono::steady_clock::now();
   auto plan = question.configured.plan(problem, budget, workspace);
@@ -212,7 +230,9 @@ Outcome<Json> solve(const Question& question, const PreparedGround& ground, Work
   }
   Json answer = plan ? plan_json(question, problem, ground, *plan) : fault_answer(question, plan.error());
   answer["time_ms"] = time.count();
-  if (traces) answer["trace"] = trace_json(trace, ground);
+  if (traces && problem.grid) answer["trace"] = trace_json(trace, ground);
+  if (traces && problem.polygons)
+    answer["trace"] = placed_trace_json(trace, question.planner.guarantee.measure);
   return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "run_messages.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -67,15 +69,32 @@ std::optional<Json> progress_of(const Json& line) {
   return fields.end() ? std::optional(std::move(progress)) : std::nullopt;
 }
 
+std::optional<Json> omitted_of(const Json& line) {
+  if (!line.is_object() || !line.contains("omitted")) return std::nullopt;
+  Fields fields(line, "");
+  const std::string what = fields.text("omitted");
+  const auto bytes = fields.integer("bytes", 0, 1'000'000'000'000);
+  const auto most = fields.integer("most_bytes", 1, 1'000'000'000'000);
+  if (!fields.end() || (what != "scene" && what != "news")) return std::nullopt;
+  const auto mib = [](std::int64_t n) { return static_cast<double>(n) / (1 << 20U); };
+  return Json{{"type", "omitted"},
+              {"what", what},
+              {"sentence", fmt::format("{} takes {:.1f} MiB, and at most {:.1f} MiB are told while a mission "
+                                       "runs; the report has it in the end",
+                                       what == "scene" ? "what stands still here" : "a part of what happened",
+                                       mib(bytes), mib(most))}};
+}
+
 std::vector<Json> messages_of(Json line) {
   std::vector<Json> messages;
   if (!line.is_object() || !line.contains("outrider_report")) return messages;
   const Json events = std::exchange(line["events"], Json::array());
   const Json track = std::exchange(line["track"], Json::array());
   Json map;
-  if (line.contains("explore")) {
-    map = std::move(line["explore"]["map"]);
-    line["explore"].erase("map");
+  for (const char* part : {"explore", "slam"}) {
+    if (!line.contains(part) || !line[part].contains("map")) continue;
+    map = std::move(line[part]["map"]);
+    line[part].erase("map");
   }
   if (line.value("job", "") != "") {
     messages.push_back({{"type", "scene"}, {"report", std::move(line)}});

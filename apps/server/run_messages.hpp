@@ -15,6 +15,10 @@ namespace outrider::server {
 /// {"step", "steps", "name", "part"} from a line of progress; nothing from a line that is something else.
 std::optional<Json> progress_of(const Json& line);
 
+/// {"type": "omitted", "what", "sentence"} from a line that says that a report is too large to be told live;
+/// nothing from a line that is something else.
+std::optional<Json> omitted_of(const Json& line);
+
 /// What viewers are told of a line of a report that grows (report/growth.hpp), in messages of bounded size:
 /// the scene where it begins, what has been added, the map, samples and events. None from a line that is
 /// something else.

@@ -287,7 +287,14 @@ void Runs::work(const std::stop_token& stop) {
       run = queue_.front();
       queue_.pop_front();
     }
-    carry_out(run);
+    // A mission that the server has no room for is no reason for the others to go.
+    try {
+      carry_out(run);
+    } catch (const std::exception& error) {
+      give_up(run, error.what());
+    } catch (...) {
+      give_up(run, "an error without a name");
+    }
   }
 }
 
@@ -314,6 +321,10 @@ void Runs::hear(const RunPtr& run, std::string_view line) {
     tell(run, std::move(*progress));
     return;
   }
+  if (auto omitted = omitted_of(value)) {
+    tell(run, std::move(*omitted));
+    return;
+  }
   try {
     for (Json& message : messages_of(std::move(value))) tell(run, std::move(message));
   } catch (const Json::exception&) {
@@ -333,6 +344,17 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
     run->has_report = has_report;
   }
   end(run, conclusion.state, std::move(conclusion.fault));
+}
+
+void Runs::give_up(const RunPtr& run, const char* reason) noexcept {
+  try {
+    end(run, "failed",
+        {FaultCode::bad_input, fmt::format("the server lost this mission ({}); start it again", reason), {}});
+  } catch (...) {  // there is no room to say so either
+    const std::lock_guard lock(mutex_);
+    run->state = "failed";
+    ++states_;
+  }
 }
 
 void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {

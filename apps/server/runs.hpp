@@ -80,6 +80,7 @@ class Runs {
   void work(const std::stop_token& stop);
   void carry_out(const RunPtr& run);
   void conclude(const RunPtr& run, const ChildResult& child);
+  void give_up(const RunPtr& run, const char* reason) noexcept;
   void hear(const RunPtr& run, std::string_view line);
   void tell(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);

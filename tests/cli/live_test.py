@@ -6,9 +6,10 @@ import unittest
 
 from explore_test import ROOM
 from pursue_test import SMALL
-from tool import SOURCE, TOOL, ToolTest, main
+from tool import FENCE, FLOOR, SOURCE, TOOL, ToolTest, main, world
 
 CLOCKED = ("max_decision_s", "max_step_s")  # metrics that are times on the wall
+CLOCKED_MAPPING = ("time_s", "median_step_s", "real_time_factor")  # and of the job slam
 
 
 class Live(ToolTest):
@@ -34,7 +35,7 @@ class Live(ToolTest):
                 if path.name == f"{job}.json":
                     one, two = json.loads(one), json.loads(two)
                     for report in (one, two):
-                        for name in CLOCKED:
+                        for name in CLOCKED + (CLOCKED_MAPPING if job == "slam" else ()):
                             report["metrics"].pop(name, None)
                 if path.suffix != ".html":
                     self.assertEqual(one, two)
@@ -73,6 +74,22 @@ class Live(ToolTest):
         self.assertEqual([line["targets"] for line in lines if line["targets"]][-1], report["targets"])
         self.assertEqual({target["status"] for target in lines[0]["targets"]}, {"waiting"})
 
+    def test_slam(self):
+        """While a log is mapped the track is the belief; map and landmarks come as they are by then."""
+        for name in ("office", "posts"):
+            report, lines = self.expect_the_same("slam", "run", SOURCE / f"scenarios/slam/{name}.yaml")
+            for key in ("beliefs", "odometry", "scans"):
+                self.assertEqual(self.together(lines, "slam", key), report["slam"][key], key)
+            told = self.together(lines, "track")
+            self.assertEqual([row[:4] for row in told], [[belief["time_s"], *belief["pose"]] for belief in report["slam"]["beliefs"]])
+            self.assertEqual([row[0] for row in told], [row[0] for row in report["track"]])
+            last = lines[-1]["slam"]
+            self.assertEqual([one["id"] for one in last["landmarks"]], [one["id"] for one in report["slam"]["landmarks"]])
+            self.assertEqual(last["loops"], [] if name == "posts" else last["loops"])
+            maps = [line["slam"]["map"] for line in lines if "map" in line["slam"]]
+            self.assertEqual(len(maps) > 0, name == "office")
+            self.assertTrue(all(one["columns"] * one["rows"] <= 40_000 for one in maps))
+
     def test_drive(self):
         report, lines = self.check("drive", "run", SOURCE / "scenarios/waypoints/open_loop.yaml")
         self.assertEqual(self.together(lines, "drive", "beliefs"), report["drive"]["beliefs"])
@@ -95,6 +112,20 @@ class Live(ToolTest):
             self.assertEqual(self.together(lines, "chase", key), report["chase"][key], key)
         ways = [line["chase"]["robots"] for line in lines]
         self.assertEqual([place for way in ways for place in way[0]], report["chase"]["robots"][0])
+
+    def test_a_world_that_is_too_large_to_be_told(self):
+        """A net of 80,000 triangles high above the yard: whoever watches is told that the scene is left out, and why."""
+        side = range(201)
+        corners = [f"v {x * 0.01 - 1:.2f} {y * 0.01 - 1:.2f} {50 + (7 * x + 3 * y) % 5 * 0.01:.2f}" for y in side for x in side]
+        faces = [f"f {a} {a + 1} {a + 202}\nf {a} {a + 202} {a + 201}" for y in side[:-1] for a in range(201 * y + 1, 201 * y + 201)]
+        self.write("net.obj", "\n".join(corners + faces))
+        net = '<model name="net"><static>true</static><link name="link"><collision name="net"><geometry><mesh><uri>net.obj</uri></mesh></geometry></collision></link></model>'
+        self.write("covered.sdf", world(FLOOR, *FENCE, net))
+        status, lines = self.watched(*self.guard("--world", "covered.sdf", "--out", "seen"))
+        self.assertIn(status, (0, 1))
+        self.assertEqual((lines[0]["omitted"], lines[0]["most_bytes"]), ("scene", 4 << 20))
+        self.assertGreater(lines[0]["bytes"], 4 << 20)
+        self.assertGreater(sum(len(line["track"]) for line in lines[1:]), 10)
 
     def test_a_watcher_that_is_not_there(self):
         for word in ("", "x", "2", "-1", "999"):

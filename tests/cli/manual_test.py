@@ -76,7 +76,7 @@ class Manual(ToolTest):
 
     def test_list(self):
         catalogue = json.loads(self.text("list", "--json"))
-        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "guard", "plan", "pursue"])
+        self.assertEqual([job["name"] for job in catalogue["jobs"]], ["cover", "drive", "explore", "guard", "plan", "pursue", "slam"])
         text = self.text("list")
         for planner in catalogue["path_planners"]:
             self.assertLessEqual({"name", "sentence", "paper", "guarantee", "complete", "models"}, set(planner))
@@ -124,7 +124,8 @@ class Manual(ToolTest):
                                 ("cover", "markdown", "options-cover.md"),
                                 ("drive", "markdown", "options-drive.md"),
                                 ("explore", "markdown", "options-explore.md"),
-                                ("plan", "markdown", "options-plan.md")]:
+                                ("plan", "markdown", "options-plan.md"),
+                                ("slam", "markdown", "options-slam.md")]:
             self.assertEqual(self.text("schema", "--job", job, "--as", form), (SOURCE / "docs" / page).read_text(),
                              f"docs/{page} is stale: build the target docs")
 

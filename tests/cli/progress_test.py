@@ -1,5 +1,7 @@
 """The line that says what long work is at: on a terminal, after a second, and nowhere else."""
+import json
 import os
+import pathlib
 import pty
 import subprocess
 import unittest
@@ -56,6 +58,19 @@ class Progress(ToolTest):
         self.assertIn(result.returncode, [0, 1])
         self.assertEqual(result.stderr, "")
         self.assertNotIn("\x1b", result.stdout)
+
+    def test_names_are_told_as_json(self):
+        """A name with quotes and a backslash stays one; each line is JSON."""
+        name = 'a "quoted\\ graph.g2o'
+        (self.folder / "graphs").mkdir()
+        self.write(f"graphs/{name}", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n")
+        ours, its = os.pipe()
+        subprocess.run([TOOL, "bench", "slam", "--data", "graphs"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                       stdin=subprocess.DEVNULL, pass_fds=[its], env={**os.environ, "OUTRIDER_PROGRESS": str(its)}, check=False)
+        os.close(its)
+        with open(ours, encoding="utf-8") as told:
+            lines = [json.loads(line) for line in told]
+        self.assertIn(name, {pathlib.Path(line["name"]).name for line in lines})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,105 @@
+"""`outrider serve` from outside: many viewers of one mission, some of which stall, leave and come back."""
+import socket
+import time
+
+from serve_case import Serve
+from server_client import Server, WebSocket
+from tool import costly_cases, main
+
+
+class Live(Serve):
+    def test_two_viewers_and_coming_back(self):
+        with Server(self.folder) as server, WebSocket(server) as one, WebSocket(server) as two:
+            one.send({"type": "runs"})
+            self.assertEqual(self.valid("LiveRuns", one.receive())["runs"], [])
+            run = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
+            one.send({"type": "watch", "run": run, "from": 0})
+            told = [message for message in one.until("end") if message["type"] != "runs"]
+            for message in told:
+                self.valid("Live" + message["type"].capitalize(), message)
+            numbers = [message["seq"] for message in told]
+            self.assertEqual(numbers, sorted(set(numbers)))
+            self.assertEqual(told[-1]["seq"], server.json("GET", f"/api/v1/runs/{run}")["seq"])
+            report = server.json("GET", f"/api/v1/runs/{run}/report")
+            self.assertEqual([event for m in told if m["type"] == "events" for event in m["events"]], report["events"])
+            self.assertEqual([row for m in told if m["type"] == "samples" for row in m["rows"]], report["track"])
+            self.assertEqual({"state", "progress", "scene", "growth", "end"} - {message["type"] for message in told}, set())
+            scene = next(message["report"] for message in told if message["type"] == "scene")
+            self.assertEqual(scene["world"], report["world"])
+            targets = [m["report"]["targets"] for m in told if m["type"] == "growth" and "targets" in m["report"]]
+            self.assertEqual(targets[-1], report["targets"])
+
+            # A second viewer comes when it is over, leaves in the middle, and comes back for the rest.
+            two.send({"type": "watch", "run": run, "from": 0})
+            begin = [two.receive() for _ in range(2)]
+            two.close()
+            with WebSocket(server) as again:
+                again.send({"type": "watch", "run": run, "from": begin[-1]["seq"]})
+                rest = again.until("end")
+            steady = [m for m in told if m["type"] != "progress"]
+            self.assertEqual([m for m in begin + rest if m["type"] != "progress"], steady)
+
+    def test_plans_while_dragging(self):
+        with Server(self.folder) as server, WebSocket(server) as viewer:
+            cells = server.json("POST", "/api/v1/maps", {"path": "small.map"})["id"]
+            for i in range(60):
+                viewer.send({"type": "plan", "id": i, "request": {"map": cells, "start": [0.5, 3.5], "goal": [5.5, i % 4 + 0.5]}})
+            answers = {}
+            while 59 not in answers:
+                answer = self.valid("LivePlan", viewer.receive())
+                self.assertNotIn(answer["id"], answers)
+                answers[answer["id"]] = answer
+            self.assertEqual(sorted(answers), list(range(60)))
+            self.assertEqual(answers[59]["result"]["status"], "done")
+            viewer.send({"type": "plan", "id": 60, "request": {"map": cells}})
+            self.assertEqual(self.valid("LiveError", viewer.receive())["id"], 60)
+            viewer.send({"type": "dance"})
+            self.assertIn("watch", self.valid("LiveError", viewer.receive())["error"])
+            viewer.send({"type": "watch", "run": "absent"})
+            self.assertIn("no such run", self.valid("LiveError", viewer.receive())["error"])
+            viewer.frame(1, b'{"type":', last=False)
+            viewer.frame(0, b'"ping","id":5}')
+            self.assertEqual(self.valid("LivePong", viewer.receive()), {"type": "pong", "id": 5})
+
+    def test_two_hundred_viewers_and_one_that_stalls(self):
+        with Server(self.folder) as server:
+            viewers = [WebSocket(server) for _ in range(199)]
+            stalled = WebSocket(server)
+            stalled.connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            try:
+                big = server.json("POST", "/api/v1/maps", {"grid": {"resolution_m": 1, "width": 200, "height": 200, "runs": [0, 40000]}})["id"]
+                for i in range(40):  # megabytes that it never reads
+                    stalled.send({"type": "plan", "id": i, "request": {"map": big, "start": [1, 1], "goal": [199, 150],
+                                                                       "planner": "dijkstra", "trace": 40000}})
+                    time.sleep(0.002)
+                began = time.monotonic()
+                run = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
+                for viewer in viewers:
+                    viewer.send({"type": "watch", "run": run, "from": 0})
+                for viewer in viewers:
+                    self.assertEqual(viewer.until("end")[-1]["run"], run)
+                self.assertLess(time.monotonic() - began, 60)
+                extra = [WebSocket(server, hello=False) for _ in range(60)]
+                self.assertIn(503, [one.status for one in extra])
+                for one in extra:
+                    one.close()
+            finally:
+                for viewer in [*viewers, stalled]:
+                    viewer.close()
+            server.json("GET", "/api/v1/version")
+
+    def test_many_reconnects(self):
+        with Server(self.folder) as server:
+            run = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
+            server.wait(run)
+            last = 0
+            for i in range(costly_cases(100) if costly_cases(100) <= 100 else 1000):
+                with WebSocket(server) as viewer:
+                    viewer.send({"type": "watch", "run": run, "from": last})
+                    if i % 3:  # some leave at once
+                        last = viewer.receive()["seq"]
+                        last = 0 if last == server.json("GET", f"/api/v1/runs/{run}")["seq"] else last
+            server.json("GET", "/api/v1/version")
+
+if __name__ == "__main__":
+    main()
