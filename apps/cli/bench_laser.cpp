@@ -9,6 +9,7 @@
 
 #include "laser_run.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/io/slam_scenario.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -34,7 +35,7 @@ Outcome<LaserRow> measure_laser_log(const std::string& path, int repeat) {
   row.scans = log->steps.size();
   row.time_s = row.max_step_s = HUGE_VAL;
   for (int i = 0; i < repeat; ++i) {
-    const auto run = run_laser_log(*log, options_for_logs(), [](double) {});
+    const auto run = run_laser_log(*log, laser_options_for_logs(), {});
     if (!run) return bad_input(run.error().sentence, path);
     row.loops = run->slam.loops();
     row.mean_error_m = run->mean_error_m;

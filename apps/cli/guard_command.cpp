@@ -33,6 +33,7 @@
 #include "pursue_command.hpp"
 #include "regions_picture.hpp"
 #include "scenario_words.hpp"
+#include "slam_command.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -324,6 +325,7 @@ void add_run(Command& tool) {
     if (job && *job == "cover") return run_cover_scenario(command->scenario_path, flags);
     if (job && *job == "drive") return run_drive_scenario(command->scenario_path, flags);
     if (job && *job == "explore") return run_explore_scenario(command->scenario_path, flags);
+    if (job && *job == "slam") return run_slam_scenario(command->scenario_path, flags);
     return execute(*command, flags);
   });
   run.footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");

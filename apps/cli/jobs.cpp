@@ -29,7 +29,11 @@ const std::vector<Job>& jobs() {
       {"pursue", "Catch a moving target on a grid of costs, at the least cost.",
        "A key stands in a scenario file; as a flag of `outrider pursue` it has `--` in front. Flags win over "
        "the\n"
-       "file."}};
+       "file."},
+      {"slam", "Localise and map from a recorded log, or solve a pose graph.",
+       "A key stands in a scenario file, at its top or in the section that the heading names; as a flag of\n"
+       "`outrider slam` the key `truth` is `--truth` and the key `reach` of the section `laser` is\n"
+       "`--laser-reach`. Flags win over the file."}};
   return all;
 }
 
@@ -40,6 +44,7 @@ std::vector<OptionGroup> BlankScenarios::options(std::string_view job) {
   if (job == "drive") return describe(drive);
   if (job == "explore") return describe(explore);
   if (job == "plan") return describe(plan);
+  if (job == "slam") return describe(slam);
   return {};
 }
 

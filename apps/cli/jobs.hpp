@@ -10,6 +10,7 @@
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/plan_scenario.hpp"
 #include "outrider/io/pursuit_scenario.hpp"
+#include "outrider/io/slam_scenario.hpp"
 
 namespace outrider::cli {
 
@@ -30,6 +31,7 @@ struct BlankScenarios {
   DriveScenario drive;
   ExploreScenario explore;
   PlanScenario plan;
+  SlamScenario slam;
 
   /// None for a job without scenarios.
   std::vector<OptionGroup> options(std::string_view job);

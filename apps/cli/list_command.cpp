@@ -73,6 +73,7 @@ void list_json() {
                         {"models", models_of(planner)},
                         {"polygons", planner.polygons},
                         {"index", planner.index},
+                        {"tells", to_string(planner.tells)},
                         {"many_goals", static_cast<bool>(planner.configure().plan_many)},
                         {"cost_unit", unit_of(planner.guarantee.measure)}});
   }

@@ -1,5 +1,7 @@
 #include "live_report.hpp"
 
+#include <fmt/format.h>
+
 #include "outrider/report/json.hpp"
 
 namespace outrider::cli {
@@ -13,8 +15,13 @@ constexpr std::size_t longest_line = std::size_t{4} << 20U;
 bool LiveReport::wants() { return std::chrono::steady_clock::now() >= next_; }
 
 void LiveReport::see(const Report& so_far) {
-  std::string line = to_json_line(growth_.news(so_far));
-  if (line.size() <= longest_line) watcher_.tell(std::move(line));
+  const Report news = growth_.news(so_far);
+  std::string line = to_json_line(news);
+  if (line.size() > longest_line) {
+    line = fmt::format(R"({{"omitted":"{}","bytes":{},"most_bytes":{}}})",
+                       news.job.empty() ? "news" : "scene", line.size(), longest_line);
+  }
+  watcher_.tell(std::move(line));
   next_ = std::chrono::steady_clock::now() + period;
 }
 

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace outrider::cli {
 
@@ -33,8 +35,9 @@ void Progress::part(double done) {
 
 void Progress::tell() const {
   if (!program_.is_there()) return;
-  program_.tell(fmt::format("{{\"step\":{},\"steps\":{},\"name\":\"{}\",\"part\":{:.2f}}}", done_ + 1, steps_,
-                            step_, part_));
+  const nlohmann::ordered_json line = {
+      {"step", done_ + 1}, {"steps", steps_}, {"name", step_}, {"part", std::round(100.0 * part_) / 100.0}};
+  program_.tell(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 void Progress::end() {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "cover_summary.hpp"
 #include "drive_summary.hpp"
 #include "explore_summary.hpp"
 #include "flags.hpp"
@@ -14,6 +15,7 @@
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
 #include "pursue_summary.hpp"
+#include "slam_summary.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -48,14 +50,18 @@ Outcome<Report> load_report(const std::string& path) {
 
 nlohmann::ordered_json json_of(const Report& report, const std::string& path) {
   if (report.chase) return pursuit_json(report, path);
+  if (report.cover) return cover_json(report, path);
   if (report.job == "explore" && report.explore)
     return explore_json(report, report.status == "done" ? "complete" : "", path);
+  if (report.slam) return slam_json(report, path);
   return report.drive ? drive_json(report, path) : summary_json(report, path);
 }
 
 std::string text_of(const Report& report) {
   if (report.chase) return pursuit_summary(report);
+  if (report.cover) return cover_summary(report);
   if (report.job == "explore" && report.explore) return explore_summary(report);
+  if (report.slam) return slam_summary(report);
   return report.drive ? drive_summary(report) : summary(report);
 }
 
