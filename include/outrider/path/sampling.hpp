@@ -12,11 +12,11 @@
 // number of draws, without a ratio; lower_bound is the straight distance. The path has no arcs.
 //
 // An expansion is a point drawn. For n of them O(n log n) legs are tested. A trace tells the points that are
-// joined to the start in the end, in the order in which legs to them were first tried, each with its parent on
-// the shortest way from the start along the graph (which may have come later), in m. Repeats exactly: all draws
-// come from Rng with `seed`, neighbours are exact, and nothing is timed. A call silences OMPL's messages in
-// this process. Faults: those of polygon_query(); bad_input on options out of range; budget_exhausted;
-// cancelled. Thread rule: any number at once.
+// joined to the start in the end, in the order in which legs to them were first tried, each with its parent
+// on the shortest way from the start along the graph (which may have come later), in m. Repeats exactly: all
+// draws come from Rng with `seed`, neighbours are exact, and nothing is timed. A call silences OMPL's
+// messages in this process. Faults: those of polygon_query(); bad_input on options out of range;
+// budget_exhausted; cancelled. Thread rule: any number at once.
 //
 // Built only where CMake found OMPL (OUTRIDER_WITH_OMPL); find_path_planner("rrt_star") tells.
 // Sources: Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning (2011); Gammell,
