@@ -16,8 +16,10 @@ std::string explore_summary(const Report& report) {
                   report.world_name, 100.0 * value("explored_fraction"), value("seeable_m2"),
                   duration_text(value("time_s")), value("distance_m"));
   text += fmt::format("  map        off by {:.3f} m on average\n", value("map_error_m"));
-  text += fmt::format("  thinking   {:.0f} decisions, {:.1f} ms the longest\n", value("decisions"),
-                      1e3 * value("max_decision_s"));
+  const double longest_s = value("max_decision_s");
+  text += fmt::format(
+      "  thinking   {:.0f} decisions{}\n", value("decisions"),
+      std::isfinite(longest_s) ? fmt::format(", {:.1f} ms the longest", 1e3 * longest_s) : std::string());
   text += fmt::format("  home       {}, where it is wrong by {:.3f} m\n",
                       value("returned_home") > 0.0 ? "reached" : "not reached", value("home_error_m"));
   text += fmt::format("  touched    {:.0f} times; stuck {:.0f} times\n", value("contacts"), value("stuck"));
@@ -46,6 +48,7 @@ nlohmann::ordered_json explore_json(const Report& report, const std::string& sto
       object[name] = value;
     }
   }
+  for (const auto& [name, value] : report.machine_times) object[name] = value;
   auto refused = nlohmann::ordered_json::array();
   for (const ReportRefusal& refusal : report.explore->refused) {
     refused.push_back({{"x", refusal.position.x}, {"y", refusal.position.y}, {"reason", refusal.reason}});

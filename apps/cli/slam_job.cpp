@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
@@ -11,6 +12,13 @@
 #include "scenario_words.hpp"
 
 namespace outrider::cli {
+namespace {
+
+bool is_machine_time(std::string_view name) {
+  return name == "time_s" || name == "max_step_s" || name == "median_step_s" || name == "real_time_factor";
+}
+
+}  // namespace
 
 OptionGroup describe_output(SlamJob& job) {
   return {"",
@@ -39,7 +47,8 @@ Report opened(const SlamJob& job) {
 void add_metrics(Report& report, const nlohmann::ordered_json& result) {
   std::vector<std::pair<std::string, double>> metrics;
   for (const auto& [name, value] : result.items()) {
-    if (value.is_number()) metrics.emplace_back(name, value.get<double>());
+    if (!value.is_number()) continue;
+    (is_machine_time(name) ? report.machine_times : metrics).emplace_back(name, value.get<double>());
   }
   report.metrics.insert(report.metrics.begin(), metrics.begin(), metrics.end());
 }

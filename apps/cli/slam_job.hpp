@@ -31,7 +31,8 @@ nlohmann::ordered_json known(const std::optional<double>& value);
 /// A report of the job before anything has happened.
 Report opened(const SlamJob& job);
 
-/// Puts the numbers of the result into the report, before the metrics that are there.
+/// Puts the numbers of the result into the report, before the metrics that are there; times of the machine
+/// apart.
 void add_metrics(Report& report, const nlohmann::ordered_json& result);
 
 /// Writes the report, with --html the page that plays it, and the other files, where --out asks for them;

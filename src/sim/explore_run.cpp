@@ -155,8 +155,6 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
                     {"distance_m", robot.driven_m()},
                     {"turned_rad", robot.turned_rad()},
                     {"decisions", number(mission.decisions)},
-                    {"max_decision_s", thinking.decision_s},
-                    {"max_step_s", thinking.step_s},
                     {"map_error_m", quality.map_error_m},
                     {"mapped_free_m2", quality.mapped_free_m2},
                     {"seeable_m2", truth.seeable_m2},
@@ -167,6 +165,7 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
                     {"stuck", number(mission.stuck)},
                     {"bad_scans", number(mission.bad_scans)},
                     {"loops", number(mission.loops)}};
+  report.machine_times = {{"max_decision_s", thinking.decision_s}, {"max_step_s", thinking.step_s}};
 }
 
 }  // namespace

@@ -352,6 +352,8 @@ struct Report {
   std::optional<ReportTerrain> terrain;
 
   std::vector<std::pair<std::string, double>> metrics;  ///< in the order of showing
+  /// How long the machine took for what. Shown, and never stored: it differs from run to run.
+  std::vector<std::pair<std::string, double>> machine_times = {};
   std::vector<ReportTarget> targets;
   std::vector<ReportPath> paths;
   std::vector<ReportShot> shots;
@@ -365,11 +367,13 @@ struct Report {
   std::optional<ReportSlam> slam = {};        ///< of the job slam
 };
 
-/// The metric of that name; `otherwise` where the report has none. O(metrics).
+/// The metric or the time of the machine of that name; `otherwise` where the report has none. O(metrics).
 inline double metric(const Report& report, std::string_view name,
                      double otherwise = std::numeric_limits<double>::quiet_NaN()) {
-  for (const auto& [key, value] : report.metrics) {
-    if (key == name) return value;
+  for (const auto* list : {&report.metrics, &report.machine_times}) {
+    for (const auto& [key, value] : *list) {
+      if (key == name) return value;
+    }
   }
   return otherwise;
 }
