@@ -22,6 +22,7 @@
 #include "page.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
+#include "track_csv.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -79,14 +80,6 @@ Outcome<ExploreRun> carry_out(ExploreCommand& command) {
   run->report.settings = settings_of(describe(command.scenario));
   run->report.warnings = std::move(setup->warnings);
   return run;
-}
-
-std::string track_csv(const std::vector<Pose2>& poses) {
-  std::string text = "step,x,y,heading\n";
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    text += fmt::format("{},{},{},{}\n", i, poses[i].position.x, poses[i].position.y, poses[i].heading_rad);
-  }
-  return text;
 }
 
 /// The pictures are made from the text of the report, as a replay makes them.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -16,6 +15,7 @@
 #include "outrider/slam/map_error.hpp"
 #include "progress.hpp"
 #include "slam_picture.hpp"
+#include "track_csv.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -26,16 +26,6 @@ using Node = std::uint32_t;
 constexpr double step_s = 0.1;  // graphs have no times
 constexpr std::size_t most_waypoints = 4000;
 constexpr std::size_t most_events = 300;
-
-/// A pose a line: number, x, y, heading (m, rad).
-std::string track_csv(const std::vector<Pose2>& poses) {
-  std::string text = "step,x,y,heading\n";
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, poses[i].position.x, poses[i].position.y,
-                   poses[i].heading_rad);
-  }
-  return text;
-}
 
 /// Loops: edges between poses that do not follow each other.
 SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution,

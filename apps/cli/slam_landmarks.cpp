@@ -15,6 +15,7 @@
 #include "outrider/slam/map_error.hpp"
 #include "progress.hpp"
 #include "slam_picture.hpp"
+#include "track_csv.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -27,16 +28,6 @@ std::vector<Vec2> places(const std::vector<Pose2>& poses) {
   std::vector<Vec2> result;
   for (const Pose2& pose : poses) result.push_back(pose.position);
   return result;
-}
-
-/// A pose a line: number, x, y, heading (m, rad).
-std::string track_csv(const std::vector<Pose2>& poses) {
-  std::string text = "step,x,y,heading\n";
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, poses[i].position.x, poses[i].position.y,
-                   poses[i].heading_rad);
-  }
-  return text;
 }
 
 std::string landmarks_csv(const LandmarkMap& map) {
@@ -66,8 +57,7 @@ std::vector<double> times_of(const LandmarkLog& log) {
 
 double way_of(const LandmarkLog& log) {
   double way_m = 0.0;
-  for (const LogStep& step : log.steps)
-    way_m += norm(step.odometry.position) + 0.5 * std::abs(step.odometry.heading_rad);
+  for (const LogStep& step : log.steps) way_m += scan_way_m(step.odometry);
   return way_m;
 }
 

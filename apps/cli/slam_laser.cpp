@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -41,8 +40,7 @@ std::vector<double> times_of(const LaserLog& log) {
 
 double way_of(const LaserLog& log) {
   double way_m = 0.0;
-  for (const LaserLogStep& step : log.steps)
-    way_m += norm(step.motion.position) + 0.5 * std::abs(step.motion.heading_rad);
+  for (const LaserLogStep& step : log.steps) way_m += scan_way_m(step.motion);
   return way_m;
 }
 

@@ -99,6 +99,10 @@ ReportSigmas sigmas_of(double xx, double xy, double yy) {
   return {x_m, y_m, x_m * y_m > 0.0 ? std::clamp(xy / (x_m * y_m), -1.0, 1.0) : 0.0};
 }
 
+double scan_way_m(const Pose2& motion) {
+  return norm(motion.position) + lever_m * std::abs(motion.heading_rad);
+}
+
 SlamRecord::SlamRecord(Report& report, const std::string& engine, double way_m)
     : report_(report), scan_every_m_(std::max(least_scan_way_m, way_m / most_scans)) {
   report_.slam.emplace().engine = engine;
@@ -106,12 +110,11 @@ SlamRecord::SlamRecord(Report& report, const std::string& engine, double way_m)
 
 void SlamRecord::note(const SlamRow& row) {
   ReportSlam& slam = *report_.slam;
-  if (!odometry_.empty()) {
-    const Pose2& before = odometry_.back();
-    way_m_ += distance(before.position, row.odometry.position) +
-              lever_m * std::abs(wrap_angle(row.odometry.heading_rad - before.heading_rad));
+  if (odometry_) {
+    way_m_ += scan_way_m({row.odometry.position - odometry_->position,
+                          wrap_angle(row.odometry.heading_rad - odometry_->heading_rad)});
   }
-  odometry_.assign(1, row.odometry);
+  odometry_ = row.odometry;
   const Matrix3& c = row.covariance;
   const ReportSigmas sigmas = sigmas_of(c(0, 0), c(0, 1), c(1, 1));
   slam.beliefs.push_back({row.time_s, row.pose, sigmas.x_m, sigmas.y_m, sigmas.correlation,

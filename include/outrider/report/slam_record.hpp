@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,10 +41,12 @@ struct ReportSigmas {
 };
 ReportSigmas sigmas_of(double xx, double xy, double yy);
 
+/// What a motion adds to the way that scans are spread over: half a metre for each radian turned, too.
+double scan_way_m(const Pose2& motion);
+
 class SlamRecord {
  public:
-  /// Fills the parts `track` and `slam` of a report. `way_m`, by odometry and with half a metre for each
-  /// radian turned, is what the scans are spread over.
+  /// Fills the parts `track` and `slam` of a report. `way_m` is the sum of scan_way_m() by odometry.
   SlamRecord(Report& report, const std::string& engine, double way_m);
 
   void note(const SlamRow& row);
@@ -63,7 +66,7 @@ class SlamRecord {
   double scan_every_m_;
   double way_m_ = 0.0;
   double next_scan_m_ = 0.0;
-  std::vector<Pose2> odometry_;
+  std::optional<Pose2> odometry_;  ///< at the row noted last
 };
 
 /// Takes away loops beyond 2000, equally far apart in their order.
