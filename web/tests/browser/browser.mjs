@@ -19,7 +19,7 @@ export const launch = () => chromium.launch({ executablePath: executable, args: 
 export const launchPlain = () => chromium.launch({ executablePath: executable, args: [...plain, "--disable-gpu"] });
 
 /** Waits until `ask` answers with something true, which is returned. */
-export async function until(what, ask, seconds = 15) {
+export async function until(what, ask, seconds = 60) {
   const end = Date.now() + 1000 * seconds;
   for (;;) {
     const answer = await ask();

@@ -24,6 +24,7 @@ const faults = [];
 
 async function open(hash = "", options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", colorScheme: "light", ...options });
+  page.setDefaultTimeout(100_000);  // a machine that is busy with other tests may hold a browser up
   page.on("pageerror", (error) => faults.push(`${hash}: ${error.message}`));
   page.on("request", (request) => {
     if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${hash}: the page asked for ${request.url()}`);
@@ -66,6 +67,13 @@ async function svgIsAsTheView(page) {
 }
 
 const cases = {
+  async "the files of the folder, before other cases add theirs"() {
+    const page = await open();
+    await page.waitForSelector(".groups");
+    await compareShot(page, "files", output);
+    await page.close();
+  },
+
   async "a report: scrub to a shot, step, switch to space, reload at its address"() {
     const page = await open("#watch/reports/yard.json?t=0");
     await page.waitForSelector(".targets tbody");
@@ -138,7 +146,7 @@ const cases = {
     const page = await open("#live?scenario=cover/cover_room.yaml");
     await page.waitForSelector(".start button:enabled");
     await page.click(".start button");
-    await page.waitForSelector(".live-page .verdict", { timeout: 30000 });
+    await page.waitForSelector(".live-page .verdict");
     assert.match(await text(page, ".verdict"), /Done/);
     assert.match(await text(page, ".legend"), /covered.*lap.*lane.*move.*planned.*out of reach/);
     const at = async (seconds) => {
@@ -440,7 +448,6 @@ const cases = {
     const page = await open();
     await page.waitForSelector(".groups");
     await page.evaluate(() => document.querySelector('li[data-path="reports/yard.json"] a').focus());
-    await compareShot(page, "files", output);
     await page.keyboard.press("Enter");
     await page.waitForSelector(".targets tbody");
     await page.evaluate(() => document.activeElement.blur());
