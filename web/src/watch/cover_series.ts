@@ -1,7 +1,7 @@
 // How much of an area was covered, over the time.
 import type { Run } from "../report/run";
 import { areaOfOutlines } from "./cover_layer";
-import type { Series } from "./series";
+import type { Series } from "./plotted";
 
 export function coverSeries({ report: { cover } }: Run): Series[] {
   if (!cover || cover.covered.length === 0) return [];

@@ -6,7 +6,8 @@ import { figures } from "../base/numbers";
 import { onTheme, theme } from "../base/theme";
 import type { Run } from "../report/run";
 import { nearest } from "../report/track";
-import { seriesOf, type Series } from "./series";
+import type { Series } from "./plotted";
+import { seriesOf } from "./series";
 
 const height = 128;
 

@@ -1,20 +1,12 @@
-// What can be plotted of a run, over its time or over something else: columns of one length with their names and colours.
+// What can be plotted of a run.
 import { finite } from "../base/numbers";
 import type { Colour } from "../base/theme";
 import type { Run } from "../report/run";
 import { coverSeries } from "./cover_series";
 import { Discovery } from "./explore_layer";
 import { ellipseOf } from "./ellipse";
+import type { Series } from "./plotted";
 import { slamSeries } from "./slam_series";
-
-export interface Series {
-  title: string;
-  unit: string;
-  /** What goes along the axis, where that is not the time. */
-  along?: string;
-  time: number[];
-  lines: { name: string; colour: Colour; values: (number | null)[]; steps?: boolean }[];
-}
 
 /** Speed along the track between each row and the next, m/s. */
 export function speedOf(run: Run): Series | null {

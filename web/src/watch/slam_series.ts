@@ -4,7 +4,7 @@ import { finite } from "../base/numbers";
 import type { Run } from "../report/run";
 import type { Vec2 } from "../report/types";
 import { ellipseOf } from "./ellipse";
-import type { Series } from "./series";
+import type { Series } from "./plotted";
 
 export function slamSeries(run: Run): Series[] {
   const { slam } = run.report;
