@@ -15,7 +15,6 @@
 #include "output.hpp"
 #include "outrider/io/explore_scenario.hpp"
 #include "outrider/io/map_server.hpp"
-#include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/sim/explore_run.hpp"
@@ -117,18 +116,8 @@ int finish(ExploreCommand& command) {
   return run->report.status == "done" ? job_done : job_not_done;
 }
 
-/// A scenario of this job may stand in the place of a world.
-void tell_scenario_from_world(ExploreCommand& command) {
-  if (command.world.empty() || !command.scenario_path.empty()) return;
-  const bool yaml = command.world.ends_with(".yaml") || command.world.ends_with(".yml");
-  const auto job = yaml ? scenario_job(command.world) : Outcome<std::string>{};
-  if (!job || *job != "explore") return;
-  command.scenario_path = command.world;
-  command.world.clear();
-}
-
 int execute(ExploreCommand& command, const Command& flags) {
-  tell_scenario_from_world(command);
+  tell_scenario_from_file(command.world, command.scenario_path, "explore");
   if (auto ok = read_job_words(flags, command); !ok) return say(ok.error(), flags.given("--json"));
   if (!command.world.empty()) command.scenario.world.world = command.world;
   if (!command.planner.empty()) command.scenario.task.explore.strategy = command.planner;

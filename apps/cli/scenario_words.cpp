@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace outrider::cli {
 
@@ -28,6 +29,12 @@ Status refuse_other_words(const Command& words, const std::vector<std::string>& 
         name);
   }
   return {};
+}
+
+void tell_scenario_from_file(std::string& file, std::string& scenario_path, std::string_view job) {
+  if (!scenario_path.empty() || !(file.ends_with(".yaml") || file.ends_with(".yml"))) return;
+  const auto found = scenario_job(file);
+  if (found && *found == job) scenario_path = std::exchange(file, {});
 }
 
 }  // namespace outrider::cli

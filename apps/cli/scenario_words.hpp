@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,10 @@ std::vector<std::pair<std::string, std::string>> settings_of(const std::vector<O
 /// Refuses what `run` does not take beside the words named.
 Status refuse_other_words(const Command& words, const std::vector<std::string>& taken, const std::string& job,
                           const std::string& scenario_path);
+
+/// A scenario of the job may stand in the place of the file that a command takes: then it is the scenario,
+/// and no file is given.
+void tell_scenario_from_file(std::string& file, std::string& scenario_path, std::string_view job);
 
 template <class Request>
 Status read_output_words(const Command& words, Request& request) {

@@ -43,18 +43,8 @@ int finish(SlamJob& job) {
   return map_landmark_log(job, std::move(std::get<LandmarkLog>(*input)));
 }
 
-/// A scenario of this job may stand in the place of a log.
-void tell_scenario_from_log(SlamJob& job) {
-  if (job.log.empty() || !job.scenario_path.empty()) return;
-  const bool yaml = job.log.ends_with(".yaml") || job.log.ends_with(".yml");
-  const auto found = yaml ? scenario_job(job.log) : Outcome<std::string>{};
-  if (!found || *found != "slam") return;
-  job.scenario_path = job.log;
-  job.log.clear();
-}
-
 int execute(SlamJob& job, const Command& flags) {
-  tell_scenario_from_log(job);
+  tell_scenario_from_file(job.log, job.scenario_path, "slam");
   if (auto ok = read_job_words(flags, job); !ok) return say(ok.error(), flags.given("--json"));
   if (auto ok = apply_flags(flags, {describe_input(job)}); !ok) return say(ok.error(), job.json);
   if (!job.log.empty()) job.scenario.log = job.log;

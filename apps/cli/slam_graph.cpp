@@ -45,15 +45,26 @@ SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution
   return picture;
 }
 
+/// Places of the points, or of the poses, and where they are in truth.
+struct Compared {
+  std::vector<Vec2> estimate;
+  std::vector<Vec2> truth;
+};
+
+Compared compared(const GraphInput& input, const std::vector<Pose2>& poses, bool points) {
+  Compared places;
+  for (std::size_t i = 0; i < input.truth.size(); ++i) {
+    if (input.graph.nodes[i].is_point != points) continue;
+    places.estimate.push_back(poses[i].position);
+    places.truth.push_back(input.truth[i].position);
+  }
+  return places;
+}
+
 /// Root mean squared error of the points, or of the poses, once the whole is moved onto the truth.
 std::optional<double> aligned_error(const GraphInput& input, const std::vector<Pose2>& poses, bool points,
                                     bool aligned) {
-  std::vector<Vec2> estimate, truth;
-  for (std::size_t i = 0; i < input.truth.size(); ++i) {
-    if (input.graph.nodes[i].is_point != points) continue;
-    estimate.push_back(poses[i].position);
-    truth.push_back(input.truth[i].position);
-  }
+  const auto [estimate, truth] = compared(input, poses, points);
   return rms_distance(estimate, truth, aligned ? rigid_alignment(estimate, truth) : Pose2{});
 }
 
@@ -83,8 +94,8 @@ class Ways {
   /// When a pose was reached; every robot starts at 0.
   [[nodiscard]] double time_s(Node node) const { return step_s * static_cast<double>(step_of_[node]); }
   [[nodiscard]] bool follow(Node a, Node b) const {
-    return std::max(a, b) != std::min(a, b) && step_of_[std::max(a, b)] == step_of_[std::min(a, b)] + 1 &&
-           next_to(std::min(a, b), std::max(a, b));
+    const auto [first, second] = std::minmax(a, b);
+    return step_of_[second] == step_of_[first] + 1 && next_to(first, second);
   }
   /// The motion from a pose of a way to the next, as measured.
   [[nodiscard]] Pose2 motion(Node from, Node to) const {
@@ -210,12 +221,7 @@ Report report_of(const SlamJob& job, const Solved& solved) {
 }
 
 Pose2 alignment_to_map(const GraphInput& input, const std::vector<Pose2>& poses) {
-  std::vector<Vec2> estimate, truth;
-  for (std::size_t i = 0; i < input.truth.size(); ++i) {
-    if (input.graph.nodes[i].is_point) continue;
-    estimate.push_back(poses[i].position);
-    truth.push_back(input.truth[i].position);
-  }
+  const auto [estimate, truth] = compared(input, poses, false);
   return truth.empty() ? Pose2{} : rigid_alignment(truth, estimate);
 }
 

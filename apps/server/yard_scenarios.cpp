@@ -21,7 +21,6 @@ constexpr std::size_t most_boxes = 1000;
 constexpr std::size_t most_moved_targets = 1000;
 constexpr double box_height_m = 1.0;
 constexpr double least_box_m = 0.01;
-constexpr double most_turn_rad = 7.0;
 
 struct Yard {
   GuardScenario scenario;  ///< its world as the file of the world has it
@@ -113,8 +112,7 @@ Outcome<std::vector<Box>> boxes_of(const Json& list) {
     const auto low = four ? corner(0) : std::nullopt, high = four ? corner(2) : std::nullopt;
     if (!low || !high || high->x - low->x < least_box_m || high->y - low->y < least_box_m) {
       return bad_input(
-          fmt::format("it takes [low x, low y, high x, high y] in m, {} m apart, and the turn in "
-                      "rad",
+          fmt::format("it takes [low x, low y, high x, high y], {} m apart, and the turn; m and rad",
                       least_box_m),
           fmt::format("boxes[{}]", i));
     }

@@ -12,7 +12,6 @@ namespace outrider::server {
 namespace {
 
 constexpr std::size_t most_changes = 10'000;
-constexpr double most_turn_rad = 7.0;
 
 /// In the way of the robot, of these solids alone.
 Json polygons_json(const GuardProblem& yard, std::vector<Solid> solids) {

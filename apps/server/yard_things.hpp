@@ -10,6 +10,8 @@
 
 namespace outrider::server {
 
+inline constexpr double most_turn_rad = 7.0;  ///< that a request may ask for
+
 struct YardThings {
   WorldChanges changes;               ///< as the scenario has them
   std::vector<MovableThing> movable;  ///< none of which a change names a part only

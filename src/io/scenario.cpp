@@ -141,8 +141,10 @@ Outcome<std::vector<std::string>> scenario_keys(const std::string& path) {
   std::vector<std::string> keys;
   for (const auto& entry : *root) {
     const std::string key = entry.first.Scalar();
-    if (!entry.second.IsMap()) keys.push_back(key);
-    if (!entry.second.IsMap()) continue;
+    if (!entry.second.IsMap()) {
+      keys.push_back(key);
+      continue;
+    }
     for (const auto& inner : entry.second) keys.push_back(fmt::format("{}.{}", key, inner.first.Scalar()));
   }
   return keys;
