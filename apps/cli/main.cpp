@@ -1,13 +1,16 @@
 // outrider: a ground robot finds its way, and does a job. See commands.hpp.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string_view>
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "outrider/io/confinement.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -26,7 +29,8 @@ int run(int argc, char** argv) {
                OUTRIDER_VERSION);
   tool.footer(
       "\n'outrider COMMAND --help' shows the flags of a command.\n"
-      "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong.");
+      "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong,\n"
+      "3 an answer could not be written, as on a full disk.");
   add_run(tool);
   add_guard(tool);
   add_pursue(tool);
@@ -50,6 +54,9 @@ int run(int argc, char** argv) {
 int guarded_run(int argc, char** argv) {
   const bool json = wants_json(argc, argv);
   try {
+    if (const char* root = std::getenv("OUTRIDER_CONFINE"); root != nullptr) {
+      if (auto ok = confine_reading(root); !ok) return say(ok.error(), json);
+    }
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     return say(
@@ -66,8 +73,9 @@ int guarded_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace outrider;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a fault with a sentence
   const int status = cli::guarded_run(argc, argv);
   if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
-  return cli::say({FaultCode::bad_input, "standard output cannot be written to; is the disk full?", {}},
+  return cli::say({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}},
                   false);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -29,8 +30,14 @@ bool is_answer(const Fault& fault) {
          fault.code == FaultCode::budget_exhausted || fault.code == FaultCode::cancelled;
 }
 
+ExitStatus exit_status(const Fault& fault) {
+  if (fault.code == FaultCode::cannot_write) return not_written;
+  return is_answer(fault) ? job_not_done : refused;
+}
+
 nlohmann::ordered_json fault_json(const Fault& fault) {
-  return {{"status", is_answer(fault) ? "not_done" : "refused"},
+  const char* const statuses[] = {"done", "not_done", "refused", "not_written"};
+  return {{"status", statuses[exit_status(fault)]},
           {"code", to_string(fault.code)},
           {"reason", fault.sentence},
           {"where", fault.where}};
@@ -39,7 +46,7 @@ nlohmann::ordered_json fault_json(const Fault& fault) {
 int say(const Fault& fault, bool json) {
   fmt::print(stderr, "outrider: {}\n", to_string(fault));
   if (json) print(fault_json(fault));
-  return is_answer(fault) ? job_not_done : refused;
+  return exit_status(fault);
 }
 
 Status check_page(std::string flag) {
@@ -77,10 +84,10 @@ Status make_folder(const std::string& folder) {
 
 Status write_files(const std::string& folder, const std::vector<NamedText>& files) {
   if (auto ok = make_folder(folder); !ok) return ok;
-  for (const auto& [name, content] : files) {
-    if (auto ok = write_file(folder + "/" + name, content); !ok) return ok;
-  }
-  return {};
+  std::vector<NamedContent> placed;
+  for (const auto& [name, content] : files) placed.push_back({folder + "/" + name, content});
+  std::rotate(placed.begin(), std::min(placed.begin() + 1, placed.end()), placed.end());
+  return outrider::write_files(placed);
 }
 
 std::string duration_text(double seconds) {

@@ -10,12 +10,15 @@
 
 namespace outrider::cli {
 
-enum ExitStatus { job_done = 0, job_not_done = 1, refused = 2 };
+enum ExitStatus { job_done = 0, job_not_done = 1, refused = 2, not_written = 3 };
 
 /// True when the fault is an answer to a request that was right ("no_path"): the job was not done.
 bool is_answer(const Fault& fault);
 
-/// {"status", "code", "reason", "where"}, with status "not_done" for an answer, else "refused".
+/// What the tool ends with: 1 for an answer, 3 when the system failed to write, else 2.
+ExitStatus exit_status(const Fault& fault);
+
+/// {"status", "code", "reason", "where"}; status is "not_done", "refused" or "not_written", by exit_status().
 nlohmann::ordered_json fault_json(const Fault& fault);
 
 /// Says the fault on standard error, and with `json` as one object on standard output; returns the exit
@@ -37,7 +40,8 @@ Status make_folder(const std::string& folder);
 /// A name and what is written under it.
 using NamedText = std::pair<std::string, std::string>;
 
-/// Makes the folder, then the files in it.
+/// Makes the folder, then the files in it: all of them or none (files.hpp). The first takes its name last, so
+/// put the report first: a report that is there has its pictures beside it.
 Status write_files(const std::string& folder, const std::vector<NamedText>& files);
 
 /// "1 min 21 s", "42.0 s", "0.31 s".

@@ -319,20 +319,15 @@ void print_table(const std::vector<PolygonRow>& rows) {
   }
 }
 
-struct File {
-  std::string path;
-  std::string content;
-};
-
 /// One picture for each query, with the ways of all planners; and one of all queries, each its best way.
-std::vector<File> pictures(const std::string& folder, const Grounds& grounds,
-                           const std::vector<PolygonRow>& rows) {
+std::vector<NamedContent> pictures(const std::string& folder, const Grounds& grounds,
+                                   const std::vector<PolygonRow>& rows) {
   PolygonPicture base{grounds.polygons,
                       grounds.grid ? &grounds.blocked : nullptr,
                       visibility_legs(*grounds.polygons, false),
                       {}};
   PolygonPicture best = base;
-  std::vector<File> files;
+  std::vector<NamedContent> files;
   for (std::size_t i = 0; i < rows.size();) {
     PolygonPicture one = base;
     const std::size_t number = rows[i].query.number;
@@ -355,17 +350,14 @@ std::vector<File> pictures(const std::string& folder, const Grounds& grounds,
 
 Status write_all(const PolygonPlan& request, const Grounds& grounds, const std::vector<PolygonRow>& rows,
                  const nlohmann::ordered_json& report) {
-  std::vector<File> files;
-  if (!request.out.empty()) {
-    files = pictures(request.out, grounds, rows);
-    files.push_back({request.out + "/plan.json", report.dump(1) + "\n"});
-    if (auto ok = make_folder(request.out); !ok) return ok;
-  }
+  std::vector<NamedContent> files;
   if (!request.svg.empty()) files.push_back({request.svg, pictures("", grounds, rows).back().content});
-  for (const File& file : files) {
-    if (auto ok = write_file(file.path, file.content); !ok) return ok;
+  if (!request.out.empty()) {
+    if (auto ok = make_folder(request.out); !ok) return ok;
+    for (NamedContent& picture : pictures(request.out, grounds, rows)) files.push_back(std::move(picture));
+    files.push_back({request.out + "/plan.json", report.dump(1) + "\n"});
   }
-  return {};
+  return outrider::write_files(files);
 }
 
 struct Answer {

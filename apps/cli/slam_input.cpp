@@ -39,8 +39,7 @@ std::vector<std::string> first_words(std::string_view text) {
 std::string beside(const std::string& path, const std::string& name) {
   for (const char* ending : {"", ".gz"}) {
     const fs::path found = fs::path(path).parent_path() / (name + ending);
-    std::error_code error;
-    if (fs::is_regular_file(found, error)) return found.string();
+    if (file_exists(found.string())) return found.string();
   }
   return {};
 }

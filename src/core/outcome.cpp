@@ -12,6 +12,7 @@ std::string_view to_string(FaultCode code) {
     case FaultCode::budget_exhausted: return "budget_exhausted";
     case FaultCode::cancelled: return "cancelled";
     case FaultCode::bad_input: return "bad_input";
+    case FaultCode::cannot_write: return "cannot_write";
   }
   return "unknown";
 }

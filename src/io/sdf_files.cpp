@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "open_file.hpp"
 #include "outrider/io/files.hpp"
 #include "xml.hpp"
 
@@ -10,10 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A path that is forbidden is given too: whoever reads it is told so.
 std::optional<std::string> existing(const fs::path& path) {
-  std::error_code error;
-  if (!fs::exists(path, error) || error) return std::nullopt;
-  return path.string();
+  return file_kind(path.string()) == FileKind::missing ? std::nullopt : std::optional(path.string());
 }
 
 std::optional<std::string> find_in_models(std::string_view rest, const SdfFolders& folders) {
@@ -23,7 +23,9 @@ std::optional<std::string> find_in_models(std::string_view rest, const SdfFolder
   std::vector<fs::path> roots = {beside, beside / "models", beside / "..", beside / ".." / "models"};
   roots.insert(roots.end(), folders.models.begin(), folders.models.end());
   for (const fs::path& root : roots) {
-    if (auto found = existing(root / rest)) return found;
+    const fs::path place = root / rest;
+    const FileKind kind = file_kind(place.string());
+    if (kind == FileKind::folder || kind == FileKind::other) return place.string();
   }
   return std::nullopt;
 }
@@ -41,8 +43,7 @@ std::optional<std::string> find_uri(std::string_view uri, const SdfFolders& fold
 
 std::optional<std::string> find_model(std::string_view uri, const SdfFolders& folders) {
   auto found = find_uri(uri, folders);
-  std::error_code error;
-  if (!found || !fs::is_directory(*found, error)) return found;
+  if (!found || file_kind(*found) != FileKind::folder) return found;
   std::string sdf_name = "model.sdf";
   auto text = read_file((fs::path(*found) / "model.config").string(), std::size_t{1} << 20);
   if (!text) return existing(fs::path(*found) / sdf_name);

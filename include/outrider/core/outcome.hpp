@@ -20,6 +20,7 @@ enum class FaultCode {
   budget_exhausted,  ///< the budget of expansions or of wall time ended first
   cancelled,         ///< the caller's stop token was raised
   bad_input,         ///< a file, key or value is wrong; the sentence names the remedy
+  cannot_write,      ///< the system failed to write a file, for instance on a full disk
 };
 
 /// The name of the code as it stands in reports, e.g. "start_blocked".

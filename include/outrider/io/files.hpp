@@ -1,9 +1,15 @@
 // Whole files in, whole files out.
 //
 // Reading: plain or gzip-compressed (told by the first two bytes, not by the name), never more than a
-// stated number of bytes after decompression. Writing: to a temporary name in the same folder, then
-// renamed, so that a reader sees the old file or the new one, and a failure leaves nothing behind.
-// Errors: bad_input with the file in `where`. Thread rule: safe to call concurrently.
+// stated number of bytes after decompression. confinement.hpp limits which files may be read.
+//
+// Writing: to temporary names in the same folder, then renamed, so that a reader sees the old files or the
+// new ones. A failure, a full disk for one, leaves the old files as they were. What a writer leaves behind
+// that was killed (.outrider-*.part) is removed by the next one that writes to the folder. A file that is
+// replaced keeps its mode; a symbolic link is followed.
+//
+// Errors: bad_input with the file in `where`; cannot_write when the system fails while it writes, as on a
+// full disk. Thread rule: safe to call concurrently.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +27,11 @@ inline constexpr std::size_t largest_file_bytes = std::size_t{256} << 20;
 /// damaged or truncated gzip data, and more than `limit_bytes`.
 Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes = largest_file_bytes);
 
+/// True if there is something other than a folder that read_file() may open.
+bool file_exists(const std::string& path);
+
 /// Replaces or makes the file. Its folder must exist; a path that names something other than a regular
-/// file is refused. A symbolic link is followed.
+/// file is refused.
 Status write_file(const std::string& path, std::string_view content);
 
 struct NamedContent {
@@ -30,9 +39,10 @@ struct NamedContent {
   std::string content;
 };
 
-/// The same for files that belong together: all lie on the disk under temporary names before the first is
-/// renamed, so that a full disk or a folder that may not be written to changes none of them. They are renamed
-/// in their order; put last the one that names the others.
+/// Writes files that belong together: all lie on the disk under temporary names before the first is
+/// renamed. They are renamed in their order, so put the one that names the others last. A process that is
+/// killed at any moment, even by SIGKILL, leaves all old files or all new ones: a short-lived process of its
+/// own does the renaming.
 Status write_files(const std::vector<NamedContent>& files);
 
 }  // namespace outrider

@@ -1,11 +1,17 @@
 #include "outrider/io/files.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <csignal>
+#include <set>
 
 #include "data.hpp"
 
@@ -132,8 +138,76 @@ TEST(WriteFile, FailureHalfWayKeepsTheOldFileAndNothingElse) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, FaultCode::cannot_write) << "the request was right";
   EXPECT_EQ(test::bytes_of(path), "old");
   EXPECT_EQ(entries(folder.path), 1U);
+}
+
+TEST(WriteFile, KeepsTheModeOfTheFileThatItReplaces) {
+  const test::Folder folder;
+  const std::string secret = folder.write("secret", "old");
+  ::chmod(secret.c_str(), 0640);
+  ASSERT_TRUE(write_files({{secret, "new"}, {(folder.path / "other").string(), "x"}}));
+  EXPECT_EQ(test::bytes_of(secret), "new");
+  EXPECT_EQ(static_cast<unsigned>(fs::status(secret).permissions()), 0640U);
+}
+
+TEST(WriteFile, RemovesWhatAKilledWriterLeftAndNothingOfALivingOne) {
+  const test::Folder folder;
+  const std::string abandoned = folder.write(".outrider-1-0.part", "left behind");
+  const std::string in_use = folder.write(".outrider-1-1.part", "being written");
+  const std::string other = folder.write(".outrider.part.txt", "not ours");
+  const int descriptor = ::open(in_use.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+  ASSERT_TRUE(write_file((folder.path / "a").string(), "1"));
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(in_use));
+  EXPECT_TRUE(fs::exists(other));
+  ::close(descriptor);
+}
+
+/// The texts of the files with those names; all the same when the folder is whole.
+std::set<std::string> versions(const fs::path& folder, const std::vector<std::string>& names) {
+  std::set<std::string> texts;
+  for (const std::string& name : names) texts.insert(test::bytes_of(folder / name).substr(0, 8));
+  return texts;
+}
+
+TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
+  const test::Folder folder;
+  const std::vector<std::string> names = {"a", "b", "c", "report"};
+  const auto version = [&](int i) {
+    std::vector<NamedContent> files;
+    for (const std::string& name : names) {
+      files.push_back({(folder.path / name).string(), fmt::format("{:08}", i) + std::string(20'000, 'x')});
+    }
+    return files;
+  };
+  ASSERT_TRUE(write_files(version(0)));
+  Rng rng(11);
+  std::set<std::string> seen;
+  for (int kill = 0; kill < 200; ++kill) {
+    const pid_t writer = ::fork();
+    if (writer == 0) {
+      for (int i = 1; write_files(version(1000 * kill + i)); ++i) {
+      }
+      ::_exit(1);
+    }
+    ::usleep(static_cast<useconds_t>(rng.below(30'000)));
+    ASSERT_EQ(::waitpid(writer, nullptr, WNOHANG), 0) << "it is still writing when it is killed";
+    ::kill(writer, SIGKILL);
+    ::waitpid(writer, nullptr, 0);
+    std::set<std::string> texts = versions(folder.path, names);
+    for (int wait = 0; texts.size() != 1 && wait < 100; ++wait) {  // the renaming may be under way
+      ::usleep(1000);
+      texts = versions(folder.path, names);
+    }
+    ASSERT_EQ(texts.size(), 1U) << "a mixture after kill " << kill;
+    seen.insert(*texts.begin());
+  }
+  EXPECT_GT(seen.size(), 20U) << "many of the writers came as far as a new version";
+  ASSERT_TRUE(write_files(version(1)));
+  EXPECT_EQ(entries(folder.path), names.size());
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+#include "open_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <map>
+#include <system_error>
+
+#include "outrider/io/confinement.hpp"
+
+namespace outrider {
+namespace {
+
+struct Access {
+  int root = -1;  ///< descriptor of the folder; -1: everything may be read
+  std::string root_path;
+  std::map<std::string, std::string> supplied;
+};
+
+/// Of the whole process; written before other threads start.
+Access& access_rule() {
+  static Access rule;
+  return rule;
+}
+
+/// openat2 beneath the root. The kernel asks to try again when folders were moved meanwhile.
+int open_beneath(int root, const std::string& path, int flags) {
+  open_how how{};
+  how.flags = static_cast<std::uint64_t>(flags);
+  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
+  constexpr int attempts = 100;
+  long descriptor = -1;
+  for (int i = 0; i < attempts; ++i) {
+    descriptor = ::syscall(SYS_openat2, root, path.c_str(), &how, sizeof how);
+    if (descriptor >= 0 || errno != EAGAIN) break;
+  }
+  return static_cast<int>(descriptor);
+}
+
+/// open(), or openat2() in a confined process; -1 and errno when it is refused.
+int open_allowed(const std::string& path, int flags) {
+  const Access& rule = access_rule();
+  if (rule.root < 0) return ::open(path.c_str(), flags | O_CLOEXEC);
+  std::string relative = path;
+  if (relative.starts_with(rule.root_path + "/")) relative.erase(0, rule.root_path.size() + 1);
+  return open_beneath(rule.root, relative, flags | O_CLOEXEC);
+}
+
+bool leads_out(int error) { return error == EXDEV; }
+
+Fault why_not(int error, const std::string& path) {
+  if (error == ENOENT) return {FaultCode::bad_input, "there is no such file; check the path", path};
+  if (leads_out(error)) {
+    return {FaultCode::bad_input,
+            "it lies outside the folder whose files may be read; move it there and name it without ..", path};
+  }
+  return {FaultCode::bad_input, fmt::format("it cannot be read: {}", std::generic_category().message(error)),
+          path};
+}
+
+}  // namespace
+
+Status confine_reading(const std::string& root) {
+  Access& rule = access_rule();
+  if (rule.root >= 0) return bad_input("reading is confined already", root);
+  const int descriptor = ::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0 || ::fchdir(descriptor) != 0) {
+    return bad_input("it is no folder that files can be read from; name another", root);
+  }
+  const int probe = open_beneath(descriptor, ".", O_PATH | O_CLOEXEC);
+  if (probe < 0) {
+    ::close(descriptor);
+    return bad_input(
+        "this system cannot confine a program to a folder (openat2 is missing); use Linux 5.6 "
+        "or newer",
+        root);
+  }
+  ::close(probe);
+  rule.root = descriptor;
+  rule.root_path = root;
+  return {};
+}
+
+void supply_file(const std::string& path, std::string content) {
+  access_rule().supplied[path] = std::move(content);
+}
+
+const std::string* supplied_content(const std::string& path) {
+  const auto& supplied = access_rule().supplied;
+  const auto found = supplied.find(path);
+  return found == supplied.end() ? nullptr : &found->second;
+}
+
+Outcome<int> open_file(const std::string& path) {
+  if (path.empty()) return bad_input("the file name is empty");
+  const bool confined = access_rule().root >= 0;
+  // Without O_NONBLOCK the open of a pipe waits for somebody who writes to it.
+  const int descriptor = open_allowed(path, O_RDONLY | (confined ? O_NONBLOCK : 0));
+  if (descriptor < 0) return tl::unexpected<Fault>(why_not(errno, path));
+  struct stat status{};
+  const bool known = ::fstat(descriptor, &status) == 0;
+  if (known && S_ISDIR(status.st_mode)) {
+    ::close(descriptor);
+    return bad_input("it is a folder; name a file in it", path);
+  }
+  if (confined && !(known && S_ISREG(status.st_mode))) {
+    ::close(descriptor);
+    return bad_input("it is not a regular file; name another", path);
+  }
+  return descriptor;
+}
+
+FileKind file_kind(const std::string& path) {
+  if (supplied_content(path) != nullptr) return FileKind::other;
+  const int descriptor = open_allowed(path, O_PATH);
+  if (descriptor < 0) return leads_out(errno) ? FileKind::forbidden : FileKind::missing;
+  struct stat status{};
+  const bool folder = ::fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+  ::close(descriptor);
+  return folder ? FileKind::folder : FileKind::other;
+}
+
+}  // namespace outrider
