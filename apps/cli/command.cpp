@@ -121,6 +121,11 @@ Command& Command::add(const std::string& name, const std::string& sentence) {
   return *commands_.back();
 }
 
+Command& Command::hidden() {
+  app_->group("");
+  return *this;
+}
+
 void Command::require_command() { app_->require_subcommand(1); }
 
 Parameter Command::flag(const std::string& name, bool* place, const std::string& sentence) {

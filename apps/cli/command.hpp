@@ -68,6 +68,8 @@ class Command {
 
   /// A command of this one; it lives as long.
   Command& add(const std::string& name, const std::string& sentence);
+  /// Leaves it out of the help: it is for programs.
+  Command& hidden();
   /// Refuses to go without a command of its own.
   void require_command();
 

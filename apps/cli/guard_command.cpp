@@ -17,6 +17,7 @@
 #include "outrider/guard/catalog.hpp"
 #include "outrider/guard/passing_plan.hpp"
 #include "outrider/guard/supply_plan.hpp"
+#include "outrider/io/confinement.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/report/json.hpp"
@@ -308,6 +309,16 @@ void add_common(Command& verb, const std::shared_ptr<GuardCommand>& command) {
   add_flags(verb, groups);
 }
 
+/// The text on standard input becomes the content of the file. There may be a file of that name, or none.
+Status supply_from_stdin(const std::string& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  std::string text(most_bytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), stdin));
+  if (text.size() > most_bytes) return bad_input("a scenario has at most 1 MiB", "--stdin");
+  supply_file(path, std::move(text));
+  return {};
+}
+
 }  // namespace
 
 void add_run(Command& tool) {
@@ -317,8 +328,13 @@ void add_run(Command& tool) {
                  "scenario file; 'outrider schema --as scenario' prints one")
       .required()
       .type("FILE");
+  run.flag("--stdin", "the text of the scenario comes from standard input; paths in it start beside FILE");
   add_common(run, command);
   run.does([command](const Command& flags) {
+    if (flags.given("--stdin")) {
+      if (auto ok = supply_from_stdin(command->scenario_path); !ok)
+        return say(ok.error(), flags.given("--json"));
+    }
     const auto job = scenario_job(command->scenario_path);
     if (job && *job == "pursue") return run_pursuit_scenario(command->scenario_path, flags);
     if (job && *job == "plan") return run_plan_scenario(command->scenario_path, flags);

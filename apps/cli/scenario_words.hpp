@@ -53,7 +53,7 @@ Status read_run_words(const Command& words, const std::string& path, const std::
                       std::int64_t* seed = nullptr) {
   if (auto ok = load_scenario(path, describe(request.scenario)); !ok) return ok;
   resolve_paths(request.scenario, path);
-  std::vector<std::string> taken = {"--json", "--out"};
+  std::vector<std::string> taken = {"--json", "--out", "--stdin"};
   if (seed != nullptr) taken.emplace_back("--seed");
   if (auto ok = refuse_other_words(words, taken, job, path); !ok) return ok;
   if (seed != nullptr) {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -11,6 +12,8 @@
 #include "flags.hpp"
 #include "jobs.hpp"
 #include "output.hpp"
+#include "outrider/io/files.hpp"
+#include "reading.hpp"
 #include "web_server.hpp"
 
 namespace outrider::cli {
@@ -21,19 +24,45 @@ struct ServeCommand {
   std::int64_t port = 8080;
   std::string listen = "127.0.0.1";
   std::string token;
+  std::string token_file;
   std::int64_t jobs = 2;
+  std::int64_t memory_mib = 4096;
 };
 
 OptionGroup describe(ServeCommand& command) {
-  return {"",
-          "serve",
-          {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
-           {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
-           {"token", "", 0, 0, "what every request must show; 16 letters or more", &command.token},
-           {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs}}};
+  return {
+      "",
+      "serve",
+      {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
+       {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
+       {"token", "", 0, 0,
+        "what every request must show; 16 letters or more. Other users of this machine see it in the list "
+        "of processes: --token-file and the variable OUTRIDER_TOKEN keep it to yourself",
+        &command.token},
+       {"token_file", "", 0, 0, "file with the token in its first line", &command.token_file},
+       {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs},
+       {"memory", "MiB", 64, 1e6, "most that one mission may take", &command.memory_mib}}};
 }
 
 constexpr std::size_t shortest_token = 16;
+
+/// The token from the flag, the file, or the variable, of which one may be given.
+Status find_token(ServeCommand& command) {
+  const char* variable = std::getenv("OUTRIDER_TOKEN");
+  const std::string from_variable = variable == nullptr ? "" : variable;
+  if (!command.token.empty() + !command.token_file.empty() + !from_variable.empty() > 1) {
+    return bad_input("there is more than one token; give one of --token, --token-file and OUTRIDER_TOKEN",
+                     "--token");
+  }
+  if (!from_variable.empty()) command.token = from_variable;
+  if (command.token_file.empty()) return {};
+  auto text = read_file(command.token_file, 4096);
+  if (!text) return bad_input(text.error().sentence, "--token-file");
+  command.token = text->substr(0, text->find_first_of("\r\n"));
+  if (command.token.empty())
+    return bad_input("its first line is empty; write the token there", "--token-file");
+  return {};
+}
 
 Status check_token(const ServeCommand& command) {
   const auto plain = [](char c) {
@@ -83,6 +112,7 @@ void print_address(const ServeCommand& command, int port, const server::Folder& 
 
 int execute(ServeCommand& command, const Command& flags) {
   if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), false);
+  if (auto ok = find_token(command); !ok) return say(ok.error(), false);
   if (auto ok = check_token(command); !ok) return say(ok.error(), false);
   auto folder = server::Folder::open(command.folder);
   if (!folder) return say(folder.error(), false);
@@ -99,6 +129,9 @@ int execute(ServeCommand& command, const Command& flags) {
   settings.jobs = forms(scenarios);
   settings.runs.tool = own_path();
   settings.runs.at_once = static_cast<std::size_t>(command.jobs);
+  settings.runs.memory_bytes = static_cast<std::size_t>(command.memory_mib) << 20U;
+  settings.read = server::reading_in_a_child({.tool = settings.runs.tool});
+  server::TemporaryFolder::remove_abandoned();
   server::App app(*folder, std::move(settings));
   auto web = server::WebServer::start(app, {command.listen, static_cast<int>(command.port)});
   if (!web) return say(web.error(), false);
@@ -117,6 +150,9 @@ void add_serve(Command& tool) {
   add_flags(serve, {describe(*command)});
   serve.does([command](const Command& flags) { return execute(*command, flags); });
   serve.footer("\nExample: outrider serve scenarios");
+
+  Command& reader = tool.add("serve-reader", "reads files for 'outrider serve'").hidden();
+  reader.does([](const Command&) { return server::serve_reader(); });
 }
 
 }  // namespace outrider::cli

@@ -14,15 +14,16 @@ namespace {
 
 constexpr double requests_per_second = 500.0;
 constexpr double requests_at_once = 2000.0;
+constexpr double refusals_per_second = 100.0;
+constexpr double refusals_at_once = 400.0;
+constexpr std::size_t most_plans_waiting = 16;
 constexpr std::string_view page_policy =
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
-    "connect-src 'self' ws:; worker-src 'self' blob:; object-src 'none'; frame-ancestors 'none'; "
+    "connect-src 'self'; worker-src 'self' blob:; object-src 'none'; frame-ancestors 'none'; "
     "base-uri 'none'; form-action 'none'";
 constexpr std::string_view data_policy = "default-src 'none'; frame-ancestors 'none'; sandbox";
 
-std::ptrdiff_t planning_slots() {
-  return std::clamp<std::ptrdiff_t>(std::thread::hardware_concurrency(), 1, 64);
-}
+std::size_t planning_slots() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 64); }
 
 /// The parts of a path, decoded one by one, so that an encoded slash stays within its part.
 Outcome<std::vector<std::string>> parts_of(std::string_view path) {
@@ -63,9 +64,9 @@ std::optional<std::vector<std::string>> matched(std::string_view pattern,
   return found;
 }
 
-/// The files of a request about a map, name and bytes.
-Outcome<std::vector<std::pair<std::string, std::string>>> files_of(const Json& list) {
-  std::vector<std::pair<std::string, std::string>> files;
+/// The files of a request about a map.
+Outcome<std::vector<NamedContent>> files_of(const Json& list) {
+  std::vector<NamedContent> files;
   if (list.empty() || list.size() > 8) return bad_input("it takes 1 to 8 files", "files");
   for (std::size_t i = 0; i < list.size(); ++i) {
     Fields fields(list[i], "files[" + std::to_string(i) + "]");
@@ -73,32 +74,15 @@ Outcome<std::vector<std::pair<std::string, std::string>>> files_of(const Json& l
     auto bytes = base64_decoded(fields.text("base64"));
     if (!bytes) fields.refuse("base64", "this is no base64");
     if (auto ok = fields.end(); !ok) return pass_on(ok);
-    files.emplace_back(std::move(name), std::move(*bytes));
+    files.push_back({std::move(name), std::move(*bytes)});
   }
   return files;
 }
 
-/// The map of a request in JSON: lying in the folder, sent as files, or drawn.
-Outcome<KnownMap> map_of(const Json& request, const Folder& folder) {
-  Fields fields(request, "");
-  const bool path = fields.has("path"), files = fields.has("files"), grid = fields.has("grid");
-  if (path + files + grid + fields.has("polygons") != 1) {
-    return bad_input("give one of path, files, grid and polygons", "");
-  }
-  const std::string name = path ? fields.text("path") : "";
-  const Json* sent = fields.list("files");
-  const Json* shape = path || files ? nullptr : fields.object(grid ? "grid" : "polygons");
-  if (auto ok = fields.end(); !ok) return pass_on(ok);
-  if (grid) return grid_map_from_json(*shape, "grid");
-  if (shape != nullptr) return polygon_map_from_json(*shape, "polygons");
-  if (files) {
-    auto named = files_of(*sent);
-    if (!named) return pass_on(named);
-    return read_dropped_map(*named);
-  }
-  const auto place = folder.resolve(name);
-  if (!place) return tl::unexpected(place.error());
-  return load_known_map(*place, folder);
+bool is_image(const std::string& name) {
+  std::string plain = name;
+  if (plain.ends_with(".gz")) plain.resize(plain.size() - 3);
+  return plain.ends_with(".png") || plain.ends_with(".pgm");
 }
 
 void add_headers(Response& response, std::string_view policy, std::string_view cache) {
@@ -115,12 +99,12 @@ App::App(Folder folder, AppSettings settings)
     : folder_(std::move(folder)),
       settings_(std::move(settings)),
       rate_(requests_per_second, requests_at_once),
-      slots_(planning_slots()),
+      strangers_(refusals_per_second, refusals_at_once),
+      shared_(planning_slots()),
       runs_(folder_, settings_.runs),
-      live_(runs_, memory_, slots_, settings_.version) {}
+      live_(runs_, shared_, settings_.version) {}
 
 void App::close() {
-  stop_.request_stop();
   live_.close();
   runs_.cancel_all();
 }
@@ -152,24 +136,36 @@ std::vector<Route> App::routes() {
   return routes;
 }
 
+/// Requests that are refused have a limit of their own, so that a flood of them leaves the others alone.
+std::optional<Response> App::limit_rate(bool refused) {
+  if ((refused ? strangers_ : rate_).take(RateLimit::Clock::now())) return std::nullopt;
+  Response response = error_response(429, "too_many", "too many requests; wait a second");
+  response.headers.emplace_back("Retry-After", "1");
+  return response;
+}
+
 std::optional<Response> App::refuse_socket(const Request& request) {
-  if (!rate_.take(RateLimit::Clock::now()))
-    return error_response(429, "too_many", "too many requests; wait a second");
+  std::optional<Response> refused = refusal(request, settings_.token);
+  if (auto limited = limit_rate(refused.has_value())) return limited;
   if (request.path != "/api/v1/live") return not_found("the live interface is at /api/v1/live");
-  return refusal(request, settings_.token);
+  return refused;
+}
+
+std::optional<Response> App::refuse(const Request& request) {
+  auto refused = refusal(request, settings_.token);
+  if (!refused) return std::nullopt;
+  if (auto limited = limit_rate(true)) refused = std::move(limited);
+  add_headers(*refused, data_policy, "no-store");
+  return refused;
 }
 
 Response App::answer(const Request& request) {
-  if (!rate_.take(RateLimit::Clock::now())) {
-    Response response = error_response(429, "too_many", "too many requests; wait a second");
-    response.headers.emplace_back("Retry-After", "1");
-    return response;
-  }
+  if (auto refused = refuse(request)) return std::move(*refused);
+  if (auto limited = limit_rate(false)) return std::move(*limited);
   Response response;
   const bool api = request.path == "/api" || request.path.starts_with("/api/");
   try {
-    auto refused = refusal(request, settings_.token);
-    response = refused ? std::move(*refused) : api ? dispatch(request) : page_file(request);
+    response = api ? dispatch(request) : page_file(request);
   } catch (const std::bad_alloc&) {
     response = error_response(503, "too_large", "there is not enough memory for that; ask for less");
   } catch (const std::exception& broken) {
@@ -183,6 +179,8 @@ Response App::dispatch(const Request& request) {
   if (request.body.size() > largest_body_bytes) {
     return error_response(413, "too_large", "a request has at most 32 MiB");
   }
+  const auto values = shared_.values.take(memory_of_json(request.body));
+  if (!values) return error_response(503, "too_many", "too much is being asked at the same time; ask again");
   const auto path = parts_of(request.path);
   if (!path) return error_response(path.error());
   std::string allowed;
@@ -221,20 +219,19 @@ Response App::save_file(const Request& request, const Parts& parts) {
   return folder_.save(parts[0], request.body, request.header("if-none-match") == "*");
 }
 
-Response App::read_scenario(const Request&, const Parts& parts) {
-  const auto place = folder_.resolve(parts[0]);
-  std::error_code error;
-  if (!place || !std::filesystem::is_regular_file(*place, error)) {
+Response App::read_scenario(const Request& request, const Parts& parts) {
+  if (!folder_.text(parts[0], largest_saved_bytes)) {
     return not_found("there is no such scenario", parts[0].substr(0, 200));
   }
-  auto scenario = shown_scenario(parts[0], folder_, memory_.maps);
+  auto scenario = settings_.read(folder_, {{"scenario", parts[0]}}, request.stop);
+  if (scenario) scenario = with_kept_map(std::move(*scenario), shared_.planning.maps);
   return scenario ? json_response(*scenario) : error_response(scenario.error());
 }
 
 Response App::save_scenario(const Request& request, const Parts& parts) {
   const auto body = parse_json(request.body, "body");
   if (!body) return error_response(body.error());
-  const auto files = scenario_files(parts[0], *body, folder_, memory_);
+  const auto files = scenario_files(parts[0], *body, folder_, shared_.planning, settings_.read, request.stop);
   if (!files) return error_response(files.error());
   return folder_.save_scenario(parts[0], *files, request.header("if-none-match") == "*");
 }
@@ -243,34 +240,69 @@ Response App::catalogue(const Request&, const Parts&) {
   return json_response(catalogue_json(settings_.jobs));
 }
 
+Outcome<KnownMap> App::read_known_map(const Folder& folder, const std::string& path,
+                                      const std::stop_token& stop) {
+  const auto read = settings_.read(folder, {{"map", path}}, stop);
+  return read ? unpacked(*read) : Outcome<KnownMap>(tl::unexpected(read.error()));
+}
+
+/// Of files that were sent; the first that is no image is the map.
+Outcome<KnownMap> App::read_dropped_map(const std::vector<NamedContent>& files, const std::stop_token& stop) {
+  auto home = TemporaryFolder::make();
+  if (!home) return pass_on(home);
+  auto folder = Folder::open(home->path().string());
+  if (!folder) return pass_on(folder);
+  std::string map;
+  for (const auto& [name, bytes] : files) {
+    const auto place = folder->resolve(name);
+    if (!place || name.find('/') != std::string::npos) return bad_input("it is no name of a file", name);
+    if (auto ok = write_file(place->string(), bytes); !ok) return pass_on(ok);
+    if (map.empty() || (is_image(map) && !is_image(name))) map = name;
+  }
+  return read_known_map(*folder, map, stop);
+}
+
+/// The map of a request in JSON: lying in the folder, sent as files, or drawn.
+Outcome<KnownMap> App::map_of(const Json& request, const std::stop_token& stop) {
+  Fields fields(request, "");
+  const bool path = fields.has("path"), files = fields.has("files"), grid = fields.has("grid");
+  if (path + files + grid + fields.has("polygons") != 1) {
+    return bad_input("give one of path, files, grid and polygons", "");
+  }
+  const std::string name = path ? fields.text("path") : "";
+  const Json* sent = fields.list("files");
+  const Json* shape = path || files ? nullptr : fields.object(grid ? "grid" : "polygons");
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  if (grid) return grid_map_from_json(*shape, "grid");
+  if (shape != nullptr) return polygon_map_from_json(*shape, "polygons");
+  if (path) return read_known_map(folder_, name, stop);
+  auto named = files_of(*sent);
+  if (!named) return pass_on(named);
+  return read_dropped_map(*named, stop);
+}
+
 Response App::read_map(const Request& request, const Parts&) {
   Outcome<KnownMap> map = bad_input("");
   if (request.header("content-type").starts_with("application/json")) {
     const auto body = parse_json(request.body, "body");
     if (!body) return error_response(body.error());
-    map = map_of(*body, folder_);
+    map = map_of(*body, request.stop);
   } else {
     const std::string name = request.parameter("name");
     if (name.empty())
       return error_response(400, "bad_input", "name the file, as in /api/v1/maps?name=room.map", "name");
-    map = read_dropped_map({{name, request.body}});
+    map = read_dropped_map({{name, request.body}}, request.stop);
   }
   if (!map) return error_response(map.error());
-  return json_response(map_json(*memory_.maps.keep(std::move(*map))));
+  return json_response(map_json(*shared_.planning.maps.keep(std::move(*map))));
 }
 
 Response App::plan(const Request& request, const Parts&) {
   const auto body = parse_json(request.body, "body");
   if (!body) return error_response(body.error());
-  if (!slots_.try_acquire_for(longest_planning)) {
-    return error_response(503, "too_many", "other plans are being made; ask again");
-  }
-  struct Released {
-    Slots& slots;
-    ~Released() { slots.release(); }
-  } const released{slots_};
-  Workspace workspace;
-  const auto plan = answer_plan(*body, memory_, workspace, stop_.get_token());
+  auto place = shared_.workspaces.take(nullptr, longest_planning, most_plans_waiting, request.stop);
+  if (!place) return error_response(503, "too_many", "other plans are being made; ask again");
+  const auto plan = answer_plan(*body, shared_.planning, place->workspace(), request.stop);
   return plan ? json_response(*plan) : error_response(plan.error());
 }
 

@@ -15,6 +15,7 @@
 #include "message.hpp"
 #include "page.hpp"
 #include "planning.hpp"
+#include "reading.hpp"
 #include "runs.hpp"
 
 namespace outrider::server {
@@ -27,6 +28,7 @@ struct AppSettings {
   std::vector<JobForm> jobs;  ///< for the catalogue
   std::span<const page::File> files = page::files();
   RunSettings runs;
+  ReadFiles read = {};  ///< reads maps and scenarios
 };
 
 /// What a request is answered with: a path with {names} for one part each, or at the end {path...} for all.
@@ -41,9 +43,12 @@ class App {
   App(Folder folder, AppSettings settings);
 
   Response answer(const Request& request);
+  /// The refusal of a request before its body has come, or nothing; answer() gives the same.
+  std::optional<Response> refuse(const Request& request);
   /// The refusal of a WebSocket, or nothing.
   std::optional<Response> refuse_socket(const Request& request);
   Live& live() { return live_; }
+  Shared& shared() { return shared_; }
   /// Cancels what runs and lets every viewer go.
   void close();
 
@@ -77,13 +82,17 @@ class App {
   Response run_report(const Request& request, const Parts& parts);
   Response live_by_http(const Request& request, const Parts& parts);
   Response page_file(const Request& request);
+  Outcome<KnownMap> map_of(const Json& request, const std::stop_token& stop);
+  Outcome<KnownMap> read_dropped_map(const std::vector<NamedContent>& files, const std::stop_token& stop);
+  Outcome<KnownMap> read_known_map(const Folder& folder, const std::string& path,
+                                   const std::stop_token& stop);
+  std::optional<Response> limit_rate(bool refused);
 
   Folder folder_;
   AppSettings settings_;
-  RateLimit rate_;
-  std::stop_source stop_;
-  PlanningMemory memory_;
-  Slots slots_;
+  RateLimit rate_;       // of those who may ask
+  RateLimit strangers_;  // of those who are refused: they take nothing from the others
+  Shared shared_;
   Runs runs_;
   Live live_;
 };

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,7 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_output = std::size_t{16} << 20U;
 constexpr std::size_t most_errors = std::size_t{64} << 10U;
 constexpr std::size_t longest_line = std::size_t{5} << 20U;  // LiveReport writes 4 MiB at most
 constexpr int telling_descriptor = 3;
@@ -62,15 +62,47 @@ class Reader {
   std::array<int, 2> ends_{};
 };
 
-/// The environment with the descriptor for what it tells; made before the fork, where memory may be had.
-std::vector<std::string> environment() {
-  std::vector<std::string> all;
-  const std::string_view ours[] = {"OUTRIDER_PROGRESS=", "OUTRIDER_LIVE="};
+/// A file in memory with that content, to be read from its beginning; -1 when the system has no room.
+class Input {
+ public:
+  explicit Input(std::string_view content) : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
+    while (descriptor_ >= 0 && !content.empty()) {
+      const ssize_t count = ::write(descriptor_, content.data(), content.size());
+      if (count <= 0) break;
+      content.remove_prefix(static_cast<std::size_t>(count));
+    }
+    if (descriptor_ >= 0) ::lseek(descriptor_, 0, SEEK_SET);
+  }
+  ~Input() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// What the child is given, made before the fork, where memory may be had.
+struct Start {
+  char* const* words;
+  char* const* environment;
+  const char* folder;
+  rlim_t memory_bytes;
+  int in, out, err, telling;
+};
+
+/// The environment with its folder and the descriptor for its progress.
+std::vector<std::string> environment(const std::string& folder) {
+  std::vector<std::string> all = {"OUTRIDER_CONFINE=" + folder};
+  const std::string_view ours[] = {
+      "OUTRIDER_PROGRESS=", "OUTRIDER_LIVE=", "OUTRIDER_CONFINE=", "OUTRIDER_TOKEN="};
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const auto is_it = [&](std::string_view name) { return std::string_view(*entry).starts_with(name); };
     if (std::ranges::none_of(ours, is_it)) all.emplace_back(*entry);
   }
-  for (const std::string_view name : ours)
+  for (const std::string_view name : {ours[0], ours[1]})
     all.push_back(std::string(name) + std::to_string(telling_descriptor));
   return all;
 }
@@ -83,26 +115,26 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 }
 
 /// In the child, where only calls that are safe after a fork may be made.
-[[noreturn]] void become(char* const* words, char* const* environment, const char* folder, pid_t parent,
-                         int out, int err, int telling) {
+[[noreturn]] void become(const Start& start, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent || ::chdir(folder) != 0) ::_exit(127);  // it ended before that
+  if (::getppid() != parent || ::chdir(start.folder) != 0) ::_exit(127);  // it ended before that
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
+  const rlimit memory{start.memory_bytes, start.memory_bytes};
+  if (start.memory_bytes > 0) ::setrlimit(RLIMIT_DATA, &memory);
   ::setpriority(PRIO_PROCESS, 0, 5);  // the page stays quick while a mission is planned
   sigset_t all;
   ::sigemptyset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(number, SIG_DFL);
-  const int empty = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   // Moved out of the way first: one of them may be the number that another is to have.
-  const int from[] = {::fcntl(empty, F_DUPFD_CLOEXEC, 10), ::fcntl(out, F_DUPFD_CLOEXEC, 10),
-                      ::fcntl(err, F_DUPFD_CLOEXEC, 10), ::fcntl(telling, F_DUPFD_CLOEXEC, 10)};
+  const int from[] = {::fcntl(start.in, F_DUPFD_CLOEXEC, 10), ::fcntl(start.out, F_DUPFD_CLOEXEC, 10),
+                      ::fcntl(start.err, F_DUPFD_CLOEXEC, 10), ::fcntl(start.telling, F_DUPFD_CLOEXEC, 10)};
   for (int to = 0; to <= telling_descriptor; ++to) {
     if (::dup2(from[to], to) < 0) ::_exit(127);
   }
-  ::execve(words[0], words, environment);
+  ::execve(start.words[0], start.words, start.environment);
   ::_exit(127);
 }
 
@@ -145,20 +177,20 @@ class Ending {
 
 }  // namespace
 
-ChildResult run_child(const std::vector<std::string>& words, const std::string& folder,
-                      std::chrono::seconds limit, const std::stop_token& stop,
+ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
                       const std::function<void(std::string_view line)>& on_line) {
   ChildResult result;
   Reader out, err, telling;
-  std::vector<std::string> word_copies = words, variables = environment();
+  const Input input(program.input);
+  std::vector<std::string> word_copies = program.words, variables = environment(program.folder);
   const std::vector<char*> word_pointers = pointers(word_copies), variable_pointers = pointers(variables);
   const pid_t parent = ::getpid();
-  const pid_t child =
-      out.descriptor() < 0 || err.descriptor() < 0 || telling.descriptor() < 0 ? -1 : ::fork();
-  if (child == 0) {
-    become(word_pointers.data(), variable_pointers.data(), folder.c_str(), parent, out.writer(), err.writer(),
-           telling.writer());
-  }
+  const Start start{word_pointers.data(), variable_pointers.data(), program.folder.c_str(),
+                    program.memory_bytes, input.descriptor(),       out.writer(),
+                    err.writer(),         telling.writer()};
+  const bool room = std::min({start.in, start.out, start.err, start.telling}) >= 0;
+  const pid_t child = room ? ::fork() : -1;
+  if (child == 0) become(start, parent);
   if (child < 0) {
     result.errors = "the mission could not be started: the system has no room for another process";
     return result;
@@ -167,7 +199,7 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
   for (Reader* reader : {&out, &err, &telling}) reader->close_writer();
 
   Ending ending(child);
-  const auto end = Clock::now() + limit;
+  const auto end = Clock::now() + program.limit;
   std::string pending;
   int status = 0;
   for (bool running = true; running;) {
@@ -178,7 +210,7 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
     result.cancelled = result.cancelled || stop.stop_requested();
     if (result.cancelled || result.timed_out) ending.ask();
     running = !ending.ended(status);
-    const bool open = out.read(result.output, most_output);
+    const bool open = out.read(result.output, program.most_output_bytes);
     err.read(result.errors, most_errors);
     telling.read(pending, 2 * longest_line);
     give_lines(pending, on_line);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -21,9 +22,23 @@ std::string shown(const Json& value) {
   return text;
 }
 
+/// At least as many values as the text holds: each but the first follows one of these.
+std::size_t count_of_values(std::string_view text) {
+  return 1 + static_cast<std::size_t>(std::ranges::count_if(
+                 text, [](char c) { return c == ',' || c == '[' || c == '{' || c == ':'; }));
+}
+
 }  // namespace
 
-Outcome<Json> parse_json(std::string_view text, const std::string& where) {
+std::size_t memory_of_json(std::string_view text) {
+  constexpr std::size_t bytes_a_value = 64;
+  return text.size() + bytes_a_value * std::min(count_of_values(text), most_json_values);
+}
+
+Outcome<Json> parse_json(std::string_view text, const std::string& where, std::size_t most_values) {
+  if (count_of_values(text) > most_values) {
+    return bad_input(fmt::format("the JSON has more than {} values", most_values), where);
+  }
   bool too_deep = false;
   const auto watch = [&](int depth, Json::parse_event_t, Json&) {
     too_deep = too_deep || depth > deepest;

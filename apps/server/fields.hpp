@@ -23,8 +23,14 @@ namespace outrider::server {
 
 using Json = nlohmann::ordered_json;
 
-/// Refuses what is no JSON, or nested more than 32 deep. `where` names it.
-Outcome<Json> parse_json(std::string_view text, const std::string& where);
+inline constexpr std::size_t most_json_values = 2'000'000;
+
+/// Refuses what is no JSON, nested more than 32 deep, or has more values. `where` names it.
+Outcome<Json> parse_json(std::string_view text, const std::string& where,
+                         std::size_t most_values = most_json_values);
+
+/// At most how many bytes parse_json() will take for it. O(length), without any.
+std::size_t memory_of_json(std::string_view text);
 
 class Fields {
  public:

@@ -1,12 +1,14 @@
 #include "folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "named_files.hpp"
+#include "outrider/io/confinement.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
 
@@ -36,14 +38,6 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-std::string first_bytes(const fs::path& path, std::size_t count) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(count, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(count));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-  return bytes;
-}
-
 /// The job that a report names in its first keys; empty for other JSON.
 std::string job_of_report(const std::string& head) {
   if (head.find("\"outrider_report\"") == std::string::npos) return {};
@@ -58,31 +52,6 @@ bool has_key(const std::string& yaml, const std::string& key) {
   return yaml.starts_with(key + ":") || yaml.find("\n" + key + ":") != std::string::npos;
 }
 
-struct Kind {
-  const char* name;
-  std::string job;
-};
-
-Kind kind_of(const fs::path& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".json") {
-    std::string job = job_of_report(first_bytes(path, 400));
-    return {job.empty() ? "other" : "report", job};
-  }
-  if (extension == ".yaml" || extension == ".yml") {
-    const std::string head = first_bytes(path, 4000);
-    if (has_key(head, "image")) return {"map", {}};
-    auto job = scenario_job(path.string());
-    if (job && job->empty() && has_key(head, "world")) *job = "guard";  // what `outrider run` takes it for
-    return job && !job->empty() ? Kind{"scenario", *job} : Kind{"other", {}};
-  }
-  for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {
-    if (extension == map) return {"map", {}};
-  }
-  const bool polygons = extension == ".txt" && first_bytes(path, 65536).find("---") != std::string::npos;
-  return {polygons ? "map" : "other", {}};
-}
-
 /// Nothing that a browser would run is ever named as such.
 std::string type_of(const fs::path& path) {
   const std::string extension = path.extension().string();
@@ -94,6 +63,11 @@ std::string type_of(const fs::path& path) {
     if (extension == text) return "text/plain; charset=utf-8";
   }
   return "application/octet-stream";
+}
+
+Response not_saved(const Fault& fault, const std::string& where) {
+  if (fault.code == FaultCode::cannot_write) return error_response(fault);
+  return error_response(403, "forbidden", fault.sentence, where);
 }
 
 }  // namespace
@@ -118,7 +92,63 @@ Outcome<Folder> Folder::open(const std::string& path) {
   if (error || !fs::is_directory(root)) {
     return bad_input(fmt::format("'{}' is no folder that can be read; name one with scenarios", path), "DIR");
   }
-  return Folder(root);
+  const int descriptor = ::open(root.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return bad_input(fmt::format("the folder '{}' cannot be opened", path), "DIR");
+  return Folder(root, descriptor);
+}
+
+Folder::Folder(fs::path root, int descriptor)
+    : root_(std::move(root)), descriptor_(new int(descriptor), [](const int* opened) {
+        ::close(*opened);
+        delete opened;
+      }) {}
+
+std::shared_ptr<const OpenFile> Folder::open_file(std::string_view path) const {
+  for (std::string_view rest = path; !rest.empty();) {
+    const std::string_view name = rest.substr(0, rest.find('/'));
+    if (!good_name(name)) return nullptr;
+    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+  }
+  const Outcome<int> descriptor =
+      path.empty() ? Outcome<int>(bad_input("")) : open_beneath(*descriptor_, std::string(path));
+  struct stat status{};
+  if (!descriptor || ::fstat(*descriptor, &status) != 0) return nullptr;
+  return std::make_shared<const OpenFile>(*descriptor, static_cast<std::uintmax_t>(status.st_size));
+}
+
+std::string Folder::first_bytes(std::string_view path, std::size_t count) const {
+  const auto file = open_file(path);
+  return file ? file->part(0, count) : std::string{};
+}
+
+Outcome<std::string> Folder::text(std::string_view path, std::size_t most_bytes) const {
+  const std::string where(path.substr(0, 200));
+  const auto file = open_file(path);
+  if (!file) return bad_input("there is no such file", where);
+  if (file->bytes() > most_bytes)
+    return bad_input(fmt::format("it has more than {} bytes", most_bytes), where);
+  return file->part(0, file->bytes());
+}
+
+Folder::Kind Folder::kind_of(const std::string& path) const {
+  const std::string extension = lower_extension(path);
+  if (extension == ".json") {
+    std::string job = job_of_report(first_bytes(path, 400));
+    return {job.empty() ? "other" : "report", job};
+  }
+  if (extension == ".yaml" || extension == ".yml") {
+    const std::string head = first_bytes(path, 4000);
+    if (has_key(head, "image")) return {"map", {}};
+    const auto content = text(path, largest_saved_bytes);
+    auto job = content ? scenario_job_from_text(*content, path) : Outcome<std::string>("");
+    if (job && job->empty() && has_key(head, "world")) *job = "guard";  // what `outrider run` takes it for
+    return job && !job->empty() ? Kind{"scenario", *job} : Kind{"other", {}};
+  }
+  for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {
+    if (extension == map) return {"map", {}};
+  }
+  const bool polygons = extension == ".txt" && first_bytes(path, 65536).find("---") != std::string::npos;
+  return {polygons ? "map" : "other", {}};
 }
 
 bool Folder::holds(const fs::path& place) const {
@@ -166,7 +196,7 @@ nlohmann::ordered_json Folder::list() const {
   std::sort(found.begin(), found.end());
   auto files = nlohmann::ordered_json::array();
   for (const auto& [name, path] : found) {
-    const Kind kind = kind_of(path);
+    const Kind kind = kind_of(name);
     nlohmann::ordered_json file = {{"path", name}, {"kind", kind.name}};
     if (!kind.job.empty()) file["job"] = kind.job;
     const std::uintmax_t bytes = fs::file_size(path, error);
@@ -177,18 +207,14 @@ nlohmann::ordered_json Folder::list() const {
 }
 
 Response Folder::read(std::string_view path) const {
-  const auto place = resolve(path);
-  std::error_code error;
-  if (!place || !fs::is_regular_file(*place, error)) {
-    return not_found("there is no such file", std::string(path.substr(0, 200)));
-  }
-  const std::uintmax_t bytes = fs::file_size(*place, error);
-  if (error || bytes > largest_served_bytes) {
+  auto file = open_file(path);
+  if (!file) return not_found("there is no such file", std::string(path.substr(0, 200)));
+  if (file->bytes() > largest_served_bytes) {
     return error_response(413, "too_large",
                           fmt::format("the file is larger than {} MiB", largest_served_bytes >> 20U),
-                          std::string(path));
+                          std::string(path.substr(0, 200)));
   }
-  return {200, type_of(*place), first_bytes(*place, bytes), {}};
+  return {200, type_of(path), {}, {}, std::move(file)};
 }
 
 Response Folder::save(std::string_view path, std::string_view text, bool only_new) const {
@@ -208,9 +234,7 @@ Response Folder::save(std::string_view path, std::string_view text, bool only_ne
   if (there && only_new) {
     return error_response(412, "precondition_failed", "there is a file of that name; choose another", where);
   }
-  if (auto ok = write_file(place->string(), text); !ok) {
-    return error_response(403, "forbidden", ok.error().sentence, where);
-  }
+  if (auto ok = write_file(place->string(), text); !ok) return not_saved(ok.error(), where);
   return json_response({{"path", path}, {"bytes", text.size()}}, there ? 200 : 201);
 }
 
@@ -231,7 +255,7 @@ Response Folder::save_scenario(std::string_view path, const std::vector<NamedCon
     if (there && only_new) {
       return error_response(412, "precondition_failed", "there is a file of that name; choose another", name);
     }
-    if (there && !is_saved_here(first_bytes(*place, most_head_bytes))) {
+    if (there && !is_saved_here(first_bytes(name, most_head_bytes))) {
       return error_response(403, "forbidden",
                             "this file was not saved here, so it stays; choose another name", name);
     }
@@ -239,26 +263,9 @@ Response Folder::save_scenario(std::string_view path, const std::vector<NamedCon
     names.push_back(name);
   }
   if (auto ok = write_files(placed); !ok) {
-    return error_response(403, "forbidden", without_folder(ok.error(), root_).sentence,
-                          std::string(path.substr(0, 200)));
+    return not_saved(without_folder(ok.error(), root_), std::string(path.substr(0, 200)));
   }
   return json_response({{"path", path}, {"files", std::move(names)}}, there ? 200 : 201);
-}
-
-Status Folder::check_references(const fs::path& file) const { return check_references(file, 0); }
-
-Status Folder::check_references(const fs::path& file, int depth) const {
-  const auto named = files_named_in(file);
-  if (!named) return tl::unexpected(named.error());
-  for (const NamedFile& one : *named) {
-    if (!holds(one.place)) {
-      return bad_input(fmt::format("'{}' lies outside the folder that is served", one.text),
-                       file.filename().string());
-    }
-    if (depth >= 4) continue;
-    if (auto ok = check_references(one.place, depth + 1); !ok) return ok;
-  }
-  return {};
 }
 
 }  // namespace outrider::server

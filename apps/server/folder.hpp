@@ -1,8 +1,9 @@
 // The files that are served: those under one folder, and nothing that a name or a link leads out of it to.
 //
 // A path has names between slashes. Names that begin with a dot, empty ones and those with a backslash or a
-// control character are refused before the disk is asked; what is left is resolved, links and all, and must
-// lie under the folder then. Thread rule: any thread may ask.
+// control character are refused before the disk is asked. Whatever is left is opened beneath the folder by
+// the kernel (open_beneath()), so that no link leads out. What files of strangers name in turn is not looked
+// at here: they are read in a confined process (reading.hpp). Thread rule: any thread may ask.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,8 @@ class Folder {
   /// Its last name, for people.
   [[nodiscard]] std::string name() const { return root_.filename().string(); }
 
-  /// Where the path of a request lies on the disk, with links resolved. Its last name need not exist.
+  /// Where the path of a request lies on the disk, with links resolved, for writing. Its last name need not
+  /// exist.
   [[nodiscard]] Outcome<std::filesystem::path> resolve(std::string_view path) const;
   /// Whether a place on the disk lies under the folder once links are resolved.
   [[nodiscard]] bool holds(const std::filesystem::path& place) const;
@@ -47,7 +49,10 @@ class Folder {
   /// {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}: scenario, report, map or other,
   /// by name and first bytes. In order of their paths.
   [[nodiscard]] nlohmann::ordered_json list() const;
+  /// The file, streamed.
   [[nodiscard]] Response read(std::string_view path) const;
+  /// The content of a file beneath the folder.
+  [[nodiscard]] Outcome<std::string> text(std::string_view path, std::size_t most_bytes) const;
   /// Writes a scenario, whole or not at all. `only_new` refuses to replace one.
   [[nodiscard]] Response save(std::string_view path, std::string_view text, bool only_new) const;
 
@@ -57,15 +62,19 @@ class Folder {
   [[nodiscard]] Response save_scenario(std::string_view path, const std::vector<NamedContent>& files,
                                        bool only_new) const;
 
-  /// Refuses a scenario, map or world that names a file outside the folder, or that does so by a file it
-  /// names: every text of a YAML file that is the path of something that exists, every uri of an SDF world.
-  [[nodiscard]] Status check_references(const std::filesystem::path& file) const;
-
  private:
-  explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
-  Status check_references(const std::filesystem::path& file, int depth) const;
+  Folder(std::filesystem::path root, int descriptor);
+  [[nodiscard]] std::shared_ptr<const OpenFile> open_file(std::string_view path) const;
+  [[nodiscard]] std::string first_bytes(std::string_view path, std::size_t count) const;
+
+  struct Kind {
+    const char* name;
+    std::string job;
+  };
+  [[nodiscard]] Kind kind_of(const std::string& path) const;
 
   std::filesystem::path root_;
+  std::shared_ptr<const int> descriptor_;  // of the root; closed with the last copy
 };
 
 }  // namespace outrider::server

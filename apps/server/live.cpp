@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::size_t most_replies = 1024;
 constexpr std::int64_t most_id = 1'000'000'000'000;
+constexpr std::chrono::hours longest_wait{1};       // a newer plan, or closing, ends it sooner
+constexpr std::size_t most_waiting = 1000;          // viewers
+constexpr std::size_t most_values = 200'000;        // of JSON in a message
 constexpr std::chrono::milliseconds patience{200};  // a plan that took longer makes way for a newer one
 
 std::string error_text(const Fault& fault, const Json& id) {
@@ -30,8 +33,7 @@ std::string superseded(const Json& message) {
 
 }  // namespace
 
-Viewer::Viewer(Runs& runs, PlanningMemory& memory, Slots& slots, std::string hello)
-    : runs_(runs), memory_(memory), slots_(slots) {
+Viewer::Viewer(Runs& runs, Shared& shared, std::string hello) : runs_(runs), shared_(shared) {
   replies_.push_back(std::move(hello));
 }
 
@@ -53,7 +55,9 @@ void Viewer::close() {
 }
 
 bool Viewer::receive(const std::string& text) {
-  auto parsed = parse_json(text, "message");
+  const auto lease = shared_.values.take(memory_of_json(text));
+  if (!lease) return false;
+  auto parsed = parse_json(text, "message", most_values);
   if (!parsed || !parsed->is_object()) return false;
   const auto message = std::make_shared<const Json>(std::move(*parsed));
   const Status ok = obey(message);
@@ -132,21 +136,28 @@ std::string Viewer::answer(const Json& message) {
     const std::lock_guard lock(mutex_);
     stop = planning_.get_token();
   }
-  while (!slots_.try_acquire_for(std::chrono::milliseconds(20))) {
-    if (stop.stop_requested()) return superseded(message);
-  }
+  auto place = shared_.workspaces.take(this, longest_wait, most_waiting, stop);
+  if (!place) return superseded(message);
   Outcome<Json> plan = bad_input("");
   try {
-    plan = answer_plan(message["request"], memory_, workspace_, stop);
+    plan = answer_plan(message["request"], shared_.planning, place->workspace(), stop);
   } catch (const std::exception& broken) {
     plan = bad_input(std::string("this is a bug: ") + broken.what());
   }
-  slots_.release();
   if (!plan) return error_text(plan.error(), id_of(message));
   if (stop.stop_requested() && plan->value("code", "") == "cancelled") return superseded(message);
   Json answer = {{"type", "plan"}, {"id", id_of(message)}};
   answer["result"] = std::move(*plan);
   return text_of(answer);
+}
+
+/// An answer that nobody reads takes memory: there is only so much for all viewers.
+bool Viewer::send_plan(const Json& message, const std::function<bool(const std::string&)>& send) {
+  const std::string text = answer(message);
+  const auto lease = shared_.answers.take(text.size());
+  if (lease) return send(text);
+  return send(error_text({FaultCode::budget_exhausted, "too many answers wait to be read; ask again", {}},
+                         id_of(message)));
 }
 
 void Viewer::serve(const std::function<bool(const std::string&)>& send) {
@@ -167,14 +178,13 @@ void Viewer::serve(const std::function<bool(const std::string&)>& send) {
       if (!send(text_of(list))) return;
     }
     if (!tell_run(work, send)) return;
-    if (work.plan && !send(answer(*work.plan))) return;
+    if (work.plan && !send_plan(*work.plan, send)) return;
   }
 }
 
-Live::Live(Runs& runs, PlanningMemory& memory, Slots& slots, std::string version)
+Live::Live(Runs& runs, Shared& shared, std::string version)
     : runs_(runs),
-      memory_(memory),
-      slots_(slots),
+      shared_(shared),
       hello_(text_of(Json{{"type", "hello"}, {"api", 1}, {"version", version}})),
       register_(std::make_shared<Register>()) {
   runs_.on_change([known = register_] {
@@ -195,7 +205,7 @@ Live::~Live() {
 }
 
 std::shared_ptr<Viewer> Live::open() {
-  auto viewer = std::make_shared<Viewer>(runs_, memory_, slots_, hello_);
+  auto viewer = std::make_shared<Viewer>(runs_, shared_, hello_);
   const std::lock_guard lock(register_->mutex);
   std::erase_if(register_->viewers, [](const auto& other) { return other.expired(); });
   register_->viewers.push_back(viewer);

@@ -12,22 +12,29 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <semaphore>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "byte_budget.hpp"
 #include "planning.hpp"
 #include "runs.hpp"
+#include "workspace_pool.hpp"
 
 namespace outrider::server {
 
-/// So many plans are made at the same time; the others wait.
-using Slots = std::counting_semaphore<64>;
+/// What all who ask share. Thread rule: any thread may use it.
+struct Shared {
+  explicit Shared(std::size_t plans_at_once) : workspaces(plans_at_once) {}
+  PlanningMemory planning;
+  WorkspacePool workspaces;
+  ByteBudget values{std::size_t{192} << 20U};   ///< of JSON while it is looked at
+  ByteBudget answers{std::size_t{128} << 20U};  ///< that wait to be read by somebody
+};
 
 class Viewer {
  public:
-  Viewer(Runs& runs, PlanningMemory& memory, Slots& slots, std::string hello);
+  Viewer(Runs& runs, Shared& shared, std::string hello);
 
   /// A message from the other end. False when the connection must end: no JSON object, or answers that nobody
   /// fetches pile up. Never waits.
@@ -52,12 +59,11 @@ class Viewer {
   Work next_work();
   bool tell_run(const Work& work, const std::function<bool(const std::string&)>& send);
   std::string answer(const Json& message);
+  bool send_plan(const Json& message, const std::function<bool(const std::string&)>& send);
 
   Runs& runs_;
-  PlanningMemory& memory_;
-  Slots& slots_;
-  Workspace workspace_;  // of the thread that serves
-  std::mutex mutex_;     // guards what follows
+  Shared& shared_;
+  std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   bool awake_ = true;
   bool closed_ = false;
@@ -74,7 +80,7 @@ class Viewer {
 /// All viewers. Thread rule: any thread may call.
 class Live {
  public:
-  Live(Runs& runs, PlanningMemory& memory, Slots& slots, std::string version);
+  Live(Runs& runs, Shared& shared, std::string version);
   ~Live();
   Live(const Live&) = delete;
   Live& operator=(const Live&) = delete;
@@ -90,8 +96,7 @@ class Live {
     bool closed = false;
   };
   Runs& runs_;
-  PlanningMemory& memory_;
-  Slots& slots_;
+  Shared& shared_;
   std::string hello_;
   std::shared_ptr<Register> register_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base64.hpp"
 #include "outrider/path/grid_ground.hpp"
 #include "outrider/path/polygon_ground.hpp"
 #include "outrider/world/occupancy.hpp"
@@ -13,6 +14,7 @@ namespace outrider::server {
 namespace {
 
 constexpr std::size_t most_maps = 32;
+constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
 
 Json points_json(const std::vector<Vec2>& points) {
   Json list = Json::array();
@@ -35,6 +37,17 @@ Json shape_json(const KnownMap& map) {
     return {{"grid", grid_json(cells->occupancy, cells->yaw_rad)}};
   }
   return {{"polygons", polygons_json(std::get<PolygonMap>(map.shape))}};
+}
+
+/// What makes a map the one that it is, as bytes.
+std::string identity_of(const KnownMap& map) {
+  const auto* cells = std::get_if<CellMap>(&map.shape);
+  if (cells == nullptr) return text_of(shape_json(map));
+  const GridFrame& frame = cells->occupancy.frame;
+  const auto& bytes = cells->occupancy.cells;
+  return fmt::format("{} {} {} {} {} {} ", frame.origin.x, frame.origin.y, frame.resolution_m, frame.width,
+                     frame.height, cells->yaw_rad)
+      .append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
 /// FNV-1a, 64 bits: a name for a map, no protection from anybody.
@@ -67,6 +80,39 @@ std::vector<std::uint8_t> cells_of_runs(Fields& fields, std::size_t count) {
   return cells;
 }
 
+/// The frame and the turn of a grid. `fields` takes the fault.
+CellMap empty_grid(Fields& fields) {
+  CellMap cells;
+  GridFrame& frame = cells.occupancy.frame;
+  frame.origin = fields.point("origin", Vec2{});
+  frame.resolution_m = fields.number("resolution_m", 1e-4, 1e3);
+  frame.width = static_cast<int>(fields.integer("width", 1, 100'000));
+  frame.height = static_cast<int>(fields.integer("height", 1, 100'000));
+  cells.yaw_rad = fields.number("yaw_rad", -7.0, 7.0, 0.0);
+  if (frame.size() > most_map_cells) {
+    fields.refuse("width", fmt::format("{} x {} cells are more than 4 million", frame.width, frame.height));
+  }
+  return cells;
+}
+
+Outcome<KnownMap> unpacked_cells(const Json& packed) {
+  Fields fields(packed, "cells");
+  CellMap cells = empty_grid(fields);
+  const auto bytes = base64_decoded(fields.text("base64"));
+  if (!bytes || bytes->size() != cells.occupancy.frame.size() ||
+      std::ranges::any_of(*bytes, [](char c) { return static_cast<unsigned char>(c) > unknown_cell; })) {
+    fields.refuse("base64", "these are not the cells of the grid");
+  }
+  if (auto ok = fields.end(); !ok) return pass_on(ok);
+  cells.occupancy.cells.assign(bytes->begin(), bytes->end());
+  return KnownMap{{}, {}, std::move(cells), {}};
+}
+
+std::size_t memory_of(const KnownMap& map) {
+  const auto* cells = std::get_if<CellMap>(&map.shape);
+  return cells == nullptr ? 0 : cells->occupancy.cells.size();
+}
+
 }  // namespace
 
 Json grid_json(const Grid<std::uint8_t>& cells, double yaw_rad) {
@@ -93,21 +139,39 @@ Json map_json(const KnownMap& map) {
   return object;
 }
 
+Json packed(const KnownMap& map) {
+  Json object = {{"name", map.name}, {"radius_m", map.radius_m}, {"warnings", map.warnings}};
+  if (const auto* cells = std::get_if<CellMap>(&map.shape)) {
+    const GridFrame& frame = cells->occupancy.frame;
+    const auto& bytes = cells->occupancy.cells;
+    object["cells"] = {
+        {"origin", {frame.origin.x, frame.origin.y}},
+        {"resolution_m", frame.resolution_m},
+        {"width", frame.width},
+        {"height", frame.height},
+        {"yaw_rad", cells->yaw_rad},
+        {"base64", base64_encoded({reinterpret_cast<const char*>(bytes.data()), bytes.size()})}};
+  } else {
+    object["polygons"] = polygons_json(std::get<PolygonMap>(map.shape));
+  }
+  return object;
+}
+
+Outcome<KnownMap> unpacked(const Json& packed) {
+  Outcome<KnownMap> map = packed.contains("polygons") ? polygon_map_from_json(packed["polygons"], "polygons")
+                                                      : unpacked_cells(packed.value("cells", Json()));
+  if (!map) return map;
+  map->name = packed.value("name", "");
+  map->radius_m = packed.value("radius_m", map->radius_m);
+  map->warnings = packed.value("warnings", std::vector<std::string>{});
+  return map;
+}
+
 Outcome<KnownMap> grid_map_from_json(const Json& grid, const std::string& where) {
   Fields fields(grid, where);
-  GridFrame frame;
-  frame.origin = fields.point("origin", Vec2{});
-  frame.resolution_m = fields.number("resolution_m", 1e-4, 1e3);
-  frame.width = static_cast<int>(fields.integer("width", 1, 100'000));
-  frame.height = static_cast<int>(fields.integer("height", 1, 100'000));
-  CellMap cells;
-  cells.yaw_rad = fields.number("yaw_rad", -7.0, 7.0, 0.0);
-  cells.occupancy.frame = frame;
-  if (frame.size() > most_map_cells) {
-    fields.refuse("width", fmt::format("{} x {} cells are more than 4 million", frame.width, frame.height));
-  } else {
-    cells.occupancy.cells = cells_of_runs(fields, frame.size());
-  }
+  CellMap cells = empty_grid(fields);
+  const std::size_t size = cells.occupancy.frame.size();
+  if (size <= most_map_cells) cells.occupancy.cells = cells_of_runs(fields, size);
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   return KnownMap{{}, "drawn", std::move(cells), {}};
 }
@@ -141,12 +205,16 @@ Outcome<KnownMap> polygon_map_from_json(const Json& polygons, const std::string&
 }
 
 std::shared_ptr<const KnownMap> MapStore::keep(KnownMap map) {
-  map.id = hash_of(text_of(shape_json(map)));
+  map.id = hash_of(identity_of(map));
   auto kept = std::make_shared<const KnownMap>(std::move(map));
   const std::lock_guard lock(mutex_);
   maps_.remove_if([&](const auto& other) { return other->id == kept->id; });
   maps_.push_front(kept);
-  if (maps_.size() > most_maps) maps_.pop_back();
+  std::size_t bytes = 0;
+  for (const auto& each : maps_) bytes += memory_of(*each);
+  for (; maps_.size() > most_maps || (bytes > most_map_bytes && maps_.size() > 1); maps_.pop_back()) {
+    bytes -= memory_of(*maps_.back());
+  }
   return kept;
 }
 

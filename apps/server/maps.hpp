@@ -45,21 +45,20 @@ Json map_json(const KnownMap& map);
 Outcome<KnownMap> grid_map_from_json(const Json& grid, const std::string& where);
 Outcome<KnownMap> polygon_map_from_json(const Json& polygons, const std::string& where);
 
-/// By its name: map_server .yaml, .png and .pgm alone (0.05 m a pixel), .map, polygons .txt, .sdf and .world
-/// as the polygons that stand in the way of a robot 0.2 m high; .gz after any. It may name files in the
-/// folder only.
-Outcome<KnownMap> load_known_map(const std::filesystem::path& file, const Folder& folder);
+/// A map between the process that read it and the server, its cells as base64; and back.
+Json packed(const KnownMap& map);
+Outcome<KnownMap> unpacked(const Json& packed);
 
-/// The same of files that were sent, name and bytes; the first that is no image is the map.
-Outcome<KnownMap> read_dropped_map(const std::vector<std::pair<std::string, std::string>>& files);
+/// By its name: map_server .yaml, .png and .pgm alone (0.05 m a pixel), .map, polygons .txt, .sdf and .world
+/// as the polygons that stand in the way of a robot 0.2 m high; .gz after any. `path` is as in requests. For
+/// the process that reads (reading.hpp).
+Outcome<KnownMap> load_known_map(const std::string& path, const Folder& folder);
 
 /// What stands in the way of a robot of that radius and height in a world, as polygons.
 Outcome<PolygonMap> polygons_of(const World& world, double radius_m, double height_m);
 
-/// Held while an SDF world is read: the rule of load_sdf().
-std::mutex& reading_worlds();
-
-/// The newest 32 maps. Thread rule: any thread may ask.
+/// The newest maps: at most 32, and of those of more than 1 MiB at most 64 MiB in all. Thread rule: any
+/// thread may ask.
 class MapStore {
  public:
   std::shared_ptr<const KnownMap> keep(KnownMap map);

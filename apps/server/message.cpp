@@ -1,9 +1,28 @@
 #include "message.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 namespace outrider::server {
+
+OpenFile::~OpenFile() { ::close(descriptor_); }
+
+std::string OpenFile::part(std::uintmax_t offset, std::size_t most) const {
+  std::string bytes(most, '\0');
+  std::size_t count = 0;
+  while (count < most) {
+    const ssize_t got =
+        ::pread(descriptor_, bytes.data() + count, most - count, static_cast<off_t>(offset + count));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    count += static_cast<std::size_t>(got);
+  }
+  bytes.resize(count);
+  return bytes;
+}
 
 std::string Request::header(const std::string& name) const {
   const auto found = headers.find(name);
@@ -60,7 +79,10 @@ Response error_response(int status, std::string_view code, const std::string& se
 }
 
 Response error_response(const Fault& fault) {
-  return error_response(400, to_string(fault.code), fault.sentence, fault.where);
+  const int status = fault.code == FaultCode::budget_exhausted ? 503
+                     : fault.code == FaultCode::cannot_write   ? 507
+                                                               : 400;
+  return error_response(status, to_string(fault.code), fault.sentence, fault.where);
 }
 
 Response not_found(const std::string& sentence, const std::string& where) {
@@ -85,6 +107,7 @@ std::string_view reason_phrase(int status) {
     case 429: return "Too Many Requests";
     case 500: return "Internal Server Error";
     case 503: return "Service Unavailable";
+    case 507: return "Insufficient Storage";
     default: return "Error";
   }
 }

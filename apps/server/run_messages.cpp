@@ -119,8 +119,8 @@ Conclusion conclusion_of(const ChildResult& child) {
         "failed", {FaultCode::budget_exhausted, "the mission took longer than the server allows", {}}, {}};
   }
   Json summary = Json::parse(child.output, nullptr, false);
-  const char* const states[] = {"done", "not_done", "refused"};
-  if (child.status < 0 || child.status > 2 || !summary.is_object()) {
+  const char* const states[] = {"done", "not_done", "refused", "failed"};
+  if (child.status < 0 || child.status > 3 || !summary.is_object()) {
     const std::string said = last_line(child.errors);
     return {"failed",
             {FaultCode::bad_input,
@@ -135,12 +135,10 @@ Conclusion conclusion_of(const ChildResult& child) {
   return conclusion;
 }
 
-Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::filesystem::path& scenario) {
-  const std::string name = scenario.filename().string();
+Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::string& unsaved) {
   for (std::string* text : {&fault.sentence, &fault.where}) {
     replace_all(*text, root.string() + "/", "");
-    if (name.starts_with('.')) replace_all(*text, scenario.string(), "scenario");
-    if (name.starts_with('.')) replace_all(*text, name, "scenario");
+    if (!unsaved.empty()) replace_all(*text, unsaved, "scenario");
   }
   return fault;
 }

@@ -32,7 +32,8 @@ struct Conclusion {
 };
 Conclusion conclusion_of(const ChildResult& child);
 
-/// The fault with files named from the root; a scenario that was not saved is "scenario".
-Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::filesystem::path& scenario);
+/// The fault with files named from the root. `unsaved` is the name of a scenario that was not saved, which
+/// becomes "scenario"; empty for others.
+Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::string& unsaved);
 
 }  // namespace outrider::server

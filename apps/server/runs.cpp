@@ -1,9 +1,10 @@
 #include "runs.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -26,13 +27,16 @@ std::string moment() {
   return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
 }
 
-/// Whether a report lies there that can be served.
-bool is_report(const fs::path& file) {
-  std::error_code error;
-  const std::uintmax_t bytes = fs::file_size(file, error);
-  std::string head(64, '\0');
-  std::ifstream(file).read(head.data(), static_cast<std::streamsize>(head.size()));
-  return !error && bytes <= largest_served_bytes && head.find("outrider_report") != std::string::npos;
+/// The report that a mission left, where there is one that can be served.
+std::shared_ptr<const OpenFile> open_report(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  struct stat status{};
+  if (descriptor < 0) return nullptr;
+  const bool known = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  auto opened =
+      std::make_shared<const OpenFile>(descriptor, known ? static_cast<std::uintmax_t>(status.st_size) : 0);
+  const bool is_report = opened->part(0, 64).find("outrider_report") != std::string::npos;
+  return is_report && opened->bytes() <= largest_served_bytes ? opened : nullptr;
 }
 
 Response no_such_run(const std::string& id) {
@@ -44,8 +48,8 @@ Response no_such_run(const std::string& id) {
 struct Runs::Run {
   std::string id;
   std::string scenario;  // as people named it
-  fs::path file;         // what is run
-  bool owns_file = false;
+  std::string text;      // what is run
+  bool unsaved = false;  // it came with the request
   fs::path out;
   std::string job;
   std::optional<std::int64_t> seed;
@@ -133,6 +137,28 @@ void Runs::forget_old() {
   }
 }
 
+/// The text of the scenario, its name, and its job; or the refusal.
+std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request) const {
+  if (request.text) {
+    const auto folder =
+        request.folder.empty() ? Outcome<fs::path>(folder_.root()) : folder_.resolve(request.folder);
+    std::error_code error;
+    if (!folder || !fs::is_directory(*folder, error)) return not_found("there is no such folder", "folder");
+    run.scenario = request.folder.empty() ? "unsaved" : request.folder + "/unsaved";
+    run.text = *request.text;
+    run.unsaved = true;
+  } else {
+    auto text = folder_.text(request.scenario, longest_scenario);
+    if (!text) return not_found("there is no such scenario", "scenario");
+    run.scenario = request.scenario;
+    run.text = std::move(*text);
+  }
+  const auto job = scenario_job_from_text(run.text, run.scenario);
+  if (!job) return error_response(plain_fault(job.error(), folder_.root(), run.unsaved ? run.scenario : ""));
+  run.job = job->empty() ? "guard" : *job;
+  return std::nullopt;
+}
+
 Response Runs::start(const RunRequest& request) {
   auto run = std::make_shared<Run>();
   run->seed = request.seed;
@@ -150,35 +176,7 @@ Response Runs::start(const RunRequest& request) {
     run->id = fmt::format("{}-{}", prefix_, ++number_);
     run->out = home_->path() / run->id;
   }
-  if (request.text) {
-    const auto folder =
-        request.folder.empty() ? Outcome<fs::path>(folder_.root()) : folder_.resolve(request.folder);
-    std::error_code error;
-    if (!folder || !fs::is_directory(*folder, error)) return not_found("there is no such folder", "folder");
-    run->scenario = request.folder.empty() ? "unsaved" : request.folder + "/unsaved";
-    run->file = *folder / fmt::format(".outrider-{}.yaml", run->id);
-    if (auto ok = write_file(run->file.string(), *request.text); !ok) {
-      return error_response(403, "forbidden", "the folder cannot be written to, so only saved scenarios run",
-                            "text");
-    }
-    run->owns_file = true;
-  } else {
-    const auto file = folder_.resolve(request.scenario);
-    std::error_code error;
-    if (!file || !fs::is_regular_file(*file, error))
-      return not_found("there is no such scenario", "scenario");
-    run->scenario = request.scenario;
-    run->file = *file;
-  }
-  Status sound = folder_.check_references(run->file);
-  auto job = sound ? scenario_job(run->file.string()) : Outcome<std::string>(tl::unexpected(sound.error()));
-  if (!job) {
-    Fault fault = plain_fault(job.error(), folder_.root(), run->file.lexically_relative(folder_.root()));
-    std::error_code ignored;
-    if (run->owns_file) fs::remove(run->file, ignored);
-    return error_response(fault);
-  }
-  run->job = job->empty() ? "guard" : *job;
+  if (auto refused = take_scenario(*run, request)) return *refused;
   {
     const std::lock_guard lock(mutex_);
     runs_.push_back(run);
@@ -239,9 +237,9 @@ Response Runs::report(const std::string& id) {
     }
     file = run->out / (run->job + ".json");
   }
-  auto text = read_file(file.string(), largest_served_bytes);
-  if (!text) return error_response(500, "internal", text.error().sentence);
-  return {200, "application/json", std::move(*text), {}};
+  auto opened = open_report(file);
+  if (!opened) return error_response(500, "internal", "the report of this run is gone", id.substr(0, 64));
+  return {200, "application/json", {}, {}, std::move(opened)};
 }
 
 Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {
@@ -300,13 +298,16 @@ void Runs::work(const std::stop_token& stop) {
 
 void Runs::carry_out(const RunPtr& run) {
   tell(run, {{"type", "state"}, {"state", "running"}});
+  ChildProgram program;
   // From the folder, so that its report is the one that `outrider run` makes there.
-  std::vector<std::string> words = {
-      settings_.tool, "run",   run->file.lexically_relative(folder_.root()).string(),
-      "--json",       "--out", run->out.string()};
-  if (run->seed) words.insert(words.end(), {"--seed", std::to_string(*run->seed)});
+  program.words = {settings_.tool, "run", run->scenario, "--json", "--out", run->out.string(), "--stdin"};
+  if (run->seed) program.words.insert(program.words.end(), {"--seed", std::to_string(*run->seed)});
+  program.folder = folder_.root().string();
+  program.input = run->text;
+  program.limit = settings_.limit;
+  program.memory_bytes = settings_.memory_bytes;
   const auto on_line = [&](std::string_view line) { hear(run, line); };
-  conclude(run, run_child(words, folder_.root().string(), settings_.limit, run->stop.get_token(), on_line));
+  conclude(run, run_child(program, run->stop.get_token(), on_line));
 }
 
 /// What the mission tells of itself: its progress, or what is new in its report.
@@ -335,9 +336,9 @@ void Runs::hear(const RunPtr& run, std::string_view line) {
 void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   Conclusion conclusion = conclusion_of(child);
   conclusion.fault =
-      plain_fault(std::move(conclusion.fault), folder_.root(), run->file.lexically_relative(folder_.root()));
+      plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
   if (conclusion.summary.contains("report")) conclusion.summary.erase("report");  // a path of ours
-  const bool has_report = is_report(run->out / (run->job + ".json"));
+  const bool has_report = open_report(run->out / (run->job + ".json")) != nullptr;
   {
     const std::lock_guard lock(mutex_);
     run->summary = std::move(conclusion.summary);
@@ -358,12 +359,11 @@ void Runs::give_up(const RunPtr& run, const char* reason) noexcept {
 }
 
 void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
-  std::error_code ignored;
-  if (run->owns_file) fs::remove(run->file, ignored);
   Json message;
   {
     const std::lock_guard lock(mutex_);
     run->state = state;
+    run->text.clear();
     run->fault = std::move(fault);
     message = run->json();
   }

@@ -2,7 +2,11 @@
 //
 // A log only grows, and a viewer keeps its place in it as a number. So a mission never waits for anybody; a
 // viewer that comes late, comes back or is slow reads on from its place, and of progress and maps that were
-// overtaken, which are not kept, it sees the newest only. Thread rule: any thread may call.
+// overtaken, which are not kept, it sees the newest only.
+//
+// The text of a scenario is read once, when its run is asked for, and handed to the mission as it was then:
+// what happens to the file afterwards changes nothing. The mission opens other files beneath the folder only
+// (child.hpp). Thread rule: any thread may call.
 #pragma once
 
 #include <atomic>
@@ -27,11 +31,12 @@
 namespace outrider::server {
 
 struct RunSettings {
-  std::string tool;          ///< the program: `TOOL run SCENARIO --json --out FOLDER`
+  std::string tool;          ///< the program: `TOOL run SCENARIO --json --out FOLDER --stdin`
   std::size_t at_once = 2;   ///< missions that run at the same time
   std::size_t waiting = 16;  ///< more are refused
   std::size_t kept = 32;     ///< that ended; older ones are forgotten
   std::chrono::seconds limit{1800};
+  std::size_t memory_bytes = std::size_t{4} << 30U;  ///< for one mission
 };
 
 struct RunRequest {
@@ -77,6 +82,7 @@ class Runs {
   struct Run;
   using RunPtr = std::shared_ptr<Run>;
 
+  std::optional<Response> take_scenario(Run& run, const RunRequest& request) const;
   void work(const std::stop_token& stop);
   void carry_out(const RunPtr& run);
   void conclude(const RunPtr& run, const ChildResult& child);

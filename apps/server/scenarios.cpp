@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base64.hpp"
 #include "catalogue.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/map_server.hpp"
@@ -37,7 +38,7 @@ Outcome<Json> point_from(const std::string& text, const char* key) {
   return Json{(*numbers)[0], (*numbers)[1]};
 }
 
-Outcome<Json> shown_question(const fs::path& file, const Folder& folder, MapStore& maps) {
+Outcome<Json> shown_question(const fs::path& file, const Folder& folder) {
   PlanScenario scenario;
   if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
   if (auto ok = check(scenario); !ok) return pass_on(ok);
@@ -47,12 +48,12 @@ Outcome<Json> shown_question(const fs::path& file, const Folder& folder, MapStor
   if (!goal) return goal;
   auto planner = find_path_planner(scenario.planner);
   if (!planner) return pass_on(planner);
-  resolve_paths(scenario, file.string());
+  resolve_paths(scenario, file.lexically_relative(folder.root()).string());
   auto map = load_known_map(scenario.map, folder);
   if (!map) return pass_on(map);
   map->radius_m = scenario.radius_m;
   return Json{{"job", "plan"},
-              {"map", map_json(*maps.keep(std::move(*map)))},
+              {"map", packed(*map)},
               {"start", std::move(*start)},
               {"goal", std::move(*goal)},
               {"planner", scenario.planner},
@@ -98,20 +99,37 @@ bool plain_name(const std::string& name) {
          });
 }
 
+/// The files that the reader made.
+Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
+  std::vector<NamedContent> files;
+  for (const Json& file : answer.value("files", Json::array())) {
+    auto content = base64_decoded(file.value("base64", "?"));
+    if (!content) return bad_input("the files of the scenario were not made; try again");
+    files.push_back({file.value("path", ""), std::move(*content)});
+  }
+  return files;
+}
+
 }  // namespace
 
-Outcome<Json> shown_scenario(const std::string& path, const Folder& folder, MapStore& maps) {
+Outcome<Json> with_kept_map(Json shown, MapStore& maps) {
+  auto map = unpacked(shown.value("map", Json::object()));
+  if (!map) return pass_on(map);
+  shown["map"] = map_json(*maps.keep(std::move(*map)));
+  return shown;
+}
+
+Outcome<Json> shown_scenario(const std::string& path, const Folder& folder) {
   const auto file = folder.resolve(path);
   if (!file) return tl::unexpected(file.error());
-  if (auto ok = folder.check_references(*file); !ok) return pass_on(ok);
   auto job = scenario_job(file->string());
   Outcome<Json> shown = bad_input("");
   if (!job) {
     shown = pass_on(job);
   } else if (*job == "plan") {
-    shown = shown_question(*file, folder, maps);
+    shown = shown_question(*file, folder);
   } else if (*job == "guard" || job->empty()) {
-    shown = shown_yard(*file, maps);
+    shown = shown_yard(*file);
   } else {
     shown = bad_input(fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}",
                                   job->substr(0, 60)),
@@ -123,7 +141,8 @@ Outcome<Json> shown_scenario(const std::string& path, const Folder& folder, MapS
 }
 
 Outcome<std::vector<NamedContent>> scenario_files(const std::string& path, const Json& request,
-                                                  const Folder& folder, PlanningMemory& memory) {
+                                                  const Folder& folder, PlanningMemory& memory,
+                                                  const ReadFiles& read, const std::stop_token& stop) {
   if (!path.ends_with(".yaml") || !plain_name(fs::path(path).filename().string())) {
     return bad_input("a scenario is saved under a name of letters, digits, _ . and - that ends in .yaml",
                      path.substr(0, 200));
@@ -133,7 +152,9 @@ Outcome<std::vector<NamedContent>> scenario_files(const std::string& path, const
   if (yard == fields.has("plan")) return bad_input("give one of plan and guard", "");
   const Json* content = fields.object(yard ? "guard" : "plan");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
-  return yard ? yard_files(path, *content, folder) : question_files(path, *content, memory);
+  if (!yard) return question_files(path, *content, memory);
+  auto answer = read(folder, {{"yard", *content}, {"save_as", path}}, stop);
+  return answer ? unpacked_files(*answer) : pass_on(answer);
 }
 
 }  // namespace outrider::server

@@ -10,18 +10,23 @@
 #include <vector>
 
 #include "planning.hpp"
+#include "reading.hpp"
 
 namespace outrider::server {
 
-/// Of the job plan: {"path", "job", "map": as of /maps, "start", "goal", "planner", "options", "model",
-/// "radius_m", "resolution_m"}; of the job guard: what shown_yard() says. Faults: those of reading them;
-/// bad_input on other jobs, and on files outside the folder.
-Outcome<Json> shown_scenario(const std::string& path, const Folder& folder, MapStore& maps);
+/// Of the job plan: {"path", "job", "map": a packed map, "start", "goal", "planner", "options", "model",
+/// "radius_m", "resolution_m"}; of the job guard: what shown_yard() says. For the process that reads
+/// (reading.hpp). Faults: those of reading them; bad_input on other jobs, and on files outside the folder.
+Outcome<Json> shown_scenario(const std::string& path, const Folder& folder);
+
+/// The same for the page: its map is kept, and given as /maps does.
+Outcome<Json> with_kept_map(Json shown, MapStore& maps);
 
 /// The files of a scenario under that name, the scenario last: of {"plan": a question as answer_plan()
-/// takes}, or of {"guard": what changed_yard() takes}. Writes nothing. Fault: bad_input on a request that is
-/// wrong.
+/// takes}, or of {"guard": what yard_files() takes}, which `read` reads. Writes nothing. Fault: bad_input on
+/// a request that is wrong.
 Outcome<std::vector<NamedContent>> scenario_files(const std::string& path, const Json& request,
-                                                  const Folder& folder, PlanningMemory& memory);
+                                                  const Folder& folder, PlanningMemory& memory,
+                                                  const ReadFiles& read, const std::stop_token& stop);
 
 }  // namespace outrider::server

@@ -1,24 +1,63 @@
 #include "temporary_folder.hpp"
 
+#include <fcntl.h>
 #include <stdlib.h>  // mkdtemp
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace outrider::server {
+namespace {
 
 namespace fs = std::filesystem;
 
-Outcome<TemporaryFolder> TemporaryFolder::make() {
-  std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "outrider-serve-XXXXXX").string();
-  if (error || ::mkdtemp(name.data()) == nullptr) {
-    return bad_input("there is no place for temporary files; set TMPDIR to a folder that can be written to",
-                     "TMPDIR");
+constexpr std::string_view prefix = "outrider-serve-";
+
+/// A descriptor that holds the lock; -1 when the folder is not ours, is locked, or is gone.
+int locked(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  struct stat status{};
+  if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && status.st_uid == ::geteuid() &&
+      ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fs::is_directory(folder)) {
+    return descriptor;
   }
-  return TemporaryFolder(fs::canonical(name));
+  if (descriptor >= 0) ::close(descriptor);
+  return -1;
+}
+
+}  // namespace
+
+Outcome<TemporaryFolder> TemporaryFolder::make() {
+  constexpr int attempts = 10;  // another server may take it for abandoned before it is locked
+  for (int i = 0; i < attempts; ++i) {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / (std::string(prefix) + "XXXXXX")).string();
+    if (error || ::mkdtemp(name.data()) == nullptr) break;
+    if (const int descriptor = locked(name); descriptor >= 0) {
+      return TemporaryFolder(fs::canonical(name), descriptor);
+    }
+  }
+  return bad_input("there is no place for temporary files; set TMPDIR to a folder that can be written to",
+                   "TMPDIR");
+}
+
+void TemporaryFolder::remove_abandoned() {
+  std::error_code error;
+  fs::directory_iterator it(fs::temp_directory_path(error), error);
+  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
+    if (!it->path().filename().string().starts_with(prefix)) continue;
+    const int descriptor = locked(it->path());
+    if (descriptor < 0) continue;
+    std::error_code ignored;
+    fs::remove_all(it->path(), ignored);
+    ::close(descriptor);
+  }
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 }  // namespace outrider::server

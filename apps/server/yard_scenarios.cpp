@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "named_files.hpp"
 #include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/targets.hpp"
@@ -35,10 +33,7 @@ Outcome<Yard> loaded_yard(const fs::path& file) {
   auto changes = changes_from_text(scenario.moved, scenario.removed);
   if (!changes) return pass_on(changes);
   scenario.moved = scenario.removed = "";
-  {
-    const std::lock_guard lock(reading_worlds());
-    if (auto read = load_problem(scenario); !read) return pass_on(read);
-  }
+  if (auto read = load_problem(scenario); !read) return pass_on(read);
   auto things = yard_things(scenario.problem, std::move(*changes));
   if (!things) return pass_on(things);
   yard.things = std::move(*things);
@@ -126,9 +121,8 @@ Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenar
                                 const fs::path& beside) {
   auto text = read_file(scenario.world, largest_served_bytes);
   if (!text) return text;
-  const auto named = files_named_in(scenario.world);
-  if (!named) return tl::unexpected(named.error());
-  if (!named->empty() && fs::path(scenario.world).parent_path() != beside) {
+  const bool names_files = text->find("<uri") != std::string::npos;
+  if (names_files && fs::path(scenario.world).parent_path() != beside) {
     return bad_input(
         "the world names files beside it, and obstacles were added; save it in the folder of its "
         "world",
@@ -157,7 +151,7 @@ Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenar
 
 }  // namespace
 
-Outcome<Json> shown_yard(const fs::path& file, MapStore& maps) {
+Outcome<Json> shown_yard(const fs::path& file) {
   auto loaded = loaded_yard(file);
   if (!loaded) return pass_on(loaded);
   const GuardProblem& yard = loaded->scenario.problem;
@@ -165,11 +159,11 @@ Outcome<Json> shown_yard(const fs::path& file, MapStore& maps) {
   if (!world) return pass_on(world);
   auto polygons = polygons_of(*world, yard.robot.radius_m, yard.robot.height_m);
   if (!polygons) return pass_on(polygons);
-  KnownMap map{{}, file.filename().string(), std::move(*polygons), {}, yard.robot.radius_m};
+  const KnownMap map{{}, file.filename().string(), std::move(*polygons), {}, yard.robot.radius_m};
   Json targets = Json::array();
   for (const Target& target : yard.targets) targets.push_back(target_json(target));
   return Json{{"job", "guard"},
-              {"map", map_json(*maps.keep(std::move(map)))},
+              {"map", packed(map)},
               {"start", {yard.start.position.x, yard.start.position.y}},
               {"heading_rad", yard.start.heading_rad},
               {"targets", std::move(targets)},
@@ -194,7 +188,6 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
   const auto place = folder.resolve(path);
   if (!file) return tl::unexpected(file.error());
   if (!place) return tl::unexpected(place.error());
-  if (auto ok = folder.check_references(*file); !ok) return pass_on(ok);
   auto yard = loaded_yard(*file);
   if (!yard) return tl::unexpected(without_folder(std::move(yard.error()), folder.root()));
   const GuardScenario& scenario = yard->scenario;

@@ -10,13 +10,16 @@
 
 namespace outrider::server {
 
-/// {"job": "guard", "map": what stands in the way of the robot, "start": [x, y], "heading_rad", "targets":
+// Both functions read files, so they are called in the process that reads (reading.hpp).
+
+/// {"job": "guard", "map": a packed map of what stands in the way of the robot, "start": [x, y],
+/// "heading_rad", "targets":
 /// [{"name", "position": [x, y, z], "size": [length, width, height], "heading_rad"}], "fixed": [polygon,
 /// ...], "things": [{"name", "middle": [x, y], "polygons": [polygon, ...], "place": [x, y], "turn_rad",
 /// "removed"}]}. The obstacles of the map are the fixed ones and those of the things, which are given as the
 /// world has them and stand with their middle at their place, turned by so much (world_changes.hpp). Faults:
 /// those of reading the scenario.
-Outcome<Json> shown_yard(const std::filesystem::path& file, MapStore& maps);
+Outcome<Json> shown_yard(const std::filesystem::path& file);
 
 /// The files of a changed yard under the name `path`, the scenario last, of
 ///   {"scenario": path of the one that is changed, "start": [x, y], "heading_rad",

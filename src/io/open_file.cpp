@@ -29,7 +29,7 @@ Access& access_rule() {
 }
 
 /// openat2 beneath the root. The kernel asks to try again when folders were moved meanwhile.
-int open_beneath(int root, const std::string& path, int flags) {
+int open2(int root, const std::string& path, int flags) {
   open_how how{};
   how.flags = static_cast<std::uint64_t>(flags);
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
@@ -48,7 +48,7 @@ int open_allowed(const std::string& path, int flags) {
   if (rule.root < 0) return ::open(path.c_str(), flags | O_CLOEXEC);
   std::string relative = path;
   if (relative.starts_with(rule.root_path + "/")) relative.erase(0, rule.root_path.size() + 1);
-  return open_beneath(rule.root, relative, flags | O_CLOEXEC);
+  return open2(rule.root, relative, flags | O_CLOEXEC);
 }
 
 bool leads_out(int error) { return error == EXDEV; }
@@ -63,6 +63,17 @@ Fault why_not(int error, const std::string& path) {
           path};
 }
 
+/// The descriptor, or why there is none; closes one that is of no use.
+Outcome<int> checked(int descriptor, const std::string& path, bool regular_only) {
+  if (descriptor < 0) return tl::unexpected<Fault>(why_not(errno, path));
+  struct stat status{};
+  const bool known = ::fstat(descriptor, &status) == 0;
+  if (known && !S_ISDIR(status.st_mode) && (S_ISREG(status.st_mode) || !regular_only)) return descriptor;
+  ::close(descriptor);
+  if (known && S_ISDIR(status.st_mode)) return bad_input("it is a folder; name a file in it", path);
+  return bad_input("it is not a regular file; name another", path);
+}
+
 }  // namespace
 
 Status confine_reading(const std::string& root) {
@@ -72,7 +83,7 @@ Status confine_reading(const std::string& root) {
   if (descriptor < 0 || ::fchdir(descriptor) != 0) {
     return bad_input("it is no folder that files can be read from; name another", root);
   }
-  const int probe = open_beneath(descriptor, ".", O_PATH | O_CLOEXEC);
+  const int probe = open2(descriptor, ".", O_PATH | O_CLOEXEC);
   if (probe < 0) {
     ::close(descriptor);
     return bad_input(
@@ -96,23 +107,17 @@ const std::string* supplied_content(const std::string& path) {
   return found == supplied.end() ? nullptr : &found->second;
 }
 
+Outcome<int> open_beneath(int folder, const std::string& path) {
+  const int descriptor = open2(folder, path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  return checked(descriptor, path, true);
+}
+
 Outcome<int> open_file(const std::string& path) {
   if (path.empty()) return bad_input("the file name is empty");
   const bool confined = access_rule().root >= 0;
   // Without O_NONBLOCK the open of a pipe waits for somebody who writes to it.
   const int descriptor = open_allowed(path, O_RDONLY | (confined ? O_NONBLOCK : 0));
-  if (descriptor < 0) return tl::unexpected<Fault>(why_not(errno, path));
-  struct stat status{};
-  const bool known = ::fstat(descriptor, &status) == 0;
-  if (known && S_ISDIR(status.st_mode)) {
-    ::close(descriptor);
-    return bad_input("it is a folder; name a file in it", path);
-  }
-  if (confined && !(known && S_ISREG(status.st_mode))) {
-    ::close(descriptor);
-    return bad_input("it is not a regular file; name another", path);
-  }
-  return descriptor;
+  return checked(descriptor, path, confined);
 }
 
 FileKind file_kind(const std::string& path) {

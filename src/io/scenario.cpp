@@ -126,11 +126,11 @@ Status scenario_from_text(std::string_view text, const std::string& name,
 
 Outcome<std::string> scenario_job(const std::string& path) {
   auto text = read_file(path);
-  if (!text) return pass_on(text);
-  auto root = yaml_map(*text, path);
-  if (!root) return pass_on(root);
-  const YAML::Node job = (*root)["job"];
-  return job && job.IsScalar() ? job.Scalar() : std::string{};
+  return text ? scenario_job_from_text(*text, path) : pass_on(text);
+}
+
+Outcome<std::string> scenario_job_from_text(const std::string& text, const std::string& name) {
+  return yaml_top_value(text, name, "job");
 }
 
 Outcome<std::vector<std::string>> scenario_keys(const std::string& path) {

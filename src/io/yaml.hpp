@@ -18,4 +18,9 @@ std::string yaml_where(const std::string& name, const YAML::Node& node);
 /// and more than 1 MiB.
 Outcome<YAML::Node> yaml_map(std::string_view text, const std::string& name);
 
+/// The text of a key of the top map, and nothing else of the document; empty when it is not there or is no
+/// single value. The same faults as yaml_map(), but for keys that stand twice. O(length), and the memory of
+/// the deepest nesting.
+Outcome<std::string> yaml_top_value(const std::string& text, const std::string& name, const std::string& key);
+
 }  // namespace outrider

@@ -6,8 +6,8 @@
 // (openat2 with RESOLVE_BENEATH: no "..", no absolute path and no link leads out, whatever names them).
 // All of Outrider reads through read_file() (files.hpp); tests/architecture holds the rest to it.
 //
-// Both functions change the whole process and cannot be undone. Thread rule: call them before the first file
-// is read and before other threads start.
+// confine_reading() and supply_file() change the whole process and cannot be undone. Thread rule: call them
+// before the first file is read and before other threads start; open_beneath() at any time.
 #pragma once
 
 #include <string>
@@ -21,6 +21,11 @@ namespace outrider {
 /// refused, so that nothing can block. Faults: bad_input when `root` is no folder, when the process is
 /// confined already, or when the system has no openat2 (Linux before 5.6).
 Status confine_reading(const std::string& root);
+
+/// A descriptor of the regular file at `path` beneath the open folder `folder`, wherever names and links
+/// lead; the caller closes it. Never blocks. Faults: as those of read_file(), and bad_input for a path that
+/// leads out.
+Outcome<int> open_beneath(int folder, const std::string& path);
 
 /// From now on read_file(path) gives `content`, whatever lies there; `path` must be spelled the same.
 void supply_file(const std::string& path, std::string content);

@@ -27,8 +27,10 @@ Status load_scenario(const std::string& path, const std::vector<OptionGroup>& gr
 Status scenario_from_text(std::string_view text, const std::string& name,
                           const std::vector<OptionGroup>& groups);
 
-/// The value of the key `job` in a scenario file; empty when there is none.
+/// The value of the key `job` in a scenario file; empty when there is none. Reads the text once and keeps
+/// nothing of it.
 Outcome<std::string> scenario_job(const std::string& path);
+Outcome<std::string> scenario_job_from_text(const std::string& text, const std::string& name);
 
 /// The keys that stand in a scenario file, those of sections as in `robot.radius`.
 Outcome<std::vector<std::string>> scenario_keys(const std::string& path);

@@ -45,11 +45,16 @@ class AppTest : public testing::Test {
     return app().answer({method, where.substr(0, question), query, std::move(headers), body});
   }
 
+  /// What is sent, from memory or from the disk.
+  static std::string body_of(const Response& response) {
+    return response.file ? response.file->part(0, response.file->bytes()) : response.body;
+  }
+
   Json json(const std::string& method, const std::string& where, const std::string& body = {},
             int status = 200) {
     const Response response = ask(method, where, body);
     EXPECT_EQ(response.status, status) << response.body;
-    return Json::parse(response.body);
+    return Json::parse(body_of(response));
   }
 
   /// The run once its state is one of those that last.
@@ -64,7 +69,12 @@ class AppTest : public testing::Test {
   }
 
   TemporaryFolder home_;
-  AppSettings settings_{"1.2.3", "", {{"cover", "", {}}, {"guard", "", {}}}, {}, {}};
+  /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that one.
+  static Outcome<Json> read_here(const Folder& folder, const Json& question, const std::stop_token&) {
+    return answer_reading(question, folder);
+  }
+
+  AppSettings settings_{"1.2.3", "", {{"cover", "", {}}, {"guard", "", {}}}, {}, {}, read_here};
   std::unique_ptr<App> app_;
 };
 

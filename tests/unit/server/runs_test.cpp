@@ -1,4 +1,5 @@
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <atomic>
 #include <map>
@@ -215,7 +216,7 @@ TEST_F(AppTest, AMissionThatIsLostIsEnded) {
   write_tool("echo $$ > pid\necho line >&3\nexec sleep 1000\n");
   std::stop_source stop;
   const auto follow = [&] {
-    (void)run_child({settings_.runs.tool}, home_.path().string(), std::chrono::seconds(60), stop.get_token(),
+    (void)run_child({.words = {settings_.runs.tool}, .folder = home_.path().string()}, stop.get_token(),
                     [](std::string_view) { throw std::bad_alloc(); });
   };
   EXPECT_THROW(follow(), std::bad_alloc);
@@ -311,6 +312,61 @@ TEST_F(AppTest, AViewerThatStallsHoldsNobodyUp) {
   EXPECT_EQ(viewer.until("end").back()["run"], id);
   held.unlock();
   serving.join();
+}
+
+/// What a mission is given: the text as it was when it was asked for, its folder, and no more memory than is
+/// allowed.
+TEST_F(AppTest, AMissionWorksOnTheTextThatWasChecked) {
+  write("a.yaml", "job: guard\nseed: 1\n");
+  write_tool(
+      R"(text=$(cat); echo "{\"status\":\"done\",\"text\":\"$(echo $text)\",\"name\":\"$2\",\"root\":\"$OUTRIDER_CONFINE\",)"
+      R"(\"memory\":\"$(ulimit -d)\"}")");
+  settings_.runs.memory_bytes = std::size_t{256} << 20U;
+  const Json run = ended(json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"]);
+  EXPECT_EQ(run["summary"]["text"], "job: guard seed: 1");
+  EXPECT_EQ(run["summary"]["name"], "a.yaml");
+  EXPECT_EQ(run["summary"]["root"], home_.path().string());
+  EXPECT_EQ(run["summary"]["memory"], "262144") << "KiB";
+}
+
+TEST_F(AppTest, WhatIsWrittenOverAScenarioComesTooLateForItsRun) {
+  write("a.yaml", "job: guard\nseed: 1\n");
+  write_tool(
+      R"(until [ -e go ]; do sleep 0.01; done; text=$(cat); echo "{\"status\":\"done\",\"text\":\"$(echo $text)\"}")");
+  settings_.runs.at_once = 1;
+  const std::string first = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  const std::string second = json("POST", "/api/v1/runs", R"({"scenario":"a.yaml"})", 202)["id"];
+  EXPECT_EQ(json("GET", "/api/v1/runs/" + second)["state"], "queued");
+  EXPECT_EQ(ask("PUT", "/api/v1/files/a.yaml", "job: guard\nworld: ../outside.sdf\n").status, 200);
+  write("go", "");
+  EXPECT_EQ(ended(first)["summary"]["text"], "job: guard seed: 1");
+  EXPECT_EQ(ended(second)["summary"]["text"], "job: guard seed: 1");
+}
+
+TEST_F(AppTest, AnUnsavedScenarioLeavesNoFileInTheFolder) {
+  write_tool("ls -A > listing\ncat > /dev/null\necho '{\"status\":\"done\"}'\n");
+  EXPECT_EQ(ended(json("POST", "/api/v1/runs", R"({"text":"job: guard"})", 202)["id"])["state"], "done");
+  std::ifstream listing(path("listing"));
+  const std::string names{std::istreambuf_iterator<char>(listing), {}};
+  EXPECT_EQ(names, "listing\ntool\n");
+}
+
+TEST(TemporaryFolders, AreRemovedOnceTheirServerIsGone) {
+  const auto living = TemporaryFolder::make();
+  ASSERT_TRUE(living);
+  const pid_t killed = ::fork();
+  if (killed == 0) {
+    const auto abandoned = TemporaryFolder::make();
+    std::ofstream(living->path() / "name") << abandoned->path().string();
+    ::raise(SIGKILL);
+  }
+  ::waitpid(killed, nullptr, 0);
+  std::ifstream file(living->path() / "name");
+  const std::string abandoned{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_TRUE(std::filesystem::is_directory(abandoned)) << "it was left behind";
+  TemporaryFolder::remove_abandoned();
+  EXPECT_FALSE(std::filesystem::exists(abandoned));
+  EXPECT_TRUE(std::filesystem::is_directory(living->path()));
 }
 
 }  // namespace

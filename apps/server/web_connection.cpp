@@ -1,0 +1,249 @@
+#include "web_connection.hpp"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/websocket/rfc6455.hpp>
+#include <nlohmann/json.hpp>
+
+#include "web_socket.hpp"
+
+namespace outrider::server {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t longest_head_bytes = 16384;
+constexpr std::size_t chunk_bytes = 65536;
+constexpr std::size_t small_answer_bytes = 65536;  // these need no budget
+constexpr std::chrono::seconds longest_body{30};
+constexpr std::chrono::seconds longest_answer{60};  // of a small one
+constexpr std::uintmax_t slowest_bytes_per_s = 262144;
+constexpr std::size_t most_drained_bytes = std::size_t{1} << 20U;
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return text;
+}
+
+Request request_of(const http::request<http::buffer_body>& head) {
+  Request request;
+  const std::string target(head.target());
+  const std::size_t question = std::min(target.find('?'), target.size());
+  request.method = std::string(head.method_string());
+  request.path = target.substr(0, question);
+  if (question < target.size()) request.query = target.substr(question + 1);
+  for (const auto& field : head) {
+    request.headers.emplace(lower_case(std::string(field.name_string())), std::string(field.value()));
+  }
+  return request;
+}
+
+std::string head_of(const Response& response, std::uintmax_t length) {
+  std::string head =
+      fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\nConnection: close\r\n",
+                  response.status, reason_phrase(response.status), response.type, length);
+  for (const auto& [name, value] : response.headers) head += fmt::format("{}: {}\r\n", name, value);
+  return head += "\r\n";
+}
+
+Response too_busy() {
+  return error_response(503, "too_many", "too much is being asked at the same time; ask again");
+}
+
+}  // namespace
+
+WebConnection::WebConnection(asio::ip::tcp::socket socket, WebHost& host)
+    : host_(host), stream_(std::move(socket)), buffer_(2 * longest_head_bytes) {
+  host_.connections.insert(this);
+  place_ = host_.waiting.insert(host_.waiting.end(), this);
+}
+
+WebConnection::~WebConnection() {
+  no_longer_waiting();
+  host_.connections.erase(this);
+}
+
+void WebConnection::no_longer_waiting() {
+  if (std::exchange(is_waiting_, false)) host_.waiting.erase(place_);
+}
+
+void WebConnection::drop() {
+  left_.request_stop();
+  ErrorCode ignored;
+  stream_.socket().close(ignored);
+}
+
+void WebConnection::start() {
+  ErrorCode ignored;
+  stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+  parser_.header_limit(longest_head_bytes);
+  parser_.body_limit(largest_body_bytes);
+  read_head();
+}
+
+void WebConnection::read_head() {
+  stream_.expires_after(patience);
+  http::async_read_header(
+      stream_, buffer_, parser_,
+      [self = shared_from_this()](const ErrorCode& error, std::size_t) { self->on_head(error); });
+}
+
+Response WebConnection::refusal_of(const ErrorCode& error) const {
+  if (error == http::error::body_limit)
+    return error_response(413, "too_large", "a request has at most 32 MiB");
+  if (error == http::error::header_limit || error == http::error::buffer_overflow)
+    return error_response(431, "too_large", "the headers of a request have at most 16 KiB");
+  if (error == beast::error::timeout || error == http::error::partial_message)
+    return error_response(408, "bad_input", "the request did not come to its end");
+  return error_response(400, "bad_input", "this is no HTTP request that can be answered");
+}
+
+void WebConnection::on_head(const ErrorCode& error) {
+  no_longer_waiting();
+  host_.worked = true;
+  deadline_ = Clock::now() + longest_body;
+  if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return;
+  if (error == beast::error::timeout) return;  // nothing was asked
+  if (error) return respond(refusal_of(error));
+  request_ = request_of(parser_.get());
+  if (beast::websocket::is_upgrade(parser_.get())) {
+    if (auto refused = host_.app.refuse_socket(request_)) return respond(std::move(*refused));
+    if (host_.open_sockets >= most_sockets) {
+      return respond(error_response(503, "too_many", fmt::format("{} viewers watch already", most_sockets)));
+    }
+    stream_.expires_never();
+    std::make_shared<WebSocket>(std::move(stream_), host_)->start(parser_.release());
+    return;
+  }
+  if (auto refused = host_.app.refuse(request_)) return respond(std::move(*refused));
+  if (request_.header("expect").empty()) return read_body();
+  part_ = "HTTP/1.1 100 Continue\r\n\r\n";
+  asio::async_write(stream_, asio::buffer(part_),
+                    [self = shared_from_this()](const ErrorCode& bad, std::size_t) {
+                      if (!bad) self->read_body();
+                    });
+}
+
+void WebConnection::read_body() {
+  if (parser_.is_done()) return answer_request();
+  if (chunk_.empty()) chunk_.resize(chunk_bytes);
+  parser_.get().body().data = chunk_.data();
+  parser_.get().body().size = chunk_.size();
+  stream_.expires_after(patience);
+  http::async_read_some(
+      stream_, buffer_, parser_,
+      [self = shared_from_this()](const ErrorCode& error, std::size_t) { self->on_body(error); });
+}
+
+void WebConnection::on_body(const ErrorCode& error) {
+  if (error && error != http::error::need_buffer) {
+    if (error == asio::error::operation_aborted) return;
+    return respond(refusal_of(error));
+  }
+  if (Clock::now() > deadline_) return respond(refusal_of(beast::error::timeout));
+  const std::size_t count = chunk_.size() - parser_.get().body().size;
+  if (!host_.bodies.grow(body_memory_, count)) return respond(too_busy());
+  request_.body.append(chunk_.data(), count);
+  read_body();
+}
+
+void WebConnection::answer_request() {
+  if (host_.requests >= most_requests) return respond(too_busy());
+  ++host_.requests;
+  chunk_ = {};
+  stream_.expires_never();
+  answering_ = true;
+  request_.stop = left_.get_token();
+  watch_client();
+  asio::post(host_.workers, [self = shared_from_this()]() mutable {
+    asio::io_context& io = self->host_.io;
+    auto response = std::make_shared<Response>(self->host_.app.answer(self->request_));
+    asio::post(io, [self = std::move(self), response] { self->answered(std::move(*response)); });
+  });
+}
+
+/// Waits for the client to say something, which can only be that it has left.
+void WebConnection::watch_client() {
+  stream_.socket().async_wait(
+      asio::ip::tcp::socket::wait_read, [self = shared_from_this()](const ErrorCode& error) {
+        if (error || !self->answering_) return;
+        char byte = 0;
+        const ssize_t count =
+            ::recv(self->stream_.socket().native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+        if (count <= 0) self->left_.request_stop();
+      });
+}
+
+void WebConnection::answered(Response response) {
+  answering_ = false;
+  --host_.requests;
+  request_.body = {};
+  body_memory_ = {};
+  ErrorCode ignored;
+  stream_.socket().cancel(ignored);
+  respond(std::move(response));
+}
+
+void WebConnection::respond(Response response) {
+  if (response.body.size() > small_answer_bytes) {
+    auto lease = host_.app.shared().answers.take(response.body.size());
+    if (lease) answer_memory_ = std::move(*lease);
+    if (!lease) response = error_response(503, "too_many", "too many answers wait to be read; ask again");
+  }
+  response_ = std::move(response);
+  const std::uintmax_t bytes = response_.file ? response_.file->bytes() : response_.body.size();
+  length_ = request_.method == "HEAD" ? 0 : bytes;
+  deadline_ = Clock::now() + longest_answer + std::chrono::seconds(length_ / slowest_bytes_per_s);
+  part_ = head_of(response_, bytes);
+  if (!response_.file && length_ <= small_answer_bytes) {
+    part_.append(response_.body, 0, length_);
+    sent_ = length_;
+  }
+  write_part();
+}
+
+/// Writes what is in `part_`, then the next part of the body, until all is sent.
+void WebConnection::write_part() {
+  stream_.expires_after(patience);
+  asio::async_write(
+      stream_, asio::buffer(part_), [self = shared_from_this()](const ErrorCode& error, std::size_t) {
+        if (error || Clock::now() > self->deadline_) return;
+        if (self->sent_ == self->length_) return self->say_goodbye();
+        const std::size_t most = std::min<std::uintmax_t>(chunk_bytes, self->length_ - self->sent_);
+        self->part_ = self->response_.file ? self->response_.file->part(self->sent_, most)
+                                           : self->response_.body.substr(self->sent_, most);
+        if (self->part_.empty()) return;  // the file was cut meanwhile; the client misses bytes and knows it
+        self->sent_ += self->part_.size();
+        self->write_part();
+      });
+}
+
+/// A client that is still sending would lose the answer if the connection were closed now.
+void WebConnection::say_goodbye() {
+  response_ = {};
+  answer_memory_ = {};
+  ErrorCode ignored;
+  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  stream_.expires_after(std::chrono::seconds(2));
+  if (chunk_.empty()) chunk_.resize(chunk_bytes);
+  drain();
+}
+
+void WebConnection::drain() {
+  stream_.async_read_some(asio::buffer(chunk_),
+                          [self = shared_from_this()](const ErrorCode& error, std::size_t count) {
+                            self->drained_ += count;
+                            if (!error && self->drained_ < most_drained_bytes) self->drain();
+                          });
+}
+
+}  // namespace outrider::server

@@ -1,0 +1,64 @@
+// The memory that planners keep between questions, shared by all who ask.
+//
+// What a planner built for a map can be large, so there are only as many workspaces as plans are made at the
+// same time, however many viewers there are. Who asks again gets the workspace that was used last for them,
+// where it is free.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "outrider/search/workspace.hpp"
+
+namespace outrider::server {
+
+/// Thread rule: any thread may take one and give it back.
+class WorkspacePool {
+ public:
+  explicit WorkspacePool(std::size_t count) : places_(count) {}
+
+  /// A workspace for one thread, given back with the object.
+  class Lease {
+   public:
+    Lease(Lease&& other) noexcept : pool_(std::exchange(other.pool_, nullptr)), place_(other.place_) {}
+    Lease& operator=(Lease&&) = delete;
+    ~Lease() {
+      if (pool_ != nullptr) pool_->give_back(place_);
+    }
+    [[nodiscard]] Workspace& workspace() const { return pool_->places_[place_].workspace; }
+
+   private:
+    friend class WorkspacePool;
+    Lease(WorkspacePool* pool, std::size_t place) : pool_(pool), place_(place) {}
+    WorkspacePool* pool_;
+    std::size_t place_;
+  };
+
+  /// Waits until one is free. Nothing when that takes too long, `stop` is raised, or `most_waiting` others
+  /// wait already.
+  std::optional<Lease> take(const void* user, std::chrono::milliseconds longest_wait,
+                            std::size_t most_waiting, const std::stop_token& stop);
+
+ private:
+  struct Place {
+    Workspace workspace;
+    const void* user = nullptr;  ///< who used it last; compared, never followed
+    std::size_t last_use = 0;
+    bool taken = false;
+  };
+  Place* free_place(const void* user);  // with the lock held
+  void give_back(std::size_t place);
+
+  std::mutex mutex_;
+  std::condition_variable_any given_back_;
+  std::vector<Place> places_;
+  std::size_t waiting_ = 0;
+  std::size_t uses_ = 0;
+};
+
+}  // namespace outrider::server
