@@ -92,12 +92,11 @@ class Safety(Serve):
     def test_kill_and_restart_on_the_same_port(self):
         server = Server(self.folder)
         with WebSocket(server):
-            run = server.json("POST", "/api/v1/runs", {"scenario": "long.yaml"}, status=202)["id"]
-            while server.json("GET", f"/api/v1/runs/{run}")["state"] == "queued":
-                time.sleep(0.01)
+            run = self.started(server, {"scenario": "long.yaml"})
             children = pathlib.Path(f"/proc/{server.process.pid}/task").glob("*/children")
             missions = [int(pid) for child in children for pid in child.read_text().split()]
             self.assertEqual(len(missions), 1)
+            self.still_running(server, run)
             server.end(kill=True)
         end = time.monotonic() + 10
         while pathlib.Path(f"/proc/{missions[0]}/exe").exists() and time.monotonic() < end:

@@ -17,10 +17,10 @@ SCENARIO_SECONDS = 60
 class Server:
     """`outrider serve` on a port of its own, ended with the block."""
 
-    def __init__(self, folder, *words, port=0):
+    def __init__(self, folder, *words, port=0, **variables):
         self.process = subprocess.Popen([TOOL, "serve", str(folder), "--port", str(port), *words],
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
-                                        text=True)
+                                        text=True, env=os.environ | variables)
         first = self.process.stdout.readline()
         found = re.search(r"http://([^:/\]]+|\[.*\]):(\d+)/", first)
         if not found:

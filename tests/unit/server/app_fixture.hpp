@@ -69,7 +69,8 @@ class AppTest : public testing::Test {
   }
 
   TemporaryFolder home_;
-  /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that one.
+  /// Files are read here, not in a process that is confined: tests/cli/serve_confinement_test.py tests that
+  /// one.
   static Outcome<Json> read_here(const Folder& folder, const Json& question, const std::stop_token&) {
     return answer_reading(question, folder);
   }

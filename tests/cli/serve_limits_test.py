@@ -1,0 +1,128 @@
+"""`outrider serve` under those who ask for too much: bounded in all, and quick for everybody else."""
+import os
+import pathlib
+import time
+
+import serve_load
+from serve_case import Serve
+from server_client import Server
+from serve_load import MIB, memory_mib, settled_memory_mib, version_time_s
+from tool import FLOOR, main, wall, world
+
+MOST_MIB = 300  # of memory that the server may hold, whatever is done to it
+QUICK_S = 5  # "/version" in the meantime; it takes milliseconds, and the machine may be busy
+
+
+class Limits(Serve):
+    def check_memory(self, server):
+        self.assertLess(settled_memory_mib(server, MOST_MIB), MOST_MIB)
+
+    def test_readers_that_stall(self):
+        (self.folder / "large.json").write_bytes(b"x" * (60 * MIB))
+        with Server(self.folder) as server:
+            readers = serve_load.stalled_readers(server, "large.json", 20)
+            self.assertEqual(readers[0].recv(12), b"HTTP/1.1 200", "the premise: they are being served")
+            time.sleep(1)
+            self.assertLess(memory_mib(server), MOST_MIB)
+            self.assertLess(version_time_s(server), QUICK_S)
+            for reader in readers:
+                reader.close()
+            status, headers, body = server.request("GET", "/api/v1/files/large.json")
+            self.assertEqual((status, len(body)), (200, 60 * MIB))
+
+    def test_half_requests(self):
+        with Server(self.folder) as server:
+            connections = serve_load.half_requests(server, 320)
+            self.assertLess(version_time_s(server), QUICK_S)
+            self.check_memory(server)
+            for connection in connections:
+                connection.close()
+
+    def test_more_connections_than_there_are_places(self):
+        with Server(self.folder) as server:
+            connections = []
+            for _ in range(1200):
+                try:
+                    connections.append(server.connect())
+                except OSError:
+                    break  # we have no more
+            self.assertGreater(len(connections), 900)
+            self.assertLess(version_time_s(server), QUICK_S, "the oldest give way")
+            for connection in connections:
+                connection.close()
+
+    def test_small_files_that_unpack_to_large_ones(self):
+        with Server(self.folder) as server:
+            statuses = serve_load.packed_maps(server, 10)
+            self.assertTrue(set(statuses) <= {400, 503}, statuses)
+            self.check_memory(server)
+
+    def test_text_that_becomes_many_values(self):
+        with Server(self.folder) as server:
+            statuses = serve_load.many_values(server, 10)
+            self.assertTrue(set(statuses) <= {400, 503}, statuses)
+            self.check_memory(server)
+
+    def test_a_small_world_of_many_models(self):
+        self.write("crowd.sdf", serve_load.crowded_world(200))
+        self.assertLess((self.folder / "crowd.sdf").stat().st_size, 50_000)
+        with Server(self.folder) as server:
+            begin = time.monotonic()
+            status, _, body = server.request("POST", "/api/v1/maps", {"path": "crowd.sdf"})
+            self.assertIn(status, (200, 400, 503), body[:300])
+            self.assertLess(time.monotonic() - begin, 60)
+            self.check_memory(server)
+
+    def reader_pids(self, server):
+        children = pathlib.Path(f"/proc/{server.process.pid}/task").glob("*/children")
+        return [int(pid) for child in children for pid in child.read_text().split()]
+
+    def test_nobody_reads_on_for_a_client_that_has_left(self):
+        # Slow to read: rings of includes, each of them many times.
+        self.write("leaf.sdf", "<sdf version='1.6'>" + serve_load.CYLINDER.format(i=0, x=0, y=0) + "</sdf>")
+        includes = "<include><uri>leaf.sdf</uri></include>" * 900
+        self.write("slow.sdf", world(FLOOR, includes))
+        with Server(self.folder) as server:
+            with server.connect() as connection:
+                body = b'{"path": "slow.sdf"}'
+                connection.sendall(b"POST /api/v1/maps HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
+                                   b"Content-Length: %d\r\n\r\n" % len(body) + body)
+                self.until(lambda: self.reader_pids(server))
+            self.until(lambda: not self.reader_pids(server))
+
+    def until(self, condition, seconds=10):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.002)
+
+    def test_a_flood_without_the_token_starves_nobody_who_has_it(self):
+        token = "0123456789abcdef"
+        with Server(self.folder, "--token", token) as server:
+            statuses = serve_load.together(8, lambda: [server.request("GET", "/api/v1/version")[0] for _ in range(100)])
+            flat = [status for some in statuses for status in some]
+            self.assertIn(429, flat, "the flood is held back")
+            self.assertTrue(set(flat) <= {401, 429}, set(flat))
+            for _ in range(50):
+                server.json("GET", "/api/v1/version", Authorization="Bearer " + token)
+
+    def test_it_ends_at_once_whatever_is_under_way(self):
+        server = Server(self.folder)
+        run = self.started(server, {"scenario": "long.yaml"})
+        connections = serve_load.half_requests(server, 20)
+        self.still_running(server, run)
+        begin = time.monotonic()
+        self.assertEqual(server.end(), 0)
+        self.assertLess(time.monotonic() - begin, 10)
+        for connection in connections:
+            connection.close()
+
+    def test_mixed_load(self):
+        seconds = float(os.environ.get("OUTRIDER_LOAD_SECONDS") or 5)
+        found = serve_load.mixed_load(self.folder, seconds)
+        self.assertLess(found["worst_mib"], MOST_MIB, found)
+        self.assertLess(found["slowest_s"], QUICK_S, found)
+
+
+if __name__ == "__main__":
+    main()
