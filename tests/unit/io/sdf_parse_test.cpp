@@ -189,8 +189,7 @@ TEST(SdfParse, AModelCostsFewDescriptions) {
   const std::string text = world_of(shape_model("m", "<box><size>1 1 1</size></box>"));
   const auto root = parse_sdf(repaired(text, "w.sdf"), "w.sdf");
   ASSERT_TRUE(root);
-  EXPECT_LE(descriptions(*root->WorldByIndex(0)->ModelByIndex(1)->Element()),
-            30U);
+  EXPECT_LE(descriptions(*root->WorldByIndex(0)->ModelByIndex(1)->Element()), 30U);
 }
 
 TEST(SdfParse, WhatIsBeyondItsBoundsIsRefusedBeforeItIsRead) {
