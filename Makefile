@@ -13,8 +13,10 @@ ifneq ($(wildcard ../shared/data),)
 export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
+FUZZ_SECONDS ?= 60
+
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan docs soak bench lint check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan docs soak fuzz bench lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -55,11 +57,18 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
+	@$(MAKE) --no-print-directory fuzz
+
+fuzz:  ## run every fuzz target for FUZZ_SECONDS, 60 unless given
+	$(INSTALL) build test cbc fuzz
+	$(CONFIGURE) fuzz build-fuzz -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_FUZZ=ON
+	@ninja -C build-fuzz -j $(JOBS) fuzz_programs
+	@scripts/fuzz $(FUZZ_SECONDS) $(JOBS)
 
 bench:  ## run the benchmarks
 	$(INSTALL) build bench page browser

@@ -3,18 +3,23 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <memory>
-#include <sdf/sdf.hh>
+#include <sdf/Collision.hh>
+#include <sdf/Heightmap.hh>
+#include <sdf/Link.hh>
+#include <sdf/Model.hh>
+#include <sdf/Plane.hh>
+#include <sdf/World.hh>
 #include <set>
-#include <sstream>
 
 #include "outrider/io/files.hpp"
 #include "sdf_floor.hpp"
+#include "sdf_parse.hpp"
 #include "sdf_repair.hpp"
 #include "sdf_shapes.hpp"
 #include "text.hpp"
+#include "unique_names.hpp"
 
 namespace outrider {
 namespace {
@@ -22,19 +27,6 @@ namespace {
 constexpr double farthest_m = 1e6;
 constexpr std::size_t most_solids = 200'000;
 constexpr std::size_t largest_world_bytes = std::size_t{64} << 20;
-
-/// Swallows what libraries print on std::cerr while it lives.
-class MutedErrors {
- public:
-  MutedErrors() : before_(std::cerr.rdbuf(sink_.rdbuf())) {}
-  MutedErrors(const MutedErrors&) = delete;
-  MutedErrors& operator=(const MutedErrors&) = delete;
-  ~MutedErrors() { std::cerr.rdbuf(before_); }
-
- private:
-  std::ostringstream sink_;
-  std::streambuf* before_;
-};
 
 Vec3 vec(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
 
@@ -129,19 +121,13 @@ std::vector<std::string> solid_names(const std::vector<Found>& found) {
   return names;
 }
 
-std::string unique(std::string name, std::set<std::string>& taken) {
-  const std::string wanted = name;
-  for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", wanted, i);
-  return name;
-}
-
 // ---- World ---------------------------------------------------------------------------------------
 
 Status add_solids(World& world, const std::vector<Found>& found, std::vector<FloorPlane>& floors,
                   const std::string& file) {
   SdfMeshes meshes;
   std::shared_ptr<const HeightField> terrain;
-  std::set<std::string> taken;
+  UniqueNames taken;
   const std::vector<std::string> names = solid_names(found);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const sdf::Geometry& geometry = *found[i].collision->Geom();
@@ -164,8 +150,8 @@ Status add_solids(World& world, const std::vector<Found>& found, std::vector<Flo
                        file);
     }
     for (SdfPiece& piece : *pieces) {
-      Solid solid{unique(names[i] + piece.suffix, taken),
-                  found[i].world_T_collision * piece.collision_T_piece, std::move(piece.shape)};
+      Solid solid{taken.take(names[i] + piece.suffix), found[i].world_T_collision * piece.collision_T_piece,
+                  std::move(piece.shape)};
       if (!is_near(solid.world_T_solid.position)) {
         return bad_input(
             fmt::format("collision '{}' stands beyond 1e6 m, or nowhere; correct its <pose>", names[i]),
@@ -200,28 +186,6 @@ Status set_gravity(World& world, const ignition::math::Vector3d& gravity, const 
   return {};
 }
 
-/// sdformat's own reading of the repaired text, with every failure of it as a fault.
-Outcome<sdf::Root> parse(const std::string& text, const std::string& file) {
-  const MutedErrors muted;
-  sdf::ParserConfig config;
-  config.SetWarningsPolicy(sdf::EnforcementPolicy::LOG);
-  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::LOG);
-  try {
-    sdf::Root root;
-    const sdf::Errors errors = root.LoadSdfString(text, config);
-    if (!errors.empty()) {
-      const auto line = errors.front().LineNumber();
-      return bad_input(fmt::format("sdformat refuses it: {}", excerpt(errors.front().Message(), 200)),
-                       line ? fmt::format("{}:{}", file, *line) : file);
-    }
-    return root;
-  } catch (const std::exception& error) {
-    return bad_input(fmt::format("sdformat refuses it: {}", excerpt(error.what(), 200)), file);
-  } catch (const sdf::Exception& error) {
-    return bad_input(fmt::format("sdformat refuses it: {}", excerpt(error.GetErrorStr(), 200)), file);
-  }
-}
-
 Outcome<std::vector<Found>> find_collisions(const sdf::World& parsed, const RepairedSdf& repaired,
                                             const std::string& file) {
   Walk walk{repaired.stated, file, {}};
@@ -250,7 +214,7 @@ Outcome<LoadedWorld> sdf_from_text(std::string_view text, const std::string& nam
   SdfWarnings warnings;
   auto repaired = repair_sdf(text, name, options.model_path, warnings);
   if (!repaired) return pass_on(repaired);
-  auto root = parse(repaired->text, name);
+  auto root = parse_sdf(*repaired, name);
   if (!root) return pass_on(root);
   const sdf::World* parsed = root->WorldByIndex(0);
   if (parsed == nullptr) return bad_input("sdformat finds no world in it", name);

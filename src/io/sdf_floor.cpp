@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace outrider {
@@ -35,16 +36,21 @@ std::optional<Box3> slab_floor(const World& world) {
     const Box2 grown = box.grown(0.1 * std::min(box.size().x, box.size().y));
     return is_slab(solid) && grown.contains(all.low) && grown.contains(all.high);
   };
+  std::vector<Box3> slabs;
+  double lowest_middle_m = std::numeric_limits<double>::infinity();  // of all that is no such slab
+  for (const Solid& solid : world.solids) {
+    if (!bounded(solid)) continue;
+    const Box3 box = bounds(solid);
+    if (covers(solid)) {
+      slabs.push_back(box);
+    } else {
+      lowest_middle_m = std::min(lowest_middle_m, 0.5 * (box.low.z + box.high.z));
+    }
+  }
   std::optional<Box3> floor;
-  for (const Solid& slab : world.solids) {
-    if (!bounded(slab) || !covers(slab)) continue;
-    const Box3 box = bounds(slab);
-    const bool under = std::ranges::all_of(world.solids, [&](const Solid& other) {
-      if (!bounded(other)) return true;
-      const Box3 its = bounds(other);
-      return 0.5 * (its.low.z + its.high.z) > box.high.z || covers(other);
-    });
-    if (under && (!floor || box.high.z > floor->high.z)) floor = box;
+  for (const Box3& slab : slabs) {
+    const bool under = slab.high.z < lowest_middle_m;
+    if (under && (!floor || slab.high.z > floor->high.z)) floor = slab;
   }
   return floor;
 }

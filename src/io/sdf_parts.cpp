@@ -121,17 +121,15 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
   return true;
 }
 
-void repair_name(const SdfFile& file, SdfElement& element, std::set<std::string>& taken) {
+void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken) {
   const char* attribute = element.Attribute("name");
   if (attribute == nullptr) return;  // sdformat says so
-  std::string name = without_colons(attribute);
-  if (name != attribute) file.warn(element, "'::' in a name was replaced by '_'");
-  const std::string wanted = name;
-  for (int i = 2; taken.contains(name); ++i) name = fmt::format("{}_{}", wanted, i);
+  const std::string wanted = without_colons(attribute);
+  if (wanted != attribute) file.warn(element, "'::' in a name was replaced by '_'");
+  const std::string name = taken.take(wanted);
   if (name != wanted) {
     file.warn(element, fmt::format("<{}> names its sibling has too got a number", element.Name()));
   }
-  taken.insert(name);
   if (name != attribute) element.SetAttribute("name", name.c_str());
 }
 

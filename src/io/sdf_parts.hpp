@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <set>
 #include <string>
@@ -12,13 +10,12 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "sdf_elements.hpp"
 #include "sdf_files.hpp"
 #include "sdf_repair.hpp"
-#include "xml.hpp"
+#include "unique_names.hpp"
 
 namespace outrider {
-
-using SdfElement = tinyxml2::XMLElement;
 
 inline constexpr double newest_sdf_version = 1.9;
 
@@ -28,6 +25,7 @@ struct SdfSession {
   std::set<std::string, std::less<>> referenced;  // frames named by an attribute anywhere
   std::size_t includes = 0;
   std::size_t bytes = 0;
+  std::size_t tags = 0;
 };
 
 /// One file of it.
@@ -46,10 +44,6 @@ struct SdfFile {
   }
 };
 
-inline bool one_of(std::string_view name, std::initializer_list<std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
-
 /// Refuses what is no pose; three numbers get a rotation of zero.
 Status repair_pose(const SdfFile& file, SdfElement& pose);
 
@@ -61,6 +55,6 @@ Status read_state(const SdfFile& file, SdfElement& state, std::map<std::string, 
 bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::string& path);
 
 /// Makes the name of a frame or a collision unique among its siblings, and free of "::".
-void repair_name(const SdfFile& file, SdfElement& element, std::set<std::string>& taken);
+void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken);
 
 }  // namespace outrider

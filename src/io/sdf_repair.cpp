@@ -16,20 +16,6 @@ constexpr std::size_t most_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_includes = 1000;
 constexpr int deepest_include = 8;
 
-/// Elements that say where collisions stand; the rest (visuals, plugins, lights ...) is none of ours.
-bool matters(const Element& parent, const Element& child) {
-  const std::string_view in = parent.Name();
-  const std::string_view name = child.Name();
-  if (in == "sdf") return one_of(name, {"world", "model", "include"});
-  if (in == "world") return one_of(name, {"model", "include", "frame", "gravity", "physics"});
-  if (in == "physics") return name == "gravity";
-  if (in == "model") return one_of(name, {"model", "include", "frame", "link", "joint", "pose", "static"});
-  if (in == "link") return one_of(name, {"pose", "collision"});
-  if (in == "collision") return one_of(name, {"pose", "geometry"});
-  if (in == "joint") return !one_of(name, {"sensor", "physics"});
-  return true;
-}
-
 Status repair_children(const SdfFile& file, Element& parent, const std::string& path);
 
 /// What an <include> brings into its parent; null when its file is not found or holds no model.
@@ -63,7 +49,7 @@ void leave_out(const SdfFile& file, Element& parent, Element* child) {
 }
 
 /// Puts the included model where its <include> stood.
-Status splice_include(const SdfFile& file, Element& parent, Element* include, std::set<std::string>& taken) {
+Status splice_include(const SdfFile& file, Element& parent, Element* include, UniqueNames& taken) {
   auto model = expand_include(file, *include, *parent.GetDocument());
   if (!model) return pass_on(model);
   if (*model != nullptr) {
@@ -75,12 +61,12 @@ Status splice_include(const SdfFile& file, Element& parent, Element* include, st
 }
 
 Status repair_children(const SdfFile& file, Element& parent, const std::string& path) {
-  std::set<std::string> frame_names;
-  std::set<std::string> collision_names;
+  UniqueNames frame_names;
+  UniqueNames collision_names;
   for (Element *next = nullptr, *child = parent.FirstChildElement(); child != nullptr; child = next) {
     next = child->NextSiblingElement();
     const std::string_view kind = child->Name();
-    if (!matters(parent, *child)) {
+    if (!sdf_matters(parent.Name(), kind)) {
       leave_out(file, parent, child);
       continue;
     }
@@ -119,6 +105,7 @@ Outcome<XmlDocument> parse_file(SdfFile& file, std::string_view text) {
   if (file.session.bytes > most_bytes) {
     return bad_input(fmt::format("it has more than {} bytes with what it includes", most_bytes), file.name);
   }
+  if (auto few = count_tags(text, file.name, file.session.tags); !few) return pass_on(few);
   auto document = xml_document(text, file.name, "sdf");
   if (!document) return document;
   Element& root = *(*document)->RootElement();
@@ -247,6 +234,9 @@ Outcome<RepairedSdf> repair_sdf(std::string_view text, const std::string& name, 
     if (auto read = read_state(file, *state, repaired.stated); !read) return pass_on(read);
   }
   if (auto walked = repair_children(file, root, ""); !walked) return pass_on(walked);
+  auto counts = count_elements(root, name);
+  if (!counts) return pass_on(counts);
+  repaired.counts = std::move(*counts);
   repaired.text = xml_on_same_lines(**document);
   return repaired;
 }

@@ -9,6 +9,7 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "sdf_elements.hpp"
 
 namespace outrider {
 
@@ -30,6 +31,7 @@ class SdfWarnings {
 
 struct RepairedSdf {
   std::string text;                     ///< one <world>; <mesh><uri> is the path of a file that exists
+  SdfCounts counts;                     ///< of its elements
   std::map<std::string, Pose3> stated;  ///< world poses from <state>, by "model::nested::link"
   bool bare = false;                    ///< there was no <world>
 };

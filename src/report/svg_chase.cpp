@@ -15,6 +15,7 @@ namespace {
 constexpr double width_px = 900.0;
 constexpr double chart_px = 190.0;
 constexpr std::size_t most_frames = 600;
+constexpr int most_rows = 100'000;
 constexpr std::string_view wall_colour = "#3f454b", target_colour = "#c2185b", bound_colour = "#00785a";
 constexpr std::array<std::string_view, 8> cost_colours = {"#fbfaf5", "#f4ecd4", "#ecdcae", "#e0c88a",
                                                           "#d0b06a", "#b9944f", "#9c783a", "#7d5c28"};
@@ -28,7 +29,7 @@ std::vector<double> levels_of(const ReportChase& chase) {
   std::vector<std::pair<double, double>> counts;  // cost, cells
   double cells = 0.0;
   for (std::size_t i = 0; i + 1 < chase.cost_runs.size(); i += 2) {
-    if (chase.cost_runs[i] < 0.0) continue;
+    if (!(chase.cost_runs[i] >= 0.0 && chase.cost_runs[i + 1] > 0.0)) continue;  // walls, and NaN
     counts.emplace_back(chase.cost_runs[i], chase.cost_runs[i + 1]);
     cells += chase.cost_runs[i + 1];
   }
@@ -48,8 +49,11 @@ std::vector<double> levels_of(const ReportChase& chase) {
   return levels;
 }
 
-/// One rectangle for each run of cells of one colour, a path for each colour.
+/// One rectangle for each run of cells of one colour, a path for each colour. Draws no map without cells or
+/// with too many rows, and nothing of what the runs hold beyond the map.
 std::string cost_map(const ReportChase& chase, double px) {
+  if (chase.columns <= 0 || chase.rows <= 0 || chase.rows > most_rows) return {};
+  const double cells = 1.0 * chase.columns * chase.rows;
   const std::vector<double> levels = levels_of(chase);
   std::vector<std::string> paths(levels.size() + 1);  // the last: walls
   double at = 0.0;
@@ -58,7 +62,7 @@ std::string cost_map(const ReportChase& chase, double px) {
     const auto level = std::upper_bound(levels.begin(), levels.end(), cost) - levels.begin();
     std::string& path =
         cost < 0.0 ? paths.back() : paths[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, level)) - 1];
-    for (double left = chase.cost_runs[i + 1]; left >= 1.0;) {
+    for (double left = std::min(std::floor(chase.cost_runs[i + 1]), cells - at); left >= 1.0;) {
       const double column = std::fmod(at, chase.columns), row = std::floor(at / chase.columns);
       const double run = std::min(left, chase.columns - column);
       fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", column * px,

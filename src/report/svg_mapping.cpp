@@ -56,7 +56,8 @@ std::vector<States> frames_of(const ReportMap& map, int frames, double end_s) {
     for (int column = 0; column < map.columns; ++column) {
       const int next_state = states.next();
       const double known_s = map.step_s * known.next();
-      const int next_frame = std::clamp(static_cast<int>(frames * known_s / end_s), 0, frames - 1);
+      const double share = frames * known_s / end_s;
+      const int next_frame = share > 0.0 ? static_cast<int>(std::min(share, frames - 1.0)) : 0;
       if (next_state == state && (next_frame == frame || state == 2)) continue;
       flush(column);
       begin = column;

@@ -21,8 +21,12 @@
 // nothing, and unique.
 //
 // Errors: bad_input with file:line or the collision's name: no SDF, numbers that are none or beyond
-// 1e6 m, sizes not above 0, no collisions, no floor. Bounds: 64 MiB with everything included, 1000
-// includes, 8 deep, 2 million triangles, 200,000 solids.
+// 1e6 m, sizes not above 0, no collisions, no floor.
+//
+// Bounds, each refused with its number and the limit: with everything included 64 MiB, 2 million tags and
+// 20,000 models, links, collisions, frames and joints; 1000 includes, 8 deep; 50 models that are more than 2
+// deep in other models; 2 million triangles; 200,000 solids. Time and memory grow linearly: a model with one
+// collision costs about 0.2 ms and 70 KB, in a world with every kind of element twice that.
 // Thread rule: one call at a time, and no other thread may write to std::cerr meanwhile, which is
 // muted while sdformat runs. Poses are composed as SDF 1.9 says; source: http://sdformat.org/spec.
 #pragma once
