@@ -12,6 +12,7 @@
 #include "outrider/report/scan_map.hpp"
 #include "outrider/report/slam_record.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -147,17 +148,15 @@ Json result_of(const SlamJob& job, const LaserLog& log, const LaserRun& run) {
 
 void print_summary(const LaserLog& log, const LaserRun& run) {
   const bool timed = run.log_s > 0.0 && run.time_s > 0.0;
-  fmt::print("{} scans, {} matched, {} loops closed in {}{}\n", log.steps.size(), run.matched,
-             run.slam.loops(), duration_text(run.time_s),
-             timed ? fmt::format(", {:.0f} times as fast as the robot drove", run.log_s / run.time_s) : "");
+  show("{} scans, {} matched, {} loops closed in {}{}\n", log.steps.size(), run.matched, run.slam.loops(),
+       duration_text(run.time_s),
+       timed ? fmt::format(", {:.0f} times as fast as the robot drove", run.log_s / run.time_s) : "");
   if (run.lost > 0) {
-    fmt::print(
-        "lost {}: odometry is off by too much there to match the scan; what follows may lie elsewhere\n",
-        run.lost == 1 ? "once" : fmt::format("{} times", run.lost));
+    show("lost {}: odometry is off by too much there to match the scan; what follows may lie elsewhere\n",
+         run.lost == 1 ? "once" : fmt::format("{} times", run.lost));
   }
   if (run.mean_error_m) {
-    fmt::print("poses {:.3f} m from the reference on average, once the track is laid over it\n",
-               *run.mean_error_m);
+    show("poses {:.3f} m from the reference on average, once the track is laid over it\n", *run.mean_error_m);
   }
 }
 
