@@ -16,7 +16,7 @@ endif
 FUZZ_SECONDS ?= 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan docs soak fuzz bench lint check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak fuzz bench lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -51,6 +51,16 @@ asan:  ## run the test programs, costly tests in part, under the address and und
 	@ninja -C build-asan -j $(JOBS) test_programs
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
+
+# What uses threads: the server, and what guard, explore and the report compute in parallel.
+THREADED = core guard explore report server
+
+tsan:  ## run the tests of what uses threads, costly ones in part, under the thread sanitizer
+	$(INSTALL) build test cbc
+	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
+	@ninja -C build-tsan -j $(JOBS) $(THREADED:%=unit_%)
+	@OUTRIDER_CASES=0.1 ctest --preset tsan -j $(JOBS) -R "^($$(echo $(THREADED:%=unit_%) | tr ' ' '|'))[.]" && \
+	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
 docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(INSTALL) build

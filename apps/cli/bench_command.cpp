@@ -18,6 +18,7 @@
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -185,19 +186,18 @@ nlohmann::ordered_json row_json(const Row& row) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", "map", "planner",
-             "queries", "mean us", "median us", "worst us", "expansions", "ratio", "at most", "build s",
-             "MiB");
+  show("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", "map", "planner",
+       "queries", "mean us", "median us", "worst us", "expansions", "ratio", "at most", "build s", "MiB");
   for (const Row& row : rows) {
     const auto object = row_json(row);
     const auto text = [&](const char* key, int digits) {
       return object[key].is_null() ? std::string("-")
                                    : fmt::format("{:.{}f}", object[key].get<double>(), digits);
     };
-    fmt::print("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", row.map,
-               row.planner.name, row.times_us.size(), text("mean_us", 1), text("median_us", 1),
-               text("worst_us", 1), text("expansions", 0), text("ratio_to_optimum_mean", 6),
-               text("ratio_to_optimum_max", 6), text("build_s", 4), text("memory_mib", 2));
+    show("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", row.map,
+         row.planner.name, row.times_us.size(), text("mean_us", 1), text("median_us", 1), text("worst_us", 1),
+         text("expansions", 0), text("ratio_to_optimum_mean", 6), text("ratio_to_optimum_max", 6),
+         text("build_s", 4), text("memory_mib", 2));
   }
 }
 
@@ -278,8 +278,8 @@ int execute(const BenchCommand& command) {
   const int status = tell("bench path", rows, right, command.json);
   for (const Row& row : rows) {
     if (row.mismatches == 0) continue;
-    fmt::print(stderr, "outrider: {} on {}: {} of {} answers are wrong, the first {}\n", row.planner.name,
-               row.map, row.mismatches, row.times_us.size() + row.unanswered, row.first_mismatch);
+    complain(fmt::format("{} on {}: {} of {} answers are wrong, the first {}", row.planner.name, row.map,
+                         row.mismatches, row.times_us.size() + row.unanswered, row.first_mismatch));
   }
   return status;
 }

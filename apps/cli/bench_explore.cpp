@@ -17,6 +17,7 @@
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/explore_run.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -165,11 +166,11 @@ nlohmann::ordered_json row_json(const Row& row) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<14} {:<18} {:>5} {:>18} {:>20} {:>8} {:>9} {:>9} {:>15} {:>9} {:>8}\n", "world",
-             "strategy", "done", "explored % (least)", "time s (median, most)", "bound s", "driven m",
-             "decisions", "longest think", "error mm", "contacts");
+  show("  {:<14} {:<18} {:>5} {:>18} {:>20} {:>8} {:>9} {:>9} {:>15} {:>9} {:>8}\n", "world", "strategy",
+       "done", "explored % (least)", "time s (median, most)", "bound s", "driven m", "decisions",
+       "longest think", "error mm", "contacts");
   for (const Row& row : rows) {
-    fmt::print(
+    show(
         "  {:<14} {:<18} {:>2}/{:<2} {:>9.2f} {:>8.2f} {:>12.1f} {:>8.1f} {:>8.1f} {:>9.1f} {:>9.0f} "
         "{:>12.1f} ms "
         "{:>9.1f} "

@@ -16,6 +16,7 @@
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/guard_run.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -165,11 +166,11 @@ nlohmann::ordered_json row_json(const Row& row) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} {:>8} {:>6}\n",
-             "yard", "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s",
-             "mission s", "drive s", "turn s", "aim s", "flight s", "ratio");
+  show("  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} {:>8} {:>6}\n", "yard",
+       "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "mission s", "drive s",
+       "turn s", "aim s", "flight s", "ratio");
   for (const Row& row : rows) {
-    fmt::print(
+    show(
         "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>7.1f} {:>6.1f} {:>6.1f} "
         "{:>8.1f} {:>6}\n",
         row.yard, row.planner, row.seed, row.reached, row.failed, row.unreachable, row.shots, row.planning_s,
@@ -184,7 +185,7 @@ int execute_arrivals(const BenchCommand& command) {
   if (command.json) {
     print({{"status", "done"}, {"job", "bench guard"}, {"rows", arrivals_json(*rows)}});
   } else {
-    fmt::print("{}", arrivals_table(*rows));
+    show("{}", arrivals_table(*rows));
   }
   return job_done;
 }

@@ -10,6 +10,7 @@
 #include "laser_run.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/slam_scenario.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -59,12 +60,12 @@ nlohmann::ordered_json row_json(const LaserRow& row) {
 }
 
 void print_table(const std::vector<LaserRow>& rows) {
-  fmt::print("  {:<24} {:>6} {:>6} {:>12} {:>8} {:>9} {:>11} {:>10}\n", "laser log", "scans", "loops",
-             "mean error m", "rms m", "s", "max step s", "real time");
+  show("  {:<24} {:>6} {:>6} {:>12} {:>8} {:>9} {:>11} {:>10}\n", "laser log", "scans", "loops",
+       "mean error m", "rms m", "s", "max step s", "real time");
   for (const LaserRow& row : rows) {
-    fmt::print("  {:<24} {:>6} {:>6} {:>12} {:>8} {:>9.3f} {:>11.4f} {:>10}\n", row.name, row.scans,
-               row.loops, column(row.mean_error_m, 4), column(row.rms_error_m, 4), row.time_s, row.max_step_s,
-               row.real_time_factor ? column(row.real_time_factor, 0) + "x" : "-");
+    show("  {:<24} {:>6} {:>6} {:>12} {:>8} {:>9.3f} {:>11.4f} {:>10}\n", row.name, row.scans, row.loops,
+         column(row.mean_error_m, 4), column(row.rms_error_m, 4), row.time_s, row.max_step_s,
+         row.real_time_factor ? column(row.real_time_factor, 0) + "x" : "-");
   }
 }
 

@@ -18,6 +18,7 @@
 #include "outrider/pursuit/catalog.hpp"
 #include "outrider/pursuit/check.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -167,21 +168,19 @@ nlohmann::ordered_json row_json(const Row& row) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", "map", "planner", "cost", "catch s",
-             "ratio", "first ms", "proof ms", "expansions");
+  show("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", "map", "planner", "cost", "catch s",
+       "ratio", "first ms", "proof ms", "expansions");
   for (const Row& row : rows) {
     const auto ms = [](const std::optional<double>& s) {
       return s ? fmt::format("{:.2f}", 1e3 * *s) : std::string("-");
     };
     if (!row.plan) {
-      fmt::print("  {:<8} {:<18} {} after {:.2f} ms\n", row.map, row.planner, row.status,
-                 1e3 * row.planning_s);
+      show("  {:<8} {:<18} {} after {:.2f} ms\n", row.map, row.planner, row.status, 1e3 * row.planning_s);
       continue;
     }
-    fmt::print("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", row.map, row.planner,
-               row.plan->cost, row.plan->catch_time_s,
-               row.ratio ? fmt::format("{:.4f}", *row.ratio) : std::string("-"), ms(row.first_s),
-               ms(row.proof_s), row.plan->counters.expansions);
+    show("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", row.map, row.planner, row.plan->cost,
+         row.plan->catch_time_s, row.ratio ? fmt::format("{:.4f}", *row.ratio) : std::string("-"),
+         ms(row.first_s), ms(row.proof_s), row.plan->counters.expansions);
   }
 }
 
@@ -203,7 +202,7 @@ int execute(const BenchCommand& command) {
   const int status = tell("bench pursuit", rows, right, command.json);
   for (const Row& row : rows) {
     if (row.mismatch.empty()) continue;
-    fmt::print(stderr, "outrider: {} on {}: {}\n", row.planner, row.map, row.mismatch);
+    complain(fmt::format("{} on {}: {}", row.planner, row.map, row.mismatch));
   }
   return status;
 }

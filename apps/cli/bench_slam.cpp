@@ -15,6 +15,7 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/g2o.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -92,14 +93,13 @@ nlohmann::ordered_json row_json(const Row& row) {
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("  {:<24} {:>6} {:>6} {:>14} {:>6} {:>9} {:>14} {:>6} {:>9}\n", "graph", "nodes", "edges",
-             "cost", "steps", "s", "Ceres: cost", "steps", "s");
+  show("  {:<24} {:>6} {:>6} {:>14} {:>6} {:>9} {:>14} {:>6} {:>9}\n", "graph", "nodes", "edges", "cost",
+       "steps", "s", "Ceres: cost", "steps", "s");
   for (const Row& row : rows) {
-    fmt::print("  {:<24} {:>6} {:>6} {:>14.6f} {:>6} {:>9.4f}", row.name, row.nodes, row.edges,
-               row.solution.cost, row.solution.iterations, row.time_s);
-    if (row.peer)
-      fmt::print(" {:>14.6f} {:>6} {:>9.4f}", row.peer->cost, row.peer->iterations, row.peer->time_s);
-    fmt::print("\n");
+    show("  {:<24} {:>6} {:>6} {:>14.6f} {:>6} {:>9.4f}", row.name, row.nodes, row.edges, row.solution.cost,
+         row.solution.iterations, row.time_s);
+    if (row.peer) show(" {:>14.6f} {:>6} {:>9.4f}", row.peer->cost, row.peer->iterations, row.peer->time_s);
+    show("\n");
   }
 }
 

@@ -13,6 +13,7 @@
 #include "outrider/io/drive_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/sim/drive_run.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -91,21 +92,20 @@ bool is_turn(const FittedLaw& law) {
 }
 
 void print_text(const CalibrationFit& fit, const Chassis& chassis) {
-  fmt::print("distance = a t + b, angle = a t + b, with 95 % confidence\n\n");
+  show("distance = a t + b, angle = a t + b, with 95 % confidence\n\n");
   for (const FittedLaw& law : fit.laws) {
     const double unit = is_turn(law) ? degrees(1.0) : 1.0;
     const char* name = is_turn(law) ? "deg" : "m";
-    fmt::print("  {:<18} a {:>8.4f} +- {:.4f} {}/s   b {:>8.4f} +- {:.4f} {}   commanded {:.4g}, {} runs\n",
-               to_string(law.direction), unit * law.slope.value, unit * law.slope.half_width, name,
-               unit * law.offset.value, unit * law.offset.half_width, name, unit * law.command,
-               law.points.size());
+    show("  {:<18} a {:>8.4f} +- {:.4f} {}/s   b {:>8.4f} +- {:.4f} {}   commanded {:.4g}, {} runs\n",
+         to_string(law.direction), unit * law.slope.value, unit * law.slope.half_width, name,
+         unit * law.offset.value, unit * law.offset.half_width, name, unit * law.command, law.points.size());
   }
-  fmt::print("\ngains of the wheels, relative to their mean\n\n");
+  show("\ngains of the wheels, relative to their mean\n\n");
   for (std::size_t i = 0; i < fit.wheels.size(); ++i) {
     const Estimate95& gain = fit.wheels[i];
-    fmt::print("  {:<18} {}\n", chassis.wheels[i].name,
-               std::isfinite(gain.half_width) ? fmt::format("{:.4f} +- {:.4f}", gain.value, gain.half_width)
-                                              : "not told by these runs");
+    show("  {:<18} {}\n", chassis.wheels[i].name,
+         std::isfinite(gain.half_width) ? fmt::format("{:.4f} +- {:.4f}", gain.value, gain.half_width)
+                                        : "not told by these runs");
   }
 }
 
@@ -162,7 +162,7 @@ int execute(CalibrateCommand& command, const Command& flags) {
   }
   print_text(*fit, recorded->chassis);
   if (flags.given("--out")) {
-    fmt::print("\n  keep     {0}/calibration.yaml\n  picture  {0}/calibration.svg\n", command.out);
+    show("\n  keep     {0}/calibration.yaml\n  picture  {0}/calibration.svg\n", command.out);
   }
   return job_done;
 }

@@ -21,6 +21,7 @@
 #include "page.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -197,8 +198,8 @@ Outcome<std::string> write_files(const CoverCommand& command, const CoverResult&
   const CoverRun& run = result.run;
   const std::string text = to_json(result.report);
   std::vector<NamedText> files = {{"cover.json", text},
-                                  {"track.json", track_json(run).dump() + "\n"},
-                                  {"areas.geojson", areas_json(run).dump() + "\n"},
+                                  {"track.json", json_text(track_json(run)) + "\n"},
+                                  {"areas.geojson", json_text(areas_json(run)) + "\n"},
                                   {"cover.svg", cover_picture(run.plan, run.proof.planned, {})},
                                   {"driven.svg", cover_picture(run.plan, run.driven, run.drive.way)}};
   if (command.html) {
@@ -222,16 +223,15 @@ int finish(CoverCommand& command) {
   if (!result) return say(result.error(), command.json);
   const auto path = write_files(command, *result);
   if (!path) return say(path.error(), command.json);
-  for (const std::string& warning : result->report.warnings)
-    fmt::print(stderr, "outrider: warning: {}\n", warning);
+  warn(result->report.warnings);
   if (command.json) {
     print(summary_json(command.scenario, *result, *path));
     return job_done;
   }
-  fmt::print("{}", cover_summary(result->report));
+  show("{}", cover_summary(result->report));
   if (!path->empty())
-    fmt::print("\n  report    {0}\n  pictures  {1}/cover.svg, {1}/driven.svg\n", *path, command.out);
-  if (command.html) fmt::print("  watch     {}/cover.html\n", command.out);
+    show("\n  report    {0}\n  pictures  {1}/cover.svg, {1}/driven.svg\n", *path, command.out);
+  if (command.html) show("  watch     {}/cover.html\n", command.out);
   return job_done;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -21,7 +22,7 @@ std::string setting(const Report& report, std::string_view name) {
 
 std::string cover_summary(const Report& report) {
   const auto value = [&](std::string_view name) { return metric(report, name); };
-  std::string text = fmt::format("{}: {:.3f} % covered in {}\n\n", report.world_name,
+  std::string text = fmt::format("{}: {:.3f} % covered in {}\n\n", printable(report.world_name),
                                  100.0 * value("covered_fraction"), duration_text(value("time_s")));
   text += fmt::format("  area      {:.6g} m2, of which a disk of {:g} m reaches {:.6g} m2\n",
                       value("area_m2"), report.cover->width_m, value("reach_m2"));

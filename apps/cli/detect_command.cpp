@@ -14,6 +14,7 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/photo.hpp"
 #include "tag_picture.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -83,15 +84,15 @@ nlohmann::ordered_json tags_json(const CameraImage& image, const std::vector<Tag
 }
 
 void print_table(const std::vector<TagSighting>& sightings) {
-  fmt::print("{} tag{} found\n", sightings.size(), sightings.size() == 1 ? "" : "s");
+  show("{} tag{} found\n", sightings.size(), sightings.size() == 1 ? "" : "s");
   for (const TagSighting& sighting : sightings) {
-    fmt::print("  {:3}  corners", sighting.id);
-    for (const Vec2 corner : sighting.corners_px) fmt::print(" ({:.2f}, {:.2f})", corner.x, corner.y);
-    fmt::print("\n");
+    show("  {:3}  corners", sighting.id);
+    for (const Vec2 corner : sighting.corners_px) show(" ({:.2f}, {:.2f})", corner.x, corner.y);
+    show("\n");
     for (const TagPose& pose : sighting.poses) {
       const Vec3 t = pose.camera_T_tag.position;
-      fmt::print("       at ({:.3f}, {:.3f}, {:.3f}) m, turned by {:.1f} deg; error {:.2f} px\n", t.x, t.y,
-                 t.z, degrees(yaw_rad(pose.camera_T_tag)), pose.error_px);
+      show("       at ({:.3f}, {:.3f}, {:.3f}) m, turned by {:.1f} deg; error {:.2f} px\n", t.x, t.y, t.z,
+           degrees(yaw_rad(pose.camera_T_tag)), pose.error_px);
     }
   }
 }

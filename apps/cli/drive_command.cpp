@@ -17,6 +17,7 @@
 #include "outrider/sim/drive_run.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -71,14 +72,12 @@ int finish(DriveRequest& command) {
   if (!report) return say(report.error(), command.json);
   const auto path = write_files(command, *report);
   if (!path) return say(path.error(), command.json);
-  for (const std::string& warning : report->warnings) {
-    fmt::print(stderr, "outrider: warning: {}\n", warning);
-  }
+  warn(report->warnings);
   if (command.json) {
     print(drive_json(*report, *path));
   } else {
-    fmt::print("{}", drive_summary(*report));
-    if (!path->empty()) fmt::print("\n  report    {}\n  picture   {}/drive.svg\n", *path, command.out);
+    show("{}", drive_summary(*report));
+    if (!path->empty()) show("\n  report    {}\n  picture   {}/drive.svg\n", *path, command.out);
   }
   return report->status == "done" ? job_done : job_not_done;
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider::cli {
@@ -35,8 +36,9 @@ std::string drive_summary(const Report& report) {
     stops += stop.stop ? 1 : 0;
     reached += std::isnan(stop.time_s) ? 0 : 1;
   }
-  std::string text = fmt::format("{}, {} loop: {} of {} stops reached in {}\n\n", report.world_name,
-                                 drive.loop, reached, stops, duration_text(metric(report, "time_s")));
+  std::string text =
+      fmt::format("{}, {} loop: {} of {} stops reached in {}\n\n", printable(report.world_name), drive.loop,
+                  reached, stops, duration_text(metric(report, "time_s")));
   text += "       x, m    y, m     deg       s  off x, mm    y, mm      deg\n";
   for (std::size_t i = 0; i < drive.stops.size(); ++i) text += stop_line(i + 1, drive.stops[i]);
   text += fmt::format("\n  driven     {:.3f} m, {:.3f} times the straight legs\n", metric(report, "driven_m"),
@@ -52,7 +54,7 @@ std::string drive_summary(const Report& report) {
     text += fmt::format("  tags       of use in {:.0f} % of the images\n",
                         100.0 * metric(report, "tag_fraction"));
   }
-  if (!report.reason.empty()) text += fmt::format("\n  {}\n", report.reason);
+  if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));
   return text;
 }
 

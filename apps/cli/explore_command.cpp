@@ -21,6 +21,7 @@
 #include "page.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
+#include "terminal.hpp"
 #include "track_csv.hpp"
 
 namespace outrider::cli {
@@ -104,14 +105,12 @@ int finish(ExploreCommand& command) {
   if (!run) return say(run.error(), command.json);
   const auto path = write_files(command, *run);
   if (!path) return say(path.error(), command.json);
-  for (const std::string& warning : run->report.warnings) {
-    fmt::print(stderr, "outrider: warning: {}\n", warning);
-  }
+  warn(run->report.warnings);
   if (command.json) {
     print(explore_json(run->report, run->stop_reason, *path));
   } else {
-    fmt::print("{}", explore_summary(run->report));
-    if (!path->empty()) fmt::print("\n  report     {}\n  map        {}/map.yaml\n", *path, command.out);
+    show("{}", explore_summary(run->report));
+    if (!path->empty()) show("\n  report     {}\n  map        {}/map.yaml\n", *path, command.out);
   }
   return run->report.status == "done" ? job_done : job_not_done;
 }

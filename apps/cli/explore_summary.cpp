@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::cli {
 
@@ -13,7 +14,7 @@ std::string explore_summary(const Report& report) {
   const auto value = [&](std::string_view name) { return metric(report, name); };
   std::string text =
       fmt::format("{}: {:.2f} % of the {:.1f} m2 that can be seen is mapped free in {}, on {:.1f} m\n\n",
-                  report.world_name, 100.0 * value("explored_fraction"), value("seeable_m2"),
+                  printable(report.world_name), 100.0 * value("explored_fraction"), value("seeable_m2"),
                   duration_text(value("time_s")), value("distance_m"));
   text += fmt::format("  map        off by {:.3f} m on average\n", value("map_error_m"));
   const double longest_s = value("max_decision_s");
@@ -25,9 +26,9 @@ std::string explore_summary(const Report& report) {
   text += fmt::format("  touched    {:.0f} times; stuck {:.0f} times\n", value("contacts"), value("stuck"));
   for (const ReportRefusal& refusal : report.explore->refused) {
     text += fmt::format("  left out   frontier at ({:.2f}, {:.2f}): {}\n", refusal.position.x,
-                        refusal.position.y, refusal.reason);
+                        refusal.position.y, printable(refusal.reason));
   }
-  if (!report.reason.empty()) text += fmt::format("\n  {}\n", report.reason);
+  if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));
   return text;
 }
 

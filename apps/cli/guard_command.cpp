@@ -35,6 +35,7 @@
 #include "regions_picture.hpp"
 #include "scenario_words.hpp"
 #include "slam_command.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -250,22 +251,18 @@ Status check_output(const GuardCommand& command, const Command& flags) {
 
 void print_real_time(const GuardResult& result) {
   const double mission_s = result.report.track.back().time_s;
-  fmt::print(stderr, "outrider: physics: {:.1f} s of the mission in {:.1f} s, {:.1f} times real time\n",
-             mission_s, result.physics_s, mission_s / result.physics_s);
+  complain(fmt::format("physics: {:.1f} s of the mission in {:.1f} s, {:.1f} times real time", mission_s,
+                       result.physics_s, mission_s / result.physics_s));
 }
 
 void print_text(const GuardCommand& command, const GuardResult& result, const std::string& path) {
-  fmt::print("{}  planning took {}\n", summary(result.report), duration_text(result.planning_s));
+  show("{}  planning took {}\n", summary(result.report), duration_text(result.planning_s));
   if (path.empty()) return;
   const std::string stem = command.out + "/" + result.report.job;
-  fmt::print("\n  report   {}\n", path);
-  if (command.html) fmt::print("  watch    {}.html\n", stem);
-  if (command.svg) fmt::print("  picture  {}.svg\n", stem);
-  if (command.regions) fmt::print("  regions  {}/firing_regions.svg\n", command.out);
-}
-
-void warn(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
+  show("\n  report   {}\n", path);
+  if (command.html) show("  watch    {}.html\n", stem);
+  if (command.svg) show("  picture  {}.svg\n", stem);
+  if (command.regions) show("  regions  {}/firing_regions.svg\n", command.out);
 }
 
 int carry_out_pddl(GuardCommand& command, const Command& flags) {

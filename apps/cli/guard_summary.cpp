@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider::cli {
@@ -56,10 +57,11 @@ std::string passing_lines(const Report& report) {
 
 std::string target_row(const ReportTarget& target, std::size_t width) {
   if (target.shots == 0) {
-    return fmt::format("  {:<{}}  {:<11}  {}\n", target.name, width, target.status, target.reason);
+    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(target.name), width, printable(target.status),
+                       printable(target.reason));
   }
-  return fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6.1f}  {:>15}  {:>6.1f}  {:>6.1f}  {:>7.2f}\n", target.name,
-                     width, target.status, target.shots, target.done_s,
+  return fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6.1f}  {:>15}  {:>6.1f}  {:>6.1f}  {:>7.2f}\n",
+                     printable(target.name), width, target.status, target.shots, target.done_s,
                      fmt::format("({:.2f}, {:.2f})", target.pose.position.x, target.pose.position.y),
                      degrees(target.pitch_rad), target.speed_mps, target.clearance_m);
 }
@@ -99,9 +101,9 @@ std::string bounds_lines(const Report& report) {
 }  // namespace
 
 std::string summary(const Report& report) {
-  std::string text = fmt::format("{}: {:.0f} of {:.0f} targets reached in {}\n\n", report.world_name,
-                                 metric(report, "reached"), metric(report, "targets"),
-                                 duration_text(metric(report, "mission_s")));
+  std::string text = fmt::format("{}: {:.0f} of {:.0f} targets reached in {}\n\n",
+                                 printable(report.world_name), metric(report, "reached"),
+                                 metric(report, "targets"), duration_text(metric(report, "mission_s")));
   std::size_t width = 6;
   for (const ReportTarget& target : report.targets) width = std::max(width, target.name.size());
   text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,

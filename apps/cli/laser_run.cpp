@@ -34,7 +34,7 @@ Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& opt
   if (used.trust_odometry) used.draw_late = false;  // nothing is matched that settle() would draw
   auto begun = LaserSlam::begin(used, {});
   if (!begun) return pass_on(begun);
-  LaserRun run{std::move(*begun), 0, 0.0, 0.0, 0.0, {}, {}, {}};
+  LaserRun run{std::move(*begun), 0, 0, 0.0, 0.0, 0.0, {}, {}, {}};
   const auto timed = [&](const auto& work) {
     const double begin = processor_s();
     work();
@@ -47,6 +47,7 @@ Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& opt
     timed([&] { step = run.slam.advance(log.steps[i].motion, log.steps[i].scan); });
     if (!step) return pass_on(step);
     run.matched += step->matched ? 1 : 0;
+    run.lost += step->lost ? 1 : 0;
     if (watch.stepped) watch.stepped(run.slam, i, *step);
     if (watch.progress) watch.progress(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
   }

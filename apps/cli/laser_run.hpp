@@ -11,6 +11,7 @@ namespace outrider::cli {
 struct LaserRun {
   LaserSlam slam;
   std::size_t matched = 0;
+  std::size_t lost = 0;
   double time_s = 0.0;  ///< of the processor
   double max_step_s = 0.0;
   double log_s = 0.0;                  ///< from the first scan to the last; 0 where times say nothing

@@ -11,6 +11,7 @@
 #include "outrider/guard/policy.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/pursuit/catalog.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -38,9 +39,9 @@ nlohmann::ordered_json policies_json() {
 }
 
 void list_policies() {
-  fmt::print("\nGuard policies, when intruders keep coming (outrider guard --arrivals-policy NAME)\n");
+  show("\nGuard policies, when intruders keep coming (outrider guard --arrivals-policy NAME)\n");
   for (const WatchPolicy& policy : watch_policies()) {
-    fmt::print("  {}\n      {}\n      Source: {}.\n", policy.name, policy.sentence, policy.source);
+    show("  {}\n      {}\n      Source: {}.\n", policy.name, policy.sentence, policy.source);
   }
 }
 
@@ -53,10 +54,10 @@ nlohmann::ordered_json cover_methods_json() {
 }
 
 void list_cover_methods() {
-  fmt::print("\nCover methods (outrider cover FILE --method NAME)\n");
+  show("\nCover methods (outrider cover FILE --method NAME)\n");
   for (const CoverMethod& method : cover_methods()) {
-    fmt::print("  {}\n      {}\n", method.name, method.sentence);
-    if (!method.paper.empty()) fmt::print("      Source: {}.\n", method.paper);
+    show("  {}\n      {}\n", method.name, method.sentence);
+    if (!method.paper.empty()) show("      Source: {}.\n", method.paper);
   }
 }
 
@@ -99,23 +100,23 @@ void list_json() {
 }
 
 void list_text() {
-  fmt::print("Jobs\n");
-  for (const Job& job : jobs()) fmt::print("  {}\n      {}\n", job.name, job.sentence);
-  fmt::print("\nGuard planners (outrider guard --planner NAME)\n");
+  show("Jobs\n");
+  for (const Job& job : jobs()) show("  {}\n      {}\n", job.name, job.sentence);
+  show("\nGuard planners (outrider guard --planner NAME)\n");
   for (const GuardPlanner& planner : guard_planners()) {
-    fmt::print("  {}\n      {}\n      Source: {}.\n", planner.name, planner.sentence, planner.source);
+    show("  {}\n      {}\n      Source: {}.\n", planner.name, planner.sentence, planner.source);
   }
-  fmt::print("\nPath planners (outrider plan --planner NAME)\n");
+  show("\nPath planners (outrider plan --planner NAME)\n");
   for (const PathPlanner& planner : path_planners()) {
-    fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
-    fmt::print("      Guarantee: {}.\n      Ground: {}.\n", planner.guarantee.sentence,
-               fmt::join(grounds_of(planner), ", "));
-    fmt::print("      Source: {}.\n", planner.paper);
+    show("  {}\n      {}\n", planner.name, planner.sentence);
+    show("      Guarantee: {}.\n      Ground: {}.\n", planner.guarantee.sentence,
+         fmt::join(grounds_of(planner), ", "));
+    show("      Source: {}.\n", planner.paper);
   }
-  fmt::print("\nPursuit planners (outrider pursue FILE --planner NAME)\n");
+  show("\nPursuit planners (outrider pursue FILE --planner NAME)\n");
   for (const PursuitPlanner& planner : pursuit_planners()) {
-    fmt::print("  {}\n      {}\n", planner.name, planner.sentence);
-    fmt::print("      Guarantee: {}.\n      Source: {}.\n", planner.guarantee.sentence, planner.paper);
+    show("  {}\n      {}\n", planner.name, planner.sentence);
+    show("      Guarantee: {}.\n      Source: {}.\n", planner.guarantee.sentence, planner.paper);
   }
   list_cover_methods();
   list_policies();

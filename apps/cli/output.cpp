@@ -11,6 +11,7 @@
 
 #include "outrider/io/files.hpp"
 #include "page.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -44,7 +45,7 @@ nlohmann::ordered_json fault_json(const Fault& fault) {
 }
 
 int say(const Fault& fault, bool json) {
-  fmt::print(stderr, "outrider: {}\n", to_string(fault));
+  complain(to_string(fault));
   if (json) print(fault_json(fault));
   return exit_status(fault);
 }
@@ -54,10 +55,11 @@ Status check_page(std::string flag) {
   return {};
 }
 
-void print(const nlohmann::ordered_json& object) {
-  // Names from files may hold any bytes: what is no UTF-8 is replaced, never thrown at the user.
-  fmt::print("{}\n", object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+std::string json_text(const nlohmann::ordered_json& object, int indent) {
+  return object.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
+
+void print(const nlohmann::ordered_json& object) { show_text(json_text(object) + "\n"); }
 
 Status check_folder(const std::string& folder) {
   if (folder.empty()) return no_folder(folder, "its name is empty");

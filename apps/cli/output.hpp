@@ -28,6 +28,9 @@ int say(const Fault& fault, bool json);
 /// Refuses `flag`, which asks for a page, where the tool was built without one.
 Status check_page(std::string flag);
 
+/// The object as text; each byte that is no UTF-8, as names of files may have, becomes U+FFFD.
+std::string json_text(const nlohmann::ordered_json& object, int indent = -1);
+
 /// Prints one JSON object on standard output.
 void print(const nlohmann::ordered_json& object);
 

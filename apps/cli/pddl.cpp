@@ -11,6 +11,7 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/pddl.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -74,15 +75,14 @@ int write_problem(const PddlRequest& request, const GuardScenario& scenario, con
                {"warnings", warnings}});
     return job_done;
   }
-  fmt::print("{}: {} targets, {} stops, {} poses{}\n\n  domain   {}domain.pddl\n  problem  {}problem.pddl\n",
-             scenario.problem.world.name, mission.targets.size(), mission.places.size(),
-             mission.problem.poses.size(),
-             scenario.problem.supplies.any() ? "" : "; supplies have no end, so there are no stations", stem,
-             stem);
-  for (const std::string& name : notes.left_out) fmt::print("  left out {}, which nothing hits\n", name);
-  fmt::print("  plan     {}plan.txt takes {:.6f} s; {}\n", stem, makespan_s,
-             mission.proven ? "no plan takes less"
-                            : fmt::format("no plan takes less than {:.6f} s", mission.lower_bound_s));
+  show("{}: {} targets, {} stops, {} poses{}\n\n  domain   {}domain.pddl\n  problem  {}problem.pddl\n",
+       scenario.problem.world.name, mission.targets.size(), mission.places.size(),
+       mission.problem.poses.size(),
+       scenario.problem.supplies.any() ? "" : "; supplies have no end, so there are no stations", stem, stem);
+  for (const std::string& name : notes.left_out) show("  left out {}, which nothing hits\n", name);
+  show("  plan     {}plan.txt takes {:.6f} s; {}\n", stem, makespan_s,
+       mission.proven ? "no plan takes less"
+                      : fmt::format("no plan takes less than {:.6f} s", mission.lower_bound_s));
   return job_done;
 }
 
@@ -107,10 +107,10 @@ int judge_plan(const PddlRequest& request, const TemporalMission& mission, const
                {"lower_bound_s", mission.lower_bound_s},
                {"warnings", warnings}});
   } else if (verdict.valid()) {
-    fmt::print("valid: {} actions, makespan {:.6f} s; ours takes {:.6f} s\n", plan->actions.size(),
-               verdict.makespan_s, mission.cost_s);
+    show("valid: {} actions, makespan {:.6f} s; ours takes {:.6f} s\n", plan->actions.size(),
+         verdict.makespan_s, mission.cost_s);
   } else {
-    fmt::print("invalid: {}\n", broken);
+    show("invalid: {}\n", broken);
   }
   return verdict.valid() ? job_done : job_not_done;
 }

@@ -24,6 +24,7 @@
 #include "polygon_plan.hpp"
 #include "progress.hpp"
 #include "scenario_words.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -267,20 +268,20 @@ nlohmann::ordered_json plan_json(const PlanCommand& command, const Answer& answe
 }
 
 void print_table(const std::vector<Row>& rows, const MapFile& map, bool many) {
-  fmt::print("  {:<18} {:>11} {:>11} {:>11} {:>8} {:>9} {:>5} {:>11} {:>10}{}\n", "planner", "length m",
-             "cost m", "bound m", "clear m", "exposure", "legs", "expansions", "ms", many ? "  goal" : "");
+  show("  {:<18} {:>11} {:>11} {:>11} {:>8} {:>9} {:>5} {:>11} {:>10}{}\n", "planner", "length m", "cost m",
+       "bound m", "clear m", "exposure", "legs", "expansions", "ms", many ? "  goal" : "");
   for (const Row& row : rows) {
     const Vec2 at = map.to_world(row.goal);
     const std::string goal = many ? fmt::format("  {:g},{:g}", at.x, at.y) : "";
     if (!row.plan) {
-      fmt::print("  {:<18} {}{}\n", row.planner.name, row.plan.error().sentence, goal);
+      show("  {:<18} {}{}\n", row.planner.name, row.plan.error().sentence, goal);
       continue;
     }
-    fmt::print("  {:<18} {:>11.3f} {:>11.3f} {:>11.3f} {:>8.3f} {:>9.3f} {:>5} {:>11} {:>10.2f}{}\n",
-               row.planner.name, length_of(*row.plan), row.plan->cost, row.plan->lower_bound,
-               row.safety.clearance_m, row.safety.exposure,
-               row.plan->waypoints.empty() ? 0 : row.plan->waypoints.size() - 1,
-               row.plan->counters.expansions, 1e3 * row.time_s, goal);
+    show("  {:<18} {:>11.3f} {:>11.3f} {:>11.3f} {:>8.3f} {:>9.3f} {:>5} {:>11} {:>10.2f}{}\n",
+         row.planner.name, length_of(*row.plan), row.plan->cost, row.plan->lower_bound,
+         row.safety.clearance_m, row.safety.exposure,
+         row.plan->waypoints.empty() ? 0 : row.plan->waypoints.size() - 1, row.plan->counters.expansions,
+         1e3 * row.time_s, goal);
   }
 }
 
@@ -379,7 +380,7 @@ Status write_answer(const PlanCommand& command, const Answer& answer, bool all) 
     if (auto ok = write_file(command.svg, picture_of(command, answer)); !ok) return ok;
   }
   if (command.out.empty()) return {};
-  return cli::write_files(command.out, {{"plan.json", plan_json(command, answer, all).dump(1) + "\n"},
+  return cli::write_files(command.out, {{"plan.json", json_text(plan_json(command, answer, all), 1) + "\n"},
                                         {"plan.svg", picture_of(command, answer)}});
 }
 
@@ -387,7 +388,7 @@ int execute_on_grid(const PlanCommand& command) {
   const auto found = answer(command);
   if (!found) return say(found.error(), command.json);
   const auto& [map, question, rows, trace] = *found;
-  for (const std::string& warning : map.warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
+  warn(map.warnings);
 
   const bool all = std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.plan.has_value(); });
   if (auto ok = write_answer(command, *found, all); !ok) return say(ok.error(), command.json);
@@ -395,8 +396,8 @@ int execute_on_grid(const PlanCommand& command) {
     print(plan_json(command, *found, all));
   } else if (all || rows.size() > 1) {
     print_table(rows, map, question.goals.size() > 1);
-    if (!command.svg.empty()) fmt::print("\n  picture  {}\n", command.svg);
-    if (!command.out.empty()) fmt::print("\n  picture  {}/plan.svg\n", command.out);
+    if (!command.svg.empty()) show("\n  picture  {}\n", command.svg);
+    if (!command.out.empty()) show("\n  picture  {}/plan.svg\n", command.out);
   }
   const auto failed = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return !row.plan; });
   if (failed == rows.end()) return job_done;

@@ -21,6 +21,7 @@
 #include "outrider/path/visibility_graph.hpp"
 #include "polygon_picture.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -304,18 +305,18 @@ nlohmann::ordered_json row_json(const PolygonRow& row) {
 }
 
 void print_table(const std::vector<PolygonRow>& rows) {
-  fmt::print("  {:>5}  {:<26} {:>10} {:>12} {:>12} {:>10} {:>10} {:>11} {:>9}\n", "query", "planner",
-             "length m", "cost", "bound", "expansions", "us", "clearance m", "exposure");
+  show("  {:>5}  {:<26} {:>10} {:>12} {:>12} {:>10} {:>10} {:>11} {:>9}\n", "query", "planner", "length m",
+       "cost", "bound", "expansions", "us", "clearance m", "exposure");
   for (const PolygonRow& row : rows) {
     if (!row.plan) {
-      fmt::print("  {:>5}  {:<26} {}\n", row.query.number, row.planner.name, row.plan.error().sentence);
+      show("  {:>5}  {:<26} {}\n", row.query.number, row.planner.name, row.plan.error().sentence);
       continue;
     }
     const std::string_view unit = unit_of(row.planner.guarantee.measure);
-    fmt::print("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {} {:>10.4f} {} {:>10} {:>10.1f} {:>11.4f} {:>9.3f}\n",
-               row.query.number, row.planner.name, length_of(*row.plan), row.plan->cost, unit,
-               row.plan->lower_bound, unit, row.plan->counters.expansions, row.time_us, row.clearance_m,
-               row.exposure);
+    show("  {:>5}  {:<26} {:>10.4f} {:>10.4f} {} {:>10.4f} {} {:>10} {:>10.1f} {:>11.4f} {:>9.3f}\n",
+         row.query.number, row.planner.name, length_of(*row.plan), row.plan->cost, unit,
+         row.plan->lower_bound, unit, row.plan->counters.expansions, row.time_us, row.clearance_m,
+         row.exposure);
   }
 }
 
@@ -355,7 +356,7 @@ Status write_all(const PolygonPlan& request, const Grounds& grounds, const std::
   if (!request.out.empty()) {
     if (auto ok = make_folder(request.out); !ok) return ok;
     for (NamedContent& picture : pictures(request.out, grounds, rows)) files.push_back(std::move(picture));
-    files.push_back({request.out + "/plan.json", report.dump(1) + "\n"});
+    files.push_back({request.out + "/plan.json", json_text(report, 1) + "\n"});
   }
   return outrider::write_files(files);
 }
@@ -396,7 +397,7 @@ bool is_polygon_map(const std::string& path) { return path.ends_with(".txt") || 
 int plan_on_polygons(const PolygonPlan& request) {
   const auto found = answer(request);
   if (!found) return say(found.error(), request.json);
-  for (const std::string& warning : found->warnings) fmt::print(stderr, "outrider: warning: {}\n", warning);
+  warn(found->warnings);
   const auto failed =
       std::find_if(found->rows.begin(), found->rows.end(), [](const PolygonRow& row) { return !row.plan; });
   const bool all = failed == found->rows.end();
@@ -414,8 +415,8 @@ int plan_on_polygons(const PolygonPlan& request) {
     print(report);
   } else {
     print_table(found->rows);
-    if (!request.out.empty()) fmt::print("\n  pictures {}/plan.svg, query_K.svg\n", request.out);
-    if (!request.svg.empty()) fmt::print("\n  picture  {}\n", request.svg);
+    if (!request.out.empty()) show("\n  pictures {}/plan.svg, query_K.svg\n", request.out);
+    if (!request.svg.empty()) show("\n  picture  {}\n", request.svg);
   }
   if (all) return job_done;
   Fault first = failed->plan.error();

@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "output.hpp"
+#include "outrider/core/text.hpp"
+
 namespace outrider::cli {
 
 using Clock = std::chrono::steady_clock;
@@ -37,7 +40,7 @@ void Progress::tell() const {
   if (!program_.is_there()) return;
   const nlohmann::ordered_json line = {
       {"step", done_ + 1}, {"steps", steps_}, {"name", step_}, {"part", std::round(100.0 * part_) / 100.0}};
-  program_.tell(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  program_.tell(json_text(line));
 }
 
 void Progress::end() {
@@ -58,7 +61,8 @@ void Progress::watch() {
   while (!ended_.wait_until(lock, wake, [this] { return over_; })) {
     const auto full = static_cast<std::size_t>(bar_width * (done_ + part_) / steps_);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - begin).count();
-    fmt::print(stderr, "\r\x1b[K[{:.<{}}] {}, {} s", std::string(full, '#'), bar_width, step_, seconds);
+    fmt::print(stderr, "\r\x1b[K[{:.<{}}] {}, {} s", std::string(full, '#'), bar_width, printable(step_),
+               seconds);
     std::fflush(stderr);
     shown = true;
     wake += std::chrono::milliseconds(250);

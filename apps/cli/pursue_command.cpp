@@ -23,6 +23,7 @@
 #include "progress.hpp"
 #include "pursue_summary.hpp"
 #include "scenario_words.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -139,12 +140,12 @@ int finish(PursueCommand& command) {
     insert_times(object, result->times);
     print(object);
   } else {
-    fmt::print("{}{}", pursuit_summary(result->report), times_text(result->times));
+    show("{}{}", pursuit_summary(result->report), times_text(result->times));
     if (!path->empty()) {
       const std::string stem = command.out + "/" + result->report.job;
-      fmt::print("\n  report    {}\n", *path);
-      if (!page::viewer().empty()) fmt::print("  watch     {}.html\n", stem);
-      fmt::print("  picture   {}.svg\n", stem);
+      show("\n  report    {}\n", *path);
+      if (!page::viewer().empty()) show("  watch     {}.html\n", stem);
+      show("  picture   {}.svg\n", stem);
     }
   }
   return result->report.status == "done" ? job_done : job_not_done;

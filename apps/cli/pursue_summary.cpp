@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -32,13 +33,14 @@ std::string verdict(const Report& report) {
 
 std::string pursuit_summary(const Report& report) {
   if (metric(report, "caught") == 0.0) {
-    std::string text = fmt::format("{}: not caught\n\n  {}\n", report.world_name, report.reason);
+    std::string text =
+        fmt::format("{}: not caught\n\n  {}\n", printable(report.world_name), printable(report.reason));
     if (std::isfinite(metric(report, "cost"))) {
       text += fmt::format("  paid      {:.0f}; {}\n", metric(report, "cost"), verdict(report));
     }
     return text;
   }
-  std::string text = fmt::format("{}: caught in second {:.0f} for {:.0f}\n\n", report.world_name,
+  std::string text = fmt::format("{}: caught in second {:.0f} for {:.0f}\n\n", printable(report.world_name),
                                  metric(report, "catch_time_s"), metric(report, "cost"));
   text += fmt::format("  cost      {:.0f}; {}\n", metric(report, "cost"), verdict(report));
   text += fmt::format("  moves     {:.0f}, and {:.0f} s of waiting\n", metric(report, "moves"),

@@ -16,6 +16,7 @@
 #include "page.hpp"
 #include "pursue_summary.hpp"
 #include "slam_summary.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -86,9 +87,9 @@ int execute(ReplayCommand& command, const Command& flags) {
     print(json_of(*report, command.path));
     return job_done;
   }
-  fmt::print("{}", text_of(*report));
-  if (!command.html.empty()) fmt::print("\n  watch    {}\n", command.html);
-  if (!command.svg.empty()) fmt::print("{}  picture  {}\n", command.html.empty() ? "\n" : "", command.svg);
+  show("{}", text_of(*report));
+  if (!command.html.empty()) show("\n  watch    {}\n", command.html);
+  if (!command.svg.empty()) show("{}  picture  {}\n", command.html.empty() ? "\n" : "", command.svg);
   return job_done;
 }
 

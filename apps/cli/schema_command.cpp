@@ -8,6 +8,7 @@
 #include "jobs.hpp"
 #include "output.hpp"
 #include "outrider/io/scenario.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -60,7 +61,7 @@ int execute(const std::string& form, const std::string& job) {
                 "--as"},
                false);
   }
-  fmt::print("{}", text);
+  show("{}", text);
   return job_done;
 }
 

@@ -14,6 +14,7 @@
 #include "output.hpp"
 #include "outrider/io/files.hpp"
 #include "reading.hpp"
+#include "terminal.hpp"
 #include "web_server.hpp"
 
 namespace outrider::cli {
@@ -102,11 +103,11 @@ void print_address(const ServeCommand& command, int port, const server::Folder& 
   const bool six = command.listen.find(':') != std::string::npos;
   const std::string host = six ? "[" + command.listen + "]" : command.listen;
   const std::string query = command.token.empty() ? "" : "?token=" + command.token;
-  fmt::print("  page     http://{}:{}/{}\n  files    {}\n  Ctrl-C ends it.\n", host, port, query,
-             folder.root().string());
+  show("  page     http://{}:{}/{}\n  files    {}\n  Ctrl-C ends it.\n", host, port, query,
+       folder.root().string());
   std::fflush(stdout);
   if (page::files().empty()) {
-    fmt::print(stderr, "outrider: warning: {}; the interface under /api/v1 works\n", page::missing);
+    warn(fmt::format("{}; the interface under /api/v1 works", page::missing));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "outrider/slam/map_error.hpp"
 #include "progress.hpp"
 #include "slam_picture.hpp"
+#include "terminal.hpp"
 #include "track_csv.hpp"
 
 namespace outrider::cli {
@@ -281,9 +282,9 @@ int solve_graph(const SlamJob& job, GraphInput input) {
   if (job.json) {
     print(result);
   } else {
-    fmt::print("{} nodes, {} edges: cost {:.6g}, from {:.6g} at the {} start, after {} steps in {}\n",
-               input.graph.nodes.size(), input.graph.edges.size(), solution->cost, solution->start_cost,
-               solution->start, solution->iterations, duration_text(time_s));
+    show("{} nodes, {} edges: cost {:.6g}, from {:.6g} at the {} start, after {} steps in {}\n",
+         input.graph.nodes.size(), input.graph.edges.size(), solution->cost, solution->start_cost,
+         solution->start, solution->iterations, duration_text(time_s));
   }
   return solution->converged ? job_done : job_not_done;
 }

@@ -15,6 +15,7 @@
 #include "outrider/slam/map_error.hpp"
 #include "progress.hpp"
 #include "slam_picture.hpp"
+#include "terminal.hpp"
 #include "track_csv.hpp"
 
 namespace outrider::cli {
@@ -266,13 +267,13 @@ Outcome<std::string> write_all(const SlamJob& job, const Run& run, const Landmar
 }
 
 void print_summary(const Json& result, const MapError& error) {
-  fmt::print("{} steps, {} landmarks in {}; {} sightings refused, lost for {} steps\n",
-             result["steps"].get<std::size_t>(), result["landmarks"].get<std::size_t>(),
-             duration_text(result["time_s"]), result["sightings_refused"].get<int>(),
-             result["steps_lost"].get<int>());
+  show("{} steps, {} landmarks in {}; {} sightings refused, lost for {} steps\n",
+       result["steps"].get<std::size_t>(), result["landmarks"].get<std::size_t>(),
+       duration_text(result["time_s"]), result["sightings_refused"].get<int>(),
+       result["steps_lost"].get<int>());
   if (error.aligned_rmse_m) {
-    fmt::print("landmarks off by {:.3f} m, {:.3f} m once the map is laid over the truth\n", *error.rmse_m,
-               *error.aligned_rmse_m);
+    show("landmarks off by {:.3f} m, {:.3f} m once the map is laid over the truth\n", *error.rmse_m,
+         *error.aligned_rmse_m);
   }
 }
 
@@ -287,7 +288,7 @@ int map_landmark_log(const SlamJob& job, LandmarkLog log) {
   if (!run) return say(run.error(), job.json);
   const LandmarkMap map = run->slam.landmarks();
   const std::string warning = options.unknown_ids ? std::string() : undo_exchange(log, map);
-  if (!warning.empty()) fmt::print(stderr, "outrider: warning: {}\n", warning);
+  if (!warning.empty()) warn(warning);
   const MapError error = options.unknown_ids ? map_error_by_place(map, log.true_landmarks, reach_m)
                                              : map_error(map, log.true_landmarks);
   Json result = result_of(job, options, *run, map.size(), error);

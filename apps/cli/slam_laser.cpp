@@ -12,6 +12,7 @@
 #include "outrider/report/scan_map.hpp"
 #include "outrider/report/slam_record.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -63,6 +64,8 @@ class Recorder {
     record_.note_scan([&] { return points_of(logged.scan, options_.robot_T_laser); });
     if (outcome.kept || options_.trust_odometry)
       map_.add(outcome.pose, logged.scan, times_s_[step], step + 1);
+    if (outcome.lost)
+      report_.events.push_back({times_s_[step], "lost", "odometry is off by too much to match the scan"});
     if (outcome.closed_loop) note_loops(slam, slam.trajectory());
     if (onlooker_ != nullptr && onlooker_->wants()) show(slam);
   }
@@ -135,6 +138,7 @@ Json result_of(const SlamJob& job, const LaserLog& log, const LaserRun& run) {
           {"ate_m", known(run.rms_error_m)},
           {"steps", log.steps.size()},
           {"steps_matched", run.matched},
+          {"steps_lost", run.lost},
           {"loops", run.slam.loops()},
           {"time_s", run.time_s},
           {"max_step_s", run.max_step_s},
@@ -144,12 +148,15 @@ Json result_of(const SlamJob& job, const LaserLog& log, const LaserRun& run) {
 
 void print_summary(const LaserLog& log, const LaserRun& run) {
   const bool timed = run.log_s > 0.0 && run.time_s > 0.0;
-  fmt::print("{} scans, {} matched, {} loops closed in {}{}\n", log.steps.size(), run.matched,
-             run.slam.loops(), duration_text(run.time_s),
-             timed ? fmt::format(", {:.0f} times as fast as the robot drove", run.log_s / run.time_s) : "");
+  show("{} scans, {} matched, {} loops closed in {}{}\n", log.steps.size(), run.matched, run.slam.loops(),
+       duration_text(run.time_s),
+       timed ? fmt::format(", {:.0f} times as fast as the robot drove", run.log_s / run.time_s) : "");
+  if (run.lost > 0) {
+    show("lost {}: odometry is off by too much there to match the scan; what follows may lie elsewhere\n",
+         run.lost == 1 ? "once" : fmt::format("{} times", run.lost));
+  }
   if (run.mean_error_m) {
-    fmt::print("poses {:.3f} m from the reference on average, once the track is laid over it\n",
-               *run.mean_error_m);
+    show("poses {:.3f} m from the reference on average, once the track is laid over it\n", *run.mean_error_m);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -22,7 +23,7 @@ std::string line(const Report& report, const char* name, const char* word, const
 std::string slam_summary(const Report& report) {
   const ReportSlam& slam = *report.slam;
   const double end_s = report.track.empty() ? 0.0 : report.track.back().time_s;
-  std::string text = fmt::format("{}: {:.1f} m in {}, mapped by {}\n\n", report.world_name,
+  std::string text = fmt::format("{}: {:.1f} m in {}, mapped by {}\n\n", printable(report.world_name),
                                  metric(report, "distance_m"), duration_text(end_s), slam.engine);
   text += fmt::format(
       "  map        {} landmarks, {} loops closed{}\n", slam.landmarks.size(), slam.loops.size(),
@@ -33,7 +34,7 @@ std::string slam_summary(const Report& report) {
   text +=
       line(report, "landmark_rmse_aligned_m", "landmarks", "off the truth by {:.3f} m, once laid over it");
   text += line(report, "mean_absolute_error_m", "way", "off the reference by {:.3f} m on average");
-  if (!report.reason.empty()) text += fmt::format("\n  {}\n", report.reason);
+  if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));
   return text;
 }
 

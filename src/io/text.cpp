@@ -4,48 +4,12 @@
 #include <string>
 
 namespace outrider {
-namespace {
-
-/// Bytes that follow the first byte of a UTF-8 character; 4 for a byte that begins none.
-std::size_t tail_length(unsigned lead) {
-  if (lead < 0x80) return 0;
-  if (lead >> 5 == 0x6) return 1;
-  if (lead >> 4 == 0xE) return 2;
-  return lead >> 3 == 0x1E ? 3 : 4;
-}
-
-/// Bytes of the well-formed, printable character at the start of the text; 0 when there is none.
-std::size_t character_length(std::string_view text) {
-  constexpr unsigned least_by_tail[] = {0x20, 0x80, 0x800, 0x10000};  // shorter forms are forgeries
-  const unsigned lead = static_cast<unsigned char>(text[0]);
-  const std::size_t tail = tail_length(lead);
-  if (tail > 3 || text.size() <= tail) return 0;
-  unsigned code = tail == 0 ? lead : lead & (0x3FU >> tail);
-  for (const char c : text.substr(1, tail)) {
-    const unsigned byte = static_cast<unsigned char>(c);
-    if (byte >> 6 != 2) return 0;
-    code = code << 6 | (byte & 0x3FU);
-  }
-  const bool surrogate = code >> 11 == 0x1B;
-  return code >= least_by_tail[tail] && code != 0x7F && code <= 0x10FFFF && !surrogate ? tail + 1 : 0;
-}
-
-}  // namespace
 
 std::string excerpt(std::string_view text, std::size_t most) {
   std::string result(text.substr(0, most));
   std::ranges::replace_if(result, [](char c) { return c < ' ' || c > '~'; }, '?');
   if (text.size() > most) result += "...";
   return result;
-}
-
-bool is_printable(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = character_length(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
-  }
-  return true;
 }
 
 }  // namespace outrider

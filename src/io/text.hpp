@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/core/text.hpp"
+
 namespace outrider {
 
 /// The next line without its end ("\n" or "\r\n"); `rest` loses it.
@@ -51,8 +53,5 @@ std::optional<Number> number(std::string_view text) {
 
 /// The text cut to what fits a sentence, control characters and bytes outside ASCII as '?'.
 std::string excerpt(std::string_view text, std::size_t most = 60);
-
-/// True for well-formed UTF-8 without control characters: what may stand as a name in a report.
-bool is_printable(std::string_view text);
 
 }  // namespace outrider

@@ -75,7 +75,7 @@ ReportMap Discovery::map(const Grid<std::uint8_t>& occupancy, std::size_t most_c
   int k = 1;
   const auto blocks = [&](int cells) { return (cells + k - 1) / k; };
   while (1.0 * blocks(known.width()) * blocks(known.height()) >
-         static_cast<double>(std::max<std::size_t>(1, most_cells)))
+         std::clamp(static_cast<double>(most_cells), 1.0, static_cast<double>(most_drawn_cells)))
     ++k;
   drawn.origin = occupancy.frame.corner(known.low);
   drawn.cell_m = k * occupancy.frame.resolution_m;

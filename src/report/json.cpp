@@ -15,6 +15,7 @@
 #include "json_slam.hpp"
 #include "json_terrain.hpp"
 #include "json_yard.hpp"
+#include "runs.hpp"
 
 namespace outrider {
 namespace {
@@ -24,7 +25,7 @@ using Json = nlohmann::ordered_json;
 constexpr int version = 1;
 
 // The keys of every object, each named once: `io` writes or reads the member that it is given.
-// io.drawn() is for what is only looked at: it is rounded to 1e-6.
+// io.drawn() is for what is only looked at: it is rounded to 1e-6. io.runs() is for the cells of a map.
 
 template <class Io, class T>
   requires std::same_as<std::remove_const_t<T>, Report>
@@ -73,6 +74,10 @@ class Writer {
   template <class T>
   void drawn(const char* key, const T& value) {
     json_[key] = written(value, true);
+  }
+  template <class T>
+  void runs(const char* key, const std::vector<T>& value, int, int) {
+    json_[key] = written(value, false);
   }
   template <class T>
   void optional(const char* key, const std::optional<T>& value) {
@@ -217,6 +222,14 @@ class Reader {
   template <class T>
   void drawn(const char* key, T& value) {
     visit(key, [&](const Place& at) { read(at, value, true); });
+  }
+  template <class T>
+  void runs(const char* key, std::vector<T>& value, int columns, int rows) {
+    visit(key, [&](const Place& at) {
+      read(at, value, true);
+      if (at.refusal) return;
+      if (auto fault = fault_of_runs(value, columns, rows)) at.refuse(std::move(*fault));
+    });
   }
   template <class T>
   void optional(const char* key, std::optional<T>& value) {

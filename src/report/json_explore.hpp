@@ -16,9 +16,9 @@ void members(Io& io, T& map) {
   io.drawn("cell_m", map.cell_m);
   io("columns", map.columns);
   io("rows", map.rows);
-  io("state_runs", map.state_runs);
+  io.runs("state_runs", map.state_runs, map.columns, map.rows);
   io.drawn("step_s", map.step_s);
-  io("known_runs", map.known_runs);
+  io.runs("known_runs", map.known_runs, map.columns, map.rows);
 }
 
 template <class Io, class T>

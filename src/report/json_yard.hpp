@@ -130,7 +130,7 @@ void members(Io& io, T& chase) {
   io("columns", chase.columns);
   io("rows", chase.rows);
   io("cell_m", chase.cell_m);
-  io("cost_runs", chase.cost_runs);
+  io.runs("cost_runs", chase.cost_runs, chase.columns, chase.rows);
   io("target", chase.target);
   io("robots", chase.robots);
   io("paid", chase.paid);

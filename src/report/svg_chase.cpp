@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "runs.hpp"
 #include "text.hpp"
 
 namespace outrider {
@@ -49,11 +50,10 @@ std::vector<double> levels_of(const ReportChase& chase) {
   return levels;
 }
 
-/// One rectangle for each run of cells of one colour, a path for each colour. Draws no map without cells or
-/// with too many rows, and nothing of what the runs hold beyond the map.
+/// Rectangles for each run of cells of one colour, three at most: its first row, whole rows, its last row; a
+/// path for each colour. Nothing where the runs do not fill the map.
 std::string cost_map(const ReportChase& chase, double px) {
-  if (chase.columns <= 0 || chase.rows <= 0 || chase.rows > most_rows) return {};
-  const double cells = 1.0 * chase.columns * chase.rows;
+  if (fault_of_runs(chase.cost_runs, chase.columns, chase.rows)) return {};
   const std::vector<double> levels = levels_of(chase);
   std::vector<std::string> paths(levels.size() + 1);  // the last: walls
   double at = 0.0;
@@ -62,13 +62,14 @@ std::string cost_map(const ReportChase& chase, double px) {
     const auto level = std::upper_bound(levels.begin(), levels.end(), cost) - levels.begin();
     std::string& path =
         cost < 0.0 ? paths.back() : paths[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, level)) - 1];
-    for (double left = std::min(std::floor(chase.cost_runs[i + 1]), cells - at); left >= 1.0;) {
+    for (double left = chase.cost_runs[i + 1]; left >= 1.0;) {
       const double column = std::fmod(at, chase.columns), row = std::floor(at / chase.columns);
       const double run = std::min(left, chase.columns - column);
+      const double rows = run < chase.columns ? 1.0 : std::floor(left / run);
       fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", column * px,
-                     (chase.rows - 1 - row) * px, run * px, px, run * px);
-      at += run;
-      left -= run;
+                     (chase.rows - row - rows) * px, run * px, rows * px, run * px);
+      at += run * rows;
+      left -= run * rows;
     }
   }
   std::string svg;

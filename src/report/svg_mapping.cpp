@@ -15,7 +15,6 @@ constexpr double most_map_px = 860.0;
 constexpr int most_frames = 50;      // in which the map grows
 constexpr double ellipse_px = 40.0;  // of the largest, to which all are enlarged, at most tenfold
 constexpr double ellipses = 40.0;    // over the whole way
-constexpr double most_cells = 4e6;   // of a map that is drawn
 constexpr std::string_view free_colour = "#fdfdfb";
 
 /// Values of runs, one after the other; after the last one `otherwise`.
@@ -110,7 +109,7 @@ std::string belief_legend(const MappingView& view) {
 }
 
 std::string growing_map(const MappingView& view, const ReportMap& map) {
-  if (map.columns <= 0 || map.rows <= 0 || 1.0 * map.columns * map.rows > most_cells) return {};
+  if (map.columns <= 0 || map.rows <= 0 || std::int64_t{map.columns} * map.rows > most_drawn_cells) return {};
   const Vec2 origin = view(map.origin);
   const double cell_px = view.scale * map.cell_m;
   std::string svg = fmt::format(

@@ -1,5 +1,7 @@
 #include "outrider/sim/explore_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -125,6 +127,15 @@ double mapped_free_m2(const OccupancyMap& map) {
   return cell_m * cell_m * static_cast<double>(std::ranges::count(map.occupancy().cells, free_cell));
 }
 
+/// The task in a world that may have no end: there the robot turns back once its map is larger than all that
+/// can be seen from within the box of what stands.
+ExploreTask bounded(ExploreTask task, const ExploreTruth& truth, const RangeFinderModel& laser) {
+  const Vec2 size = truth.standing.size();
+  const double most_m = std::max(1.0, std::max(size.x, size.y) + 2.0 * laser.most_m);
+  if (truth.leaks) task.explore.most_extent_m = std::min(task.explore.most_extent_m, most_m);
+  return task;
+}
+
 /// The longest times of thinking.
 struct Thinking {
   double decision_s = 0.0;
@@ -138,7 +149,12 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
   const bool back = home || !task.rules.return_home;
   const bool complete = mission.stop_reason == "complete";
   report.status = complete && back && robot.contacts() == 0 ? "done" : "not_done";
-  if (!complete) {
+  if (mission.stop_reason == "leak" && truth.leaks) {
+    report.reason = fmt::format(
+        "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
+        "there, for instance with the key walls",
+        mission.reason, truth.leaks_at.x, truth.leaks_at.y);
+  } else if (!complete) {
     report.reason = mission.reason;
   } else if (!back) {
     report.reason = "it is not home";
@@ -170,11 +186,12 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
 
 }  // namespace
 
-Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerTruth& truth,
+Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerTruth& truth,
                                 std::uint64_t seed, const ExploreWatch& watch) {
-  SimulatedExplorer robot(world, task.start, task.robot, truth, seed);
-  const auto places = explore_truth(robot.laser(), robot.ground(), task.start.position);
+  SimulatedExplorer robot(world, given.start, given.robot, truth, seed);
+  const auto places = explore_truth(robot.laser(), robot.ground(), given.start.position);
   if (!places) return tl::unexpected<Fault>(places.error());
+  const ExploreTask task = bounded(given, *places, truth.laser);
   auto mission = begin(task);
   if (!mission) return pass_on(mission);
   ExploreRun run;

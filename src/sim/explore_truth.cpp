@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -80,23 +81,25 @@ Status check_start(const ExplorerGround& ground, Vec2 start, double resolution_m
                "start");
 }
 
-/// Marks where the robot can be.
-void flood_ground(const Survey& survey, Vec2 start) {
+/// Marks where the robot can be, in the order of the fewest steps, and tells the first place outside the box.
+std::optional<Vec2> flood_ground(const Survey& survey, Vec2 start, const Box2& box) {
   std::vector<Cell> open;
+  std::optional<Vec2> outside;
   const auto reach = [&](Vec2 from, Cell to) {
     if (!survey.is(to, not_seeable) || !survey.ground.free({from, survey.at(to)})) return;
     survey.places[to] = reachable;
     open.push_back(to);
+    if (!outside && !box.contains(survey.at(to))) outside = survey.at(to);
   };
   const Cell here = survey.places.frame.cell_at(start);
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) reach(start, {here.x + x, here.y + y});
   }
-  while (!open.empty()) {
-    const Cell c = open.back();
-    open.pop_back();
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Cell c = open[i];
     for (const Cell d : sides) reach(survey.at(c), {c.x + d.x, c.y + d.y});
   }
+  return outside;
 }
 
 /// Whether one of the nearest places where the robot can be is in sight.
@@ -172,18 +175,13 @@ void flood_sight(const Survey& survey) {
   }
 }
 
-void add_up(ExploreTruth& truth, const Box2& standing) {
+void add_up(ExploreTruth& truth) {
   const GridFrame& frame = truth.places.frame;
   const double cell_m2 = frame.resolution_m * frame.resolution_m;
   for (std::size_t i = 0; i < truth.places.cells.size(); ++i) {
     if (truth.places.cells[i] == not_seeable) continue;
     truth.seeable_m2 += cell_m2;
-    if (truth.places.cells[i] != reachable) continue;
-    truth.reachable_m2 += cell_m2;
-    const Vec2 place = frame.centre(frame.cell(i));
-    if (truth.leaks || standing.contains(place)) continue;
-    truth.leaks = true;
-    truth.leaks_at = place;
+    if (truth.places.cells[i] == reachable) truth.reachable_m2 += cell_m2;
   }
 }
 
@@ -202,11 +200,13 @@ Outcome<ExploreTruth> explore_truth(const RangeFinder& laser, const ExplorerGrou
   whole.include(start);
   auto frame = lattice(whole.grown(2.0 * ground.radius_m() + 2.0 * resolution_m), resolution_m);
   if (!frame) return pass_on(frame);
-  ExploreTruth truth{Grid<std::uint8_t>(*frame, not_seeable), 0.0, 0.0, false, {}};
+  ExploreTruth truth{Grid<std::uint8_t>(*frame, not_seeable), 0.0, 0.0, standing, false, {}};
   const Survey survey{laser, ground, truth.places};
-  flood_ground(survey, start);
+  const auto outside = flood_ground(survey, start, standing);
   flood_sight(survey);
-  add_up(truth, standing);
+  add_up(truth);
+  truth.leaks = outside.has_value();
+  truth.leaks_at = outside.value_or(Vec2{});
   return truth;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace outrider {
 namespace {
@@ -67,17 +66,6 @@ SurfaceMap map_of_visit(const KeyGraph& graph, std::uint32_t scan) {
   return SurfaceMap(parts);
 }
 
-/// Where the last scan stands by a map of a visit, if that is beyond chance.
-std::optional<Fit> recognised(const SurfaceMap& visit, const Surface& query, const MatchWindow& window) {
-  const auto found = visit.find(query, window, least_score);
-  if (!found) return std::nullopt;
-  if (visit.find(query, window, most_rival * found->score, &found->pose.position, apart_m))
-    return std::nullopt;
-  constexpr double loose = 100.0;  // 1/m^2: what ten centimetres would say
-  const Fit fit = visit.refine(query, found->pose, {found->pose, diagonal<3>({loose, loose, loose})});
-  return fit.share >= least_share ? std::optional(fit) : std::nullopt;
-}
-
 /// Whether the scan may be there by what is known of it.
 bool believable(const KeyScan& scan, const Pose2& there, double reach_sd) {
   constexpr double least = 1e-4;  // m^2
@@ -99,6 +87,16 @@ bool tied(KeyGraph& graph, std::uint32_t scan, const Fit& fit) {
 }
 
 }  // namespace
+
+std::optional<Fit> recognised(const SurfaceMap& map, const Surface& surface, const MatchWindow& window) {
+  const auto found = map.find(surface, window, least_score);
+  if (!found) return std::nullopt;
+  if (map.may_be_elsewhere(surface, window, most_rival * found->score, found->pose.position, apart_m))
+    return std::nullopt;
+  constexpr double loose = 100.0;  // 1/m^2: what ten centimetres would say
+  const Fit fit = map.refine(surface, found->pose, {found->pose, diagonal<3>({loose, loose, loose})});
+  return fit.share >= least_share ? std::optional(fit) : std::nullopt;
+}
 
 bool LoopSearch::close(KeyGraph& graph, double reach_sd) {
   const KeyScan& last = graph.keys.back();

@@ -5,12 +5,17 @@
 // on a surface, no other place does nearly as well, and the ties already there can give way to it.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "key_graph.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
+
+/// Where the surface stands by a map, if that is beyond chance: most points lie on a surface, and no other
+/// place in the window does nearly as well.
+std::optional<Fit> recognised(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
 
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< scans tied: the earlier, the later

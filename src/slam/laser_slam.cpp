@@ -14,6 +14,7 @@ namespace {
 constexpr std::uint32_t recent_keys = 10;
 constexpr int recent_group = 0;
 constexpr int earlier_group = 1;
+constexpr double most_correction_m = 3.0;  // beyond, matching is no correction but a search for the place
 
 bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
@@ -70,6 +71,7 @@ struct LaserSlam::State {
   std::vector<Pose2> drawn;             ///< poses of the kept scans as the map has them
   std::optional<SurfaceMap> near;       ///< of the last scans (group 0) and of earlier visits (group 1)
   std::optional<std::uint32_t> anchor;  ///< of the earlier visits in `near`, the nearest scan
+  std::size_t part = 0;                 ///< the first scan kept since the robot was last lost
   OdometryBias bias;
   Driven unmatched;    ///< since a scan last fitted
   Driven unkept;       ///< since a scan was last kept
@@ -80,7 +82,8 @@ struct LaserSlam::State {
 
   [[nodiscard]] Pose2 since_key() const { return seen_from(graph.keys.back().pose, pose); }
   void move(const Pose2& motion);
-  [[nodiscard]] std::optional<Fit> match(const Surface& surface) const;
+  [[nodiscard]] MatchWindow window() const;
+  [[nodiscard]] std::optional<Fit> match(const Surface& surface, MatchWindow window) const;
   void see(const LaserScan& scan, Surface surface, LaserSlamStep& step);
   void learn(const Fit& fit);
   [[nodiscard]] bool is_key() const;
@@ -134,24 +137,30 @@ LaserSlam::LaserSlam(LaserSlam&&) noexcept = default;
 LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
 LaserSlam::~LaserSlam() = default;
 
-/// Fits the scan to the surfaces nearby: in a window about where odometry puts it, and where little of it
-/// lies on them, in a wider one, if there are points enough to tell one place from others. Nothing when too
-/// little does.
-std::optional<Fit> LaserSlam::State::match(const Surface& surface) const {
+/// About where odometry puts the robot, three standard deviations wide.
+MatchWindow LaserSlam::State::window() const {
   constexpr double sds = 3.0;
-  constexpr MotionNoise least{0.05, 0.02}, wide{0.6, 0.6};
+  constexpr MotionNoise least{0.05, 0.02};
+  const MotionNoise noise = noise_of(unmatched, options);
+  return {pose, std::max(least.position_m, sds * noise.position_m),
+          std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
+}
+
+/// Fits the scan to the surfaces nearby: in the window, and where little of it lies on them, in a wider one,
+/// if there are points enough to tell one place from others. Nothing when too little does. In a window with
+/// room for several places the scan must be recognised.
+std::optional<Fit> LaserSlam::State::match(const Surface& surface, MatchWindow window) const {
+  constexpr MotionNoise wide{0.6, 0.6};
   constexpr double least_score = 0.1, wide_score = 0.3;
   constexpr std::size_t least_wide_points = 60;
   constexpr double least_share = 0.25, sure_share = 0.5, better_share = 0.1;
-  const MotionNoise noise = noise_of(unmatched, options);
-  MatchWindow window{pose, std::max(least.position_m, sds * noise.position_m),
-                     std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m,
-                     noise.heading_rad};
+  const bool telling = surface.size() >= least_wide_points;
+  if (window.reach_m > most_correction_m) return telling ? recognised(*near, surface, window) : std::nullopt;
+  const MotionNoise noise{window.position_sd_m, window.heading_sd_rad};
   Fit best;
   if (const auto found = near->find(surface, window, least_score)) {
     best = near->refine(surface, found->pose, {pose, noise.information()});
   }
-  const bool telling = surface.size() >= least_wide_points;
   if (best.share >= sure_share || !telling)
     return best.share >= least_share ? std::optional(best) : std::nullopt;
   window.reach_m = std::max(window.reach_m, wide.position_m);
@@ -181,10 +190,12 @@ void LaserSlam::State::add_key(const LaserScan& scan, Surface surface, const std
   graph.keys.push_back({pose, {}, way_m, scan, std::move(surface)});
   if (key == 0) return;
   const MotionNoise driven = noise_of(unkept, options);
+  const MotionNoise doubted{std::max(lost.position_m, driven.position_m),
+                            std::max(lost.heading_rad, driven.heading_rad)};
   graph.tie(key - 1, key, pose,
             fit     ? fit->information + driven.information()
             : blind ? driven.information()
-                    : lost.information());
+                    : doubted.information());
   unkept = {};
   if (!fit || !anchor) return;
   const Fit visit = near->refine(graph.keys[key].surface, pose, {pose, loose.information()}, earlier_group);
@@ -223,7 +234,7 @@ std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
 void LaserSlam::State::gather() {
   std::vector<SurfaceMap::Part> parts = earlier_visits();
   const std::size_t count = graph.keys.size();
-  for (std::size_t i = count > recent_keys ? count - recent_keys : 0; i < count; ++i) {
+  for (std::size_t i = std::max(part, count > recent_keys ? count - recent_keys : 0); i < count; ++i) {
     parts.push_back({&graph.keys[i].surface, graph.keys[i].pose, recent_group});
   }
   near.emplace(parts);
@@ -274,18 +285,20 @@ void LaserSlam::State::learn(const Fit& fit) {
     bias.learn(pose, *covariance, noise.position_m * noise.position_m, noise.heading_rad * noise.heading_rad);
 }
 
-/// Where the surface says that the robot is; the scan is kept when it is time.
+/// Where the surface says that the robot is; the scan is kept when it is time. A robot that may be in several
+/// places and is recognised in none is lost: the scan is kept, and the next ones are matched with those since
+/// then alone, whose place by the others is only as well known as odometry tells.
 void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
   if (blind && near) gather();
-  const auto fit = near ? match(surface) : std::nullopt;
+  const MatchWindow about = window();
+  const auto fit = near ? match(surface, about) : std::nullopt;
   step.matched = fit.has_value();
-  if (fit) {
-    pose = fit->pose;
-    unmatched = {};
-  } else {
-    bias.forget();
-  }
-  if (is_key()) {
+  step.lost = near && !fit && about.reach_m > most_correction_m;
+  if (fit) pose = fit->pose;
+  if (!fit) bias.forget();
+  if (fit || step.lost) unmatched = {};
+  if (step.lost) part = graph.keys.size();
+  if (step.lost || is_key()) {
     if (fit) learn(*fit);
     add_key(scan, std::move(surface), fit);
     step.kept = true;

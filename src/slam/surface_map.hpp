@@ -6,11 +6,12 @@
 // refinement goes to.
 //
 // find() is branch and bound: complete within its window to a cell and to the turn that moves the farthest
-// point by one. refine() is Gauss-Newton on the distances to the lines, with a robust weight.
-// Sources: Olson, M3RSM: many-to-many multi-resolution scan matching, ICRA 2015, 5815-5821 (the pyramid);
-// Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016, 1271-1278 (the search);
-// Censi, An ICP variant using a point-to-line metric, ICRA 2008, 19-25; Kolluri, Provably good moving least
-// squares, ACM Trans. Algorithms 4 (2008) 18 (the surface).
+// point by one. Only poses are looked at from which some point meets the field, and 4 million blocks of poses
+// at most, about a second of work: a window that holds more is not searched. refine() is Gauss-Newton on the
+// distances to the lines, with a robust weight. Sources: Olson, M3RSM: many-to-many multi-resolution scan
+// matching, ICRA 2015, 5815-5821 (the pyramid); Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D
+// LIDAR SLAM, ICRA 2016, 1271-1278 (the search); Censi, An ICP variant using a point-to-line metric, ICRA
+// 2008, 19-25; Kolluri, Provably good moving least squares, ACM Trans. Algorithms 4 (2008) 18 (the surface).
 // Thread rule: const members may be called concurrently.
 #pragma once
 
@@ -72,10 +73,14 @@ class SurfaceMap {
 
   explicit SurfaceMap(std::span<const Part> parts);
 
-  /// The pose with the highest score above `least`. With `except`, only poses that are farther from it than
-  /// `apart_m`.
-  [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window, double least,
-                                              const Vec2* except = nullptr, double apart_m = 0.0) const;
+  /// The pose with the highest score above `least`; nothing when there is none, or more poses in the window
+  /// than are searched.
+  [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window,
+                                              double least) const;
+  /// False when no pose farther than `apart_m` from `except` scores above `least`. Where that cannot be
+  /// told, for there are more poses in the window than are searched, it is true.
+  [[nodiscard]] bool may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
+                                      Vec2 except, double apart_m) const;
   [[nodiscard]] Fit refine(const Surface& surface, const Pose2& start, const PosePrior& prior,
                            int group = all_groups) const;
   [[nodiscard]] MatchEquations equations(const Surface& surface, const Pose2& pose,

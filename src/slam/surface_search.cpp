@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "surface_map.hpp"
@@ -10,12 +11,21 @@ namespace {
 /// What a deviation from the centre by one standard deviation costs, twice: a wrong pose scores tenths less.
 constexpr double cost_of_deviation = 0.01;
 constexpr std::size_t most_points = 180;
+constexpr double most_reach_cells = 1 << 29;
+constexpr std::int64_t most_blocks = 4'000'000;  // whose scores are bounded, from 180 cells each
 
 /// All poses turned alike whose cells lie from `offset` on, 2^level to each side.
 struct Block {
   int angle = 0;
   Cell offset;
   double bound = 0.0;
+};
+
+/// Offsets of one angle, from the lowest block to the highest.
+struct Range {
+  int low = 0;
+  int high = -1;
+  [[nodiscard]] std::int64_t blocks(int side) const { return low > high ? 0 : (high - low) / side + 1; }
 };
 
 /// The better first; ties by place.
@@ -30,12 +40,13 @@ class Search {
          double least, const Vec2* except, double apart_m)
       : levels_(levels), window_(window), except_(except), apart_m_(apart_m), best_{{}, least} {
     const GridFrame& frame = levels.front().frame;
-    reach_ = static_cast<int>(std::ceil(window.reach_m / frame.resolution_m));
+    reach_ = static_cast<int>(std::min(std::ceil(window.reach_m / frame.resolution_m), most_reach_cells));
     double farthest_m = 1.0;
     for (const SurfacePoint& p : surface) farthest_m = std::max(farthest_m, norm(p.position));
     step_rad_ = frame.resolution_m / farthest_m;
-    turns_ = static_cast<int>(std::ceil(window.turn_rad / step_rad_));
-    if (turns_ > 0) step_rad_ = window.turn_rad / turns_;
+    const double turn_rad = std::min(window.turn_rad, std::numbers::pi);
+    turns_ = static_cast<int>(std::ceil(turn_rad / step_rad_));
+    if (turns_ > 0) step_rad_ = turn_rad / turns_;
     for (int k = -turns_; k <= turns_; ++k) {
       const double heading = window.centre.heading_rad + k * step_rad_;
       auto& cells = cells_.emplace_back();
@@ -48,21 +59,45 @@ class Search {
     }
   }
 
-  std::optional<FoundPose> run() {
-    if (cells_.front().empty()) return std::nullopt;
+  /// False when the window holds more than is searched.
+  bool run() {
+    if (cells_.front().empty()) return true;
     int level = 0;
     while (level + 1 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
+    const int side = 1 << level;
+    std::vector<std::pair<Range, Range>> ranges;
+    std::int64_t blocks = 0;
+    for (const std::vector<Cell>& cells : cells_) {
+      const auto& [across, up] = ranges.emplace_back(meeting(cells, side));
+      blocks += across.blocks(side) * up.blocks(side);
+    }
+    if (blocks > most_blocks) return false;
     std::vector<Block> roots;
     for (int k = 0; k < static_cast<int>(cells_.size()); ++k) {
-      for (int y = -reach_; y <= reach_; y += 1 << level) {
-        for (int x = -reach_; x <= reach_; x += 1 << level) add(roots, {k, {x, y}, 0.0}, level);
+      const auto& [across, up] = ranges[static_cast<std::size_t>(k)];
+      for (int y = up.low; y <= up.high; y += side) {
+        for (int x = across.low; x <= across.high; x += side) add(roots, {k, {x, y}, 0.0}, level);
       }
     }
     descend(roots, level);
-    return found_ ? std::optional(best_) : std::nullopt;
+    return tried_ <= most_blocks;
   }
 
+  [[nodiscard]] std::optional<FoundPose> best() const { return found_ ? std::optional(best_) : std::nullopt; }
+
  private:
+  /// The blocks of the window in which some of the cells lie within the field: elsewhere the score is zero.
+  [[nodiscard]] std::pair<Range, Range> meeting(const std::vector<Cell>& cells, int side) const {
+    const GridFrame& frame = levels_.front().frame;
+    const auto [left, right] = std::ranges::minmax(cells, {}, &Cell::x);
+    const auto [lowest, highest] = std::ranges::minmax(cells, {}, &Cell::y);
+    const auto range = [&](int least, int most, int size) {
+      const int skipped = std::max(0, reach_ - most) / side;
+      return Range{-reach_ + skipped * side, std::min(reach_, size - 1 - least)};
+    };
+    return {range(left.x, right.x, frame.width), range(lowest.y, highest.y, frame.height)};
+  }
+
   [[nodiscard]] double cost(const Block& block, int level) const {
     const auto gap = [&](int low) { return std::max({0, low, -(low + (1 << level) - 1)}); };
     const double x = gap(block.offset.x), y = gap(block.offset.y);
@@ -87,9 +122,9 @@ class Search {
     return sum / (255.0 * static_cast<double>(cells.size()));
   }
 
-  void add(std::vector<Block>& blocks, Block block, int level) const {
+  void add(std::vector<Block>& blocks, Block block, int level) {
     const double most = 1.0 - cost(block, level);
-    if (most <= best_.score) return;
+    if (most <= best_.score || ++tried_ > most_blocks) return;
     block.bound = mean(block, level) - (1.0 - most);
     if (block.bound > best_.score) blocks.push_back(block);
   }
@@ -97,7 +132,7 @@ class Search {
   void descend(std::vector<Block>& blocks, int level) {
     std::sort(blocks.begin(), blocks.end(), better);
     for (const Block& block : blocks) {
-      if (block.bound <= best_.score) return;
+      if (block.bound <= best_.score || tried_ > most_blocks) return;
       if (level == 0) {
         take(block);
         continue;
@@ -128,6 +163,7 @@ class Search {
   double apart_m_;
   FoundPose best_;
   bool found_ = false;
+  std::int64_t tried_ = 0;
   int reach_ = 0;  ///< cells
   int turns_ = 0;  ///< steps to each side
   double step_rad_ = 0.0;
@@ -136,10 +172,16 @@ class Search {
 
 }  // namespace
 
-std::optional<FoundPose> SurfaceMap::find(const Surface& surface, const MatchWindow& window, double least,
-                                          const Vec2* except, double apart_m) const {
-  const Surface few = thinned(surface, most_points);
-  return Search(levels_, few, window, least, except, apart_m).run();
+std::optional<FoundPose> SurfaceMap::find(const Surface& surface, const MatchWindow& window,
+                                          double least) const {
+  Search search(levels_, thinned(surface, most_points), window, least, nullptr, 0.0);
+  return search.run() ? search.best() : std::nullopt;
+}
+
+bool SurfaceMap::may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
+                                  Vec2 except, double apart_m) const {
+  Search search(levels_, thinned(surface, most_points), window, least, &except, apart_m);
+  return !search.run() || search.best();
 }
 
 }  // namespace outrider

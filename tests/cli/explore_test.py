@@ -66,6 +66,16 @@ class Explore(ToolTest):
         self.assertEqual((answer["status"], answer["stop_reason"]), ("not_done", "budget"))
         self.assertTrue(answer["returned_home"])
 
+    def test_slices_whose_outer_wall_has_a_gap(self):
+        self.write("gap.csv", "0,0,6,0\n6,0,6,1.5\n6,2.5,6,4\n6,4,0,4\n0,4,0,0\n2,0,2,2.5\n")
+        result = self.run_tool("explore", "gap.csv", "--start=1,1,0", "--json", timeout=60)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        answer = self.json_of(result)
+        self.assertEqual((answer["status"], answer["stop_reason"]), ("not_done", "leak"))
+        self.assertIn("can leave the box of all that stands at about 6.", answer["reason"])
+        closed = self.explore("gap.csv", "--start=1,1,0", "--walls", "6,1.5,6,2.5")
+        self.assertGreater(answer["time_s"], closed["time_s"])
+
     def test_bad_input(self):
         self.refused("explore", "room.sdf", "--start", "0,0,0", says=["start"])
         self.refused("explore", "room.sdf", "--start", "x", says=["start", "x"])

@@ -21,10 +21,10 @@ class Discovery {
   void note(const Grid<std::uint8_t>& occupancy, bool redrawn, std::span<const std::size_t> changed,
             double time_s);
 
-  /// The part of the map that is known, as far as it was noted, drawn with at most so many cells: k x k cells
-  /// of the map, with the least k that will do, make one. It is occupied where one of them is, else free
-  /// where one of them is, and known when the first of them was. At most 500 steps of time. O(cells of the
-  /// map).
+  /// The part of the map that is known, as far as it was noted, drawn with at most so many cells, and never
+  /// more than most_drawn_cells: k x k cells of the map, with the least k that will do, make one. It is
+  /// occupied where one of them is, else free where one of them is, and known when the first of them was. At
+  /// most 500 steps of time. O(cells of the map).
   [[nodiscard]] ReportMap map(const Grid<std::uint8_t>& occupancy, std::size_t most_cells = 150'000) const;
 
  private:

@@ -115,6 +115,9 @@ struct ReportBound {
   double lower_bound = 0.0;  ///< proven; 0: nothing
 };
 
+/// A map that is drawn in a report has at most so many cells; what was larger is drawn coarser.
+inline constexpr std::int64_t most_drawn_cells = 4'000'000;
+
 /// A pursuit over a map of costs: who was where in each second, what it cost, what was known.
 struct ReportChase {
   int columns = 0;  ///< of the map as it is drawn; coarser than the true one where that is large

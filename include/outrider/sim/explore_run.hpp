@@ -32,7 +32,9 @@ struct ExploreRun {
 };
 
 /// Explores the world on a simulated robot and reports. status is "done" when the exploration is complete,
-/// the robot home where it was to go there, and nothing was touched. A pure function of its arguments, the
+/// the robot home where it was to go there, and nothing was touched. A world that the robot can leave has no
+/// end: there it turns back, with "leak" for a reason, once its map is larger than the box of all that stands
+/// and twice the range of the laser, whatever most_extent allows. A pure function of its arguments, the
 /// clock left out. Faults: those of begin() and of explore_truth(). Metrics:
 ///   explored_fraction, map_error_m, mapped_free_m2   of explore_truth.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end

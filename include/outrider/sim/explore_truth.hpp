@@ -30,8 +30,9 @@ struct ExploreTruth {
   Grid<std::uint8_t> places;  ///< values of Seeable, for the centres of the cells
   double reachable_m2 = 0.0;  ///< where the middle of the robot can be
   double seeable_m2 = 0.0;    ///< all that can be seen, that included
-  bool leaks = false;         ///< the robot can leave the box of all that stands: the world has no end
-  Vec2 leaks_at;              ///< a place outside that it reaches
+  Box2 standing;              ///< the box of all that stands
+  bool leaks = false;         ///< the robot can leave that box: the world has no end
+  Vec2 leaks_at;              ///< of the places outside, the one that it reaches in the fewest steps
 };
 
 /// Faults: start_blocked when the robot touches something at its start, with the nearest place where it would

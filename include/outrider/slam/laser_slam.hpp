@@ -12,12 +12,16 @@
 //
 // Where a scan fits nothing, the pose is that of the odometry, and the tie is loose. The map has every scan
 // until it is drawn anew.
-// Frames: world_T_robot; the first pose is exact. Same input, same bytes. Thread rule: one at a time.
-// Complexity: a step, the points of a scan and the window; a kept scan, besides, the points of some 30 scans;
-// a loop, a solution of the graph.
-// Sources: Olson, Real-time correlative scan matching, ICRA 2009, 4387-4393; Konolige et al., Efficient
-// sparse pose adjustment for 2D mapping, IROS 2010, 22-29 (the ties); surface_map.hpp in src for the
-// matching.
+//
+// Lost: where odometry is off by so much (three standard deviations are more than 3 m: after some 10 m
+// without a match, or a jump) that the scan may fit several places, it must be recognised in one, as a loop
+// is: most points on surfaces, no rival place. Else, or when the window holds more than a second's work, the
+// step says `lost`: the pose is that of the odometry, the covariance grows by its error, and mapping goes on
+// from there. Frames: world_T_robot; the first pose is exact. Same input, same bytes. Thread rule: one at a
+// time. Complexity: a step, the points of a scan and the window, at most some two seconds; a kept scan,
+// besides, the points of some 30 scans; a loop, a solution of the graph. Sources: Olson, Real-time
+// correlative scan matching, ICRA 2009, 4387-4393; Konolige et al., Efficient sparse pose adjustment for 2D
+// mapping, IROS 2010, 22-29 (the ties); surface_map.hpp in src for the matching.
 #pragma once
 
 #include <memory>
@@ -51,6 +55,7 @@ std::vector<Option> describe(LaserSlamOptions& options);
 struct LaserSlamStep {
   Pose2 pose;            ///< now
   bool matched = false;  ///< the scan fitted the map; else the pose is that of the odometry
+  bool lost = false;     ///< the robot may be in several places; what follows is tied to the map loosely
   bool kept = false;     ///< the scan is one that settle() draws the map from
   bool closed_loop = false;
   MapUpdate update;  ///< of map()

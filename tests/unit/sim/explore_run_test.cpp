@@ -72,6 +72,18 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   EXPECT_GT(part, 0.3);
 }
 
+TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
+  World open = room();
+  open.solids[3] = box("east", {3.0, 0.0}, {3.1, 1.0});  // of the wall to 2.0
+  const auto run = run_explore(open, task_at({{0.5, 0.5}, 1.0}), {}, 3);
+  ASSERT_TRUE(run) << run.error().sentence;
+  EXPECT_EQ(run->stop_reason, "leak");
+  EXPECT_EQ(run->report.status, "not_done");
+  EXPECT_NE(run->report.reason.find("at about 3.1"), std::string::npos) << run->report.reason;
+  EXPECT_EQ(metric(run->report, "returned_home"), 1.0);
+  EXPECT_LT(metric(run->report, "time_s"), 300.0);
+}
+
 TEST(ExploreRun, AClockTellsTheTimesOfThinking) {
   double ticks = 0.0;
   ExploreWatch watch;

@@ -78,6 +78,9 @@ TEST(ExploreTruth, AnOpenDoorLeaks) {
   EXPECT_TRUE(truth->leaks);
   const Box2 standing{{-wall_m, -wall_m}, {3.0 + wall_m, 2.0 + wall_m}};
   EXPECT_FALSE(standing.contains(truth->leaks_at));
+  EXPECT_NEAR(truth->leaks_at.x, 3.1, 0.1) << "at the door";
+  EXPECT_NEAR(truth->leaks_at.y, 0.25, 0.25);
+  EXPECT_LT(distance(truth->standing.low, standing.low), 1e-9);
 }
 
 TEST(ExploreTruth, AStartInAWallIsRefusedWithAPlaceThatFits) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <limits>
 
 #include "laser_room.hpp"
@@ -215,6 +216,70 @@ TEST(LaserSlam, OneBadScanKillsNoRun) {
   EXPECT_FALSE(slam->advance({{std::nan(""), 0.0}, 0.0}, {}));
   EXPECT_FALSE(slam->advance({{1e300, 0.0}, 0.0}, {}));
   EXPECT_EQ(slam->trajectory().size(), drive.poses.size() + 1);
+}
+
+/// Odometry that is right but for a jump, of a robot that was not moved, or was carried to another room.
+struct Jumped {
+  int lost = 0;
+  double longest_s = 0.0;        ///< of the processor, a step
+  double off_m = 0.0;            ///< in the end
+  bool matched = false;          ///< the scan at the jump
+  int unmatched_after = 0;       ///< the jump
+  double end_variance_m2 = 0.0;  ///< of x
+};
+Jumped map_with_a_jump(double jump_m, bool carried, const testing::Finder& finder = {}) {
+  Rng rng(7);
+  const Drive drive = drive_along({{0.5, 0.5}, {2.4, 0.5}, {2.4, 3.4}}, 0.0, rng);
+  std::vector<testing::Wall> elsewhere = testing::box_walls({-1.3, -2.2}, {4.1, 6.0});
+  for (const testing::Wall& wall : testing::box_walls({0.2, 1.1}, {1.5, 1.4})) elsewhere.push_back(wall);
+  auto slam = LaserSlam::begin({}, drive.poses.front());
+  const std::size_t when = drive.poses.size() / 2;
+  Jumped result;
+  for (std::size_t i = 0; i < drive.poses.size(); ++i) {
+    Pose2 motion = drive.motions[i];
+    if (i == when) motion.position.x += jump_m;
+    const bool there = carried && i >= when;
+    const LaserScan scan =
+        testing::scan_from(there ? elsewhere : testing::furnished_room(), drive.poses[i], finder, rng);
+    const std::clock_t begin = std::clock();
+    const auto step = slam->advance(motion, scan);
+    const double took_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    result.longest_s = std::max(result.longest_s, took_s);
+    EXPECT_FALSE(step->lost && step->matched);
+    result.lost += step->lost ? 1 : 0;
+    if (i == when) result.matched = step->matched;
+    result.unmatched_after += i > when && !step->matched ? 1 : 0;
+    result.off_m = distance(step->pose.position, drive.poses[i].position);
+  }
+  result.end_variance_m2 = slam->pose_covariance()(0, 0);
+  return result;
+}
+
+TEST(LaserSlam, AJumpOfItsOdometryIsMendedOrOwnedUpTo) {
+  for (const double jump_m : {10.0, 100.0, 1000.0, 1e5}) {
+    const Jumped stayed = map_with_a_jump(jump_m, false);
+    EXPECT_LT(stayed.longest_s, 10.0) << jump_m;
+    EXPECT_EQ(stayed.matched, stayed.off_m < 0.1) << jump_m;
+    EXPECT_EQ(stayed.matched, jump_m > 500.0) << "less is beyond what odometry is taken to err by " << jump_m;
+    const Jumped carried = map_with_a_jump(jump_m, true);
+    EXPECT_LT(carried.longest_s, 10.0) << jump_m;
+    EXPECT_FALSE(carried.matched) << jump_m;
+    if (jump_m < 20.0) continue;  // nearer than that is a correction
+    EXPECT_EQ(carried.lost, 1) << jump_m;
+    EXPECT_EQ(carried.unmatched_after, 0) << jump_m;
+    EXPECT_GT(carried.end_variance_m2, 0.01 * jump_m * jump_m) << jump_m;
+  }
+}
+
+/// A laser that sees far turns in steps so fine that more poses are to be told apart than are searched.
+TEST(LaserSlam, AJumpInAHallTakesBoundedWork) {
+  testing::Finder finder;
+  finder.most_m = 80.0;
+  for (const double jump_m : {1000.0, 9e5}) {
+    const Jumped stayed = map_with_a_jump(jump_m, false, finder);
+    EXPECT_LT(stayed.longest_s, 10.0) << jump_m;
+    EXPECT_EQ(stayed.matched, stayed.off_m < 0.1) << jump_m;
+  }
 }
 
 TEST(LaserSlam, RefusesInASentence) {

@@ -1,5 +1,6 @@
 // The report of a running mission, put together from what the server tells of it (docs/server.md).
 import type { Explore, Report } from "../report/types";
+import { faultOfMap } from "../report/runs";
 import type { Message } from "./socket";
 
 type Part = Record<string, unknown>;
@@ -43,6 +44,7 @@ export class Growth {
     }
     if (!this.report) return false;
     if (message.type === "growth") this.add(message.report as Part);
+    else if (message.type === "map" && faultOfMap(message.map as Explore["map"], "map")) return false;
     else if (message.type === "map") this.add({ [this.report.slam ? "slam" : "explore"]: { map: message.map } });
     else if (message.type === "samples") this.add({ track: message.rows });
     else if (message.type === "events") this.add({ events: message.events });

@@ -131,13 +131,3 @@ export class Run {
     return this.report.events.findLastIndex((event: Event) => finite(event.time_s) <= t + 1e-9);
   }
 }
-
-/** A whole number of [value, count, value, count, ...] runs, spread out. */
-export function spread<T extends Int16Array | Float64Array>(runs: number[], into: T): T {
-  let at = 0;
-  for (let i = 0; i + 1 < runs.length; i += 2) {
-    into.fill(runs[i]!, at, at + runs[i + 1]!);
-    at += runs[i + 1]!;
-  }
-  return into;
-}

@@ -1,6 +1,7 @@
 // A report as docs/report.md describes it: what the page reads of it.
 import type { Num } from "../base/numbers";
 import type { Rounded, Vec2 } from "../base/outline";
+import { faultOfMap, faultOfRuns } from "./runs";
 
 export type Vec3 = [number, number, number];
 export type Pose = [number, number, number];
@@ -152,6 +153,13 @@ export interface Report {
   slam?: Slam;
 }
 
+/** Why a map of the report cannot be drawn, with its key; null when all can. */
+function faultOfMaps({ chase, explore, slam }: Partial<Report>): string | null {
+  const fault = chase ? faultOfRuns(chase.cost_runs, chase.columns, chase.rows) : null;
+  if (fault) return `chase.cost_runs: ${fault}`;
+  return (explore?.map ? faultOfMap(explore.map, "explore.map") : null) ?? (slam?.map ? faultOfMap(slam.map, "slam.map") : null);
+}
+
 /** The report in a text, or a sentence why it is none. */
 export function parseReport(text: string): Report | string {
   let json: Partial<Report>;
@@ -165,5 +173,5 @@ export function parseReport(text: string): Report | string {
   for (const key of ["world", "robot", "targets", "shots", "events", "track", "metrics", "paths"] as const) {
     if (json[key] === undefined) return `${key}: this key is missing; the file was cut or written by something else`;
   }
-  return json as Report;
+  return faultOfMaps(json) ?? (json as Report);
 }

@@ -2,7 +2,8 @@
 import { mix, clamp } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { chaserColours, theme, isDark } from "../base/theme";
-import { spread, type Run } from "../report/run";
+import type { Run } from "../report/run";
+import { spread } from "../report/runs";
 import { disk, type Layer, type Pen } from "./layer";
 
 const wall = -1;
@@ -10,10 +11,10 @@ const wall = -1;
 /** The map of costs as a picture of one pixel a cell, on a scale of logarithms. */
 export function costPicture(run: Run): HTMLCanvasElement {
   const { columns, rows, cost_runs } = run.report.chase!;
-  const costs = spread(cost_runs, new Float64Array(columns * rows));
+  const costs = spread(cost_runs, columns, rows, Float64Array);
   const passable = cost_runs.filter((value, i) => i % 2 === 0 && value !== wall);
-  const low = Math.log1p(Math.min(...passable));
-  const span = Math.log1p(Math.max(...passable)) - low || 1;
+  const low = Math.log1p(passable.reduce((least, cost) => Math.min(least, cost), Infinity));
+  const span = Math.log1p(passable.reduce((most, cost) => Math.max(most, cost), -Infinity)) - low || 1;
   const [cheap, dear, solid] = isDark()
     ? [[24, 36, 46], [178, 132, 74], [92, 108, 120]] as const
     : [[251, 250, 245], [125, 92, 40], [63, 69, 75]] as const;

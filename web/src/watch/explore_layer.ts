@@ -2,7 +2,8 @@
 import { Path } from "../base/ink";
 import { traceRounded } from "../base/outline";
 import { theme } from "../base/theme";
-import { spread, type Run } from "../report/run";
+import type { Run } from "../report/run";
+import { spread } from "../report/runs";
 import type { Explore } from "../report/types";
 import { areaOf } from "./area";
 import { disk, type Layer, type Pen } from "./layer";
@@ -21,8 +22,8 @@ export class Discovery {
 
   constructor(private map: Explore["map"]) {
     const size = map.columns * map.rows;
-    this.state = spread(map.state_runs, new Int16Array(size));
-    this.step = spread(map.known_runs, new Int16Array(size));
+    this.state = spread(map.state_runs, map.columns, map.rows, Int16Array);
+    this.step = spread(map.known_runs, map.columns, map.rows, Int16Array);
     const known = Array.from({ length: size }, (_, i) => i).filter((i) => this.state[i] !== unknown);
     this.order = Uint32Array.from(known.sort((a, b) => this.step[a]! - this.step[b]! || a - b));
     this.canvas.width = Math.max(1, map.columns);

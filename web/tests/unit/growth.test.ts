@@ -43,7 +43,7 @@ describe("a report that grows", () => {
     expect(growth.report!.targets).toMatchObject([{ status: "reached" }]);
     expect(growth.report!.explore!.map.columns).toBe(0);
     growth.hear({ type: "map", map });
-    growth.hear({ type: "map", map: { ...map, columns: 3 } });
+    growth.hear({ type: "map", map: { ...map, columns: 3, state_runs: [0, 3], known_runs: [0, 3] } });
     growth.hear({ type: "growth", report: { explore: { beliefs: [{ time_s: 1 }] } } });
     growth.hear({ type: "growth", report: { explore: { beliefs: [{ time_s: 2 }] } } });
     expect(growth.report!.explore).toMatchObject({ map: { columns: 3 }, walls: [[[0, 0]]], beliefs: [{ time_s: 1 }, { time_s: 2 }] });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { alongKnots, Run, spread } from "../../src/report/run";
+import { alongKnots, Run } from "../../src/report/run";
 import { lastNotAfter, Track } from "../../src/report/track";
 import { parseReport, type Shot, type Target } from "../../src/report/types";
 import { report } from "./report";
@@ -78,17 +78,13 @@ describe("a run", () => {
   });
 });
 
-describe("knots and runs", () => {
+describe("knots", () => {
   it("goes straight between knots", () => {
     const knots = [{ t: 1, at: [0, 0] as [number, number] }, { t: 3, at: [2, 4] as [number, number] }];
     expect(alongKnots(knots, 0)).toEqual([0, 0]);
     expect(alongKnots(knots, 2)).toEqual([1, 2]);
     expect(alongKnots(knots, 5)).toEqual([2, 4]);
     expect(alongKnots([], 1)).toBeNull();
-  });
-
-  it("spreads runs of value and count", () => {
-    expect([...spread([2, 3, 0, 1], new Int16Array(4))]).toEqual([2, 2, 2, 0]);
   });
 });
 

@@ -1,0 +1,108 @@
+"""Names of files, names in files and values of any bytes: no sentence commands the terminal, and JSON stays JSON."""
+import json
+import os
+import subprocess
+import unittest
+
+from tool import COARSE, SOURCE, TARGETS, TOOL, YARD, MAP, ToolTest, main
+
+EVIL = b"\xff\x1b[31mX\nY"
+FIELD = b'{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]]]}'
+SLICES = b"0,0,3,0\n3,0,3,2\n3,2,0,2\n0,2,0,0\n"
+
+
+class AnyBytes(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.commands = []
+        for name, content in [(b".sdf", YARD.encode()), (b".txt", TARGETS.encode()), (b".map", MAP.encode()),
+                              (b".geojson", FIELD), (b".csv", SLICES),
+                              (b".yaml", b"job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: " + EVIL[:6] + b"\n")]:
+            self.put(EVIL + name, content)
+        self.put(b"named.txt", b"name=" + EVIL[:6] + b" size=0.3,0.3,0.3 x=1.8 y=1.9\n")
+        self.put(b"named.sdf", YARD.encode().replace(b'name="crate"', b'name="' + EVIL[:6] + b'"'))
+        for folder, name in [("slam", "yard.g2o"), ("slam", "posts.dat")]:
+            self.put(EVIL + name.encode(), (SOURCE / "scenarios" / folder / name).read_bytes())
+
+    def put(self, name, content):
+        with open(os.path.join(os.fsencode(self.folder), name), "wb") as file:
+            file.write(content)
+
+    def harmless(self, *words):
+        for more in ([], [b"--json"]):
+            command = [os.fsencode(TOOL), *(word if isinstance(word, bytes) else word.encode() for word in words), *more]
+            with self.subTest(command=command):
+                result = subprocess.run(command, cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, timeout=120)
+                self.assertIn(result.returncode, (0, 1, 2), result.stderr)
+                for stream in (result.stdout, result.stderr):
+                    text = stream.decode("utf-8")  # fails on other bytes
+                    self.assertNotIn("this is a bug", text)
+                    self.assertFalse([c for c in text if not c.isprintable() and c not in "\n\t"], text)
+                lines = result.stderr.decode().splitlines()
+                self.assertTrue(all(line.startswith("outrider: ") for line in lines), lines)
+                if more and result.stdout:
+                    json.loads(result.stdout)
+
+    def test_words(self):
+        for verb in [b"run", b"guard", b"plan", b"cover", b"explore", b"slam", b"drive", b"pursue", b"detect", b"calibrate",
+                     b"replay", b"list", b"schema", b"bench", b"serve"]:
+            self.harmless(verb, b"no/" + EVIL)
+            self.harmless(verb, b"--" + EVIL)
+        self.harmless(EVIL)
+        for flag in ["--planner", "--start", "--seed", "--validate", "--targets"]:
+            self.harmless("guard", "--world", "yard.sdf", flag, EVIL)
+        for flag in ["--planner", "--from", "--block", "--query", "--svg"]:
+            self.harmless("plan", "small.map", "--from", "0.5,3.5", "--to", "5.5,3.5", flag, EVIL[:6])
+        self.harmless("schema", "--as", EVIL)
+        self.harmless("bench", "path", "--data", EVIL)
+        self.harmless("serve", "--port", EVIL)
+
+    def test_names_of_files_and_folders(self):
+        guard = ["--start", "0,-2,90", *COARSE, "--out", b"guard" + EVIL]
+        self.harmless("guard", "--world", EVIL + b".sdf", "--targets", EVIL + b".txt", *guard)
+        self.harmless("replay", b"guard" + EVIL + b"/guard.json", "--svg", EVIL + b".svg")
+        self.harmless("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE, "--pddl", EVIL)
+        self.harmless("run", EVIL + b".yaml")
+        self.harmless("plan", EVIL + b".map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--svg", EVIL + b".svg")
+        self.harmless("plan", EVIL + b".sdf", "--from", "0,0", "--to", "1,-1")
+        self.harmless("cover", EVIL + b".geojson", "--out", b"cover" + EVIL)
+        self.harmless("explore", EVIL + b".csv", "--start", "1,1,0", "--out", b"explore" + EVIL)
+        for name in [b"yard.g2o", b"posts.dat"]:
+            self.harmless("slam", EVIL + name, "--out", b"slam" + EVIL + name)
+
+    def test_plans_that_are_written(self):
+        """With the name of the map in them."""
+        data = os.environ.get("OUTRIDER_DATA") or SOURCE.parent / "shared" / "data"
+        published = os.path.join(data, "polygons", "map_1.txt")
+        if os.path.exists(published):
+            self.put(EVIL + b"map_1.txt", open(published, "rb").read())
+            self.harmless("plan", EVIL + b"map_1.txt", "--query", "1", "--out", "polygons")
+            plan = json.loads((self.folder / "polygons/plan.json").read_text(encoding="utf-8"))
+            self.assertIn("\ufffd", json.dumps(plan, ensure_ascii=False))
+        folder = b"in" + EVIL[:6]
+        os.mkdir(os.path.join(os.fsencode(self.folder), folder))
+        self.put(folder + b"/small.map", MAP.encode())
+        self.put(folder + b"/plan.yaml", b'job: plan\nmap: small.map\nfrom: "0.5,3.5"\nto: "5.5,3.5"\nplanner: a_star\nradius: 0\n')
+        self.harmless("run", folder + b"/plan.yaml", "--out", "grid")
+        json.loads((self.folder / "grid/plan.json").read_text(encoding="utf-8"))
+
+    def test_names_in_files(self):
+        guard = ["--start", "0,-2,90", *COARSE]
+        self.harmless("guard", "--world", "named.sdf", "--targets", "named.txt", *guard)
+        self.harmless("guard", "--world", "named.sdf", "--targets", "targets.txt", *guard, "--out", "named")
+
+    def test_a_report_with_names_of_more_lines(self):
+        run = self.run_tool("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE,
+                            "--out", "told")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        report = json.loads((self.folder / "told/guard.json").read_text())
+        report["world"]["name"] = "yard\x1b[2J\nforged: all well"
+        report["targets"][0]["name"] = "cat\nforged"
+        self.write("forged.json", json.dumps(report))
+        self.harmless("replay", "forged.json")
+        lines = self.run_tool("replay", "forged.json").stdout.splitlines()
+        self.assertFalse([line for line in lines if line.startswith("forged")], lines)
+
+
+if __name__ == "__main__":
+    main()

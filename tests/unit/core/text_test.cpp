@@ -1,0 +1,54 @@
+#include "outrider/core/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace outrider {
+namespace {
+
+TEST(Text, PrintableTextStaysAsItIs) {
+  for (const std::string text : {"", "crate 7",
+                                 "k\xC3\xBC"
+                                 "che",
+                                 "\xE2\x82\xAC 5", "\xF0\x9F\x90\x88", "\xC2\xA0"}) {
+    EXPECT_TRUE(is_printable(text)) << text;
+    EXPECT_EQ(printable(text), text);
+  }
+}
+
+TEST(Text, WhatATerminalActsOnBecomesAQuestionMark) {
+  const std::pair<std::string, std::string> cases[] = {{"\x1B[31mred", "?[31mred"},
+                                                       {"one\ntwo\r\t", "one?two??"},
+                                                       {std::string("nul\0", 4), "nul?"},
+                                                       {"del\x7F", "del?"},
+                                                       {"\xC2\x9B"
+                                                        "31m",
+                                                        "??31m"},           // U+009B begins a command too
+                                                       {"\xFF\xFE", "??"},  // no UTF-8
+                                                       {"\xC0\xAF", "??"},  // a slash in too many bytes
+                                                       {"\xED\xA0\x80", "???"},       // half a surrogate pair
+                                                       {"\xF4\x90\x80\x80", "????"},  // beyond U+10FFFF
+                                                       {"cut \xE2\x82", "cut ??"},
+                                                       {"\xE2\x82"
+                                                        "A",
+                                                        "??A"}};
+  for (const auto& [text, shown] : cases) {
+    EXPECT_FALSE(is_printable(text)) << shown;
+    EXPECT_EQ(printable(text), shown);
+    EXPECT_TRUE(is_printable(printable(text)));
+  }
+}
+
+TEST(Text, KeepsWhatItIsTold) { EXPECT_EQ(printable("a\n\tb\x1B", "\n\t"), "a\n\tb?"); }
+
+TEST(Text, EveryPairOfBytesEndsPrintable) {
+  for (int a = 0; a < 256; ++a) {
+    for (int b = 0; b < 256; ++b) {
+      const std::string text{static_cast<char>(a), static_cast<char>(b)};
+      ASSERT_TRUE(is_printable(printable(text))) << a << ' ' << b;
+      ASSERT_EQ(is_printable(text), printable(text) == text) << a << ' ' << b;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace outrider
