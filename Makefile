@@ -16,7 +16,7 @@ endif
 FUZZ_SECONDS ?= 60
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak fuzz bench lint check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak fuzz bench sbom lint check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -87,6 +87,10 @@ bench:  ## run the benchmarks
 	@for program in build/bench/bench_*; do $$program || exit 1; done
 	@ninja -C build -j $(JOBS) outrider
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/bench.mjs || [ $$? -eq 77 ]
+
+sbom: tool-and-page  ## list what the tool is made of, with versions, in out/sbom.json (CycloneDX)
+	@mkdir -p out && scripts/sbom build/outrider > out/sbom.json.part && mv out/sbom.json.part out/sbom.json
+	@echo "out/sbom.json"
 
 pictures: tool-and-page  ## make the pictures of the README and docs/ anew, from the page
 	$(INSTALL) browser picture

@@ -1,9 +1,13 @@
 // Two pages from the same sources: the app with its assets, and (--mode viewer) one self-contained file that
 // shows the report which is put into it.
+import { createHash } from "node:crypto";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 
-/** Puts the one script and the one style sheet of the bundle into its HTML. */
+/** The name of a script in a Content-Security-Policy: a browser runs no other than the one with these bytes. */
+const hashOf = (script: string): string => `sha256-${createHash("sha256").update(script).digest("base64")}`;
+
+/** Puts the one script and the one style sheet of the bundle into its HTML, and the script's hash into its policy. */
 function oneFile(): Plugin {
   return {
     name: "one-file",
@@ -15,14 +19,15 @@ function oneFile(): Plugin {
       let html = String(page.source);
       for (const file of files) {
         if (file === page) continue;
-        const content = file.type === "chunk" ? file.code : String(file.source);
+        const content = (file.type === "chunk" ? file.code : String(file.source)).replaceAll("</script", "<\\/script");
         const tag = file.type === "chunk"
-          ? `<script type="module">${content.replaceAll("</script", "<\\/script")}</script>`
+          ? `<script type="module">${content}</script>`
           : `<style>${content}</style>`;
         const link = new RegExp(`<(script|link)[^>]*${file.fileName.replace(/[.]/g, "\\.")}[^>]*>(</script>)?`);
         if (!link.test(html)) throw new Error(`${file.fileName} is not named in the page`);
         html = file.type === "chunk" ? html.replace(link, "").replace("</body>", () => `${tag}\n</body>`)
           : html.replace(link, () => tag);
+        if (file.type === "chunk") html = html.replace("SCRIPT-HASH", () => hashOf(content));
         delete bundle[file.fileName];
       }
       page.source = html;

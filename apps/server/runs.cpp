@@ -335,6 +335,7 @@ void Runs::hear(const RunPtr& run, std::string_view line) {
 
 void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   Conclusion conclusion = conclusion_of(child);
+  conclusion.fault = without_folder(std::move(conclusion.fault), run->out);
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
   if (conclusion.summary.contains("report")) conclusion.summary.erase("report");  // a path of ours

@@ -16,7 +16,6 @@ namespace {
 constexpr double width_px = 900.0;
 constexpr double chart_px = 190.0;
 constexpr std::size_t most_frames = 600;
-constexpr int most_rows = 100'000;
 constexpr std::string_view wall_colour = "#3f454b", target_colour = "#c2185b", bound_colour = "#00785a";
 constexpr std::array<std::string_view, 8> cost_colours = {"#fbfaf5", "#f4ecd4", "#ecdcae", "#e0c88a",
                                                           "#d0b06a", "#b9944f", "#9c783a", "#7d5c28"};

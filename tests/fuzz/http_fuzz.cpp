@@ -38,7 +38,8 @@ Request request_of(std::string_view text) {
 
 void check(const Response& response) {
   if (response.status < 200 || response.status > 599 || response.status == 500) std::abort();
-  if (response.body.find(outrider::fuzzing::secret) != std::string::npos) std::abort();
+  const std::string sent = response.file ? response.file->part(0, response.file->bytes()) : response.body;
+  if (sent.find(outrider::fuzzing::secret) != std::string::npos) std::abort();
   if (response.type != "application/json" || response.status < 400) return;
   const auto error = nlohmann::json::parse(response.body, nullptr, false);
   if (!error.is_object() || !error.contains("error") || error["error"].empty()) std::abort();

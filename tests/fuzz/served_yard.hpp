@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app.hpp"
+#include "outrider/io/confinement.hpp"
 
 namespace outrider::fuzzing {
 
@@ -16,36 +17,45 @@ inline constexpr std::string_view secret = "name=sesame_of_the_outside";
 
 class ServedYard {
  public:
+  /// Confines this process as `outrider serve` confines those that read for it; temporary folders lie within.
   ServedYard() : home_(std::move(*server::TemporaryFolder::make())) {
     write("secret.txt", std::string(secret));
+    write("inside/temporary/keep", "");
+    ::setenv("TMPDIR", (home_.path() / "inside/temporary").c_str(), 1);
     reset();
+    if (!confine_reading((home_.path() / "inside").string())) std::abort();
   }
 
   /// The folder as it was at first, without what requests wrote.
   void reset() {
     namespace fs = std::filesystem;
-    fs::remove_all(home_.path() / "yard");
-    write("yard/yard.sdf",
+    fs::remove_all(home_.path() / "inside/yard");
+    write("inside/yard/yard.sdf",
           "<sdf version='1.6'><world name='w'><model name='floor'><link name='l'><collision name='c'>"
           "<geometry><plane><normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link>"
           "</model><model name='post'><pose>1 1 0.5 0 0 0</pose><link name='l'><collision name='c'>"
           "<geometry><box><size>0.4 0.4 1</size></box></geometry></collision></link></model></world></sdf>");
-    write("yard/yard.yaml",
+    write("inside/yard/yard.yaml",
           "job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nbounds: -4,-4,4,4\n");
-    write("yard/targets.txt", "name=fox type=1 x=2 y=2\n");
-    write("yard/room.map", "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n");
-    fs::create_symlink("../secret.txt", home_.path() / "yard/link.txt");
+    write("inside/yard/targets.txt", "name=fox type=1 x=2 y=2\n");
+    write("inside/yard/room.map", "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n");
+    fs::create_symlink("../../secret.txt", home_.path() / "inside/yard/link.txt");
   }
 
   /// A new one for every input, so that it is the input alone that matters.
   [[nodiscard]] server::App app() const {
-    server::AppSettings settings{"1", "", {{"guard", "", {}}, {"plan", "", {}}}, {}, {}};
+    server::AppSettings settings{"1", "", {{"guard", "", {}}, {"plan", "", {}}}, {}, {}, read_here};
     settings.runs.at_once = 0;
     settings.runs.waiting = 4;
-    return {*server::Folder::open((home_.path() / "yard").string()), settings};
+    return {*server::Folder::open((home_.path() / "inside/yard").string()), settings};
   }
 
  private:
+  static Outcome<server::Json> read_here(const server::Folder& folder, const server::Json& question,
+                                         const std::stop_token&) {
+    return server::answer_reading(question, folder);
+  }
+
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((home_.path() / name).parent_path());
     std::ofstream(home_.path() / name, std::ios::binary) << text;
