@@ -1,6 +1,7 @@
 // What the server targets ask about: a folder with a yard, and an App that starts no mission.
 #pragma once
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +17,7 @@ inline constexpr std::string_view secret = "name=sesame_of_the_outside";
 
 class ServedYard {
  public:
-  ServedYard() : home_(std::move(*server::TemporaryFolder::make())) {
+  ServedYard() : home_(must(server::TemporaryFolder::make())) {
     write("secret.txt", std::string(secret));
     reset();
   }
@@ -42,10 +43,17 @@ class ServedYard {
     server::AppSettings settings{"1", "", {{"guard", "", {}}, {"plan", "", {}}}, {}, {}};
     settings.runs.at_once = 0;
     settings.runs.waiting = 4;
-    return {*server::Folder::open((home_.path() / "yard").string()), settings};
+    return {must(server::Folder::open((home_.path() / "yard").string())), settings};
   }
 
  private:
+  template <class T>
+  static T must(Outcome<T> outcome) {
+    if (outcome) return std::move(*outcome);
+    std::fprintf(stderr, "the target has no folder: %s\n", to_string(outcome.error()).c_str());
+    std::abort();
+  }
+
   void write(const std::string& name, const std::string& text) const {
     std::filesystem::create_directories((home_.path() / name).parent_path());
     std::ofstream(home_.path() / name, std::ios::binary) << text;
