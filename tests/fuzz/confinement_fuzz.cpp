@@ -70,6 +70,7 @@ class Folders {
       text.replace(at, 5, out);
     }
     fs::create_directories((root_ / name).parent_path());
+    fs::remove(root_ / name);  // some file systems flush what is truncated
     std::ofstream(root_ / name, std::ios::binary) << text;
   }
 

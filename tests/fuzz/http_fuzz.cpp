@@ -50,6 +50,7 @@ void check(const Response& response) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static outrider::fuzzing::ServedYard yard;
   std::string_view input(reinterpret_cast<const char*>(data), size);
+  if (input.find(outrider::fuzzing::secret) != std::string_view::npos) return 0;  // it would be echoed
   outrider::server::App app = yard.app();
   bool writes = false;
   std::string run;

@@ -1,6 +1,7 @@
 // What the server targets ask about: a folder with a yard, and an App that starts no mission.
 #pragma once
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -18,7 +19,7 @@ inline constexpr std::string_view secret = "name=sesame_of_the_outside";
 class ServedYard {
  public:
   /// Confines this process as `outrider serve` confines those that read for it; temporary folders lie within.
-  ServedYard() : home_(std::move(*server::TemporaryFolder::make())) {
+  ServedYard() : home_(must(server::TemporaryFolder::make())) {
     write("secret.txt", std::string(secret));
     write("inside/temporary/keep", "");
     ::setenv("TMPDIR", (home_.path() / "inside/temporary").c_str(), 1);
@@ -47,13 +48,21 @@ class ServedYard {
     server::AppSettings settings{"1", "", {{"guard", "", {}}, {"plan", "", {}}}, {}, {}, read_here};
     settings.runs.at_once = 0;
     settings.runs.waiting = 4;
-    return {*server::Folder::open((home_.path() / "inside/yard").string()), settings};
+    return {must(server::Folder::open((home_.path() / "inside/yard").string())), settings};
   }
 
  private:
   static Outcome<server::Json> read_here(const server::Folder& folder, const server::Json& question,
                                          const std::stop_token&) {
     return server::answer_reading(question, folder);
+  }
+
+  template <class T>
+  static T must(Outcome<T> outcome) {
+    if (outcome) return std::move(*outcome);
+    std::fprintf(stderr, "the target has no folder: %s
+", to_string(outcome.error()).c_str());
+    std::abort();
   }
 
   void write(const std::string& name, const std::string& text) const {
