@@ -37,10 +37,10 @@ OptionGroup describe(ServeCommand& command) {
       {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
        {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
        {"token", "", 0, 0,
-        "what every request must show; 16 letters or more. Other users of this machine see it in the list "
-        "of processes: --token-file and the variable OUTRIDER_TOKEN keep it to yourself",
+        "what every request must show; 16 letters or more; other users of the machine can see it",
         &command.token},
-       {"token_file", "", 0, 0, "file with the token in its first line", &command.token_file},
+       {"token_file", "", 0, 0, "file with the token in its first line; or set OUTRIDER_TOKEN",
+        &command.token_file},
        {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs},
        {"memory", "MiB", 64, 1e6, "most that one mission may take", &command.memory_mib}}};
 }

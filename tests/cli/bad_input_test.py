@@ -1,9 +1,14 @@
 """Whatever is wrong with a request or a file: one sentence, exit status 2, nothing written."""
 import gzip
+import json
 import os
+import random
+import resource
+import subprocess
+import time
 import unittest
 
-from tool import FENCE, TARGETS, YARD, ToolTest, main, world
+from tool import FENCE, TARGETS, TOOL, YARD, ToolTest, costly_cases, main, world
 
 SCENARIO = "job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\n"
 GARBAGE = bytes(range(256)) * 8
@@ -94,12 +99,48 @@ class Output(ToolTest):
 
     def test_standard_output_that_is_full(self):
         if os.path.exists("/dev/full"):
-            import subprocess
-            from tool import TOOL
             with open("/dev/full", "w") as full:
                 result = subprocess.run([TOOL, "list"], stdout=full, stderr=subprocess.PIPE, text=True)
-            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.returncode, 3)
             self.assertIn("standard output", result.stderr)
+
+    def test_a_full_disk_is_no_wrong_request_and_changes_nothing(self):
+        first = self.run_tool(*self.guard("--out", "out"))
+        self.assertIn(first.returncode, (0, 1))
+        before = self.tree()
+        full = subprocess.run([TOOL, *map(str, self.guard("--out", "out", "--svg", "--seed", "9", "--json"))], cwd=self.folder,
+                              capture_output=True, text=True, timeout=60,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000)))
+        self.assertEqual(full.returncode, 3, full.stderr)
+        self.assertEqual(self.tree(), before)
+        said = json.loads(full.stdout)
+        self.assertEqual((said["status"], said["code"]), ("not_written", "cannot_write"))
+        self.assertIn("out/guard.", said["where"])
+
+    def test_killed_while_it_writes(self):
+        """All old files or all new ones; the two runs differ by their seed, which stands in each."""
+        folder = self.folder / "out"
+        self.assertIn(self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1")).returncode, (0, 1))
+        versions = [{path.name: path.read_bytes() for path in folder.iterdir()}]
+        self.run_tool(*self.guard("--out", "other", "--svg", "--seed", "2"))
+        versions.append({path.name: path.read_bytes() for path in (self.folder / "other").iterdir()})
+        self.assertEqual([name for name in versions[0] if versions[0][name] == versions[1][name]], [], "all differ")
+        begin = time.monotonic()
+        self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1"))
+        whole_s = time.monotonic() - begin
+        rng = random.Random(5)
+        killed = 0
+        for i in range(costly_cases(25)):
+            run = subprocess.Popen([TOOL, *map(str, self.guard("--out", "out", "--svg", "--seed", str(1 + i % 2)))],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(whole_s * rng.uniform(0.5, 1.0))
+            run.kill()
+            killed += run.wait() == -9
+            time.sleep(0.05)  # the renaming may be under way
+            self.assertIn({path.name: path.read_bytes() for path in folder.iterdir() if path.suffix != ".part"}, versions)
+        self.assertGreater(killed, 5, "it was killed while it worked")
+        self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1"))
+        self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, versions[0], "and nothing is left behind")
 
 
 class Files(ToolTest):
