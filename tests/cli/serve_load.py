@@ -66,7 +66,7 @@ def half_requests(server, count):
     return connections
 
 
-def packed_maps(server, count, mib=200):
+def packed_maps(server, count, mib=100):
     """Small gzip files that are large once they are unpacked; the statuses."""
     bomb = gzip.compress(b"type octile\nheight 1\nwidth 1\nmap\n" + b"." * (mib * MIB))
     return together(count, lambda: server.request("POST", "/api/v1/maps?name=a.map.gz", bomb)[0])

@@ -51,13 +51,13 @@ class Server:
                 connection.sendall(data)
             except OSError:
                 pass  # it had enough
-            answer = b""
+            chunks = []
             try:
                 while chunk := connection.recv(65536):
-                    answer += chunk
+                    chunks.append(chunk)
             except ConnectionResetError:
                 pass
-            return answer
+            return b"".join(chunks)
 
     def request(self, method, path, body=None, **headers):
         """(status, headers, body) of one request; an object is sent as JSON, and a header of None is left out."""
