@@ -4,9 +4,11 @@
 # with just its own folder in it, so a file that includes a layer it does not link to does not build.
 #
 #   outrider_layer(NAME world SOURCES solid.cpp ... USES geometry core PRIVATE fmt::fmt)
+#
+# CHECKED: its containers are checked in a release too (Harden.cmake).
 
 function(outrider_layer)
-  cmake_parse_arguments(LAYER "" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(LAYER "CHECKED" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
   set(target outrider_${LAYER_NAME})
   set(tree ${PROJECT_BINARY_DIR}/layers/${LAYER_NAME})
   file(MAKE_DIRECTORY ${tree}/outrider)
@@ -26,7 +28,12 @@ function(outrider_layer)
     POSITION_INDEPENDENT_CODE ON)
   list(TRANSFORM LAYER_USES PREPEND outrider_)
   target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC} PRIVATE ${LAYER_PRIVATE})
-  outrider_precompile(${target} layers)
+  if(LAYER_CHECKED)
+    outrider_check_containers(${target})
+    outrider_precompile(${target} checked_layers)
+  else()
+    outrider_precompile(${target} layers)
+  endif()
   set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
 endfunction()
 

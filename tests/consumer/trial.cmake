@@ -10,6 +10,17 @@ function(step what)
 endfunction()
 
 step("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${TRIAL}/prefix)
+# How we compile our own files is nothing that who links them gets.
+file(GLOB_RECURSE exported ${TRIAL}/prefix/outriderTargets*.cmake)
+if(NOT exported)
+  message(FATAL_ERROR "the package has no outriderTargets.cmake")
+endif()
+foreach(file IN LISTS exported)
+  file(STRINGS ${file} ours REGEX "fstack-|FORTIFY_SOURCE|GLIBCXX_ASSERTIONS|fcf-|relro")
+  if(ours)
+    message(FATAL_ERROR "the package tells its users to compile with ${ours} (${file})")
+  endif()
+endforeach()
 step("configuring" ${CMAKE_COMMAND} -G Ninja -S ${PROJECT} -B ${TRIAL}/build -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH=${TRIAL}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 step("building" ${CMAKE_COMMAND} --build ${TRIAL}/build)
