@@ -122,7 +122,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   const rlimit memory{start.memory_bytes, start.memory_bytes};
-  if (start.memory_bytes > 0) ::setrlimit(RLIMIT_DATA, &memory);
+  if (limits_memory && start.memory_bytes > 0) ::setrlimit(RLIMIT_DATA, &memory);
   ::setpriority(PRIO_PROCESS, 0, 5);  // the page stays quick while a mission is planned
   sigset_t all;
   ::sigemptyset(&all);

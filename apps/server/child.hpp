@@ -15,6 +15,13 @@
 
 namespace outrider::server {
 
+/// Programs of the sanitizers reserve more memory than there is, so theirs is not limited.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool limits_memory = false;
+#else
+inline constexpr bool limits_memory = true;
+#endif
+
 struct ChildProgram {
   std::vector<std::string> words;  ///< the first is the program
   std::string folder;              ///< it works here, and OUTRIDER_CONFINE names it

@@ -60,8 +60,7 @@ class ServedYard {
   template <class T>
   static T must(Outcome<T> outcome) {
     if (outcome) return std::move(*outcome);
-    std::fprintf(stderr, "the target has no folder: %s
-", to_string(outcome.error()).c_str());
+    std::fprintf(stderr, "the target has no folder: %s\n", to_string(outcome.error()).c_str());
     std::abort();
   }
 
