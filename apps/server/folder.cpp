@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "outrider/core/text.hpp"
 #include "outrider/io/confinement.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
@@ -20,8 +21,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_head_bytes = 300;  // of a file, before the mark of those that were saved
 
 bool good_name(std::string_view name) {
-  const auto bad = [](unsigned char c) { return c < 0x20 || c == '\\' || c == 0x7f; };
-  return !name.empty() && name.size() <= 255 && name[0] != '.' && std::none_of(name.begin(), name.end(), bad);
+  return !name.empty() && name.size() <= 255 && name[0] != '.' && name.find('\\') == std::string_view::npos &&
+         is_printable(name);
 }
 
 tl::unexpected<Fault> bad_path(std::string_view path) {

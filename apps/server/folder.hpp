@@ -1,9 +1,10 @@
 // The files that are served: those under one folder, and nothing that a name or a link leads out of it to.
 //
-// A path has names between slashes. Names that begin with a dot, empty ones and those with a backslash or a
-// control character are refused before the disk is asked. Whatever is left is opened beneath the folder by
-// the kernel (open_beneath()), so that no link leads out. What files of strangers name in turn is not looked
-// at here: they are read in a confined process (reading.hpp). Thread rule: any thread may ask.
+// A path has names between slashes. Names that begin with a dot, empty ones and those with a backslash, a
+// control character or bytes that are no UTF-8 are refused before the disk is asked. Whatever is left is
+// opened beneath the folder by the kernel (open_beneath()), so that no link leads out. What files of
+// strangers name in turn is not looked at here: they are read in a confined process (reading.hpp). Thread
+// rule: any thread may ask.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ class Interface(Serve):
         self.addCleanup(lambda: outside.unlink(missing_ok=True))
         paths = ["../../etc/hostname", "%2e%2e/%2e%2e/etc/hostname", "..%2f..%2fetc%2fhostname", "/etc/hostname",
                  "%2fetc%2fhostname", ".hidden.yaml", "%2ehidden.yaml", "link.yaml", "out/hostname", "out/passwd",
-                 "./court.yaml", "court.yaml%00.txt", "..\\court.yaml", "a/../court.yaml", "%zz", "", "//court.yaml",
+                 "./court.yaml", "court.yaml%00.txt", "..\\court.yaml", "a/../court.yaml", "%zz", "%ff.yaml", "a%1b.yaml", "", "//court.yaml",
                  f"../{outside.name}"]
         with Server(self.folder) as server:
             for path in paths:
