@@ -31,18 +31,17 @@ struct ServeCommand {
 };
 
 OptionGroup describe(ServeCommand& command) {
-  return {
-      "",
-      "serve",
-      {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
-       {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
-       {"token", "", 0, 0,
-        "what every request must show; 16 letters or more; other users of the machine can see it",
-        &command.token},
-       {"token_file", "", 0, 0, "file with the token in its first line; or set OUTRIDER_TOKEN",
-        &command.token_file},
-       {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs},
-       {"memory", "MiB", 64, 1e6, "most that one mission may take", &command.memory_mib}}};
+  return {"",
+          "serve",
+          {{"port", "", 0, 65535, "port to listen at; 0: one that is free", &command.port},
+           {"listen", "", 0, 0, "address to listen at; another than loopback needs --token", &command.listen},
+           {"token", "", 0, 0,
+            "what every request must show; 16 letters or more; other users of the machine can see it",
+            &command.token},
+           {"token_file", "", 0, 0, "file with the token in its first line; or set OUTRIDER_TOKEN",
+            &command.token_file},
+           {"jobs", "", 1, 64, "missions that run at the same time; others wait", &command.jobs},
+           {"memory", "MiB", 64, 1e6, "most that one mission may take", &command.memory_mib}}};
 }
 
 constexpr std::size_t shortest_token = 16;

@@ -68,15 +68,23 @@ WebConnection::WebConnection(asio::ip::tcp::socket socket, WebHost& host)
 }
 
 WebConnection::~WebConnection() {
-  no_longer_waiting();
+  stop_waiting();
   host_.connections.erase(this);
 }
 
-void WebConnection::no_longer_waiting() {
+/// The last of those that wait: its client did something just now.
+void WebConnection::wait_for_client() {
+  if (is_waiting_) return host_.waiting.splice(host_.waiting.end(), host_.waiting, place_);
+  place_ = host_.waiting.insert(host_.waiting.end(), this);
+  is_waiting_ = true;
+}
+
+void WebConnection::stop_waiting() {
   if (std::exchange(is_waiting_, false)) host_.waiting.erase(place_);
 }
 
 void WebConnection::drop() {
+  stop_waiting();
   left_.request_stop();
   ErrorCode ignored;
   stream_.socket().close(ignored);
@@ -108,7 +116,7 @@ Response WebConnection::refusal_of(const ErrorCode& error) const {
 }
 
 void WebConnection::on_head(const ErrorCode& error) {
-  no_longer_waiting();
+  wait_for_client();
   host_.worked = true;
   deadline_ = Clock::now() + longest_body;
   if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return;
@@ -151,6 +159,7 @@ void WebConnection::on_body(const ErrorCode& error) {
   }
   if (Clock::now() > deadline_) return respond(refusal_of(beast::error::timeout));
   const std::size_t count = chunk_.size() - parser_.get().body().size;
+  wait_for_client();
   if (!host_.bodies.grow(body_memory_, count)) return respond(too_busy());
   request_.body.append(chunk_.data(), count);
   read_body();
@@ -159,6 +168,7 @@ void WebConnection::on_body(const ErrorCode& error) {
 void WebConnection::answer_request() {
   if (host_.requests >= most_requests) return respond(too_busy());
   ++host_.requests;
+  stop_waiting();
   chunk_ = {};
   stream_.expires_never();
   answering_ = true;
@@ -213,6 +223,7 @@ void WebConnection::respond(Response response) {
 
 /// Writes what is in `part_`, then the next part of the body, until all is sent.
 void WebConnection::write_part() {
+  wait_for_client();
   stream_.expires_after(patience);
   asio::async_write(
       stream_, asio::buffer(part_), [self = shared_from_this()](const ErrorCode& error, std::size_t) {

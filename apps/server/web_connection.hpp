@@ -39,7 +39,8 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   void write_part();
   void say_goodbye();
   void drain();
-  void no_longer_waiting();
+  void wait_for_client();
+  void stop_waiting();
   [[nodiscard]] Response refusal_of(const ErrorCode& error) const;
 
   WebHost& host_;

@@ -35,7 +35,7 @@ struct WebHost {
   App& app;
   ByteBudget bodies{std::size_t{64} << 20U};  ///< of requests that have not been answered; for any thread
   std::set<WebConnection*> connections;
-  std::list<WebConnection*> waiting;  ///< those of them whose request has not come, the oldest first
+  std::list<WebConnection*> waiting;  ///< those of them that wait for their client, the longest first
   std::set<WebSocket*> sockets;
   std::atomic<int> open_sockets{0};  ///< for any thread
   std::size_t requests = 0;

@@ -1,6 +1,6 @@
 // The server on sockets: HTTP and WebSockets through Boost.Beast, which appears in web_*.cpp alone.
 //
-// Bounded in all: 1000 connections, of which the one that has waited longest for its request gives way to the
+// Bounded in all: 1000 connections, of which the one that has waited longest for its client gives way to the
 // next; 240 WebSockets; 64 MiB of bodies; 128 MiB of answers that wait to be read. A client that is slow in
 // asking, in sending or in reading loses its connection after ten seconds. Files are sent from the disk.
 #pragma once
