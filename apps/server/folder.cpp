@@ -77,14 +77,17 @@ bool is_saved_here(std::string_view content) {
   return content.substr(0, most_head_bytes).find(saved_here) != std::string_view::npos;
 }
 
-Fault without_folder(Fault fault, const fs::path& folder) {
+std::string without_folder(std::string sentence, const fs::path& folder) {
   const std::string prefix = folder.string() + "/";
-  for (std::string* text : {&fault.where, &fault.sentence}) {
-    for (std::size_t at = text->find(prefix); at != std::string::npos; at = text->find(prefix)) {
-      text->erase(at, prefix.size());
-    }
+  for (std::size_t at = sentence.find(prefix); at != std::string::npos; at = sentence.find(prefix)) {
+    sentence.erase(at, prefix.size());
   }
-  return fault;
+  return sentence;
+}
+
+Fault without_folder(Fault fault, const fs::path& folder) {
+  return {fault.code, without_folder(std::move(fault.sentence), folder),
+          without_folder(std::move(fault.where), folder)};
 }
 
 Outcome<Folder> Folder::open(const std::string& path) {

@@ -30,6 +30,7 @@ inline constexpr std::string_view saved_here = "Saved by the page of outrider se
 bool is_saved_here(std::string_view content);
 
 /// Sentences speak of a file as people named it, not of where it lies on the disk.
+std::string without_folder(std::string sentence, const std::filesystem::path& folder);
 Fault without_folder(Fault fault, const std::filesystem::path& folder);
 
 class Folder {

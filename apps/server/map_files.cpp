@@ -99,6 +99,7 @@ Outcome<KnownMap> load_known_map(const std::string& path, const Folder& folder) 
   auto map = checked(by_extension(*place));
   if (!map) return tl::unexpected(without_folder(std::move(map.error()), folder.root()));
   map->name = place->filename().string();
+  for (std::string& warning : map->warnings) warning = without_folder(std::move(warning), folder.root());
   return map;
 }
 

@@ -147,6 +147,22 @@ TEST_F(AppTest, APictureAloneIsAMap) {
   EXPECT_EQ(map["warnings"].size(), 1U);
 }
 
+TEST_F(AppTest, SentencesNameFilesAsPeopleDo) {
+  const std::string world =
+      "<sdf version='1.6'><world name='w'><model name='a'><static>true</static><pose>0 0 1</pose><link "
+      "name='l'>"
+      "<collision name='c'><geometry><box><size>1 1 "
+      "2</size></box></geometry></collision></link></model><model "
+      "name='floor'><static>true</static><link name='l'><collision name='c'><geometry><plane><normal>0 0 "
+      "1</normal>"
+      "</plane></geometry></collision></link></model></world></sdf>";
+  const Json map = json("POST", "/api/v1/maps?name=yard.sdf", world);
+  ASSERT_EQ(map["warnings"].size(), 1U) << "of the pose of three numbers";
+  EXPECT_TRUE(map["warnings"][0].get<std::string>().starts_with("yard.sdf:1: ")) << map["warnings"];
+  const Json refused = json("POST", "/api/v1/maps?name=yard.sdf", "<sdf><world></sdf>", 400);
+  EXPECT_EQ(refused["where"], "yard.sdf:1");
+}
+
 TEST_F(AppTest, EditsKeepTheNumbersOfObstacles) {
   const std::string room =
       R"({"boundary":[[0,0],[9,0],[9,3],[0,3]],"obstacles":[[[1,0],[2,0],[2,3],[1,3]],[[4,0],[5,0],[5,3],[4,3]]]})";
