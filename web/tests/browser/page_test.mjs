@@ -329,12 +329,13 @@ const cases = {
     await page.mouse.move(...await onMap(page, 8, 9), { steps: 8 });
     await page.mouse.up();
     await nextAnswer(page, seen);
-    const cost = await until("a longer path", async () => Number.parseFloat(await cell(page, "cost")) > 12.5 && await cell(page, "cost"));
+    await until("a longer path", async () => Number.parseFloat(await cell(page, "cost")) > 12.5);
     await page.fill("#save-name", "wall.yaml");
     await page.click(".save button");
     await until("the sentence", async () => /^Saved .*wall\.yaml/.test(await text(page, ".saved")));
     const { metrics } = JSON.parse(execFileSync(tool, ["run", "wall.yaml", "--json"], { cwd: folder }));
-    assert.equal(`${metrics.cost_m.toFixed(3)} m`, cost);
+    const cost = `${metrics.cost_m.toFixed(3)} m`;  // on a slow machine the page may still show a shorter wall
+    await until("the plan of the tool", async () => await cell(page, "cost") === cost);
     await page.goto("about:blank");  // or what was there would do for what is to come
     await page.goto(`${server.url}#change/wall.yaml`);
     await page.waitForSelector(".result");
