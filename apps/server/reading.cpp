@@ -107,6 +107,10 @@ ReadFiles reading_in_a_child(const ReaderSettings& settings) {
     if (!turnstile->enter(settings.longest_wait, stop)) {
       return fault(FaultCode::budget_exhausted, "other files are being read; ask again");
     }
+    struct Leaving {  // whatever happens in between
+      Turnstile& turnstile;
+      ~Leaving() { turnstile.leave(); }
+    } const leaving{*turnstile};
     const ChildResult child = run_child({.words = {settings.tool, "serve-reader"},
                                          .folder = folder.root().string(),
                                          .input = text_of(question),
@@ -114,7 +118,6 @@ ReadFiles reading_in_a_child(const ReaderSettings& settings) {
                                          .memory_bytes = settings.memory_bytes,
                                          .most_output_bytes = most_answer_bytes},
                                         stop, [](std::string_view) {});
-    turnstile->leave();
     return answer_of(child, settings);
   };
 }

@@ -1,4 +1,4 @@
-// Text that comes from outside: what of it may be shown, and how the rest is made harmless.
+// Makes text from files and users safe to print: control characters and invalid UTF-8 become '?'.
 //
 // A character is printable when it is well-formed UTF-8 (no overlong form, no surrogate) and no control
 // character: none below U+0020, not U+007F, none from U+0080 to U+009F. Terminals act on those.
