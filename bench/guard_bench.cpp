@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "outrider/guard/site.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/jobs/guard/site.hpp"
 
 namespace outrider {
 namespace {

@@ -13,8 +13,8 @@
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/polygons.hpp"
 #include "outrider/path/from_polygons.hpp"
-#include "outrider/path/polyanya.hpp"
-#include "outrider/path/visibility_graph.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider {
 namespace {

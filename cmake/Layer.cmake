@@ -1,4 +1,5 @@
-# A layer is one folder under src/ and include/outrider/, and one target outrider_<name>.
+# A layer is one folder under src/ and include/outrider/, and one target outrider_<name>; that of the folder
+# jobs/guard is outrider_jobs_guard, outrider::jobs_guard.
 #
 # Its headers are seen by the compiler only through its own target: each layer has an include tree
 # with just its own folder in it, so a file that includes a layer it does not link to does not build.
@@ -9,9 +10,11 @@
 
 function(outrider_layer)
   cmake_parse_arguments(LAYER "CHECKED" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
-  set(target outrider_${LAYER_NAME})
-  set(tree ${PROJECT_BINARY_DIR}/layers/${LAYER_NAME})
-  file(MAKE_DIRECTORY ${tree}/outrider)
+  string(REPLACE / _ name ${LAYER_NAME})
+  set(target outrider_${name})
+  set(tree ${PROJECT_BINARY_DIR}/layers/${name})
+  cmake_path(GET LAYER_NAME PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${tree}/outrider/${parent})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/outrider/${LAYER_NAME}
        ${tree}/outrider/${LAYER_NAME} SYMBOLIC)
 
@@ -19,13 +22,15 @@ function(outrider_layer)
   foreach(source IN LISTS LAYER_SOURCES)
     target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME}/${source})
   endforeach()
-  add_library(outrider::${LAYER_NAME} ALIAS ${target})
+  add_library(outrider::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${tree}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src/${LAYER_NAME})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE ${OUTRIDER_WARNINGS})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${LAYER_NAME}
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
     POSITION_INDEPENDENT_CODE ON)
+  list(TRANSFORM LAYER_USES REPLACE / _)
   list(TRANSFORM LAYER_USES PREPEND outrider_)
   target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC} PRIVATE ${LAYER_PRIVATE})
   if(LAYER_CHECKED)

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "outrider/path/catalog.hpp"
-#include "outrider/path/theta_star.hpp"
+#include "outrider/path/grid/theta_star.hpp"
 
 using namespace outrider;
 

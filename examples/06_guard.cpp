@@ -1,8 +1,8 @@
 // A whole mission without a file: a yard, two cats, a plan, its execution, and the report.
 #include <fmt/format.h>
 
+#include "outrider/jobs/guard/guard_run.hpp"
 #include "outrider/report/json.hpp"
-#include "outrider/sim/guard_run.hpp"
 
 using namespace outrider;
 

@@ -1,8 +1,8 @@
 // The mission of a scenario file: load it, change an option by its name, and write the report.
 #include <fmt/format.h>
 
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 
 using namespace outrider;
 

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/core/parallel.hpp"
-#include "outrider/guard/watch_bound.hpp"
-#include "outrider/io/arrivals.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
-#include "outrider/sim/watch_run.hpp"
+#include "outrider/jobs/guard/arrivals_file.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/jobs/guard/watch_bound.hpp"
+#include "outrider/jobs/guard/watch_run.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -11,10 +11,10 @@
 #include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
-#include "outrider/guard/catalog.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
-#include "outrider/sim/guard_run.hpp"
+#include "outrider/jobs/guard/catalog.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 #include "progress.hpp"
 #include "terminal.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "laser_run.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/slam_scenario.hpp"
+#include "outrider/jobs/slam/scenario.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {

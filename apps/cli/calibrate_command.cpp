@@ -10,9 +10,9 @@
 #include "output.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/io/calibration_runs.hpp"
-#include "outrider/io/drive_scenario.hpp"
 #include "outrider/io/scenario.hpp"
-#include "outrider/sim/drive_run.hpp"
+#include "outrider/jobs/drive/run.hpp"
+#include "outrider/jobs/drive/scenario.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "outrider/cover/plan.hpp"
+#include "outrider/jobs/cover/plan.hpp"
 
 namespace outrider::cli {
 

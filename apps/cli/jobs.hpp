@@ -4,13 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/io/cover_scenario.hpp"
-#include "outrider/io/drive_scenario.hpp"
-#include "outrider/io/explore_scenario.hpp"
-#include "outrider/io/guard_scenario.hpp"
-#include "outrider/io/plan_scenario.hpp"
-#include "outrider/io/pursuit_scenario.hpp"
-#include "outrider/io/slam_scenario.hpp"
+#include "outrider/jobs/cover/scenario.hpp"
+#include "outrider/jobs/drive/scenario.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/jobs/plan/scenario.hpp"
+#include "outrider/jobs/pursue/scenario.hpp"
+#include "outrider/jobs/slam/scenario.hpp"
 
 namespace outrider::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/execute/explore_mission.hpp"
+#include "outrider/jobs/explore/mission.hpp"
 
 namespace outrider::cli {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "outrider/io/guard_scenario.hpp"
-#include "outrider/path/grid_ground.hpp"
+#include "outrider/io/values.hpp"
+#include "outrider/path/grid/grid_ground.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/path/from_occupancy.hpp"
+#include "outrider/path/grid/from_occupancy.hpp"
 
 namespace outrider::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
-#include "outrider/guard/catalog.hpp"
-#include "outrider/guard/temporal_mission.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/pddl.hpp"
+#include "outrider/jobs/guard/catalog.hpp"
+#include "outrider/jobs/guard/pddl.hpp"
+#include "outrider/jobs/guard/temporal_mission.hpp"
 #include "progress.hpp"
 #include "terminal.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "flags.hpp"
-#include "outrider/io/guard_scenario.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 
 namespace outrider::cli {
 

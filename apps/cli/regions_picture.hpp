@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "outrider/guard/site.hpp"
+#include "outrider/jobs/guard/site.hpp"
 
 namespace outrider::cli {
 

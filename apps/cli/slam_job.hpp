@@ -7,7 +7,7 @@
 
 #include "live_report.hpp"
 #include "output.hpp"
-#include "outrider/io/slam_scenario.hpp"
+#include "outrider/jobs/slam/scenario.hpp"
 
 namespace outrider::cli {
 

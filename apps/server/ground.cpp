@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "outrider/path/from_occupancy.hpp"
 #include "outrider/path/from_polygons.hpp"
+#include "outrider/path/grid/from_occupancy.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider::server {

@@ -4,7 +4,7 @@
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/path/polygons_from_world.hpp"
+#include "outrider/path/visibility/polygons_from_world.hpp"
 
 namespace outrider::server {
 namespace {

@@ -9,7 +9,7 @@
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/safety.hpp"
-#include "outrider/path/visibility_graph.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider::server {
 namespace {

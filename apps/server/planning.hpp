@@ -5,7 +5,7 @@
 #include <stop_token>
 
 #include "ground.hpp"
-#include "outrider/io/plan_scenario.hpp"
+#include "outrider/jobs/plan/scenario.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider::server {

@@ -7,9 +7,10 @@
 
 #include "base64.hpp"
 #include "catalogue.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/io/values.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 #include "yard_scenarios.hpp"
 
 namespace outrider::server {

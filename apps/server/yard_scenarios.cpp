@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/targets.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 #include "yard_things.hpp"
 
 namespace outrider::server {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/core/units.hpp"
-#include "outrider/path/polygons_from_world.hpp"
+#include "outrider/path/visibility/polygons_from_world.hpp"
 
 namespace outrider::server {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fields.hpp"
-#include "outrider/guard/problem.hpp"
 #include "outrider/io/world_changes.hpp"
+#include "outrider/jobs/guard/problem.hpp"
 
 namespace outrider::server {
 

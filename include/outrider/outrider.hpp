@@ -5,10 +5,10 @@
 // is made of, and may be included one by one.
 #pragma once
 
-#include "outrider/guard/plan.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/path_problem.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/plan.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/sim/guard_run.hpp"

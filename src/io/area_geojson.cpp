@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "area_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

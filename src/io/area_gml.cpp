@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "area_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "xml.hpp"
 
 namespace outrider {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "area_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {

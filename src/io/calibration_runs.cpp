@@ -7,7 +7,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {

@@ -11,8 +11,8 @@
 #include "outrider/geometry/box.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/polygons.hpp"
-#include "outrider/path/polygon_ground.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/slices.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
 #include "outrider/world/blocks.hpp"
-#include "text.hpp"
 
 namespace outrider {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/io/text.hpp"
 #include "outrider/slam/pose_graph.hpp"
-#include "text.hpp"
 
 namespace outrider {
 

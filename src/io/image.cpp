@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "outrider/io/text.hpp"
 #include "png_reader.hpp"
-#include "text.hpp"
 
 namespace outrider {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "outrider/io/landmark_logs.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 

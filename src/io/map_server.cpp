@@ -9,7 +9,7 @@
 
 #include "image.hpp"
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "mesh_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "xml.hpp"
 
 namespace outrider {

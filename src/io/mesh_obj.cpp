@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "mesh_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

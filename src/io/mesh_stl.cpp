@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "mesh_formats.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

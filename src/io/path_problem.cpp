@@ -7,8 +7,8 @@
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/polygons.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/path/from_occupancy.hpp"
 #include "outrider/path/from_world.hpp"
+#include "outrider/path/grid/from_occupancy.hpp"
 
 namespace outrider {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "outrider/io/files.hpp"
-#include "outrider/path/polygon_ground.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
 namespace {

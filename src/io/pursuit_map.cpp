@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 #include "yaml.hpp"
 
 namespace outrider {

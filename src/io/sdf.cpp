@@ -14,11 +14,11 @@
 #include <set>
 
 #include "outrider/io/files.hpp"
+#include "outrider/io/text.hpp"
 #include "sdf_floor.hpp"
 #include "sdf_parse.hpp"
 #include "sdf_repair.hpp"
 #include "sdf_shapes.hpp"
-#include "text.hpp"
 #include "unique_names.hpp"
 
 namespace outrider {

@@ -7,8 +7,8 @@
 #include <sdf/sdf.hh>
 #include <sstream>
 
+#include "outrider/io/text.hpp"
 #include "sdf_parts.hpp"
-#include "text.hpp"
 
 namespace outrider {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "outrider/io/files.hpp"
+#include "outrider/io/text.hpp"
 #include "sdf_parts.hpp"
-#include "text.hpp"
 
 namespace outrider {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/files.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "height_image.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/guard_scenario.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
 
 namespace outrider {
 namespace {

@@ -1,4 +1,4 @@
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 #include <algorithm>
 #include <string>

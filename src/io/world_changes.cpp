@@ -9,8 +9,8 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/io/guard_scenario.hpp"
-#include "text.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
 
 namespace outrider {
 namespace {

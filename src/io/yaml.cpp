@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "text.hpp"
+#include "outrider/io/text.hpp"
 
 namespace outrider {
 namespace {

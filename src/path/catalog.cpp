@@ -3,19 +3,19 @@
 #include <limits>
 #include <memory>
 
-#include "outrider/path/a_star.hpp"
-#include "outrider/path/dijkstra.hpp"
-#include "outrider/path/hub_labels.hpp"
-#include "outrider/path/jps.hpp"
-#include "outrider/path/jps_plus.hpp"
-#include "outrider/path/least_time.hpp"
-#include "outrider/path/medial_axis.hpp"
-#include "outrider/path/polyanya.hpp"
-#include "outrider/path/safest.hpp"
-#include "outrider/path/sampling.hpp"
-#include "outrider/path/theta_star.hpp"
-#include "outrider/path/visibility_graph.hpp"
-#include "outrider/path/widest.hpp"
+#include "outrider/path/clearance/medial_axis.hpp"
+#include "outrider/path/clearance/safest.hpp"
+#include "outrider/path/clearance/widest.hpp"
+#include "outrider/path/grid/a_star.hpp"
+#include "outrider/path/grid/dijkstra.hpp"
+#include "outrider/path/grid/jps.hpp"
+#include "outrider/path/grid/jps_plus.hpp"
+#include "outrider/path/grid/theta_star.hpp"
+#include "outrider/path/hubs/hub_labels.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
+#include "outrider/path/sampling/sampling.hpp"
+#include "outrider/path/visibility/least_time.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "outrider/path/safety.hpp"
-#include "polygon_ground_check.hpp"
+#include "visibility/polygon_ground_check.hpp"
 
 namespace outrider {
 namespace {

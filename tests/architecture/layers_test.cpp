@@ -13,10 +13,11 @@ namespace {
 
 /// How far to the right a layer stands; layers of one rank do not see each other.
 const std::map<std::string, int> rank = {
-    {"core", 0},    {"geometry", 1}, {"world", 2}, {"motion", 3},     {"search", 4},
-    {"path", 5},    {"pursuit", 5},  {"tour", 5},  {"ballistics", 5}, {"estimate", 5},
-    {"control", 5}, {"slam", 5},     {"guard", 6}, {"explore", 6},    {"cover", 6},
-    {"execute", 7}, {"report", 8},   {"sim", 9},   {"io", 9},
+    {"core", 0},        {"geometry", 1},   {"world", 2},      {"motion", 3},       {"search", 4},
+    {"path", 5},        {"pursuit", 5},    {"tour", 5},       {"ballistics", 5},   {"estimate", 5},
+    {"control", 5},     {"slam", 5},       {"report", 6},     {"robot", 6},        {"io", 6},
+    {"sim", 7},         {"jobs/cover", 8}, {"jobs/drive", 8}, {"jobs/explore", 8}, {"jobs/plan", 8},
+    {"jobs/pursue", 8}, {"jobs/slam", 8},  {"jobs/guard", 9}, {"jobs", 10},
 };
 
 bool may_use(const std::string& layer, const std::string& used) {
@@ -24,7 +25,7 @@ bool may_use(const std::string& layer, const std::string& used) {
 }
 
 std::vector<std::string> layers_included(const std::string& text) {
-  static const std::regex include(R"(#\s*include\s*["<]outrider/([a-z0-9_]+)/)");
+  static const std::regex include(R"(#\s*include\s*["<]outrider/(jobs/[a-z0-9_]+(?=/)|[a-z0-9_]+)/)");
   std::vector<std::string> found;
   for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
     found.push_back((*it)[1]);
@@ -119,10 +120,14 @@ TEST(Layers, ATypeIsDefinedOnce) {
 
 TEST(Layers, TheRuleItselfRefuses) {
   EXPECT_TRUE(may_use("world", "core"));
-  EXPECT_FALSE(may_use("world", "guard"));
+  EXPECT_FALSE(may_use("world", "jobs/guard"));
+  EXPECT_FALSE(may_use("jobs/cover", "jobs/drive"));
   EXPECT_FALSE(may_use("path", "tour"));
   EXPECT_FALSE(may_use("core", "apps"));
-  EXPECT_EQ(layers_included("#include \"outrider/guard/target.hpp\"\n"), std::vector<std::string>{"guard"});
+  EXPECT_EQ(layers_included("#include \"outrider/path/mesh/mesh.hpp\"\n"), std::vector<std::string>{"path"});
+  EXPECT_EQ(layers_included("#include \"outrider/jobs/guard/plan.hpp\"\n"),
+            std::vector<std::string>{"jobs/guard"});
+  EXPECT_EQ(layers_included("#include \"outrider/jobs/job.hpp\"\n"), std::vector<std::string>{"jobs"});
   EXPECT_EQ(types_defined("namespace outrider {\nclass A;\nstruct B : A {\n  struct C {};\n};\n"),
             std::vector<std::string>{"outrider::B"});
 }

@@ -13,7 +13,10 @@ namespace fs = std::filesystem;
 
 std::string layer_of(const std::string& path) {
   for (const std::string_view root : {"include/outrider/", "src/"}) {
-    if (path.starts_with(root)) return path.substr(root.size(), path.find('/', root.size()) - root.size());
+    if (!path.starts_with(root)) continue;
+    const std::string below = path.substr(root.size());
+    const std::size_t job = below.starts_with("jobs/") ? below.find('/', 5) : std::string::npos;
+    return below.substr(0, job != std::string::npos ? job : below.find('/'));
   }
   return path.substr(0, path.find('/'));
 }

@@ -9,7 +9,7 @@ namespace architecture {
 
 struct Source {
   std::string path;   ///< from the root of the project, e.g. "src/core/rng.cpp"
-  std::string layer;  ///< "core"; "apps", "tests", ... outside include/ and src/
+  std::string layer;  ///< "core", "jobs/guard"; "apps", "tests", ... outside include/ and src/
   std::string text;
   std::string code;  ///< the text with comments and string literals blanked, line by line the same
 

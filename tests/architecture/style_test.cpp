@@ -23,7 +23,7 @@ bool library(const Source& s) { return s.in_library(); }
 /// The library reads the clock only to keep a budget of wall time.
 bool has_no_clock(const Source& s) {
   return s.in_library() && s.path.find("core/budget.") == std::string::npos &&
-         s.path != "src/path/routes_parallel.hpp";
+         s.path != "src/path/routes/routes_parallel.hpp";
 }
 bool draws_no_numbers(const Source& s) {
   return s.path.find("core/rng") == std::string::npos && !s.path.starts_with("tests/architecture/");

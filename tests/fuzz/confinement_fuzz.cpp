@@ -15,14 +15,14 @@
 #include <string_view>
 
 #include "outrider/io/confinement.hpp"
-#include "outrider/io/cover_scenario.hpp"
-#include "outrider/io/drive_scenario.hpp"
-#include "outrider/io/explore_scenario.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/map_server.hpp"
-#include "outrider/io/pursuit_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
+#include "outrider/jobs/cover/scenario.hpp"
+#include "outrider/jobs/drive/scenario.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/jobs/pursue/scenario.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "outrider/io/pddl.hpp"
+#include "outrider/jobs/guard/pddl.hpp"
 
 namespace {
 

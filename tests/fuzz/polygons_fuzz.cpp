@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "outrider/io/polygons.hpp"
-#include "outrider/path/polygon_ground.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "outrider/execute/explore_task.hpp"
-#include "outrider/io/explore_scenario.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/slices.hpp"
-#include "outrider/sim/explore_truth.hpp"
-#include "unit/io/data.hpp"
+#include "outrider/jobs/explore/reference.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/jobs/explore/task.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

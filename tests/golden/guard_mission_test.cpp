@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
 #include "outrider/report/json.hpp"
-#include "outrider/sim/guard_run.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "outrider/path/from_world.hpp"
-#include "outrider/path/polygon_ground.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
 

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "outrider/core/options.hpp"
-#include "outrider/path/grid_ground.hpp"
+#include "outrider/path/grid/grid_ground.hpp"
 #include "outrider/world/ground.hpp"
 
 namespace outrider {

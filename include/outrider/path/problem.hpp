@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "outrider/path/grid_ground.hpp"
-#include "outrider/path/polygon_ground.hpp"
+#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
 

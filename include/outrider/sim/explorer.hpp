@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "outrider/execute/explorer.hpp"
 #include "outrider/motion/robot_model.hpp"
+#include "outrider/robot/explorer.hpp"
 #include "outrider/sim/range_finder.hpp"
 #include "outrider/world/ground.hpp"
 

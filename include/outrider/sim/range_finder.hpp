@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/execute/explorer_truth.hpp"
 #include "outrider/geometry/convex.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/sim/explorer_sim_params.hpp"
 #include "outrider/slam/laser_scan.hpp"
 #include "outrider/world/world.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "data.hpp"
+#include "support/data.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

@@ -9,12 +9,12 @@
 #include <array>
 #include <functional>
 
-#include "data.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/io/guard_scenario.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
+#include "outrider/jobs/guard/scenario.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

@@ -13,7 +13,7 @@
 #include <csignal>
 #include <set>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

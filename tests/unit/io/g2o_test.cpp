@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "data.hpp"
 #include "outrider/io/files.hpp"
+#include "support/data.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "data.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/pyfg.hpp"
 #include "outrider/slam/map_error.hpp"
+#include "support/data.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "data.hpp"
 #include "outrider/io/files.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

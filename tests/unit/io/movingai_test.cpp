@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

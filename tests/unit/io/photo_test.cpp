@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdio>
 
-#include "data.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag_detector.hpp"
 #include "outrider/io/camera_file.hpp"
+#include "support/data.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

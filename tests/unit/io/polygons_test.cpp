@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "data.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/visibility_graph.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

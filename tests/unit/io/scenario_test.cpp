@@ -5,8 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "data.hpp"
 #include "outrider/core/units.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

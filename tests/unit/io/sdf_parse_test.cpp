@@ -8,9 +8,9 @@
 #include <sdf/sdf.hh>
 #include <sstream>
 
-#include "data.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/sdf.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

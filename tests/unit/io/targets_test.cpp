@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "data.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "outrider/path/a_star.hpp"
+#include "outrider/path/grid/a_star.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_grid.hpp"
 

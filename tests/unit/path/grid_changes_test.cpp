@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "../../../src/path/hub_kept.hpp"
-#include "../../../src/path/jps_index.hpp"
-#include "../../../src/path/jps_map.hpp"
+#include "grid/jps_index.hpp"
+#include "grid/jps_map.hpp"
+#include "hubs/hub_kept.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/hub_labels.hpp"
-#include "outrider/path/polyanya.hpp"
+#include "outrider/path/hubs/hub_labels.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
 #include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"
 #include "support/random_cases.hpp"

@@ -3,8 +3,8 @@
 
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/dijkstra.hpp"
-#include "outrider/path/visibility_graph.hpp"
+#include "outrider/path/grid/dijkstra.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
 #include "polygon_worlds.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "../../../src/path/mesh_blocks.hpp"
-#include "../../../src/path/mesh_change.hpp"
+#include "mesh/mesh_blocks.hpp"
+#include "mesh/mesh_change.hpp"
 #include "mesh_oracle.hpp"
 #include "outrider/path/check.hpp"
-#include "outrider/path/polyanya.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
 #include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_grid.hpp"

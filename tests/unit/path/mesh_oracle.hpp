@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "outrider/path/mesh.hpp"
+#include "outrider/path/mesh/mesh.hpp"
 #include "support/grid_oracle.hpp"
 
 namespace outrider::mesh_oracle {

@@ -1,11 +1,11 @@
 // Obstacles that come and go: the ground, the legs and the answers, against all made anew.
 #include <gtest/gtest.h>
 
-#include "../../../src/path/tangent_graph.hpp"
 #include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "polygon_worlds.hpp"
 #include "support/random_cases.hpp"
+#include "visibility/tangent_graph.hpp"
 
 namespace outrider {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/path/polygon_ground.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider::testing {
 

@@ -1,4 +1,4 @@
-#include "outrider/path/routes.hpp"
+#include "outrider/path/routes/routes.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

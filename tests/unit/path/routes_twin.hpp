@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/path/routes.hpp"
+#include "outrider/path/routes/routes.hpp"
 
 namespace outrider::testing {
 

@@ -11,9 +11,9 @@
 #include <tuple>
 
 #include "outrider/path/catalog.hpp"
+#include "outrider/path/clearance/medial_axis.hpp"
+#include "outrider/path/clearance/safest.hpp"
 #include "outrider/path/from_polygons.hpp"
-#include "outrider/path/medial_axis.hpp"
-#include "outrider/path/safest.hpp"
 #include "outrider/path/safety.hpp"
 
 namespace outrider {

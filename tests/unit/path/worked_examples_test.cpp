@@ -10,9 +10,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "outrider/path/a_star.hpp"
-#include "outrider/path/polyanya.hpp"
-#include "outrider/path/theta_star.hpp"
+#include "outrider/path/grid/a_star.hpp"
+#include "outrider/path/grid/theta_star.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
 #include "outrider/search/best_first.hpp"
 #include "support/costly_cases.hpp"
 #include "support/grid_oracle.hpp"

@@ -1,9 +1,9 @@
 // The two searches that prove, each alone and under loose bounds, so that neither hides behind the other.
 #include <gtest/gtest.h>
 
-#include "../../../src/pursuit/label_search.hpp"
-#include "../../../src/pursuit/layered_search.hpp"
-#include "../../../src/pursuit/reach.hpp"
+#include "label_search.hpp"
+#include "layered_search.hpp"
+#include "reach.hpp"
 #include "support/pursuit_oracle.hpp"
 #include "support/random_cases.hpp"
 

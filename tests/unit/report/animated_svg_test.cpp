@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "../../../src/report/keyframes.hpp"
+#include "keyframes.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/report/pictures.hpp"
 #include "sample_report.hpp"

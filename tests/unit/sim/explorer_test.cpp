@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/execute/explore_task.hpp"
+#include "outrider/jobs/explore/task.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

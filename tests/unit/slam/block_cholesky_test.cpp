@@ -1,4 +1,4 @@
-#include "../../../src/slam/block_cholesky.hpp"
+#include "block_cholesky.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "../../../src/slam/odometry_bias.hpp"
+#include "odometry_bias.hpp"
 
 #include <gtest/gtest.h>
 

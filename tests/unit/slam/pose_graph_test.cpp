@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "../../../src/slam/graph_edges.hpp"
 #include "dense.hpp"
+#include "graph_edges.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {

@@ -1,5 +1,5 @@
 // Matching against rooms whose walls are known, exhaustive search and finite differences.
-#include "../../../src/slam/surface_map.hpp"
+#include "surface_map.hpp"
 
 #include <gtest/gtest.h>
 

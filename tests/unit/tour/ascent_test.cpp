@@ -1,11 +1,11 @@
 // Shares and what they leave unpaid: together below every tour; for one stop the least tree of its aims.
-#include "../../../src/tour/ascent.hpp"
+#include "ascent.hpp"
 
 #include <gtest/gtest.h>
 
-#include "../../../src/tour/remainder.hpp"
 #include "brute_force.hpp"
 #include "random_tour.hpp"
+#include "remainder.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider::tour {

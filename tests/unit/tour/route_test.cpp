@@ -1,4 +1,4 @@
-#include "../../../src/tour/route.hpp"
+#include "route.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,72 @@
+// The scenario of a drive: a robot on wheels that goes to waypoints, or along a planner's path to a goal.
+//
+//   job: drive
+//   waypoints: "0,0,0 1,0,0 1,2,180 0,0,0"   # x,y,heading in m and degrees; a ! behind one: pass by
+//   tags: "1=2,1,180 2=1,2.5,-90 3=0,2,0"    # id=x,y,facing[,height]; facing: the heading out of the wall
+// or, in place of waypoints,
+//   world: arena.sdf
+//   start: "0.5,0.5,45"
+//   goal: "2.5,2.5,45"
+//   planner: visibility_graph               # a path planner of 'outrider list'
+//
+// The other keys stand in describe(): the robot, its loop (open or closed), how images come about (rendered
+// or modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, faults and link.
+// What the robot does not know stands in faults and link.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/jobs/drive/route.hpp"
+#include "outrider/jobs/drive/task.hpp"
+
+namespace outrider {
+
+struct DriveScenario {
+  std::string job = "drive";
+  std::string world;            ///< path of an SDF file; empty: open ground around waypoints and tags
+  std::string bounds;           ///< low x, low y, high x, high y in m; empty: the box of the walls
+  std::string start = "0,0,0";  ///< x, y in m, heading in degrees
+  std::string waypoints;        ///< as above
+  std::string goal;             ///< as the start
+  std::string planner;          ///< a name of the catalogue of path planners
+  std::string tags;             ///< as above
+  double tag_size_m = default_tag_size_m;
+  std::string loop = "closed";      ///< or open
+  std::string sight = "rendered";   ///< or modelled
+  std::string chassis = "mecanum";  ///< or differential, holonomic
+  double wheel_radius_m = 0.03;
+  double wheel_reach_m = 0.1225;  ///< of chassis.hpp
+  double radius_m = 0.15;         ///< of the robot's disk
+  double height_m = 0.25;         ///< of the robot
+  std::string calibration;        ///< path of a calibration file; empty: none
+  std::int64_t seed = 1;
+  DriveRouteOptions route;
+  DriveTruth truth;
+  DriveTask task;  ///< the rest of what is set
+};
+
+/// Top-level keys first, then the sections.
+std::vector<OptionGroup> describe(DriveScenario& scenario);
+
+/// Makes the paths in a scenario, which are relative to its file, relative to here.
+void resolve_paths(DriveScenario& scenario, const std::string& scenario_path);
+
+/// All that a run is made of.
+struct DriveSetup {
+  DriveTask task;
+  DriveTruth truth;
+  bool rendered = true;
+  std::optional<Plan> plan;           ///< of the path, where a planner was asked
+  double path_clearance_m = 0.0;      ///< of its legs, from the robot's disk
+  std::vector<std::string> warnings;  ///< what was repaired in the world
+};
+
+/// Reads the files and the texts. Faults: bad_input with the file and line, or the key; start_blocked,
+/// goal_blocked, no_path and the like from the planner.
+Outcome<DriveSetup> load_drive(const DriveScenario& scenario);
+
+}  // namespace outrider

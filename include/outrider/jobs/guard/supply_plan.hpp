@@ -1,0 +1,35 @@
+// The plan of a guard mission on finite supplies: the plan for supplies without end, with stations.
+#pragma once
+
+#include <vector>
+
+#include "outrider/jobs/guard/outlook.hpp"
+#include "outrider/jobs/guard/plan.hpp"
+
+namespace outrider {
+
+/// The decision problem over the stops of an outlook, with the start first and the stations last.
+struct SupplyTable {
+  SupplyProblem problem;             ///< its goals are the targets below
+  std::vector<std::size_t> targets;  ///< by goal
+  std::vector<Vec2> places;          ///< by stop
+  std::vector<StationCall> calls;    ///< by filler
+};
+
+/// Makes the table from the plan for supplies without end, and at most `stops` other places. Where nothing
+/// ends there are no stations in it. Refused: a tank or a battery that is too small for any shot, a tank or a
+/// battery that ends without the rest making sense, a station that the robot cannot get to (bad_input with
+/// the key), and as look_out().
+Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                                  std::size_t stops, const Budget& budget);
+
+/// The plan with the stations that the supplies of the problem call for; `plan` itself where nothing ends.
+/// Targets that the supplies do not suffice for are in `unsupplied`, each with a reason. The lower bound of
+/// the plan holds for the answer as well. Refused as supply_table().
+Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, GuardPlan plan,
+                               const Budget& budget);
+
+/// Level after each stop of a plan, by its waypoints and shots if nothing goes wrong; without the reserve.
+std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const Site& site, const GuardPlan& plan);
+
+}  // namespace outrider

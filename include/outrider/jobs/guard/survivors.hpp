@@ -1,0 +1,51 @@
+// Survivors: who is hit leaves with a probability, else it goes elsewhere. What will the mission take?
+//
+// The model: everybody is there from the start; the robot drives, aims and shoots as the tour's model says
+// (tour/problem.hpp); each hit is followed by a draw whether the intruder leaves, and if not, of another
+// place, uniformly, to which it walks in a straight line. The robot knows at once where it goes.
+//
+// A manner is a policy and the objective of its plans. Each candidate is played in the model many times with
+// the same draws, and the one with the least mean is taken: the rollout of whole policies (Chang, Givan and
+// Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). So in the model, and up to the error
+// that is stated, it is no worse than any candidate; it need not be the best of all policies.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "outrider/jobs/guard/outlook.hpp"
+#include "outrider/jobs/guard/policy.hpp"
+
+namespace outrider {
+
+struct Manner {
+  WatchPolicy policy;
+  WatchObjective objective = WatchObjective::makespan;
+};
+
+/// All that can be taken: the policies that see no future, each with both objectives.
+std::vector<Manner> manners();
+
+struct ExpectedTime {
+  double mean_s = 0.0;
+  double error_s = 0.0;  ///< standard error of the mean
+};
+
+/// The time of the last hit, in the model, for a manner: the mean over `missions` of them. Of the options,
+/// leave, walk, group and beam count. A pure function of the arguments, for any number of threads.
+ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
+                           const Manner& manner, std::size_t missions);
+
+/// The manner with the least mean, and its expected time by draws of its own: the least of several means is
+/// below the mean of what was chosen.
+struct BestManner {
+  Manner manner;
+  ExpectedTime time;
+};
+BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
+                       std::size_t missions);
+
+/// Refused: a probability of 0 or too small to end, and nowhere else to go.
+Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);
+
+}  // namespace outrider

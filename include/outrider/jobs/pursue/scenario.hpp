@@ -1,0 +1,45 @@
+// The scenario of a pursuit: every setting under the name it has in files and flags.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "outrider/core/options.hpp"
+#include "outrider/jobs/pursue/run.hpp"
+#include "outrider/pursuit/catalog.hpp"
+
+namespace outrider {
+
+struct PursuitScenario {
+  std::string job = "pursue";
+  std::string map;                         ///< path of a pursuit map (io/pursuit_map.hpp)
+  std::string clock = "virtual";           ///< virtual or wall
+  std::string planner = "optimal";         ///< a name of the catalogue of pursuit planners
+  std::int64_t known = -1;                 ///< seconds of the target's future that are known; -1: all
+  std::string forecast = "last_velocity";  ///< of the seconds that are not known
+  std::int64_t chasers = 1;                ///< robots
+  std::string starts;  ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
+  double call_s = 1.5;
+  std::int64_t seed = 1;
+  std::vector<ConfiguredPursuitPlanner> planners = configured_planners();  ///< in the order of the catalogue
+
+  static std::vector<ConfiguredPursuitPlanner> configured_planners();
+};
+
+/// The top-level keys first, then a section for each planner that has options, under its name.
+std::vector<OptionGroup> describe(PursuitScenario& scenario);
+
+/// Makes the path of the map, which is relative to the scenario's file, relative to here.
+void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path);
+
+/// All that a run is made of.
+struct PursuitTask {
+  PursuitProblem problem;
+  std::vector<Cell> robots;
+  PursuitRules rules;
+};
+
+/// Reads the map and the names. Faults: bad_input with the file and line, or the key.
+Outcome<PursuitTask> load_task(const PursuitScenario& scenario);
+
+}  // namespace outrider

@@ -1,0 +1,61 @@
+#include "outrider/io/values.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double most_m = 1e6;
+
+}  // namespace
+
+Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t count,
+                                           const std::string& where, const std::string& form) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (numbers.size() < count) {
+    while (at != end && *at == ' ') ++at;
+    double number = 0.0;
+    const auto [next, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || !std::isfinite(number) || std::abs(number) > most_m) break;
+    numbers.push_back(number);
+    at = next;
+    while (at != end && *at == ' ') ++at;
+    if (at == end || *at != ',') break;
+    ++at;
+  }
+  if (numbers.size() != count || at != end) {
+    return bad_input(fmt::format("'{}' is no good; it takes {}", text, form), where);
+  }
+  return numbers;
+}
+
+Outcome<Vec2> parse_point(const std::string& text, const std::string& where) {
+  auto n = parse_numbers(text, 2, where, "x,y in m, such as 1.5,-2");
+  if (!n) return pass_on(n);
+  return Vec2{(*n)[0], (*n)[1]};
+}
+
+Outcome<Pose2> parse_pose(const std::string& text, const std::string& where) {
+  auto n = parse_numbers(text, 3, where, "x,y,heading in m, m and degrees, such as 0,-9.5,90");
+  if (!n) return pass_on(n);
+  return Pose2{{(*n)[0], (*n)[1]}, radians((*n)[2])};
+}
+
+Outcome<Box2> parse_box(const std::string& text, const std::string& where) {
+  auto n = parse_numbers(text, 4, where, "low x,low y,high x,high y in m, such as -10,-10,10,10");
+  if (!n) return pass_on(n);
+  const Box2 box{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
+  if (box.size().x <= 0.0 || box.size().y <= 0.0) {
+    return bad_input(fmt::format("'{}' is empty; the low corner comes first", text), where);
+  }
+  return box;
+}
+
+}  // namespace outrider

@@ -1,0 +1,103 @@
+#include "outrider/jobs/cover/coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr int chords_of_half = 24;
+
+/// All within the radius of the leg: its sides exactly, its ends by chords.
+std::vector<Vec2> capsule(Vec2 a, Vec2 b, double radius_m) {
+  const double heading = a == b ? 0.0 : heading_of(b - a);
+  std::vector<Vec2> outline;
+  for (const auto& [end, from] : {std::pair{b, heading - 0.5 * pi}, std::pair{a, heading + 0.5 * pi}}) {
+    for (int i = 0; i <= chords_of_half; ++i) {
+      outline.push_back(end + radius_m * direction(from + pi * i / chords_of_half));
+    }
+  }
+  return outline;
+}
+
+/// A polygon around the disk.
+Region disk(Vec2 centre, double radius_m) {
+  const double around = radius_m / std::cos(0.5 * pi / chords_of_half);
+  return {{capsule(centre, centre, around), {}}};
+}
+
+/// What the way covers; what it covers twice is added to `twice`, in parts that may overlap.
+Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region>& twice) {
+  if (way.size() == 1) return {{capsule(way[0], way[0], radius_m), {}}};
+  if (way.size() == 2) return {{capsule(way[0], way[1], radius_m), {}}};
+  const std::size_t middle = way.size() / 2;
+  const Region before = covered_by(way.first(middle + 1), radius_m, twice);
+  const Region after = covered_by(way.subspan(middle), radius_m, twice);
+  Region again = without(common(before, after), disk(way[middle], radius_m));
+  if (!again.empty()) twice.push_back(std::move(again));
+  return united(before, after);
+}
+
+}  // namespace
+
+Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area) {
+  Coverage coverage;
+  std::vector<Region> twice;
+  if (!way.empty()) coverage.covered = common(covered_by(way, radius_m, twice), area);
+  coverage.missed = without(area, coverage.covered);
+  coverage.twice = common(united(twice), area);
+  coverage.covered_m2 = area_of(coverage.covered);
+  coverage.missed_m2 = area_of(coverage.missed);
+  coverage.twice_m2 = area_of(coverage.twice);
+  const double all = area_of(area);
+  coverage.fraction = all > 0.0 ? coverage.covered_m2 / all : 1.0;
+  return coverage;
+}
+
+namespace {
+
+/// What one stretch covers by itself, and what of that is covered twice by then.
+struct Stretch {
+  Region covered;
+  Region twice;
+  Box2 box;
+};
+
+/// What of the region some stretch before has in its `part`.
+Region known_of(const Region& region, const Box2& box, const std::vector<Stretch>& before,
+                Region Stretch::* part) {
+  std::vector<Region> known;
+  for (const Stretch& one : before) {
+    if (one.box.overlaps(box)) known.push_back(common(one.*part, region));
+  }
+  return united(known);
+}
+
+}  // namespace
+
+std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
+                                         const Region& area) {
+  std::vector<CoverageSums> sums;
+  std::vector<Stretch> before;
+  CoverageSums sum;
+  for (const std::vector<Vec2>& way : stretches) {
+    std::vector<Region> twice;
+    Stretch now;
+    now.covered = common(covered_by(way, radius_m, twice), area);
+    now.box = bounds_of(now.covered);
+    const Region again = known_of(now.covered, now.box, before, &Stretch::covered);
+    twice.push_back(without(again, disk(way.front(), radius_m)));
+    now.twice = common(united(twice), area);
+    const Region told = known_of(now.twice, now.box, before, &Stretch::twice);
+    sum.covered_m2 += std::max(0.0, area_of(now.covered) - area_of(again));
+    sum.twice_m2 += std::max(0.0, area_of(now.twice) - area_of(told));
+    sums.push_back(sum);
+    before.push_back(std::move(now));
+  }
+  return sums;
+}
+
+}  // namespace outrider

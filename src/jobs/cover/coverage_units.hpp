@@ -1,0 +1,57 @@
+// Jobs: the laps and cells of a track, each with the ways to drive it, and their order as a tour.
+#pragma once
+
+#include "laps.hpp"
+#include "outrider/jobs/cover/plan.hpp"
+#include "outrider/search/workspace.hpp"
+#include "sweep_cells.hpp"
+
+namespace outrider::cover {
+
+/// Shortest ways of the disk between points, with memory for the next ones.
+class Mover {
+ public:
+  Mover(std::shared_ptr<const PolygonGround> ground, const Budget& budget)
+      : ground_(std::move(ground)), budget_(budget) {}
+
+  /// Pieces from one point to the other; none where they are the same.
+  Outcome<std::vector<PathPiece>> way(Vec2 from, Vec2 to);
+  /// The ways to all of them.
+  Outcome<std::vector<std::vector<PathPiece>>> ways(Vec2 from, const std::vector<Vec2>& to);
+
+ private:
+  std::shared_ptr<const PolygonGround> ground_;
+  Budget budget_;
+  Workspace workspace_;
+};
+
+/// One way to do a job: at least one piece.
+struct Variant {
+  std::vector<PathPiece> pieces;
+  std::vector<PieceRole> roles;
+
+  [[nodiscard]] Vec2 entry() const { return pieces.front().from; }
+  [[nodiscard]] Vec2 exit() const { return pieces.back().to; }
+};
+using Job = std::vector<Variant>;
+
+/// The lap from each of up to `places` of its corners, in both directions.
+Job lap_job(const Lap& lap, std::size_t places);
+
+/// Back and forth over the lanes, from either end of the first and of the last.
+Outcome<Job> cell_job(const SweepCell& cell, Mover& mover);
+
+struct OrderedJobs {
+  CoverTrack track;
+  std::vector<PieceRole> roles;
+  std::vector<std::size_t> begins;  ///< the first piece of each job
+  double bound_s = 0.0;
+};
+
+/// All jobs, one after another, in the order and the variants that take the least time; begun at the start,
+/// or without one where the first begins.
+Outcome<OrderedJobs> ordered(const std::vector<Job>& jobs, const std::optional<Pose2>& start,
+                             const Pace& pace, const TourOptions& options, const Budget& budget,
+                             Mover& mover);
+
+}  // namespace outrider::cover

@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coverage_units.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+using namespace cover;
+
+constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer jobs than that
+constexpr double slack_part = 1e-3;      // of the stride: more than all rounding and chords
+
+/// The widest slab, a little less than a stride, and how much farther than half of it the core keeps from the
+/// border of the standing room, so that lanes are free in spite of rounding.
+struct Strides {
+  double slab_m;
+  double slack_m;
+  explicit Strides(const CoverProblem& problem)
+      : slab_m((1.0 - 4.0 * slack_part) * problem.stride_m()), slack_m(slack_part * problem.stride_m()) {}
+};
+
+/// The points of the standing room whose distance from a lap along its border is at least `depth_m`.
+Region core_of(const CoverProblem& problem, const CoverGround& ground, double depth_m) {
+  const Strides strides(problem);
+  const Region deep =
+      shrunk(ground.area, problem.radius_m() + depth_m + strides.slack_m, 0.25 * strides.slack_m);
+  Region core;
+  for (const RingedPolygon& polygon : deep) {
+    if (contains(ground.standing, polygon.outer.front())) core.push_back(polygon);
+  }
+  return core;
+}
+
+/// Laps of a ground that belong to the part where the robot starts.
+std::vector<Lap> laps_within(const PolygonGround& ground, const Region& standing, double arc_m) {
+  std::vector<Lap> laps = laps_of(ground);
+  std::erase_if(laps, [&](const Lap& lap) {
+    const Vec2 p = lap.front().from;
+    return !contains(standing, p) && distance_to_border(standing.front(), p) > 2.0 * arc_m;
+  });
+  return laps;
+}
+
+/// Headings of the longest edges, and across them, each once.
+std::vector<double> sweep_headings(const CoverProblem& problem, std::int64_t count) {
+  std::vector<std::pair<double, double>> edges;  // minus the length, heading in [0, pi/2)
+  const auto add_edges = [&](const std::vector<Vec2>& polygon) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+      const double heading = std::fmod(heading_of(edge) + 2.0 * pi, 0.5 * pi);
+      edges.emplace_back(-norm(edge), heading);
+    }
+  };
+  add_edges(problem.boundary);
+  for (const auto& hole : problem.holes) add_edges(hole);
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<double> headings;
+  for (const auto& [length, heading] : edges) {
+    if (static_cast<std::int64_t>(headings.size()) >= count) break;
+    const bool known = std::any_of(headings.begin(), headings.end(), [&, h = heading](double other) {
+      return std::abs(std::remainder(h - other, 0.5 * pi)) < radians(2.0);
+    });
+    if (known) continue;
+    headings.push_back(heading);
+    headings.push_back(heading + 0.5 * pi);
+  }
+  return headings;
+}
+
+/// Time of the lanes and of getting from one to the next.
+double sweep_time_s(const std::vector<SweepCell>& cells, const CoverProblem& problem) {
+  const double change = 2.0 * (duration(0.5 * pi, problem.pace.turning()) + problem.pace.pause_s) +
+                        duration(problem.stride_m(), problem.pace.straight());
+  double time = 0.0;
+  for (const SweepCell& cell : cells) {
+    for (const Segment& lane : cell.lanes) {
+      time += change + duration(distance(lane.a, lane.b), problem.pace.straight());
+    }
+  }
+  return time;
+}
+
+/// Cells of the region in the heading that takes the least time, and for each cell other headings of its
+/// own that cover it in one back-and-forth, best first.
+using CellChoices = std::vector<std::vector<SweepCell>>;
+
+CellChoices cells_of(const Region& core, const CoverProblem& problem, const std::vector<double>& headings) {
+  const Strides strides(problem);
+  const auto cut = [&](const Region& region, double heading) {
+    return sweep_cells(region, heading, strides.slab_m, strides.slack_m);
+  };
+  std::vector<SweepCell> best;
+  for (const double heading : headings) {
+    auto cells = cut(core, heading);
+    if (best.empty() || sweep_time_s(cells, problem) < sweep_time_s(best, problem)) best = std::move(cells);
+  }
+  CellChoices choices;
+  for (const SweepCell& cell : best) {
+    std::vector<SweepCell> choice{cell};
+    for (const double heading : headings) {
+      auto other = cut(cell.area, heading);
+      if (other.size() == 1) choice.push_back(std::move(other.front()));
+    }
+    std::stable_sort(choice.begin(), choice.end(), [&](const SweepCell& a, const SweepCell& b) {
+      return sweep_time_s({a}, problem) < sweep_time_s({b}, problem);
+    });
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+/// Takes away the smallest cells, as long as they are not more than may be left. Returns their area, m2.
+double leave_out(CellChoices& cells, double most_m2) {
+  std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
+    return area_of(a.front().area) > area_of(b.front().area);
+  });
+  double left = 0.0;
+  while (!cells.empty() && left + area_of(cells.back().front().area) <= most_m2) {
+    left += area_of(cells.back().front().area);
+    cells.pop_back();
+  }
+  return left;
+}
+
+/// Orders laps and cells into one track.
+Outcome<CoverPlan> assembled(CoverGround ground, const std::vector<Lap>& laps, CellChoices cells,
+                             const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  CoverPlan plan;
+  plan.left_m2 = leave_out(cells, problem.leave * area_of(ground.reach));
+  plan.laps = laps.size();
+  plan.cells = cells.size();
+  Mover mover(ground.ground, budget);
+  const std::size_t each = most_stops / std::max<std::size_t>(1, laps.size() + cells.size());
+  std::vector<Job> jobs;
+  for (const Lap& lap : laps) jobs.push_back(lap_job(lap, each / 2));
+  for (const auto& choice : cells) {
+    Job job;
+    for (const SweepCell& cell : choice) {
+      if (!job.empty() && (job.size() + 4 > each || job.size() > 4)) break;
+      auto ways = cell_job(cell, mover);
+      if (!ways) return pass_on(ways);
+      job.insert(job.end(), ways->begin(), ways->end());
+    }
+    jobs.push_back(std::move(job));
+  }
+  auto order = ordered(jobs, problem.start, problem.pace, options.order, budget, mover);
+  if (!order) return pass_on(order);
+  plan.track = std::move(order->track);
+  plan.roles = std::move(order->roles);
+  plan.begins = std::move(order->begins);
+  plan.order_bound_s = order->bound_s;
+  plan.lanes = static_cast<std::size_t>(std::count(plan.roles.begin(), plan.roles.end(), PieceRole::lane));
+  plan.sums = sums_of(plan.track.start.heading_rad, plan.track.pieces, problem.pace);
+  plan.ground = std::move(ground);
+  return plan;
+}
+
+Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions& options,
+                                 const Budget& budget) {
+  auto ground = cover_ground(problem);
+  if (!ground) return pass_on(ground);
+  const auto laps = laps_within(*ground->ground, ground->standing, ground->arc_m);
+  const Region core = core_of(problem, *ground, 0.5 * Strides(problem).slab_m);
+  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions));
+  auto plan = assembled(std::move(*ground), laps, std::move(cells), problem, options, budget);
+  if (plan) plan->method = "boustrophedon";
+  return plan;
+}
+
+/// Laps along the border and inwards, each a stride from the one before.
+Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverGround& ground) {
+  std::vector<Lap> all = laps_within(*ground.ground, ground.standing, ground.arc_m);
+  for (int k = 1;; ++k) {
+    const double radius = problem.radius_m() + k * problem.stride_m();
+    if (radius > most_polygon_radius_m) return all;
+    auto inner = PolygonGround::of(problem.boundary, problem.holes, radius);
+    if (!inner) return pass_on(inner);
+    const auto laps = laps_within(*inner, ground.standing, 0.0);
+    if (laps.empty()) return all;
+    all.insert(all.end(), laps.begin(), laps.end());
+  }
+}
+
+Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  auto ground = cover_ground(problem);
+  if (!ground) return pass_on(ground);
+  const auto laps = spiral_laps(problem, *ground);
+  if (!laps) return tl::unexpected<Fault>(laps.error());
+  // What the laps surely leave, deep enough inside for lanes: where they meet at sharp corners and ends.
+  Region core = core_of(problem, *ground, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
+  for (const Lap& lap : *laps) {
+    const auto points = points_along({{lap.front().from, 0.0}, lap}, radians(2.0));
+    core = without(core, coverage_of(points, problem.sure_radius_m(), core).covered);
+  }
+  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions));
+  auto plan = assembled(std::move(*ground), *laps, std::move(cells), problem, options, budget);
+  if (plan) plan->method = "spiral";
+  return plan;
+}
+
+Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  auto best = boustrophedon(problem, options, budget);
+  if (!best) return best;
+  auto other = spiral(problem, options, budget);
+  if (other && other->sums.time_s < best->sums.time_s) return other;
+  return best;
+}
+
+}  // namespace
+
+std::vector<Option> describe(CoverOptions& options) {
+  std::vector<Option> all{{"directions", "", 1.0, 64.0,
+                           "sweep directions to try: along the longest edges and across them",
+                           &options.directions}};
+  for (Option& option : describe(options.order)) all.push_back(std::move(option));
+  return all;
+}
+
+const std::vector<CoverMethod>& cover_methods() {
+  static const std::vector<CoverMethod> rows = {
+      {"boustrophedon", "a lap along every wall and obstacle, then back and forth in each cell between them",
+       "Choset and Pignon, Coverage path planning: the boustrophedon cellular decomposition (1998)",
+       boustrophedon},
+      {"spiral", "laps inwards, a stride from one to the next; what they leave is swept",
+       "Held, On the computational geometry of pocket machining (1991)", spiral},
+      {"quickest", "the one of the others that takes less time", "", quickest},
+  };
+  return rows;
+}
+
+Outcome<CoverMethod> find_cover_method(std::string_view name) {
+  return find_row(cover_methods(), "method", name, "method");
+}
+
+}  // namespace outrider

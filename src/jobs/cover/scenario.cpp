@@ -1,0 +1,101 @@
+#include "outrider/jobs/cover/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "outrider/core/units.hpp"
+#include "outrider/io/cover_area.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
+
+namespace outrider {
+namespace {
+
+Outcome<Units> units_of(const CoverScenario& scenario) {
+  if (scenario.units == "auto") return Units::told_by_size;
+  if (scenario.units == "degrees") return Units::degrees;
+  if (scenario.units == "metres") return Units::metres;
+  return bad_input(
+      fmt::format("'{}' are no units; it takes auto, degrees or metres", excerpt(scenario.units)), "units");
+}
+
+Status check_names(const CoverScenario& scenario) {
+  if (scenario.job != "cover") {
+    return bad_input(
+        fmt::format("'{}' is not a job of this scenario; the job is cover", excerpt(scenario.job)), "job");
+  }
+  if (scenario.area.empty()) return bad_input("missing; give the file of the polygon to cover", "area");
+  return {};
+}
+
+}  // namespace
+
+std::vector<OptionGroup> describe(CoverScenario& scenario) {
+  CoverProblem& problem = scenario.problem;
+  return {
+      {"",
+       "the area and the robot",
+       {{"job", "", 0, 0, "what the robot does; cover", &scenario.job},
+        {"area", "", 0, 0, "file of the polygon to cover", &scenario.area},
+        {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units},
+        {"width", "m", 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m,
+         "of the robot, a disk, and of the strip it covers", &problem.width_m},
+        {"overlap", "", 0.0, 0.9, "part of the width that neighbouring strips share", &problem.overlap},
+        {"stray", "m", 0.0, most_polygon_radius_m, "the robot is never farther than this from its track",
+         &problem.stray_m},
+        {"leave", "", 0.0, 0.5, "part of the area that may be left where only a detour would cover it",
+         &problem.leave},
+        {"method", "", 0, 0, "a cover method of 'outrider list'", &scenario.method},
+        {"start", "", 0, 0,
+         "x,y,heading of the robot at first, m, m and degrees; empty: where its track begins",
+         &scenario.start},
+        {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
+         &scenario.error_factor},
+        {"seed", "", 0, 1e15, "seed of the simulated drive", &scenario.seed}}},
+      {"pace", "how fast the robot drives and turns", describe(problem.pace)},
+      {"order", "in which order laps and cells are driven", describe(scenario.options)},
+  };
+}
+
+void resolve_paths(CoverScenario& scenario, const std::string& scenario_path) {
+  const auto folder = std::filesystem::path(scenario_path).parent_path();
+  if (!scenario.area.empty()) scenario.area = (folder / scenario.area).lexically_normal().string();
+}
+
+Outcome<CoverTask> load_task(const CoverScenario& scenario) {
+  if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+  auto method = find_cover_method(scenario.method);
+  if (!method) return pass_on(method);
+  auto units = units_of(scenario);
+  if (!units) return pass_on(units);
+  CoverTask task{scenario.problem, *method, {}, {}, {}};
+  if (!scenario.start.empty()) {
+    auto start = parse_pose(scenario.start, "start");
+    if (!start) return pass_on(start);
+    task.problem.start = Pose2{start->position, wrap_angle(start->heading_rad)};
+  }
+  auto area = load_cover_area(scenario.area, *units);
+  if (!area) return pass_on(area);
+  task.note = std::move(area->note);
+  task.problem.boundary = std::move(area->boundary.corners);
+  task.boundary_where = std::move(area->boundary.where);
+  for (AreaRing& hole : area->holes) {
+    task.problem.holes.push_back(std::move(hole.corners));
+    task.hole_wheres.push_back(std::move(hole.where));
+  }
+  return task;
+}
+
+Fault placed(Fault fault, const CoverTask& task) {
+  if (fault.where == "boundary") fault.where = task.boundary_where;
+  for (std::size_t i = 0; i < task.hole_wheres.size(); ++i) {
+    if (fault.where != fmt::format("hole {}", i + 1)) continue;
+    fault.where = task.hole_wheres[i];
+    if (!fault.sentence.starts_with("hole "))
+      fault.sentence = fmt::format("hole {}: {}", i + 1, fault.sentence);
+  }
+  return fault;
+}
+
+}  // namespace outrider

@@ -1,0 +1,226 @@
+#include "outrider/jobs/drive/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "outrider/io/scenario.hpp"
+#include "outrider/io/sdf.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double open_ground_m = 2.0;  ///< around waypoints and tags, where there is no world
+constexpr std::size_t most_waypoints = 10'000;
+
+Outcome<std::vector<Waypoint>> waypoints_from(const std::string& text) {
+  std::vector<Waypoint> waypoints;
+  for (std::string_view word : words(text)) {
+    const bool stop = !word.ends_with('!');
+    if (!stop) word.remove_suffix(1);
+    auto pose = parse_pose(std::string(word), "waypoints");
+    if (!pose) return pass_on(pose);
+    waypoints.push_back({*pose, stop});
+  }
+  if (waypoints.empty()) {
+    return bad_input("there are none; give waypoints, or a goal and a planner", "waypoints");
+  }
+  if (waypoints.size() > most_waypoints) {
+    return bad_input(fmt::format("there are {}; at most {} are taken", waypoints.size(), most_waypoints),
+                     "waypoints");
+  }
+  if (!waypoints.back().stop) return bad_input("the last one is a stop; take its ! away", "waypoints");
+  return waypoints;
+}
+
+Outcome<Tag> tag_from(std::string_view word, double height_m, double size_m) {
+  const std::string form = "id=x,y,facing[,height] in m and degrees, such as 1=2,1,180";
+  const std::size_t equals = word.find('=');
+  const auto id = number<int>(word.substr(0, equals));
+  if (equals == word.npos || !id) {
+    return bad_input(fmt::format("'{}' is no tag; it takes {}", excerpt(word), form), "tags");
+  }
+  const std::string rest(word.substr(equals + 1));
+  const std::size_t count = std::ranges::count(rest, ',') == 3 ? 4 : 3;
+  auto n = parse_numbers(rest, count, "tags", form);
+  if (!n) return pass_on(n);
+  return upright_tag(*id, {(*n)[0], (*n)[1], count == 4 ? (*n)[3] : height_m}, radians((*n)[2]), size_m);
+}
+
+Outcome<TagMap> tags_from(const DriveScenario& scenario) {
+  TagMap map;
+  for (const std::string_view word : words(scenario.tags)) {
+    auto tag = tag_from(word, scenario.task.eye.height_m, scenario.tag_size_m);
+    if (!tag) return pass_on(tag);
+    map.tags.push_back(*tag);
+  }
+  if (auto ok = check_tags(map); !ok) {
+    ok.error().where = "tags";
+    return pass_on(ok);
+  }
+  return map;
+}
+
+/// The box around all that the task names, with room to drive.
+Box2 around(const DriveTask& task, const std::optional<Pose2>& goal) {
+  Box2 box;
+  box.include(task.start.position);
+  if (goal) box.include(goal->position);
+  for (const Waypoint& waypoint : task.waypoints) box.include(waypoint.pose.position);
+  for (const Tag& tag : task.tags.tags) box.include(xy(tag.world_T_tag.position));
+  return box.grown(open_ground_m + task.radius_m);
+}
+
+Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& goal, DriveSetup& setup) {
+  World& world = setup.task.world;
+  if (!scenario.world.empty()) {
+    auto loaded = load_sdf(scenario.world);
+    if (!loaded) return pass_on(loaded);
+    world = std::move(loaded->world);
+    setup.warnings = std::move(loaded->warnings);
+  } else {
+    world.name = "open ground";
+  }
+  if (!scenario.bounds.empty()) {
+    auto bounds = parse_box(scenario.bounds, "bounds");
+    if (!bounds) return pass_on(bounds);
+    world.bounds = *bounds;
+  } else if (scenario.world.empty()) {
+    world.bounds = around(setup.task, goal);
+  }
+  return {};
+}
+
+Status check_word(const std::string& value, const char* key, const char* one, const char* other) {
+  if (value == one || value == other) return {};
+  return bad_input(fmt::format("'{}' is no good; it takes {} or {}", excerpt(value), one, other), key);
+}
+
+Status check_words(const DriveScenario& scenario) {
+  if (scenario.job != "drive") {
+    return bad_input(
+        fmt::format("'{}' is not a job of this scenario; the job is drive", excerpt(scenario.job)), "job");
+  }
+  if (auto ok = check_word(scenario.loop, "loop", "closed", "open"); !ok) return ok;
+  if (auto ok = check_word(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
+  if (scenario.goal.empty() != scenario.planner.empty()) {
+    return bad_input("a goal and a planner go together; give both, or waypoints",
+                     scenario.goal.empty() ? "goal" : "planner");
+  }
+  if (!scenario.goal.empty() && !scenario.waypoints.empty()) {
+    return bad_input("there are waypoints as well; give a goal and a planner, or waypoints", "goal");
+  }
+  return check(scenario.task.follow);
+}
+
+/// What stands in the options themselves, and what words and files make of the rest.
+Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
+  DriveTask task = scenario.task;
+  auto chassis = make_chassis(scenario.chassis, scenario.wheel_radius_m, scenario.wheel_reach_m);
+  if (!chassis) return pass_on(chassis);
+  task.chassis = std::move(*chassis);
+  task.radius_m = scenario.radius_m;
+  task.closed_loop = scenario.loop == "closed";
+  if (task.closed_loop && task.follow.manner == "holonomic" && !task.chassis.moves_sideways()) {
+    return bad_input(
+        fmt::format("a {} chassis does not move sideways; take rotate_then_go", scenario.chassis),
+        "follow.manner");
+  }
+  if (!scenario.calibration.empty()) {
+    if (auto ok = load_scenario(scenario.calibration, describe(task.calibration)); !ok) return pass_on(ok);
+  }
+  auto start = parse_pose(scenario.start, "start");
+  if (!start) return pass_on(start);
+  task.start = *start;
+  if (auto ok = check_camera(task.eye.camera); !ok) {
+    if (ok.error().where.empty()) ok.error().where = "camera";
+    return pass_on(ok);
+  }
+  auto tags = tags_from(scenario);
+  if (!tags) return pass_on(tags);
+  task.tags = std::move(*tags);
+  return task;
+}
+
+}  // namespace
+
+std::vector<OptionGroup> describe(DriveScenario& scenario) {
+  DriveTask& task = scenario.task;
+  return {
+      {"",
+       "the drive",
+       {{"job", "", 0, 0, "what the robot does; drive", &scenario.job},
+        {"world", "", 0, 0, "SDF file of the world; empty: open ground", &scenario.world},
+        {"bounds", "", 0, 0, "low x,low y,high x,high y of the ground, m; empty: the box of its walls",
+         &scenario.bounds},
+        {"start", "", 0, 0, "x,y,heading in m and degrees", &scenario.start},
+        {"waypoints", "", 0, 0, "x,y,heading of each, with blanks between; a ! behind one: pass by it",
+         &scenario.waypoints},
+        {"goal", "", 0, 0, "x,y,heading, in place of waypoints", &scenario.goal},
+        {"planner", "", 0, 0, "a path planner of 'outrider list', for the way to the goal",
+         &scenario.planner},
+        {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag36h11, with blanks between", &scenario.tags},
+        {"tag_size", "m", 1e-3, 10.0, "side of the black square of every tag", &scenario.tag_size_m},
+        {"loop", "", 0, 0, "closed (by tags) or open (by time)", &scenario.loop},
+        {"sight", "", 0, 0, "rendered (images, tags detected in them) or modelled (corners with errors)",
+         &scenario.sight},
+        {"chassis", "", 0, 0, "mecanum, differential or holonomic", &scenario.chassis},
+        {"wheel_radius", "m", 1e-3, 10.0, "of every wheel", &scenario.wheel_radius_m},
+        {"wheel_reach", "m", 1e-3, 10.0,
+         "half length plus half width (mecanum), half track (differential), or middle to wheel (holonomic)",
+         &scenario.wheel_reach_m},
+        {"radius", "m", 0.0, 100.0, "of the disk that the robot stays within", &scenario.radius_m},
+        {"height", "m", 0.0, 100.0, "of the robot; obstacles above it are driven under", &scenario.height_m},
+        {"calibration", "", 0, 0, "file that 'outrider calibrate' wrote; empty: none", &scenario.calibration},
+        {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed}}},
+      {"follow", "how waypoints are followed", describe(task.follow)},
+      {"pid", "gains of the follower", describe(task.pid)},
+      {"reckoning", "how the belief is carried on between two looks", describe(task.reckoning)},
+      {"localise", "how tags tell where the robot is", describe(task.localise)},
+      {"camera", "the camera, which looks ahead", describe(task.eye)},
+      {"rules", "when the robot looks, waits and gives up", describe(task.rules)},
+      {"route", "how a planner's path becomes waypoints", describe(scenario.route)},
+      {"faults", "what the wheels of the simulated robot do wrong, and what befalls it",
+       describe(scenario.truth)},
+      {"link", "how commands travel to the simulated robot", describe(scenario.truth.link)},
+  };
+}
+
+void resolve_paths(DriveScenario& scenario, const std::string& scenario_path) {
+  const auto folder = std::filesystem::path(scenario_path).parent_path();
+  for (std::string* path : {&scenario.world, &scenario.calibration}) {
+    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
+  }
+}
+
+Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
+  if (auto ok = check_words(scenario); !ok) return pass_on(ok);
+  auto task = robot_from(scenario);
+  if (!task) return pass_on(task);
+  DriveSetup setup{std::move(*task), scenario.truth, scenario.sight == "rendered", std::nullopt, 0.0, {}};
+  std::optional<Pose2> goal;
+  if (scenario.goal.empty()) {
+    auto waypoints = waypoints_from(scenario.waypoints);
+    if (!waypoints) return pass_on(waypoints);
+    setup.task.waypoints = std::move(*waypoints);
+  } else {
+    auto pose = parse_pose(scenario.goal, "goal");
+    if (!pose) return pass_on(pose);
+    goal = *pose;
+  }
+  if (auto ok = load_ground(scenario, goal, setup); !ok) return pass_on(ok);
+  const Ground ground = Ground::of(setup.task.world, scenario.height_m);
+  if (goal) {
+    auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route);
+    if (!route) return pass_on(route);
+    setup.task.waypoints = std::move(route->waypoints);
+    setup.plan = std::move(route->plan);
+    setup.path_clearance_m = way_clearance_m(setup.plan->waypoints, ground) - setup.task.radius_m;
+  }
+  if (auto ok = check_waypoints(setup.task, ground); !ok) return pass_on(ok);
+  return setup;
+}
+
+}  // namespace outrider

@@ -1,0 +1,55 @@
+#include "outrider/jobs/drive/task.hpp"
+
+namespace outrider {
+
+std::vector<Option> describe(TagEye& eye) {
+  return {
+      {"fx", "px", 1.0, 1e6, "focal length across the image", &eye.camera.fx},
+      {"fy", "px", 1.0, 1e6, "focal length down the image", &eye.camera.fy},
+      {"cx", "px", 0.0, 1e5, "where the axis meets the image, from its left", &eye.camera.cx},
+      {"cy", "px", 0.0, 1e5, "where the axis meets the image, from its top", &eye.camera.cy},
+      {"ahead", "m", -10.0, 10.0, "of the camera, ahead of the robot's middle", &eye.ahead_m},
+      {"height", "m", 0.0, 10.0, "of the camera above the floor", &eye.height_m},
+      {"rate", "1/s", 0.1, 100.0, "images a second", &eye.rate_hz},
+      {"exposure", "s", 0.0, 0.1, "for which the shutter is open", &eye.exposure_s},
+  };
+}
+
+RobotCamera robot_camera(const TagEye& eye) {
+  return {eye.camera, looking_ahead({eye.ahead_m, 0.0, eye.height_m})};
+}
+
+std::vector<Option> describe(DriveRules& rules) {
+  return {
+      {"period", "s", 0.005, 1.0, "of control; a tag pose older than half of it is not used",
+       &rules.period_s},
+      {"settle", "s", 0.0, 60.0, "of standing at a stop before it counts as reached", &rules.settle_s},
+      {"most_settle", "s", 0.0, 600.0, "after which it counts although the belief is still wide",
+       &rules.most_settle_s},
+      {"settle_sigma", "m", 1e-4, 10.0, "standard deviation of a position that is not wide",
+       &rules.settle_sigma_m},
+      {"settle_sigma_angle", "deg", 0.01, 90.0, "standard deviation of a heading that is not wide",
+       &rules.settle_sigma_rad},
+      {"patience", "s", 1.0, 1e5, "for one waypoint", &rules.patience_s},
+      {"most_refused", "", 1, 10000, "images in a row whose tags are where they cannot be; then it is lost",
+       &rules.most_refused},
+      {"rest", "s", 0.0, 60.0, "between two motions of the open loop", &rules.rest_s},
+  };
+}
+
+std::vector<Option> describe(DriveTruth& truth) {
+  std::vector<Option> options = describe(truth.wheels);
+  const std::vector<Option> own = {
+      {"corner_sigma", "px", 0.0, 10.0, "of a detected corner, where images are not rendered",
+       &truth.corner_sigma_px},
+      {"missed", "", 0.0, 1.0, "part of the tags in view that are not detected there", &truth.missed},
+      {"blind_from", "s", 0.0, 1e9, "from then on the robot sees no tags", &truth.blind_from_s},
+      {"kidnapped_at", "s", 0.0, 1e9, "when the robot is put elsewhere", &truth.kidnapped_at_s},
+      {"kidnapped_by", "m", -100.0, 100.0, "how far to its left", &truth.kidnapped_by_m},
+      {"kidnapped_turn", "deg", -180.0, 180.0, "and turned by how much", &truth.kidnapped_by_rad},
+  };
+  options.insert(options.end(), own.begin(), own.end());
+  return options;
+}
+
+}  // namespace outrider

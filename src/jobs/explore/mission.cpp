@@ -1,0 +1,354 @@
+#include "outrider/jobs/explore/mission.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "outrider/jobs/explore/catalog.hpp"
+#include "outrider/jobs/explore/view.hpp"
+#include "outrider/path/catalog.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double arrived_m = 0.03;  ///< of the end of a path
+constexpr double moved_m = 0.04, turned_rad = 0.3;
+constexpr double nearby_m = 0.9;
+constexpr double here_m = 0.5;
+constexpr double elsewhere_m = 20.0;  ///< driven between two times stuck that have nothing in common
+
+/// Whether anything can be read off it.
+bool usable(const LaserScan& scan) {
+  return check(scan) &&
+         std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
+}
+
+/// Where its beams end on something.
+std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
+  std::vector<Vec2> ends;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const auto range_m = static_cast<double>(scan.ranges_m[i]);
+    if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, 2.0 * nearby_m))) continue;
+    const double bearing =
+        world_T_laser.heading_rad + scan.first_rad + static_cast<double>(i) * scan.step_rad;
+    ends.push_back(world_T_laser.position + range_m * direction(bearing));
+  }
+  return ends;
+}
+
+void say(ExploreMission& mission, std::string kind, std::string text) {
+  mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
+}
+
+void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
+  mission.stage = ExploreStage::over;
+  mission.path.reset();
+  mission.stop_reason = std::move(stop_reason);
+  mission.reason = std::move(reason);
+  say(mission, "end", mission.reason);
+}
+
+ExploreState state_of(ExploreMission& mission, const ExploreTask& task) {
+  return {mission.frontiers, mission.blacklist, task.robot,     mission.range_m,
+          mission.pose,      task.start,        mission.time_s, mission.decision.choice};
+}
+
+void moved_on(ExploreMission& mission) {
+  mission.stood = mission.pose;
+  mission.moved_on_s = mission.time_s;
+}
+
+/// Whether the map was brought to its best lately; else it will be, with the next scan. Before the robot goes
+/// home that may show that something is left to see, and when it believes that it is home, that it is not.
+bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<double>::infinity()) {
+  if (mission.settled_m && mission.driven_m - *mission.settled_m <= lately_m) return true;
+  mission.wants_settling = true;
+  mission.path.reset();
+  return false;
+}
+
+/// The way home, or the end without one.
+void turn_home(ExploreMission& mission, const ExploreTask& task, const std::string& stop_reason,
+               const std::string& reason) {
+  if (mission.stop_reason != stop_reason) say(mission, "home", reason);
+  mission.stop_reason = stop_reason;
+  mission.reason = reason;
+  mission.home = distance(mission.pose.position, task.start.position) <= task.rules.home_within_m;
+  if (task.rules.return_home && mission.home && !settled(mission, here_m)) {
+    mission.arriving = true;
+    return;
+  }
+  if (!task.rules.return_home || mission.home) return end(mission, stop_reason, reason);
+  auto way = way_to(state_of(mission, task), task.start.position, task.explore, mission.workspace);
+  if (!way) return end(mission, "stuck", "there is no way home: " + way.error().sentence);
+  if (mission.stage != ExploreStage::go_home) moved_on(mission);
+  mission.stage = ExploreStage::go_home;
+  mission.path = Followed{std::move(*way), 0.0};
+}
+
+void take(ExploreMission& mission, Decision decision, const ExploreTask& task) {
+  const bool elsewhere = decision.choice.frontier != mission.decision.choice.frontier ||
+                         mission.stage != ExploreStage::seek || !mission.path;
+  mission.decision = std::move(decision);
+  if (mission.decision.kind == DecisionKind::complete && !settled(mission)) return;
+  if (mission.decision.kind == DecisionKind::complete)
+    return turn_home(mission, task, "complete", mission.decision.sentence);
+  if (mission.decision.kind == DecisionKind::leak)
+    return turn_home(mission, task, "leak", mission.decision.sentence);
+  if (elsewhere) {
+    ++mission.goal_changes;
+    mission.settled_m.reset();
+    moved_on(mission);
+    say(mission, "goal", mission.decision.sentence);
+  }
+  mission.stage = ExploreStage::seek;
+  mission.stop_reason.clear();
+  mission.reason.clear();
+  mission.path = Followed{mission.decision.waypoints, 0.0};
+}
+
+bool spent(const ExploreMission& mission, const ExploreRules& rules) {
+  return mission.time_s - *mission.started_s > rules.most_time_s || mission.driven_m > rules.most_distance_m;
+}
+
+/// Whether what is next of the path has been found to be in the way.
+bool blocked(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
+  const double wanted =
+      std::min(task.robot.radius_m + task.steer.least_gap_m, nearby.clearance(mission.pose.position) - 1e-3);
+  double before = 0.0;
+  const Followed& path = *mission.path;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Segment leg{path.points[i - 1], path.points[i]};
+    const double length = distance(leg.a, leg.b);
+    before += length;
+    if (before <= path.along_m || length == 0.0) continue;
+    const double from = std::max(0.0, path.along_m - (before - length));
+    const Segment ahead{leg.a + (from / length) * (leg.b - leg.a), leg.b};
+    if (distance(ahead.a, mission.pose.position) > nearby_m) return false;
+    if (nearby.clearance(ahead) < wanted) return true;
+  }
+  return false;
+}
+
+/// Whether it is time to think where to go.
+bool time_to_decide(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
+  if (!mission.looked) return false;
+  if (!mission.path) return true;
+  if (mission.time_s - mission.decided_s >= task.rules.think_again_s) return true;
+  if (mission.stage == ExploreStage::seek &&
+      !mission.frontiers.frontiers().contains(mission.decision.choice.frontier))
+    return true;
+  return left_of(*mission.path) < arrived_m || blocked(mission, nearby, task);
+}
+
+void decide_anew(ExploreMission& mission, const ExploreTask& task) {
+  const bool arrived =
+      mission.path && mission.stage == ExploreStage::seek && left_of(*mission.path) < arrived_m;
+  const std::uint32_t goal = mission.decision.choice.frontier;
+  mission.decided_s = mission.time_s;
+  ++mission.decisions;
+  if (spent(mission, task.rules)) {
+    return turn_home(
+        mission, task, "budget",
+        fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
+  }
+  if (mission.arriving || (mission.stage == ExploreStage::go_home && mission.stop_reason != "complete"))
+    return turn_home(mission, task, mission.stop_reason, mission.reason);
+  // Looked at from where it was to be seen, and still there: it will not be seen.
+  if (arrived && mission.frontiers.frontiers().contains(goal))
+    mission.blacklist.add(mission.decision.choice.place, mission.time_s);
+  auto decision = decide(state_of(mission, task), task.explore, mission.workspace);
+  if (!decision) return turn_home(mission, task, "stuck", decision.error().sentence);
+  take(mission, std::move(*decision), task);
+}
+
+/// Goes back along the way it came, and leaves the goal out for a while.
+void back_off(ExploreMission& mission, const ExploreTask& task) {
+  if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
+  mission.stuck_m = mission.driven_m;
+  ++mission.stuck;
+  ++mission.stuck_here;
+  say(mission, mission.touching ? "touch" : "stuck",
+      fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
+                  mission.pose.position.y,
+                  mission.touching ? "something was touched" : "it does not move on"));
+  if (mission.stuck_here > task.rules.most_stuck)
+    return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
+  if (mission.stage == ExploreStage::seek && mission.path)
+    mission.blacklist.add(mission.decision.choice.place, mission.time_s);
+  std::vector<Vec2> way = {mission.pose.position};
+  const std::vector<Pose2> came = mission.slam.trajectory();
+  double length = 0.0;
+  for (auto pose = came.rbegin(); pose != came.rend() && length < task.rules.back_off_m; ++pose) {
+    const double leg = distance(way.back(), pose->position);
+    if (leg < 0.02) continue;
+    length += leg;
+    way.push_back(pose->position);
+  }
+  mission.stage = ExploreStage::back_off;
+  mission.path = Followed{std::move(way), 0.0};
+  moved_on(mission);
+}
+
+/// The same twist for a robot that drives backwards.
+Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
+  const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
+  const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
+  RobotModel slow = task.robot;
+  slow.speed_mps *= 0.5;
+  const Twist2 back = steer(*mission.path, turned, now, nearby, slow, task.steer);
+  return {-back.ahead_mps, 0.0, back.turn_radps};
+}
+
+/// Keeps an eye on getting on; true when it has to go back.
+bool stands_still(ExploreMission& mission, const ExploreTask& task) {
+  const bool moved = distance(mission.pose.position, mission.stood.position) > moved_m ||
+                     std::abs(wrap_angle(mission.pose.heading_rad - mission.stood.heading_rad)) > turned_rad;
+  if (moved) moved_on(mission);
+  return mission.time_s - mission.moved_on_s > task.rules.patience_s;
+}
+
+/// What stands around: by the map, or by the newest scan where the map has hemmed the robot in.
+Nearby surroundings(const ExploreMission& mission) {
+  constexpr std::int64_t often = 3;
+  constexpr double beam_m = 0.01;
+  if (mission.stuck_here >= often && mission.driven_m - mission.stuck_m < nearby_m)
+    return {mission.seen, beam_m};
+  return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
+}
+
+/// Where to drive now, or nowhere.
+Twist2 drive(ExploreMission& mission, const ExploreTask& task) {
+  const Nearby nearby = surroundings(mission);
+  if (mission.path) pass(*mission.path, mission.pose.position);
+  if (mission.stage == ExploreStage::back_off) {
+    const bool goes_back =
+        mission.path && left_of(*mission.path) >= arrived_m && !stands_still(mission, task);
+    if (goes_back) return steer_back(mission, nearby, task);
+    mission.stage = ExploreStage::seek;
+    mission.path.reset();
+  } else if (mission.touching || (mission.path && stands_still(mission, task))) {
+    back_off(mission, task);
+    return {};
+  }
+  if (mission.wants_settling) return {};
+  if (time_to_decide(mission, nearby, task)) decide_anew(mission, task);
+  if (!mission.path) return {};
+  return steer(*mission.path, mission.pose, mission.twist, nearby, task.robot, task.steer);
+}
+
+/// Keeps what the frontiers have to be told.
+void learn(ExploreMission& mission, MapUpdate update) {
+  if (mission.looked) update = {true, {}};  // two scans at once: all is compared
+  mission.news = std::move(update);
+  mission.looked = true;
+}
+
+/// Tells the frontiers. A map of which much has changed is thought over with the next scan.
+void take_news(ExploreMission& mission, const ExploreTask& task) {
+  const bool first = mission.decisions == 0;
+  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.news);
+  mission.news = {};
+  if (!much || first) return;
+  prepare(mission.frontiers, task.explore);
+  mission.looked = false;
+}
+
+void settle(ExploreMission& mission) {
+  mission.slam.settle();
+  mission.wants_settling = false;
+  mission.settled_m = mission.driven_m;
+  learn(mission, {true, {}});
+}
+
+void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask& task) {
+  if (mission.wants_settling) settle(mission);
+  auto step = mission.slam.advance(seen_from(mission.odometry_of_slam, mission.odometry), scan);
+  if (!step) return end(mission, "lost", step.error().sentence);
+  mission.odometry_of_slam = mission.odometry;
+  mission.pose = step->pose;
+  ++mission.scans;
+  if (!usable(scan)) {
+    ++mission.bad_scans;
+  } else {
+    mission.scan_s = mission.time_s;
+    mission.range_m = scan.most_m;
+    mission.seen = ends_of(scan, placed_in(mission.pose, task.slam.robot_T_laser));
+  }
+  learn(mission, std::move(step->update));
+  if (step->closed_loop) {
+    ++mission.loops;
+    mission.path.reset();
+    moved_on(mission);
+    say(mission, "loop", "a place was recognised, and the map drawn anew");
+  }
+  const Matrix3 p = mission.slam.pose_covariance();
+  const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
+  if (sigma_m > task.rules.lost_m) {
+    end(mission, "lost",
+        fmt::format("it is lost: its position has a standard deviation of {:.2f} m", sigma_m));
+  }
+}
+
+}  // namespace
+
+ExploreMission::ExploreMission(LaserSlam mapping, const ExploreTask& task)
+    : slam(std::move(mapping)), frontiers(task.explore.frontier, task.robot.radius_m), pose(task.start) {
+  blacklist.ban_s = task.explore.ban_s;
+}
+
+Outcome<ExploreMission> begin(const ExploreTask& task) {
+  if (auto known = find_explore_strategy(task.explore.strategy); !known) return pass_on(known);
+  if (auto known = find_path_planner(task.explore.planner); !known) return pass_on(known);
+  auto slam = LaserSlam::begin(task.slam, task.start);
+  if (!slam) return pass_on(slam);
+  return ExploreMission(std::move(*slam), task);
+}
+
+void perceive(ExploreMission& mission, const ExplorerObservation& seen, const ExploreTask& task) {
+  if (mission.stage == ExploreStage::over) return;
+  const Pose2 now = finite(seen.odometry) ? seen.odometry : mission.odometry;
+  if (!mission.started_s) {
+    mission.started_s = mission.scan_s = mission.time_s = mission.moved_on_s = seen.time_s;
+    mission.odometry = mission.odometry_of_slam = now;
+  }
+  const double passed_s = seen.time_s - mission.time_s;
+  const Pose2 motion = seen_from(mission.odometry, now);
+  if (passed_s > 0.0) mission.twist = twist_between({}, motion, passed_s);
+  mission.time_s = seen.time_s;
+  mission.driven_m += norm(motion.position);
+  mission.odometry = now;
+  mission.pose = placed_in(mission.slam.pose(), seen_from(mission.odometry_of_slam, now));
+  mission.touching = seen.touching;
+  if (seen.scan) take_scan(mission, *seen.scan, task);
+}
+
+std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTask& task) {
+  if (mission.stage == ExploreStage::over) return std::nullopt;
+  const double until_s = mission.time_s + task.rules.period_s;
+  const double blind_s = mission.time_s - mission.scan_s;
+  if (blind_s > task.rules.blind_s || mission.scans == mission.bad_scans) {
+    if (blind_s <= 10.0 * task.rules.blind_s) return ExplorerCommand{{}, until_s};
+    end(mission, "blind", fmt::format("no scan that could be used came for {:.1f} s", blind_s));
+    return std::nullopt;
+  }
+  if (mission.looked) take_news(mission, task);
+  const Twist2 twist = drive(mission, task);
+  mission.looked = false;
+  if (mission.stage == ExploreStage::over) {
+    mission.slam.settle();
+    mission.pose = placed_in(mission.slam.pose(), seen_from(mission.odometry_of_slam, mission.odometry));
+    return std::nullopt;
+  }
+  return ExplorerCommand{twist, until_s};
+}
+
+std::optional<ExplorerCommand> step(ExploreMission& mission, const ExplorerObservation& seen,
+                                    const ExploreTask& task) {
+  perceive(mission, seen, task);
+  return respond(mission, task);
+}
+
+}  // namespace outrider

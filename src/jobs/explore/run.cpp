@@ -1,0 +1,230 @@
+#include "outrider/jobs/explore/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/report/discovery.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double track_every_s = 0.4;
+constexpr double belief_every_s = 1.0;
+constexpr double home_m = 0.3;
+constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
+constexpr double outline_step_rad = radians(15.0);
+
+/// Processor time, where somebody measures it.
+class Stopwatch {
+ public:
+  explicit Stopwatch(const std::function<double()>& clock) : clock_(clock), since_s_(now()) {}
+  [[nodiscard]] double passed_s() const { return now() - since_s_; }
+
+ private:
+  [[nodiscard]] double now() const { return clock_ ? clock_() : 0.0; }
+
+  const std::function<double()>& clock_;
+  double since_s_;
+};
+
+/// What is noted while the robot explores.
+class Recorder {
+ public:
+  explicit Recorder(Report& report) : report_(report) {}
+
+  /// Before the mission responds.
+  void note_map(const ExploreMission& mission) {
+    if (!mission.looked) return;
+    discovery_.note(mission.slam.map().occupancy(), mission.news.redrawn, mission.news.cells, mission.time_s);
+  }
+
+  void note(const ExploreMission& mission, const SimulatedExplorer& robot) {
+    const bool over = mission.stage == ExploreStage::over;
+    note_decision(mission);
+    note_events(mission);
+    if (mission.time_s >= next_track_s_ || over) {
+      next_track_s_ = mission.time_s + track_every_s - 1e-9;
+      report_.track.push_back({mission.time_s, robot.pose(), 0.0, 0.0});
+    }
+    if (mission.time_s < next_belief_s_ && !over) return;
+    next_belief_s_ = mission.time_s + belief_every_s - 1e-9;
+    const Matrix3 p = mission.slam.pose_covariance();
+    const double x = std::sqrt(p(0, 0)), y = std::sqrt(p(1, 1));
+    report_.explore->beliefs.push_back({mission.time_s, mission.pose, x, y,
+                                        x * y > 0.0 ? p(0, 1) / (x * y) : 0.0, std::sqrt(p(2, 2)),
+                                        mission.loops > loops_});
+    loops_ = mission.loops;
+  }
+
+  [[nodiscard]] ReportMap map(const ExploreMission& mission) const {
+    return discovery_.map(mission.slam.map().occupancy());
+  }
+
+  void show(const ExploreMission& mission, Onlooker& onlooker) {
+    report_.explore->map = discovery_.map(mission.slam.map().occupancy(), most_shown_cells);
+    onlooker.see(report_);
+  }
+
+ private:
+  /// A new goal, or the way home.
+  void note_decision(const ExploreMission& mission) {
+    const bool goes_home = mission.stage == ExploreStage::go_home;
+    if (mission.goal_changes == goal_changes_ && goes_home == went_home_) return;
+    goal_changes_ = mission.goal_changes;
+    went_home_ = goes_home;
+    if (!mission.path) return;
+    report_.explore->decisions.push_back(
+        {mission.time_s, goes_home ? "home" : "frontier", goes_home ? report_.start : mission.decision.goal,
+         mission.path->points, static_cast<int>(mission.frontiers.frontiers().size())});
+  }
+
+  void note_events(const ExploreMission& mission) {
+    for (; events_ < mission.events.size(); ++events_) {
+      const ExploreEvent& event = mission.events[events_];
+      report_.events.push_back({event.time_s, event.kind, event.text});
+    }
+  }
+
+  Report& report_;
+  Discovery discovery_;
+  std::size_t events_ = 0;
+  std::size_t goal_changes_ = 0;
+  bool went_home_ = false;
+  std::int64_t loops_ = 0;
+  double next_track_s_ = 0.0;
+  double next_belief_s_ = 0.0;
+};
+
+Report opened(const World& world, const ExploreTask& task, const ExplorerTruth& truth, std::uint64_t seed) {
+  Report report;
+  report.job = "explore";
+  report.seed = seed;
+  report.world_name = world.name;
+  report.bounds = world.bounds;
+  report.robot_radius_m = task.robot.radius_m;
+  report.start = task.start;
+  for (const Solid& solid : world.solids) {
+    const Box3 box = bounds(solid);
+    const bool floor = std::holds_alternative<HalfSpaceShape>(solid.shape);
+    if (floor || box.high.z <= world.floor_z_m) continue;
+    report.solids.push_back({solid.name, std::string(kind(solid.shape)),
+                             footprint(solid, box.low.z, box.high.z), box.low.z, box.high.z,
+                             box.low.z < world.floor_z_m + task.robot.height_m});
+  }
+  report.explore.emplace();
+  const RangeFinderModel& laser = truth.laser;
+  report.explore->laser = {static_cast<int>(laser.beams), laser.most_m, laser.height_m, laser.robot_T_laser};
+  for (const RoundedPolygon& piece : cut_at(world, laser.height_m)) {
+    report.explore->walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
+  }
+  return report;
+}
+
+double mapped_free_m2(const OccupancyMap& map) {
+  const double cell_m = map.frame().resolution_m;
+  return cell_m * cell_m * static_cast<double>(std::ranges::count(map.occupancy().cells, free_cell));
+}
+
+/// The task in a world that may have no end: there the robot turns back once its map is larger than all that
+/// can be seen from within the box of what stands.
+ExploreTask bounded(ExploreTask task, const ExploreTruth& truth, const RangeFinderModel& laser) {
+  const Vec2 size = truth.standing.size();
+  const double most_m = std::max(1.0, std::max(size.x, size.y) + 2.0 * laser.most_m);
+  if (truth.leaks) task.explore.most_extent_m = std::min(task.explore.most_extent_m, most_m);
+  return task;
+}
+
+/// The longest times of thinking.
+struct Thinking {
+  double decision_s = 0.0;
+  double step_s = 0.0;
+};
+
+void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplorer& robot,
+           const ExploreTruth& truth, const Thinking& thinking, const ExploreTask& task) {
+  Report& report = run.report;
+  const bool home = distance(robot.pose().position, task.start.position) <= home_m;
+  const bool back = home || !task.rules.return_home;
+  const bool complete = mission.stop_reason == "complete";
+  report.status = complete && back && robot.contacts() == 0 ? "done" : "not_done";
+  if (mission.stop_reason == "leak" && truth.leaks) {
+    report.reason = fmt::format(
+        "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
+        "there, for instance with the key walls",
+        mission.reason, truth.leaks_at.x, truth.leaks_at.y);
+  } else if (!complete) {
+    report.reason = mission.reason;
+  } else if (!back) {
+    report.reason = "it is not home";
+  } else if (robot.contacts() > 0) {
+    report.reason = "something was touched";
+  }
+  for (const RefusedFrontier& frontier : mission.decision.refused)
+    report.explore->refused.push_back({frontier.centroid, frontier.reason});
+  run.stop_reason = mission.stop_reason;
+  const MapQuality quality = map_quality(truth, robot.laser(), run.map);
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  report.metrics = {{"explored_fraction", quality.explored_fraction},
+                    {"time_s", robot.time_s()},
+                    {"distance_m", robot.driven_m()},
+                    {"turned_rad", robot.turned_rad()},
+                    {"decisions", number(mission.decisions)},
+                    {"map_error_m", quality.map_error_m},
+                    {"mapped_free_m2", quality.mapped_free_m2},
+                    {"seeable_m2", truth.seeable_m2},
+                    {"reachable_m2", truth.reachable_m2},
+                    {"contacts", number(robot.contacts())},
+                    {"returned_home", home ? 1.0 : 0.0},
+                    {"home_error_m", distance(robot.pose().position, mission.pose.position)},
+                    {"stuck", number(mission.stuck)},
+                    {"bad_scans", number(mission.bad_scans)},
+                    {"loops", number(mission.loops)}};
+  report.machine_times = {{"max_decision_s", thinking.decision_s}, {"max_step_s", thinking.step_s}};
+}
+
+}  // namespace
+
+Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerTruth& truth,
+                                std::uint64_t seed, const ExploreWatch& watch) {
+  SimulatedExplorer robot(world, given.start, given.robot, truth, seed);
+  const auto places = explore_truth(robot.laser(), robot.ground(), given.start.position);
+  if (!places) return tl::unexpected<Fault>(places.error());
+  const ExploreTask task = bounded(given, *places, truth.laser);
+  auto mission = begin(task);
+  if (!mission) return pass_on(mission);
+  ExploreRun run;
+  run.report = opened(world, task, truth, seed);
+  Recorder recorder(run.report);
+  Thinking thinking;
+  while (true) {
+    const ExplorerObservation seen = robot.sense();
+    const std::int64_t decisions = mission->decisions;
+    const Stopwatch step(watch.processor_s);
+    perceive(*mission, seen, task);
+    recorder.note_map(*mission);
+    const Stopwatch thought(watch.processor_s);
+    const auto command = respond(*mission, task);
+    if (command && mission->decisions > decisions)
+      thinking.decision_s = std::max(thinking.decision_s, thought.passed_s());
+    thinking.step_s = std::max(thinking.step_s, step.passed_s());
+    recorder.note(*mission, robot);
+    if (seen.scan && watch.scanned) watch.scanned(*mission, robot);
+    if (seen.scan && watch.progress && mission->scans % 25 == 0)
+      watch.progress(std::min(1.0, mapped_free_m2(mission->slam.map()) / places->seeable_m2));
+    if (watch.onlooker != nullptr && (!command || watch.onlooker->wants()))
+      recorder.show(*mission, *watch.onlooker);
+    if (!command) break;
+    robot.act(*command);
+  }
+  run.map = mission->slam.map().occupancy();
+  run.track = mission->slam.trajectory();
+  run.pose = mission->pose;
+  run.true_pose = robot.pose();
+  run.report.explore->map = recorder.map(*mission);
+  close(run, *mission, robot, *places, thinking, task);
+  return run;
+}
+
+}  // namespace outrider

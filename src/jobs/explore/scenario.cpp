@@ -1,0 +1,75 @@
+#include "outrider/jobs/explore/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "outrider/core/units.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
+
+namespace outrider {
+namespace {
+
+Status check_laser(const RangeFinderModel& laser) {
+  if (laser.least_m < laser.most_m) return {};
+  return bad_input(fmt::format("'{:g}' is no good; it takes less than laser.most, which is {:g} m",
+                               laser.least_m, laser.most_m),
+                   "laser.least");
+}
+
+}  // namespace
+
+std::vector<OptionGroup> describe(ExploreScenario& scenario) {
+  ExploreTask& task = scenario.task;
+  ExploreWorldFiles& world = scenario.world;
+  return {
+      {"",
+       "the world and the start",
+       {{"job", "", 0, 0, "what the robot does; explore", &scenario.job},
+        {"world", "", 0, 0, "file to explore: SDF, map_server YAML, PGM or PNG image, slices CSV",
+         &world.world},
+        {"slices", "", 0, 0,
+         "file of slices that stand in the world too, such as those of a mesh that is missing",
+         &world.slices},
+        {"walls", "", 0, 0, "walls that stand in it too, x1,y1,x2,y2 each, in m", &world.walls},
+        {"resolution", "m", 1e-3, 10.0, "side of a pixel, of an image without a YAML file",
+         &world.resolution_m},
+        {"wall_height", "m", 0.01, 100.0, "of slices, walls and the cells of a map", &world.wall_height_m},
+        {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
+        {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed}}},
+      {"robot", "the robot, a disk on two wheels", describe(task.robot)},
+      {"laser", "its range finder", describe(scenario.truth.laser)},
+      {"wheels", "its wheels and how they count wrong", describe(scenario.truth.wheels)},
+      {"explore", "where it goes next", describe(task.explore)},
+      {"steer", "how it drives there", describe(task.steer)},
+      {"rules", "when it thinks, waits and gives up", describe(task.rules)},
+      {"slam", "how it knows where it is", describe(task.slam)},
+      {"map", "the map that it makes", describe(task.slam.map)},
+  };
+}
+
+void resolve_paths(ExploreScenario& scenario, const std::string& scenario_path) {
+  const auto folder = std::filesystem::path(scenario_path).parent_path();
+  for (std::string* path : {&scenario.world.world, &scenario.world.slices}) {
+    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
+  }
+}
+
+Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
+  if (scenario.job != "explore") {
+    return bad_input(
+        fmt::format("'{}' is not a job of this scenario; the job is explore", excerpt(scenario.job)), "job");
+  }
+  auto start = parse_pose(scenario.start, "start");
+  if (!start) return pass_on(start);
+  if (auto ok = check_laser(scenario.truth.laser); !ok) return pass_on(ok);
+  auto loaded = load_explore_world(scenario.world);
+  if (!loaded) return pass_on(loaded);
+  ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.truth, std::move(loaded->warnings)};
+  setup.task.start = {start->position, wrap_angle(start->heading_rad)};
+  setup.truth.laser.robot_T_laser = setup.task.slam.robot_T_laser;
+  return setup;
+}
+
+}  // namespace outrider

@@ -1,0 +1,20 @@
+// The rows of the catalogue of strategies.
+#pragma once
+
+#include "outrider/jobs/explore/catalog.hpp"
+
+namespace outrider {
+
+std::size_t choose_nearest(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                           Workspace& workspace);
+std::size_t choose_by_gain(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                           Workspace& workspace);
+std::size_t choose_by_tour(const Views& views, const ExploreState& state, const ExploreOptions& options,
+                           Workspace& workspace);
+
+/// The view chosen before, if it is still there: of the same frontier, or else the nearest within 0.5 m.
+std::optional<std::size_t> chosen_before(const Views& views, const ExploreChoice& before);
+/// Of that view, in seconds.
+double bonus_of_before(const ExploreState& state, const ExploreOptions& options);
+
+}  // namespace outrider

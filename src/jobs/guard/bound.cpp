@@ -1,0 +1,231 @@
+#include "outrider/jobs/guard/bound.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "lattice.hpp"
+#include "outrider/ballistics/stance.hpp"
+#include "outrider/core/parallel.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t usual_chosen = 8;
+constexpr std::size_t most_chosen = 13;
+
+/// Least time in which a ball of at most this speed gets to some point at a distance and a height within
+/// these limits, all from the muzzle: the first time at which the falling ball of reach holds such a point.
+double least_time(double distance, double low, double high, double speed, double gravity) {
+  const double fall = 0.5 * gravity * (distance / speed) * (distance / speed);
+  const double height = std::clamp(-fall, low, high);
+  // The smaller root T = t^2 of (g^2 / 4) T^2 - b T + way^2 = 0.
+  const double squared_way = distance * distance + height * height;
+  const double b = speed * speed - gravity * height;
+  const double root = b * b - gravity * gravity * squared_way;
+  if (b <= 0.0 || root < 0.0) return distance / speed;
+  return std::sqrt(2.0 * squared_way / (b + std::sqrt(root)));
+}
+
+/// From below, the time of flight from a place to a target.
+double least_flight(const ShotRules& rules, const Target& target, Vec2 place) {
+  const GunModel& gun = rules.gun;
+  const Vec2 away = place - xy(target.base);
+  const Vec2 ahead = direction(target.yaw_rad);
+  const double gap = std::hypot(std::max(0.0, std::abs(dot(ahead, away)) - 0.5 * target.size.x),
+                                std::max(0.0, std::abs(cross(ahead, away)) - 0.5 * target.size.y));
+  const double tip = std::hypot(gun.tip_forward_m, gun.tip_up_m);
+  const Stance stance = stance_at(rules, place);
+  // On a slope the joint is not above the place.
+  const double lean = gun.pivot_height_m * norm(stance.up - Vec3{0.0, 0.0, 1.0});
+  const double near = tip + gun.ball_radius_m + lean;
+  // In air the velocity over the ground is always between that at the muzzle and the slower wind.
+  if (!rules.air.none()) return std::max(0.0, gap - near) / gun.muzzle_speed_mps;
+  const double low = target.base.z - stance.ground_z_m - gun.pivot_height_m - near;
+  return least_time(std::max(0.0, gap - near), low, low + target.size.z + 2.0 * near, gun.muzzle_speed_mps,
+                    rules.gravity_mps2);
+}
+
+std::uint16_t sum(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>(endless, a + b));
+}
+
+std::size_t without(std::size_t set, std::size_t bit) { return set & ~(std::size_t{1} << bit); }
+
+/// The mission without turns, aims and halts at bends, over the targets chosen so far. Times are in units.
+class Relaxed {
+ public:
+  Relaxed(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets);
+
+  /// Takes one more target in; false, and nothing done, when the budget ends first.
+  bool choose(std::size_t index, BudgetMeter& meter);
+  /// The index of the target for which a best relaxed mission would have to do most besides its least flight.
+  [[nodiscard]] std::optional<std::size_t> hardest() const;
+  [[nodiscard]] double bound_s() const;
+  [[nodiscard]] std::size_t chosen() const { return chosen_.size(); }
+
+ private:
+  [[nodiscard]] Field arrived(std::size_t set) const;
+  void drive(Field& value) const;
+  [[nodiscard]] std::vector<std::size_t> stops() const;
+  [[nodiscard]] bool is_chosen(std::size_t index) const {
+    return std::find(chosen_.begin(), chosen_.end(), index) != chosen_.end();
+  }
+
+  Lattice lattice_;
+  double unit_s_ = 0.0;
+  std::uint32_t overhead_ = 0;        // of a drive, to speed up and to slow down
+  std::size_t home_ = 0;              // the cell nearest to the start
+  double to_home_s_ = 0.0;            // no value there exceeds that at the start by more
+  std::vector<Field> flight_;         // by index: the least flight from each cell of the region
+  std::vector<std::uint16_t> least_;  // by index: the least of these
+  std::vector<std::size_t> chosen_;   // bit of a set -> index
+  std::vector<Field> value_;          // set -> by cell, the least time to hit it
+};
+
+Relaxed::Relaxed(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets)
+    : lattice_(site, problem.robot.radius_m),
+      flight_(targets.size(), Field(site.frame.size(), endless)),
+      least_(targets.size(), endless),
+      value_(1, Field(site.frame.size(), 0)) {
+  const Limits straight = problem.robot.straight();
+  unit_s_ = lattice_.unit_m() / straight.speed;
+  overhead_ =
+      static_cast<std::uint32_t>(std::min<double>(endless, straight.speed / straight.acceleration / unit_s_));
+  const auto place = [&](std::size_t c) { return site.frame.centre(site.frame.cell(c)); };
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < site.frame.size(); ++c) {
+    const double way = distance(place(c), problem.start.position);
+    if (way < nearest) home_ = c;
+    nearest = std::min(nearest, way);
+  }
+  to_home_s_ = 2.0 * nearest / straight.speed;
+  parallel_for(targets.size(), [&](std::size_t i) {
+    const std::size_t t = targets[i];
+    for (std::size_t c = 0; c < site.frame.size(); ++c) {
+      if (site.regions[t].pitch[c] == FiringRegion::no_shot) continue;
+      const double units = least_flight(site.rules, problem.targets[t], place(c)) / unit_s_;
+      flight_[i][c] = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
+      least_[i] = std::min(least_[i], flight_[i][c]);
+    }
+  });
+}
+
+/// By cell, the time to hit a set when one of it is hit from here first.
+Field Relaxed::arrived(std::size_t set) const {
+  Field value(value_[0].size(), endless);
+  for (std::size_t bit = 0; bit < chosen_.size(); ++bit) {
+    if ((set >> bit & 1U) == 0) continue;
+    const Field& flight = flight_[chosen_[bit]];
+    const Field& then = value_[without(set, bit)];
+    for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], sum(flight[c], then[c]));
+  }
+  return value;
+}
+
+/// Adds the choice of driving first. A drive of length d takes, with speed v and acceleration a, no less
+/// than the lesser of 2 d / v, the chord of the true time up to v^2 / a, and d / v + v / a, the time beyond.
+void Relaxed::drive(Field& value) const {
+  Field driven = value;
+  lattice_.spread(driven, 1);
+  for (std::size_t c = 0; c < value.size(); ++c) driven[c] = std::min(value[c], sum(driven[c], overhead_));
+  lattice_.spread(value, 2, &driven);
+  for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], driven[c]);
+}
+
+bool Relaxed::choose(std::size_t index, BudgetMeter& meter) {
+  const std::size_t half = value_.size();
+  for (std::size_t i = 0; i < half; ++i) {
+    if (!meter.spend()) return false;
+  }
+  chosen_.push_back(index);
+  value_.resize(2 * half);
+  std::vector<std::vector<std::size_t>> by_size(chosen_.size() + 1);
+  for (std::size_t set = half; set < 2 * half; ++set) {
+    by_size[static_cast<std::size_t>(std::popcount(set))].push_back(set);
+  }
+  for (const auto& sets : by_size) {
+    parallel_for(sets.size(), [&](std::size_t i) {
+      value_[sets[i]] = arrived(sets[i]);
+      drive(value_[sets[i]]);
+    });
+  }
+  return true;
+}
+
+/// The best of the sets: its value, and the least flights of all other targets.
+double Relaxed::bound_s() const {
+  std::uint64_t all = 0;
+  for (const std::uint16_t flight : least_) all += flight;
+  double best = static_cast<double>(all) * unit_s_;
+  for (std::size_t set = 1; set < value_.size(); ++set) {
+    std::uint64_t others = all;
+    for (std::size_t bit = 0; bit < chosen_.size(); ++bit) {
+      if ((set >> bit & 1U) != 0) others -= least_[chosen_[bit]];
+    }
+    best = std::max(best, static_cast<double>(others + value_[set][home_]) * unit_s_ - to_home_s_);
+  }
+  return best;
+}
+
+/// The cells where a best relaxed mission over all chosen targets stops, its first cell included.
+std::vector<std::size_t> Relaxed::stops() const {
+  std::vector<std::size_t> cells{home_};
+  for (std::size_t set = value_.size() - 1; set != 0;) {
+    Field way(value_[0].size(), endless);
+    way[cells.back()] = 0;
+    drive(way);
+    const Field after = arrived(set);
+    std::size_t next = cells.back();
+    for (std::size_t c = 0; c < after.size(); ++c) {
+      if (sum(way[c], after[c]) < sum(way[next], after[next])) next = c;
+    }
+    if (next != cells.back()) cells.push_back(next);
+    std::size_t hit = 0;
+    while ((set >> hit & 1U) == 0 ||
+           sum(flight_[chosen_[hit]][next], value_[without(set, hit)][next]) != after[next]) {
+      ++hit;
+    }
+    set = without(set, hit);
+  }
+  return cells;
+}
+
+std::optional<std::size_t> Relaxed::hardest() const {
+  Field way(value_[0].size(), endless);
+  for (const std::size_t cell : stops()) way[cell] = 0;
+  drive(way);
+  std::optional<std::size_t> index;
+  std::uint16_t most = 0;
+  for (std::size_t i = 0; i < flight_.size(); ++i) {
+    if (is_chosen(i)) continue;
+    std::uint16_t least = endless;
+    for (std::size_t c = 0; c < way.size(); ++c) least = std::min(least, sum(way[c], flight_[i][c]));
+    const auto more = static_cast<std::uint16_t>(least - least_[i]);
+    if (more > most) {
+      most = more;
+      index = i;
+    }
+  }
+  return index;
+}
+
+}  // namespace
+
+double mission_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets,
+                     const GuardOptions& options, const Budget& budget) {
+  const double room = 0.5 * static_cast<double>(options.memory_mib) * 1048576.0;
+  const double field = sizeof(std::uint16_t) * static_cast<double>(site.frame.size());
+  const std::size_t most = options.prove ? most_chosen : usual_chosen;
+  BudgetMeter meter(budget);
+  Relaxed relaxed(problem, site, targets);
+  while (relaxed.chosen() < most && std::ldexp(field, static_cast<int>(relaxed.chosen()) + 1) <= room) {
+    const auto next = relaxed.hardest();
+    if (!next || !relaxed.choose(*next, meter)) break;
+  }
+  return relaxed.bound_s();
+}
+
+}  // namespace outrider

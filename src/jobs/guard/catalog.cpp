@@ -1,0 +1,34 @@
+#include "outrider/jobs/guard/catalog.hpp"
+
+#include <string>
+
+#include "outrider/jobs/guard/reference.hpp"
+
+namespace outrider {
+
+const std::vector<GuardPlanner>& guard_planners() {
+  static const std::vector<GuardPlanner> planners = {
+      {"best_tour",
+       "The best tour over places from where several targets are hit for sure, looked at closer and closer.",
+       "Noon and Bean, A Lagrangian based approach for the asymmetric generalized traveling salesman "
+       "problem, "
+       "1991; docs/jobs/guard.md",
+       plan_guard},
+      {"shrinking_circles",
+       "For each target the first place found on circles that shrink around it; groups of targets as listed, "
+       "each in its best order.",
+       "the method of the reference report, from its description", shrinking_circles},
+      {"circles_in_order", "The places of shrinking_circles in the best order of all targets.",
+       "shrinking_circles with the tour solver", circles_in_order},
+      {"source_target_table",
+       "A table of places and the targets hit from there, looked up; always the nearest place next.",
+       "the abstract of the reference report, from its description", source_target_table},
+  };
+  return planners;
+}
+
+Outcome<GuardPlanner> find_guard_planner(std::string_view name) {
+  return find_row(guard_planners(), "planner", name, "plan.planner");
+}
+
+}  // namespace outrider

@@ -1,0 +1,227 @@
+#include "draft.hpp"
+
+#include <algorithm>
+
+#include "outrider/core/parallel.hpp"
+#include "outrider/jobs/guard/plan.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double near_m = 1.2;  // how far from a stop of the tour a better one is looked for
+constexpr double coarse_tile_m = 0.8;
+constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
+constexpr std::size_t searches = 4;     // for so many
+constexpr double good_rate = 0.85;      // least hit rate of a shot that is planned while there is a choice
+
+/// Everything that solving over one set of cells after another has in common.
+struct Drafting {
+  const GuardProblem& problem;
+  const Site& site;
+  const GuardOptions& options;
+  const Budget& budget;
+  ShotBook& book;
+  SureHits hits;
+  std::vector<std::size_t> targets;  // by goal
+  std::vector<std::size_t> needed;   // cells that are always among the stops
+
+  [[nodiscard]] Vec2 place(std::size_t cell) const { return site.frame.centre(site.frame.cell(cell)); }
+};
+
+/// Finds the shots of these cells that are not in the book yet.
+void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  std::vector<ShotBook::iterator> missing;
+  for (const std::size_t cell : cells) {
+    for (const std::size_t t : drafting.targets) {
+      if (!drafting.hits.has(cell, t)) continue;
+      const auto [entry, added] = drafting.book.try_emplace({cell, t});
+      if (added) missing.push_back(entry);
+    }
+  }
+  const Site& site = drafting.site;
+  const auto pitches = pitch_lattice(site.rules);
+  parallel_for(missing.size(), [&](std::size_t i) {
+    const auto [cell, t] = missing[i]->first;
+    missing[i]->second = best_shot(site.rules, site.space(t), drafting.problem.targets[t],
+                                   drafting.place(cell), pitches[site.regions[t].pitch[cell]]);
+  });
+}
+
+/// The cell of a target's region with the least spread from which it has an exact shot, which joins the book.
+std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t) {
+  const FiringRegion& region = drafting.site.regions[t];
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < region.pitch.size(); ++i) {
+    if (region.pitch[i] != FiringRegion::no_shot) cells.push_back(i);
+  }
+  std::stable_sort(cells.begin(), cells.end(),
+                   [&](std::size_t a, std::size_t b) { return region.spread[a] < region.spread[b]; });
+  for (const std::size_t cell : cells) {
+    const auto shot = best_shot(drafting.site.rules, drafting.site.space(t), drafting.problem.targets[t],
+                                drafting.place(cell), 0.0);
+    if (!shot) continue;
+    drafting.book[{cell, t}] = shot;
+    drafting.hits.add(cell, t);
+    return cell;
+  }
+  return std::nullopt;
+}
+
+/// Adds a cell for each target that has no exact shot from the given ones; drops it when none has.
+void cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
+  fill(drafting, cells);
+  std::erase_if(drafting.targets, [&](std::size_t t) {
+    const bool covered = std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
+      const auto entry = drafting.book.find({cell, t});
+      return entry != drafting.book.end() && entry->second;
+    });
+    if (covered) return false;
+    const auto cell = any_cell_with_shot(drafting, t);
+    if (cell) drafting.needed.push_back(*cell);
+    return !cell;
+  });
+  cells.insert(cells.end(), drafting.needed.begin(), drafting.needed.end());
+}
+
+/// Flights until the first hit, on average, times the length of one.
+double expected_flight(const PlannedShot& shot) { return shot.flight_s / std::max(shot.hit_rate, 0.05); }
+
+/// The shots offered to the tour, by cell: those that hit nearly always, or where a target has none of
+/// these, any.
+std::vector<std::vector<Service>> services(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  std::vector<std::vector<Service>> offered(cells.size());
+  for (std::size_t goal = 0; goal < drafting.targets.size(); ++goal) {
+    const auto offer = [&](bool any) {
+      bool found = false;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto entry = drafting.book.find({cells[i], drafting.targets[goal]});
+        if (entry == drafting.book.end() || !entry->second || !(any || entry->second->hit_rate >= good_rate))
+          continue;
+        const PlannedShot& shot = *entry->second;
+        offered[i].push_back(
+            {static_cast<std::uint32_t>(goal), shot.gun.yaw_rad, shot.gun.pitch_rad, expected_flight(shot)});
+        found = true;
+      }
+      return found;
+    };
+    if (!offer(false)) offer(true);
+  }
+  return offered;
+}
+
+Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+  const GuardProblem& problem = drafting.problem;
+  fill(drafting, cells);
+  Draft draft{{0}, drafting.targets, {}, {}};
+  std::vector<Vec2> places{problem.start.position};
+  for (const std::size_t cell : cells) {
+    draft.cells.push_back(cell);
+    places.push_back(drafting.place(cell));
+  }
+  const auto routes = site_routes(problem, drafting.site, places, drafting.budget);
+  if (!routes) return tl::unexpected(routes.error());
+
+  TourProblem& tour = draft.offered;
+  tour.goals = drafting.targets.size();
+  tour.heading_rad = problem.start.heading_rad;
+  tour.turning = problem.robot.turning();
+  tour.yaw_rate_radps = problem.gun.yaw_rate_radps;
+  tour.pitch_rate_radps = problem.gun.pitch_rate_radps;
+  tour.services = services(drafting, cells);
+  tour.services.insert(tour.services.begin(), std::vector<Service>{});  // the start
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < places.size(); ++j) tour.drives.push_back(routes->between(i, j));
+  }
+  TourOptions tour_options;
+  tour_options.iterations = drafting.options.iterations;
+  tour_options.gap = 1.0;
+  auto solved = solve(tour, tour_options, drafting.budget);
+  if (!solved) return pass_on(solved);
+  draft.tour = std::move(*solved);
+  return draft;
+}
+
+/// The best tour of a few longer searches over the same stops, each with a seed of its own.
+Status search_on(const Drafting& drafting, Draft& draft) {
+  std::vector<std::optional<Outcome<Tour>>> found(searches);
+  parallel_for(searches, [&](std::size_t i) {
+    TourOptions options;
+    options.iterations = 16 * drafting.options.iterations;
+    options.gap = 1.0;
+    options.seed = static_cast<std::int64_t>(i) + 1;
+    found[i] = solve_from(draft.offered, draft.tour, options, drafting.budget);
+  });
+  for (std::optional<Outcome<Tour>>& tour : found) {
+    if (!*tour) return pass_on(*tour);
+    if ((*tour)->cost_s < draft.tour.cost_s) draft.tour = std::move(**tour);
+  }
+  return {};
+}
+
+/// Improves the tour once more over the same stops, and bounds or proves it.
+Status settle(const Drafting& drafting, Draft& draft) {
+  TourOptions options;
+  options.iterations = 4 * drafting.options.iterations;
+  options.gap = drafting.options.gap;
+  options.expansions = 300'000;
+  if (draft.targets.size() > most_alone && options.gap < 1.0) {
+    if (auto ok = search_on(drafting, draft); !ok) return ok;
+    options.iterations = 0;
+  }
+  // What would be proven holds for shots from rest.
+  if (drafting.options.shoot_on_the_move) options.gap = 1.0;
+  if (drafting.options.prove) {
+    options.gap = 0.0;
+    options.operations = 1'000'000'000'000;
+    options.expansions = 2 * drafting.options.memory_mib * 1024;  // of some 250 bytes: half of the cap
+  }
+  auto solved = solve_from(draft.offered, draft.tour, options, drafting.budget);
+  if (!solved) return pass_on(solved);
+  draft.tour = std::move(*solved);
+  return {};
+}
+
+/// The stops of a tour and the cells around them.
+std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft) {
+  std::vector<std::size_t> cells = drafting.needed;
+  std::vector<Vec2> around;
+  for (const Visit& visit : draft.tour.visits) {
+    cells.push_back(draft.cells[visit.stop]);
+    around.push_back(drafting.place(cells.back()));
+  }
+  const double tile = 2.0 * drafting.site.frame.resolution_m;
+  const auto most = static_cast<std::size_t>(drafting.options.stops);
+  for (const std::size_t cell : choose_stops(drafting.site, drafting.hits, tile, most, around, near_m)) {
+    cells.push_back(cell);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+}  // namespace
+
+Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
+                          const Budget& budget, ShotBook& book) {
+  Drafting drafting{problem, site, options, budget, book, sure_hits(problem, site), {}, {}};
+  for (std::size_t t = 0; t < site.regions.size(); ++t) {
+    if (site.regions[t].hits > 0) drafting.targets.push_back(t);
+  }
+  auto most = static_cast<std::size_t>(options.stops);
+  // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
+  if (drafting.targets.size() > most_alone) most = most * 2 / 5;
+  auto cells = choose_stops(site, drafting.hits, coarse_tile_m, most, {}, 0.0);
+  cover_all(drafting, cells);
+  auto best = solve_over(drafting, cells);
+  for (std::int64_t i = 0; best && i < options.refinements; ++i) {
+    auto closer = solve_over(drafting, cells_near(drafting, *best));
+    if (!closer) return closer;
+    if (closer->tour.cost_s >= best->tour.cost_s) break;
+    best = std::move(closer);
+  }
+  if (!best) return best;
+  if (auto settled = settle(drafting, *best); !settled) return pass_on(settled);
+  return best;
+}
+
+}  // namespace outrider

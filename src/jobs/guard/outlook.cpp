@@ -1,0 +1,108 @@
+#include "outrider/jobs/guard/outlook.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/core/parallel.hpp"
+#include "outrider/jobs/guard/stops.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double tile_m = 0.8;
+constexpr double good_rate = 0.85;  // least hit rate of a shot while there is a choice
+constexpr double least_rate = 0.05;
+
+struct Offer {
+  std::size_t stop = 0;
+  std::size_t target = 0;
+  double pitch_rad = 0.0;
+  std::optional<PlannedShot> shot;
+};
+
+void offer_plan(const GuardPlan& plan, Outlook& outlook, std::vector<Offer>& offers) {
+  for (const PlannedStop& stop : plan.stops) {
+    Visit visit{outlook.stops.size(), {}};
+    for (const PlannedHit& hit : stop.hits) {
+      offers.push_back({visit.stop, hit.target, 0.0, hit.shot});
+      visit.goals.push_back(static_cast<std::uint32_t>(hit.target));
+    }
+    outlook.stops.push_back(stop.position);
+    outlook.tour.push_back(std::move(visit));
+  }
+}
+
+void offer_others(const GuardProblem& problem, const Site& site, std::size_t most, Outlook& outlook,
+                  std::vector<Offer>& offers) {
+  const SureHits hits = sure_hits(problem, site);
+  const std::size_t planned = offers.size();
+  const auto pitches = pitch_lattice(site.rules);
+  for (const std::size_t cell : choose_stops(site, hits, tile_m, most, {}, 0.0)) {
+    const Vec2 place = site.frame.centre(site.frame.cell(cell));
+    if (std::find(outlook.stops.begin(), outlook.stops.end(), place) != outlook.stops.end()) continue;
+    for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+      if (hits.has(cell, t)) {
+        offers.push_back({outlook.stops.size(), t, pitches[site.regions[t].pitch[cell]], {}});
+      }
+    }
+    outlook.stops.push_back(place);
+  }
+  parallel_for(offers.size() - planned, [&](std::size_t i) {
+    Offer& offer = offers[planned + i];
+    offer.shot = best_shot(site.rules, site.space(offer.target), problem.targets[offer.target],
+                           outlook.stops[offer.stop], offer.pitch_rad);
+  });
+}
+
+/// The services of the offers: those of the plan, the first stops, and good ones alone where a target has
+/// such.
+void take(const std::vector<Offer>& offers, Outlook& outlook) {
+  std::vector<char> good(outlook.table.goals, 0);
+  for (const Offer& offer : offers) {
+    if (offer.shot && offer.shot->hit_rate >= good_rate) good[offer.target] = 1;
+  }
+  outlook.table.services.resize(outlook.stops.size());
+  outlook.reachable.assign(outlook.table.goals, 0);
+  for (const Offer& offer : offers) {
+    const bool planned = offer.stop <= outlook.tour.size();
+    if (!offer.shot) continue;
+    if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
+    if (!std::isfinite(outlook.table.drives[offer.stop].time_s)) continue;  // from the start
+    const PlannedShot& shot = *offer.shot;
+    outlook.table.services[offer.stop].push_back({static_cast<std::uint32_t>(offer.target), shot.gun.yaw_rad,
+                                                  shot.gun.pitch_rad,
+                                                  shot.flight_s / std::max(shot.hit_rate, least_rate)});
+    outlook.reachable[offer.target] = 1;
+  }
+}
+
+}  // namespace
+
+Outcome<Outlook> look_out(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                          const ArrivalOptions& options, const Budget& budget,
+                          const std::vector<Vec2>& besides) {
+  Outlook outlook{{problem.start.position}, {}, Routes(nullptr), {}, {}};
+  std::vector<Offer> offers;
+  offer_plan(plan, outlook, offers);
+  offer_others(problem, site, static_cast<std::size_t>(options.stops), outlook, offers);
+  outlook.stops.insert(outlook.stops.end(), besides.begin(), besides.end());
+
+  auto routes = site_routes(problem, site, outlook.stops, budget);
+  if (!routes) return pass_on(routes);
+  outlook.routes = std::move(*routes);
+  TourProblem& table = outlook.table;
+  table.goals = problem.targets.size();
+  table.heading_rad = problem.start.heading_rad;
+  table.turning = problem.robot.turning();
+  table.yaw_rate_radps = problem.gun.yaw_rate_radps;
+  table.pitch_rate_radps = problem.gun.pitch_rate_radps;
+  for (std::size_t i = 0; i < outlook.stops.size(); ++i) {
+    for (std::size_t j = 0; j < outlook.stops.size(); ++j) {
+      table.drives.push_back(outlook.routes.between(i, j));
+    }
+  }
+  take(offers, outlook);
+  return outlook;
+}
+
+}  // namespace outrider

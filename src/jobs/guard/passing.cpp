@@ -1,0 +1,224 @@
+#include "outrider/jobs/guard/passing.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "outrider/ballistics/aim.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double moment_s = 0.2;
+constexpr double settle_s = 0.1;       // that the gun is in its place before a shot
+constexpr double forgiving = 0.7;      // largest spread
+constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
+
+/// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
+std::vector<Platform> strayed_platforms(const GuardProblem& problem, const Straight& straight, bool last,
+                                        double after_s) {
+  std::vector<Vec2> ends{straight.to};
+  const double off = problem.errors.position_m;
+  if (last && off > 0.0) {
+    ends.clear();
+    for (const Vec2 corner : {Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}}) {
+      ends.push_back(straight.to + off * corner);
+    }
+  }
+  std::vector<Platform> platforms;
+  for (const Vec2 end : ends) {
+    for (const double late : {-problem.errors.timing_s, problem.errors.timing_s}) {
+      platforms.push_back(platform_on(problem.robot, straight.from, end, after_s + late));
+    }
+  }
+  return platforms;
+}
+
+Shot off_by_corner(const Shot& shot, const AimErrors& errors, unsigned corner) {
+  const auto sign = [corner](unsigned bit) { return (corner >> bit & 1U) != 0 ? 1.0 : -1.0; };
+  return {shot.yaw_rad + sign(0) * errors.gun_rad, shot.pitch_rad + sign(1) * errors.gun_rad,
+          shot.speed_mps * (1.0 + sign(2) * errors.speed_ratio)};
+}
+
+bool survives(const ShotRules& rules, const FlightSpace& space, const Target& target, const Shot& shot,
+              const std::vector<Platform>& platforms) {
+  for (const Platform& platform : platforms) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Flight flight = launch(rules, platform, target, off_by_corner(shot, rules.errors, corner));
+      if (!fly(flight, rules.gun.ball_radius_m, space, target, rules.floor_z_m).hit) return false;
+    }
+  }
+  return true;
+}
+
+struct Candidate {
+  Aimed aimed;
+  double spread = 0.0;
+};
+
+/// The shots at the target's centre that forgive enough, the soonest there first.
+std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, const Platform& platform) {
+  std::vector<Candidate> found;
+  std::optional<Aimed> before;
+  for (const double pitch : pitch_lattice(rules)) {
+    auto aimed = aim_through(rules, platform, pitch, target.centre(), before ? &*before : nullptr);
+    if (!aimed && before) aimed = aim_through(rules, platform, pitch, target.centre());
+    before = aimed;
+    if (!aimed) continue;
+    const double off = spread(rules, target, *aimed);
+    if (off <= forgiving) found.push_back({*aimed, off});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    return a.aimed.flight_s < b.aimed.flight_s;
+  });
+  return found;
+}
+
+/// The flight flown exactly: nothing when it misses or does not keep the margin.
+std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                                 const Platform& platform, const Candidate& candidate) {
+  const Shot& shot = candidate.aimed.shot;
+  const Flight flight = launch(rules, platform, target, shot);
+  const double radius = rules.gun.ball_radius_m;
+  const double end = fall_time(flight, target.base.z - 1.0);
+  const auto touch = contact_time(flight, radius, solid_of(target), 0.0, end);
+  if (!touch || space.first_contact(flight, radius + rules.margin_m, *touch)) return std::nullopt;
+  return PlannedShot{shot,
+                     {shot.yaw_rad, shot.pitch_rad},
+                     *touch,
+                     flight.position(*touch),
+                     space.clearance(flight, radius, *touch, 1.0).distance_m,
+                     candidate.spread,
+                     true,
+                     1.0};
+}
+
+/// The shot offered at that moment of a leg, if there is one.
+const PassingHit* offer_at(const std::vector<PassingHit>& offers, std::size_t leg, double after_s) {
+  const auto found = std::ranges::find_if(
+      offers, [&](const PassingHit& offer) { return offer.leg == leg && offer.after_s == after_s; });
+  return found == offers.end() ? nullptr : &*found;
+}
+
+/// Of the targets with an offer at that moment that is in time, the one whose last offer comes first.
+template <class InTime>
+std::vector<PassingHit>* most_urgent(std::vector<std::vector<PassingHit>>& offered, std::size_t leg,
+                                     double after_s, const InTime& in_time) {
+  std::vector<PassingHit>* best = nullptr;
+  for (auto& offers : offered) {
+    const PassingHit* const offer = offer_at(offers, leg, after_s);
+    if (offer == nullptr || !in_time(*offer)) continue;
+    if (best == nullptr || offers.back().leaves_s < best->back().leaves_s) best = &offers;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
+                                const std::vector<Vec2>& waypoints) {
+  std::vector<Straight> result;
+  double time = 0.0;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const Vec2 leg = waypoints[i] - waypoints[i - 1];
+    if (norm(leg) == 0.0) continue;
+    time += duration(std::abs(wrap_angle(heading_of(leg) - heading_rad)), robot.turning());
+    heading_rad = heading_of(leg);
+    const double length_s = duration(norm(leg), robot.straight());
+    result.push_back({i, waypoints[i - 1], waypoints[i], time, length_s});
+    time += length_s;
+  }
+  return result;
+}
+
+Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s) {
+  const double length = distance(from, to);
+  if (length == 0.0) return {from, {}};
+  const Vec2 along = 1.0 / length * (to - from);
+  return {from + covered(length, robot.straight(), after_s) * along,
+          speed_after(length, robot.straight(), after_s) * along};
+}
+
+double last_landing_s(const std::vector<PassingHit>& passing) {
+  double last = 0.0;
+  for (const PassingHit& hit : passing) last = std::max(last, hit.leaves_s + hit.shot.flight_s);
+  return last;
+}
+
+GunRest gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
+                  GunRest before) {
+  if (passing.empty()) return before;
+  const PassingHit& last = passing.back();
+  const double heading = heading_of(waypoints[last.leg] - waypoints[last.leg - 1]);
+  return {wrap_angle(last.shot.gun.yaw_rad - heading), last.shot.gun.pitch_rad};
+}
+
+std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Site& site, std::size_t target,
+                                        const Straight& straight, bool last, double after_s) {
+  const Target& aim = problem.targets[target];
+  const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s);
+  const Cell cell = site.frame.cell_at(platform.position);
+  if (!site.frame.contains(cell) || !clear_of(site.rules, aim, platform.position)) return std::nullopt;
+  if (site.regions[target].pitch[site.frame.index(cell)] == FiringRegion::no_shot) return std::nullopt;
+
+  const FlightSpace& space = site.space(target);
+  const auto strayed = strayed_platforms(problem, straight, last, after_s);
+  const auto shots = candidates(site.rules, aim, platform);
+  for (std::size_t i = 0; i < std::min(shots.size(), most_flown); ++i) {
+    const auto shot = flown(site.rules, space, aim, platform, shots[i]);
+    if (shot && survives(site.rules, space, aim, shot->shot, strayed)) return shot;
+  }
+  return std::nullopt;
+}
+
+const std::optional<PlannedShot>& PassingShots::at(const Straight& straight, bool last, double after_s,
+                                                   std::size_t target) {
+  const Moment moment{straight.from.x, straight.from.y, straight.to.x, straight.to.y, after_s, last, target};
+  const auto [entry, added] = solved_.try_emplace(moment);
+  if (added) entry->second = passing_shot(problem_, site_, target, straight, last, after_s);
+  return entry->second;
+}
+
+std::vector<std::vector<PassingHit>> PassingShots::offers(const std::vector<Straight>& way,
+                                                          const std::vector<std::size_t>& targets) {
+  std::vector<std::vector<PassingHit>> offered(targets.size());
+  for (const Straight& straight : way) {
+    const bool last = &straight == &way.back();
+    for (int k = 1; k * moment_s < straight.length_s; ++k) {
+      const double after = k * moment_s;
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        const auto& shot = at(straight, last, after, targets[i]);
+        if (shot) offered[i].push_back({targets[i], straight.leg, after, straight.begin_s + after, *shot});
+      }
+    }
+  }
+  return offered;
+}
+
+std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vector<Vec2>& waypoints,
+                                            GunRest gun, const std::vector<std::size_t>& targets) {
+  const auto way = straights(problem_.robot, heading_rad, waypoints);
+  auto offered = offers(way, targets);
+  std::vector<PassingHit> chosen;
+  for (const Straight& straight : way) {
+    const double heading = heading_of(straight.to - straight.from);
+    double free_s = 0.0;  // since when the gun may turn to the next shot
+    for (int k = 1; k * moment_s < straight.length_s; ++k) {
+      const double after = k * moment_s;
+      const auto in_time = [&](const PassingHit& offer) {
+        const GunAngles& to = offer.shot.gun;
+        return free_s + settle_s +
+                   aim_time(problem_.gun, to.yaw_rad - heading - gun.yaw_rad, to.pitch_rad - gun.pitch_rad) <=
+               after;
+      };
+      auto* const urgent = most_urgent(offered, straight.leg, after, in_time);
+      if (urgent == nullptr) continue;
+      chosen.push_back(*offer_at(*urgent, straight.leg, after));
+      urgent->clear();
+      gun = gun_after(waypoints, chosen, gun);
+      free_s = after;
+    }
+  }
+  return chosen;
+}
+
+}  // namespace outrider

@@ -1,0 +1,159 @@
+#include "outrider/jobs/guard/passing_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "assemble.hpp"
+#include "outrider/ballistics/sight.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double worth_s = 1e-9;  // the least gain that counts
+
+/// Who is hit from where: from a stop of the plan, in order, or in passing.
+struct Choice {
+  std::vector<std::vector<std::size_t>> standing;  // targets, by stop of the plan
+  std::vector<std::size_t> passing;
+};
+
+Choice choice_of(const GuardPlan& plan) {
+  Choice choice;
+  for (const PlannedStop& stop : plan.stops) {
+    choice.standing.emplace_back();
+    for (const PlannedHit& hit : stop.hits) choice.standing.back().push_back(hit.target);
+  }
+  return choice;
+}
+
+/// Every choice that takes one hit, or all hits of a stop, off it.
+std::vector<Choice> lighter(const Choice& choice) {
+  std::vector<Choice> result;
+  for (std::size_t s = 0; s < choice.standing.size(); ++s) {
+    const auto& targets = choice.standing[s];
+    if (targets.size() > 1) {
+      Choice& next = result.emplace_back(choice);
+      next.passing.insert(next.passing.end(), targets.begin(), targets.end());
+      next.standing[s].clear();
+    }
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      Choice& next = result.emplace_back(choice);
+      next.passing.push_back(targets[k]);
+      next.standing[s].erase(next.standing[s].begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  return result;
+}
+
+/// Makes plans of choices.
+class Assembly {
+ public:
+  Assembly(const GuardProblem& problem, const Site& site, const GuardPlan& plan, const Routes& routes)
+      : problem_(problem), site_(site), plan_(plan), routes_(routes), passing_(problem, site) {}
+
+  /// Nothing when some target cannot be hit in passing.
+  std::optional<GuardPlan> plan_of(const Choice& choice) {
+    GuardPlan result = plan_;
+    result.stops.clear();
+    Pose2 pose = problem_.start;
+    std::size_t place = 0;  // of the routes
+    GunRest rest;
+    std::vector<std::size_t> left = choice.passing;
+    for (std::size_t s = 0; s < choice.standing.size(); ++s) {
+      if (choice.standing[s].empty()) continue;
+      PlannedStop stop{plan_.stops[s].position, way(pose, place, s), {}};
+      if (stop.waypoints.empty()) return std::nullopt;
+      stop.passing = passing_.along(pose.heading_rad, stop.waypoints, rest, left);
+      for (const PassingHit& hit : stop.passing) std::erase(left, hit.target);
+      rest = gun_after(stop.waypoints, stop.passing, rest);
+      pose = {stop.position, drive_cost(problem_.robot, pose.heading_rad, stop.waypoints).heading_rad};
+      place = s + 1;
+      for (const std::size_t target : choice.standing[s]) {
+        const auto& shot = standing_shot(s, target, rest.pitch_rad);
+        if (!shot) return std::nullopt;
+        stop.hits.push_back({target, *shot});
+        rest = {wrap_angle(shot->gun.yaw_rad - pose.heading_rad), shot->gun.pitch_rad};
+      }
+      result.stops.push_back(std::move(stop));
+    }
+    if (!left.empty()) return std::nullopt;
+    result.cost_s = mission_time(problem_, site_, result);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Vec2> way(const Pose2& pose, std::size_t place, std::size_t stop) const {
+    auto route = routes_.route(pose, plan_.stops[stop].position);
+    return route ? std::move(route->waypoints) : routes_.waypoints(place, stop + 1);
+  }
+
+  const std::optional<PlannedShot>& standing_shot(std::size_t stop, std::size_t target, double pitch_rad) {
+    const auto [entry, added] = standing_.try_emplace({stop, target, pitch_rad});
+    if (added) {
+      entry->second = best_shot(site_.rules, site_.space(target), problem_.targets[target],
+                                plan_.stops[stop].position, pitch_rad);
+    }
+    return entry->second;
+  }
+
+  const GuardProblem& problem_;
+  const Site& site_;
+  const GuardPlan& plan_;
+  const Routes& routes_;
+  PassingShots passing_;
+  std::map<std::tuple<std::size_t, std::size_t, double>, std::optional<PlannedShot>> standing_;
+};
+
+}  // namespace
+
+GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan) {
+  GuardPlan best = plan;
+  std::vector<std::size_t> targets;
+  bool fills = false;
+  for (const PlannedStop& stop : plan.stops) {
+    fills = fills || stop.call;
+    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
+  }
+  best.expected_s.reset();
+  best.lower_bound_s = moving_bound(problem, site, targets);
+  best.anywhere_lower_bound_s = best.lower_bound_s;
+  best.tour_proven = false;
+  best.stops_offered = 0;
+  const GuardPlan standing = best;
+  if (targets.empty() || fills || site.rules.terrain || !standing.routes) return best;
+
+  Assembly assembly(problem, site, standing, *standing.routes);
+  Choice choice = choice_of(plan);
+  for (bool shorter = true; std::exchange(shorter, false);) {
+    Choice chosen;
+    for (Choice& next : lighter(choice)) {
+      auto candidate = assembly.plan_of(next);
+      if (!candidate || candidate->cost_s > best.cost_s - worth_s) continue;
+      best = std::move(*candidate);
+      chosen = std::move(next);
+      shorter = true;
+    }
+    if (shorter) choice = std::move(chosen);
+  }
+  return best;
+}
+
+double moving_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets) {
+  if (!site.rules.air.none()) return 0.0;
+  ShotRules fastest = site.rules;
+  fastest.gun.muzzle_speed_mps += problem.robot.speed_mps;
+  double bound = 0.0;
+  for (const std::size_t t : targets) {
+    const Target& target = problem.targets[t];
+    const double way_m = distance(problem.start.position, xy(target.base)) - longest_range(fastest, target);
+    if (way_m <= 0.0) continue;
+    // Half of a drive of twice the length: the robot need not halt where it shoots.
+    bound = std::max(bound, 0.5 * duration(2.0 * way_m, problem.robot.straight()));
+  }
+  return bound;
+}
+
+}  // namespace outrider

@@ -1,0 +1,42 @@
+#include "outrider/jobs/guard/problem.hpp"
+
+namespace outrider {
+
+std::vector<Option> describe(ExecutionErrors& errors) {
+  return {
+      {"position", "m", 0.0, 10.0, "largest distance from the goal of a drive to where it ends",
+       &errors.position_m},
+      {"heading", "rad", 0.0, 1.0, "largest error of the heading there", &errors.heading_rad},
+      {"gun", "rad", 0.0, 1.0, "largest error of the barrel's yaw and pitch", &errors.aim.gun_rad},
+      {"speed", "", 0.0, 0.5, "largest error of the muzzle speed, as a part of it", &errors.aim.speed_ratio},
+      {"timing", "s", 0.0, 1.0, "largest error of the moment of a shot from a robot that drives",
+       &errors.timing_s},
+  };
+}
+
+std::vector<Option> describe(GuardOptions& options) {
+  return {
+      {"planner", "", 0, 0, "how the mission is planned; a name of 'outrider list'", &options.planner},
+      {"resolution", "m", 0.005, 10.0, "spacing of the places where the robot may stand",
+       &options.resolution_m},
+      {"margin", "m", 0.0, 1.0, "clearance that a planned flight keeps from every solid", &options.margin_m},
+      {"pitch_step", "deg", 0.35, 45.0, "spacing of the pitches tried", &options.pitch_step_rad},
+      {"aim_step", "m", 0.005, 10.0, "spacing of the points on a target that are tried before it is given up",
+       &options.aim_step_m},
+      {"stops", "", 1, 2000, "places handed to the tour solver at a time", &options.stops},
+      {"refinements", "", 0, 20, "times that the places near the best tour are looked at closer",
+       &options.refinements},
+      {"iterations", "", 0, 1e7, "iterations of the tour solver each time", &options.iterations},
+      {"group", "", 1, 8, "targets that shrinking_circles puts in order at a time", &options.group},
+      {"memory_cap", "MiB", 1, 1e6, "planning that would need more memory is refused", &options.memory_mib},
+      {"gap", "", 0, 1, "part of the tour's time that its lower bound may leave open; 1: no such bound",
+       &options.gap},
+      {"prove", "", 0, 0,
+       "prove the best tour of the stops; take minutes and half of the memory for the bounds",
+       &options.prove},
+      {"shoot_on_the_move", "", 0, 0, "shoot while driving where that makes the mission shorter",
+       &options.shoot_on_the_move},
+  };
+}
+
+}  // namespace outrider

@@ -1,0 +1,212 @@
+#include "outrider/jobs/guard/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "outrider/io/files.hpp"
+#include "outrider/io/sdf.hpp"
+#include "outrider/io/targets.hpp"
+#include "outrider/io/terrain.hpp"
+#include "outrider/io/values.hpp"
+#include "outrider/io/world_changes.hpp"
+#include "outrider/jobs/guard/arrivals_file.hpp"
+#include "outrider/jobs/guard/sightings_file.hpp"
+#include "outrider/jobs/guard/stations_file.hpp"
+
+namespace outrider {
+namespace {
+
+Outcome<World> with_terrain(World world, const Box2& bounds, const GuardScenario& scenario) {
+  world.bounds = bounds;
+  if (scenario.terrain.empty() && (!scenario.terrain_size.empty() || !scenario.terrain_position.empty())) {
+    return bad_input("it says where a PNG lies, and there is none; give terrain, or leave this out",
+                     scenario.terrain_size.empty() ? "terrain_position" : "terrain_size");
+  }
+  if (scenario.terrain.empty()) return world;
+  auto field = load_terrain(scenario.terrain, scenario.terrain_size, scenario.terrain_position);
+  if (!field) return pass_on(field);
+  return world.on(std::make_shared<const HeightField>(std::move(*field)));
+}
+
+/// Hunting goes with a level yard without air, in which nobody comes and stores do not end.
+Status check_hunt(const GuardScenario& scenario) {
+  const GuardProblem& problem = scenario.problem;
+  const char* other = !problem.air.none()             ? "air.drag"
+                      : problem.world.terrain         ? "terrain"
+                      : problem.supplies.any()        ? "supplies"
+                      : problem.targets_block         ? "targets_block"
+                      : scenario.arrivals.any()       ? "arrivals"
+                      : scenario.arrivals.leave < 1.0 ? "arrivals.leave"
+                      : scenario.sim != "kinematic"   ? "sim"
+                      : problem.targets.empty()       ? "targets"
+                                                      : nullptr;
+  if (other == nullptr) return {};
+  return bad_input(
+      fmt::format("intruders that walk about do not go together with this; leave wander.speed at "
+                  "0, or {}",
+                  problem.targets.empty() ? "list a target" : "leave it out"),
+      other);
+}
+
+Status load_hunt(GuardScenario& scenario) {
+  auto weights = preferences_from_text(scenario.wander.prefers, scenario.problem.targets);
+  if (!weights) return pass_on(weights);
+  scenario.preferences = std::move(*weights);
+  if (!scenario.wander.any()) return {};
+  if (auto ok = check_hunt(scenario); !ok) return ok;
+  if (scenario.wander.history.empty()) return {};
+  auto text = read_file(scenario.wander.history);
+  if (!text) return pass_on(text);
+  auto history = sightings_from_text(*text, scenario.wander.history);
+  if (!history) return pass_on(history);
+  scenario.history = std::move(*history);
+  return {};
+}
+
+/// Shooting in passing goes with a level yard in which everybody is from the start, and stores do not end.
+Status check_passing(const GuardScenario& scenario) {
+  if (!scenario.options.shoot_on_the_move) return {};
+  const char* other = scenario.problem.world.terrain    ? "terrain"
+                      : scenario.problem.supplies.any() ? "supplies"
+                      : scenario.arrivals.any()         ? "arrivals"
+                      : scenario.arrivals.leave < 1.0   ? "arrivals.leave"
+                      : scenario.wander.any()           ? "wander.speed"
+                      : scenario.sim != "kinematic"     ? "sim"
+                                                        : nullptr;
+  if (other == nullptr) return {};
+  return bad_input(
+      "shooting on the move does not go together with this; leave it out, or "
+      "plan.shoot_on_the_move",
+      other);
+}
+
+/// Scouting goes with a level yard without things that only a known one has.
+Status check_scouting(const GuardScenario& scenario) {
+  if (!scenario.scout.unknown) return {};
+  const GuardProblem& problem = scenario.problem;
+  const char* other = problem.world.terrain                ? "terrain"
+                      : problem.supplies.any()             ? "supplies"
+                      : problem.targets_block              ? "targets_block"
+                      : scenario.arrivals.any()            ? "arrivals"
+                      : scenario.arrivals.leave < 1.0      ? "arrivals.leave"
+                      : scenario.wander.any()              ? "wander.speed"
+                      : scenario.options.shoot_on_the_move ? "plan.shoot_on_the_move"
+                      : scenario.sim != "kinematic"        ? "sim"
+                                                           : nullptr;
+  if (other == nullptr) return {};
+  return bad_input("a yard that is not known does not go together with this; leave it out, or scout.unknown",
+                   other);
+}
+
+Status need(const std::string& value, const std::string& key, const std::string& what) {
+  if (!value.empty()) return {};
+  return bad_input(fmt::format("missing; give {}", what), key);
+}
+
+}  // namespace
+
+std::vector<OptionGroup> describe(GuardScenario& scenario) {
+  GuardProblem& problem = scenario.problem;
+  return {
+      {"",
+       "the mission",
+       {{"job", "", 0, 0, "what the robot does; guard", &scenario.job},
+        {"world", "", 0, 0, "SDF file of the yard", &scenario.world},
+        {"terrain", "", 0, 0,
+         "heights of the ground, an ESRI ASCII grid or a grey PNG; empty: the world's floor",
+         &scenario.terrain},
+        {"terrain_size", "", 0, 0, "length,width,height of a PNG's terrain from black to white, m",
+         &scenario.terrain_size},
+        {"terrain_position", "", 0, 0, "x,y,z of the middle of a PNG's terrain at black, m; empty: 0,0,0",
+         &scenario.terrain_position},
+        {"moved", "", 0, 0,
+         "what stands elsewhere: name=x,y,turn; ... where the middle of it stands, m, and its turn from how "
+         "the world has it, degrees",
+         &scenario.moved},
+        {"removed", "", 0, 0, "what of the world is taken away: name; ...", &scenario.removed},
+        {"targets", "", 0, 0, "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets},
+        {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
+        {"bounds", "", 0, 0, "low x,low y,high x,high y of the yard, m; empty: the box of its walls",
+         &scenario.bounds},
+        {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
+        {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
+        {"targets_block", "", 0, 0, "targets stop the robot and the shots at other targets",
+         &problem.targets_block},
+        {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries}}},
+      {"robot", "the robot", describe(problem.robot)},
+      {"gun", "the water gun", describe(problem.gun)},
+      {"air", "the air that the ball flies through", describe(problem.air)},
+      {"errors", "the largest errors of the execution", describe(problem.errors)},
+      {"supplies", "water and charge that end, and the stations that fill them up",
+       describe(problem.supplies)},
+      {"plan", "the planner", describe(scenario.options)},
+      {"arrivals", "intruders that keep coming", describe(scenario.arrivals)},
+      {"wander", "intruders that walk about", describe(scenario.wander)},
+      {"scout", "a yard that is not known", describe(scenario.scout)},
+      {"laser", "the range finder of a robot that scouts", describe(scenario.sensors.laser)},
+      {"wheels", "the wheels that it counts while it scouts", describe(scenario.sensors.wheels)},
+  };
+}
+
+void resolve_paths(GuardScenario& scenario, const std::string& scenario_path) {
+  const auto folder = std::filesystem::path(scenario_path).parent_path();
+  for (std::string* path : {&scenario.world, &scenario.terrain, &scenario.targets, &scenario.arrivals.list,
+                            &scenario.wander.history}) {
+    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
+  }
+}
+
+Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
+  if (scenario.job != "guard") {
+    return bad_input(fmt::format("'{}' is not a job of this scenario; the job is guard", scenario.job),
+                     "job");
+  }
+  if (auto ok = need(scenario.world, "world", "the SDF file of the yard"); !ok) return pass_on(ok);
+  if (auto ok = need(scenario.targets, "targets", "the file of the targets"); !ok) return pass_on(ok);
+  if (scenario.problem.gun.pitch_low_rad > scenario.problem.gun.pitch_high_rad) {
+    return bad_input("the lowest pitch is above the highest; swap them", "gun.pitch_low");
+  }
+  auto start = parse_pose(scenario.start, "start");
+  if (!start) return pass_on(start);
+  auto loaded = load_sdf(scenario.world);
+  if (!loaded) return pass_on(loaded);
+  auto bounds = scenario.bounds.empty() ? loaded->world.bounds : parse_box(scenario.bounds, "bounds");
+  if (!bounds) return pass_on(bounds);
+  auto world = with_terrain(std::move(loaded->world), *bounds, scenario);
+  if (!world) return pass_on(world);
+  auto changes = changes_from_text(scenario.moved, scenario.removed);
+  if (!changes) return pass_on(changes);
+  world = changed(*world, *changes);
+  if (!world) return pass_on(world);
+  auto targets = load_targets(scenario.targets, world->terrain.get());
+  if (!targets) return pass_on(targets);
+
+  scenario.problem.start = {start->position, wrap_angle(start->heading_rad)};
+  scenario.problem.world = std::move(*world);
+  scenario.problem.targets = std::move(*targets);
+  if (auto ok = load_stations(scenario.problem); !ok) return pass_on(ok);
+  if (scenario.problem.supplies.any() && scenario.sim != "kinematic") {
+    return bad_input(
+        "stores that end are known to the kinematic simulation only; give sim: kinematic, or leave out "
+        "supplies.tank and supplies.battery",
+        "sim");
+  }
+  if (scenario.problem.supplies.any() && (scenario.arrivals.any() || scenario.arrivals.leave < 1.0)) {
+    return bad_input(
+        "stores that end are for a yard where everybody is there from the start and leaves when hit; "
+        "leave out supplies.tank and supplies.battery, or the arrivals",
+        "supplies");
+  }
+  auto intruders =
+      load_arrivals(scenario.problem, scenario.arrivals, static_cast<std::uint64_t>(scenario.seed));
+  if (!intruders) return pass_on(intruders);
+  scenario.intruders = std::move(*intruders);
+  if (auto ok = load_hunt(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_passing(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_scouting(scenario); !ok) return pass_on(ok);
+  return std::move(loaded->warnings);
+}
+
+}  // namespace outrider

@@ -1,0 +1,298 @@
+#include "outrider/jobs/guard/site.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "outrider/ballistics/stance.hpp"
+#include "outrider/core/parallel.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
+  return {problem.gun,
+          problem.errors.aim,
+          problem.world.gravity_mps2,
+          problem.world.floor_z_m,
+          problem.robot.radius_m,
+          options.margin_m,
+          options.pitch_step_rad,
+          options.aim_step_m,
+          problem.air,
+          problem.world.terrain};
+}
+
+Status check_ranges(const std::vector<Option>& options, const std::string& section) {
+  for (const Option& option : options) {
+    auto ok = assign(option, value_text(option));
+    if (!ok) return bad_input(ok.error().sentence, section + "." + ok.error().where);
+  }
+  return {};
+}
+
+Status check_air(const GuardProblem& problem) {
+  const double wind = problem.air.wind_mps;
+  if (wind >= problem.gun.muzzle_speed_mps) {
+    return bad_input(fmt::format("a wind of {:g} m/s carries off every ball, as none leaves the gun faster "
+                                 "than {:g} m/s; give less wind or a larger gun.muzzle_speed",
+                                 wind, problem.gun.muzzle_speed_mps),
+                     "air.wind");
+  }
+  if (wind > 0.0 && problem.air.none()) {
+    return bad_input(fmt::format("a wind of {:g} m/s acts by drag alone; give air.drag, such as 0.02 for a "
+                                 "ball of water of 1 cm",
+                                 wind),
+                     "air.wind");
+  }
+  return {};
+}
+
+Status check_terrain(const GuardProblem& problem) {
+  if (!problem.world.terrain) return {};
+  const Box2 has = problem.world.terrain->bounds();
+  const Box2& yard = problem.world.bounds;
+  if (!yard.empty() && !(has.grown(1e-9).contains(yard.low) && has.grown(1e-9).contains(yard.high))) {
+    return bad_input(fmt::format("it spans ({:g}, {:g}) to ({:g}, {:g}), and the yard ({:g}, {:g}) to ({:g}, "
+                                 "{:g}); make it larger, or give bounds within it",
+                                 has.low.x, has.low.y, has.high.x, has.high.y, yard.low.x, yard.low.y,
+                                 yard.high.x, yard.high.y),
+                     "terrain");
+  }
+  if (problem.air.none()) return {};
+  return bad_input("drag is modelled on level ground only; set air.drag to 0 or leave the terrain out",
+                   "air.drag");
+}
+
+Status check_numbers(GuardProblem problem, GuardOptions options) {
+  if (auto ok = check_ranges(describe(problem.robot), "robot"); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.gun), "gun"); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.air), "air"); !ok) return ok;
+  if (auto ok = check_air(problem); !ok) return ok;
+  if (auto ok = check_terrain(problem); !ok) return ok;
+  if (auto ok = check_ranges(describe(problem.errors), "errors"); !ok) return ok;
+  if (auto ok = check_ranges(describe(options), "plan"); !ok) return ok;
+  const Pose2& start = problem.start;
+  if (!std::isfinite(start.position.x + start.position.y + start.heading_rad)) {
+    return bad_input("not a finite number; give x, y in m and a heading", "start");
+  }
+  if (!(problem.world.gravity_mps2 > 0.0) ||
+      !std::isfinite(problem.world.gravity_mps2 + problem.world.floor_z_m)) {
+    return bad_input(
+        fmt::format("a gravity of {:g} m/s2 and a floor at {:g} m are no good; gravity is above 0",
+                    problem.world.gravity_mps2, problem.world.floor_z_m),
+        "world");
+  }
+  for (const Target& target : problem.targets) {
+    const double sum = squared_norm(target.base) + squared_norm(target.size) + target.yaw_rad;
+    if (std::isfinite(sum) && target.size.x > 0.0 && target.size.y > 0.0 && target.size.z > 0.0) continue;
+    return bad_input(
+        fmt::format("target {} has a number that is not finite or a size that is not above 0", target.name),
+        "targets");
+  }
+  return {};
+}
+
+Status check_targets(const GuardProblem& problem) {
+  for (const Target& target : problem.targets) {
+    for (const Solid& solid : problem.world.solids) {
+      const bool is_surface = std::holds_alternative<MeshShape>(solid.shape);
+      if (is_surface || distance(target.centre(), solid) > 0.0) continue;
+      return bad_input(fmt::format("target {} at ({:g}, {:g}, {:g}) is inside {}; move it out", target.name,
+                                   target.base.x, target.base.y, target.base.z, solid.name),
+                       "targets");
+    }
+  }
+  return {};
+}
+
+/// Bytes that planning holds at most for each cell: this struct's vectors, one pitch and one spread a
+/// target, and the candidate masks.
+double bytes_needed(const GridFrame& frame, std::size_t targets) {
+  const double per_cell = 3.0 + 4.0 + 4.0 + 5.0 * static_cast<double>(targets) +
+                          8.0 * std::ceil(static_cast<double>(targets) / 64.0) * 2.0;
+  return per_cell * static_cast<double>(frame.width) * static_cast<double>(frame.height);
+}
+
+Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& options) {
+  const Vec2 size = problem.world.bounds.size();
+  const double cap = static_cast<double>(options.memory_mib) * 1024.0 * 1024.0;
+  const double cells = std::ceil(size.x / options.resolution_m) * std::ceil(size.y / options.resolution_m);
+  if (problem.world.bounds.empty() || !std::isfinite(cells) || cells < 1.0) {
+    return bad_input("the yard has no bounds; give them as low x, low y, high x, high y", "bounds");
+  }
+  const bool few = cells <= 1e9 && size.x / options.resolution_m < 1e6 && size.y / options.resolution_m < 1e6;
+  const GridFrame frame = few ? covering(problem.world.bounds, options.resolution_m) : GridFrame{};
+  const double bytes = few ? bytes_needed(frame, problem.targets.size()) : inf;
+  if (bytes > cap) {
+    return bad_input(fmt::format("a resolution of {:g} m makes {:.3g} places and needs more than {} MiB; "
+                                 "take a coarser one or raise plan.memory_cap",
+                                 options.resolution_m, cells, options.memory_mib),
+                     "plan.resolution");
+  }
+  return frame;
+}
+
+/// Tangent of the steepest slope in the cells that a disk may touch.
+double steepest_under(const HeightField& field, Vec2 p, double radius_m) {
+  const Vec2 reach{radius_m, radius_m};
+  const Cell low = field.cell_at(p - reach);
+  const Cell high = field.cell_at(p + reach);
+  double slope = 0.0;
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) slope = std::max(slope, field.steepest_in({x, y}));
+  }
+  return slope;
+}
+
+Status check_start(const GuardProblem& problem, const Ground& ground) {
+  const Vec2 p = problem.start.position;
+  const double radius = problem.robot.radius_m;
+  if (!problem.world.bounds.contains(p)) {
+    return fault(FaultCode::outside_map,
+                 fmt::format("({:g}, {:g}) is outside the yard, which spans ({:g}, {:g}) to ({:g}, {:g})",
+                             p.x, p.y, problem.world.bounds.low.x, problem.world.bounds.low.y,
+                             problem.world.bounds.high.x, problem.world.bounds.high.y),
+                 "start");
+  }
+  const double clearance = ground.clearance(p, radius);
+  if (clearance < radius) {
+    const double slope = problem.world.terrain ? steepest_under(*problem.world.terrain, p, radius) : 0.0;
+    if (slope > std::tan(problem.robot.max_slope_rad)) {
+      return fault(
+          FaultCode::start_blocked,
+          fmt::format("the ground under the robot at ({:g}, {:g}) is as steep as {:.1f} degrees, and "
+                      "it holds on {:g}; start elsewhere or raise robot.max_slope",
+                      p.x, p.y, degrees(std::atan(slope)), degrees(problem.robot.max_slope_rad)),
+          "start");
+    }
+    return fault(FaultCode::start_blocked,
+                 fmt::format("({:g}, {:g}) is {:.3g} m from an obstacle or the edge of the yard, and the "
+                             "robot's radius is {:g} m; start elsewhere",
+                             p.x, p.y, std::max(0.0, clearance), radius),
+                 "start");
+  }
+  return {};
+}
+
+void find_standable(Site& site, double radius_m, double spare_m) {
+  for (std::size_t i = 0; i < site.frame.size(); ++i) {
+    const double clearance = site.ground.clearance(site.frame.centre(site.frame.cell(i)), radius_m + spare_m);
+    site.clearance_m[i] = static_cast<float>(clearance);
+    site.standable[i] = clearance >= radius_m ? 1 : 0;
+  }
+}
+
+/// Breadth-first from the cells that the start sees within two steps; every step is swept exactly.
+void find_reachable(Site& site, Vec2 start, double radius_m) {
+  const GridFrame& frame = site.frame;
+  const double step = frame.resolution_m;
+  std::queue<std::size_t> open;
+  const auto reach = [&](Vec2 from, std::optional<std::size_t> parent, Cell c, bool surely_free) {
+    if (!frame.contains(c)) return;
+    const std::size_t i = frame.index(c);
+    if (site.standable[i] == 0 || site.reachable[i] != 0) return;
+    if (!surely_free && !site.ground.segment_free({from, frame.centre(c)}, radius_m)) return;
+    site.reachable[i] = 1;
+    site.homeward[i] = static_cast<std::uint32_t>(parent.value_or(i));
+    open.push(i);
+  };
+  const Cell home = frame.cell_at(start);
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) reach(start, {}, {home.x + dx, home.y + dy}, false);
+  }
+  while (!open.empty()) {
+    const std::size_t i = open.front();
+    open.pop();
+    const Cell c = frame.cell(i);
+    // Within half a diagonal step of a cell with that much to spare nothing can be touched.
+    const bool roomy = site.clearance_m[i] >= radius_m + 1.5 * step;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) reach(frame.centre(c), i, {c.x + dx, c.y + dy}, roomy);
+    }
+  }
+}
+
+std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
+  if (!problem.targets_block) return {FlightSpace(problem.world.solids)};
+  std::vector<FlightSpace> spaces;
+  for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+    std::vector<Solid> solids = problem.world.solids;
+    for (std::size_t j = 0; j < problem.targets.size(); ++j) {
+      if (j != i) solids.push_back(solid_of(problem.targets[j]));
+    }
+    spaces.emplace_back(std::move(solids));
+  }
+  return spaces;
+}
+
+/// Tries everything the resolution allows before a target counts as out of reach.
+void prove(Site& site, const Target& target, std::size_t t) {
+  const FlightSpace& space = site.space(t);
+  Exhausted tried = exhaust(site.rules, space, target, site.frame, site.reachable);
+  if (tried.found) {
+    FiringRegion& region = site.regions[t];
+    const auto pitches = pitch_lattice(site.rules);
+    const Vec2 place = site.frame.centre(site.frame.cell(*tried.found));
+    const double pitch = angles_of(stance_at(site.rules, place), tried.shot).pitch_rad;
+    const auto index =
+        std::ranges::min_element(pitches, {}, [pitch](double p) { return std::abs(p - pitch); }) -
+        pitches.begin();
+    region.pitch[*tried.found] = static_cast<std::uint8_t>(index);
+    region.spread[*tried.found] = static_cast<float>(spread(site.rules, target, place, tried.shot));
+    region.hits = 1;
+    return;
+  }
+  std::vector<std::uint8_t> elsewhere(site.frame.size());
+  for (std::size_t i = 0; i < elsewhere.size(); ++i) {
+    elsewhere[i] = site.standable[i] != 0 && site.reachable[i] == 0 ? 1 : 0;
+  }
+  site.proofs[t].from_elsewhere = firing_region(site.rules, space, target, site.frame, elsewhere).hits > 0;
+  site.proofs[t].exhausted = std::move(tried);
+}
+
+World driving_world(const GuardProblem& problem) {
+  World world = problem.world;
+  if (problem.targets_block) {
+    for (const Target& target : problem.targets) world.solids.push_back(solid_of(target));
+  }
+  return world;
+}
+
+}  // namespace
+
+Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
+  if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
+  if (auto ok = check_targets(problem); !ok) return pass_on(ok);
+  auto frame = frame_for(problem, options);
+  if (!frame) return pass_on(frame);
+
+  Site site{rules_of(problem, options),
+            flight_spaces(problem),
+            Ground::of(driving_world(problem), problem.robot.height_m, 1e-3, problem.robot.max_slope_rad),
+            *frame,
+            std::vector<std::uint8_t>(frame->size(), 0),
+            std::vector<std::uint8_t>(frame->size(), 0),
+            std::vector<float>(frame->size(), 0.0F),
+            std::vector<std::uint32_t>(frame->size(), 0),
+            std::vector<FiringRegion>(problem.targets.size()),
+            std::vector<Proof>(problem.targets.size())};
+  if (auto ok = check_start(problem, site.ground); !ok) return pass_on(ok);
+
+  const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
+  find_standable(site, problem.robot.radius_m, spare);
+  find_reachable(site, problem.start.position, problem.robot.radius_m);
+  parallel_for(problem.targets.size(), [&](std::size_t i) {
+    const Target& target = problem.targets[i];
+    site.regions[i] = firing_region(site.rules, site.space(i), target, site.frame, site.reachable);
+    if (site.regions[i].hits == 0) prove(site, target, i);
+  });
+  return site;
+}
+
+}  // namespace outrider

@@ -1,0 +1,154 @@
+#include "outrider/jobs/guard/stops.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+namespace outrider {
+namespace {
+
+constexpr float forgiving = 0.9F;  // largest spread of a sure hit
+
+/// Offsets of the cells that an error of the drive can put the robot on.
+std::vector<Cell> disk(double radius_m, double step_m) {
+  std::vector<Cell> offsets;
+  const int n = static_cast<int>(std::ceil(radius_m / step_m));
+  for (int y = -n; y <= n; ++y) {
+    for (int x = -n; x <= n; ++x) {
+      if (std::hypot(x, y) * step_m <= radius_m + 1e-9) offsets.push_back({x, y});
+    }
+  }
+  return offsets;
+}
+
+bool hit_all_around(const Site& site, const FiringRegion& region, Cell c, const std::vector<Cell>& around) {
+  return std::all_of(around.begin(), around.end(), [&](Cell d) {
+    const Cell n{c.x + d.x, c.y + d.y};
+    return site.frame.contains(n) && region.pitch[site.frame.index(n)] != FiringRegion::no_shot;
+  });
+}
+
+bool contains(std::span<const std::uint64_t> large, std::span<const std::uint64_t> small) {
+  for (std::size_t w = 0; w < small.size(); ++w) {
+    if ((small[w] & ~large[w]) != 0) return false;
+  }
+  return true;
+}
+
+/// How well a cell serves: forgiving shots first, room to stand second.
+float quality(const Site& site, const SureHits& hits, std::size_t cell) {
+  float sum = site.clearance_m[cell];
+  for (std::size_t t = 0; t < site.regions.size(); ++t) {
+    if (hits.has(cell, t)) sum += 1.0F - std::min(1.0F, site.regions[t].spread[cell]);
+  }
+  return sum;
+}
+
+using Tiles = std::map<std::pair<int, int>, std::vector<std::size_t>>;
+
+/// The cells of one tile reduced to one for each set of targets that no other set there contains.
+std::vector<std::size_t> largest_sets(const Site& site, const SureHits& hits,
+                                      std::vector<std::size_t> cells) {
+  std::vector<float> worth(cells.size());
+  std::vector<std::size_t> order(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    worth[i] = quality(site, hits, cells[i]);
+    order[i] = i;
+  }
+  const auto count = [&](std::size_t i) {
+    int bits = 0;
+    for (const std::uint64_t word : hits.at(cells[i])) bits += std::popcount(word);
+    return bits;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return count(a) != count(b) ? count(a) > count(b) : worth[a] > worth[b];
+  });
+  std::vector<std::size_t> kept;
+  for (const std::size_t i : order) {
+    const bool covered = std::any_of(kept.begin(), kept.end(),
+                                     [&](std::size_t k) { return contains(hits.at(k), hits.at(cells[i])); });
+    if (!covered) kept.push_back(cells[i]);
+  }
+  return kept;
+}
+
+/// The first cells of a greedy cover: always the one with most targets that no earlier one has.
+std::vector<std::size_t> cover(const SureHits& hits, const std::vector<std::size_t>& cells) {
+  std::vector<std::uint64_t> left(hits.words, ~std::uint64_t{0});
+  std::vector<std::size_t> chosen;
+  for (;;) {
+    std::size_t best = 0;
+    int most = 0;
+    for (const std::size_t cell : cells) {
+      int fresh = 0;
+      for (std::size_t w = 0; w < hits.words; ++w) fresh += std::popcount(hits.at(cell)[w] & left[w]);
+      if (fresh > most) {
+        most = fresh;
+        best = cell;
+      }
+    }
+    if (most == 0) return chosen;
+    chosen.push_back(best);
+    for (std::size_t w = 0; w < hits.words; ++w) left[w] &= ~hits.at(best)[w];
+  }
+}
+
+}  // namespace
+
+SureHits sure_hits(const GuardProblem& problem, const Site& site) {
+  SureHits hits;
+  hits.words = std::max<std::size_t>(1, (problem.targets.size() + 63) / 64);
+  hits.targets.assign(site.frame.size() * hits.words, 0);
+  const auto around = disk(problem.errors.position_m, site.frame.resolution_m);
+  const auto roomy = static_cast<float>(problem.robot.radius_m + problem.errors.position_m);
+  for (std::size_t t = 0; t < site.regions.size(); ++t) {
+    const FiringRegion& region = site.regions[t];
+    std::vector<std::size_t> sure;
+    std::vector<std::size_t> possible;
+    for (std::size_t i = 0; i < site.frame.size(); ++i) {
+      if (region.pitch[i] == FiringRegion::no_shot) continue;
+      possible.push_back(i);
+      if (region.spread[i] <= forgiving && site.clearance_m[i] >= roomy &&
+          hit_all_around(site, region, site.frame.cell(i), around)) {
+        sure.push_back(i);
+      }
+    }
+    for (const std::size_t i : sure.empty() ? possible : sure) {
+      hits.add(i, t);
+    }
+  }
+  return hits;
+}
+
+std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, double tile_m, std::size_t most,
+                                      const std::vector<Vec2>& around, double near_m) {
+  const auto counts = [&](std::size_t cell) {
+    const auto set = hits.at(cell);
+    if (std::all_of(set.begin(), set.end(), [](std::uint64_t w) { return w == 0; })) return false;
+    const Vec2 p = site.frame.centre(site.frame.cell(cell));
+    return around.empty() ||
+           std::any_of(around.begin(), around.end(), [&](Vec2 a) { return distance(a, p) <= near_m; });
+  };
+  std::vector<std::size_t> useful;
+  for (std::size_t i = 0; i < site.frame.size(); ++i) {
+    if (counts(i)) useful.push_back(i);
+  }
+  for (;; tile_m *= 1.25) {
+    Tiles tiles;
+    for (const std::size_t i : useful) {
+      const Vec2 p = site.frame.centre(site.frame.cell(i)) - site.frame.origin;
+      tiles[{static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)}].push_back(i);
+    }
+    std::vector<std::size_t> chosen;
+    for (auto& [where, cells] : tiles) {
+      for (const std::size_t cell : largest_sets(site, hits, std::move(cells))) chosen.push_back(cell);
+    }
+    if (chosen.size() > most && tiles.size() > 1) continue;
+    if (chosen.size() > most) chosen = cover(hits, chosen);
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  }
+}
+
+}  // namespace outrider

@@ -1,0 +1,142 @@
+#include "outrider/jobs/guard/supply_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "assemble.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t other_stops = 60;
+
+/// Whether the goal can be served by a robot that does nothing else.
+bool is_possible_alone(SupplyProblem problem, std::uint32_t goal) {
+  problem.table.goals = 1;
+  for (auto& services : problem.table.services) {
+    std::erase_if(services, [&](const Service& service) { return service.goal != goal; });
+    for (Service& service : services) service.goal = 0;
+  }
+  const auto tour = solve_supplied(problem, {.iterations = 0}, {});
+  return tour && tour->dropped.empty();
+}
+
+std::string why_unsupplied(const Supplies& supplies, const SupplyProblem& problem, std::uint32_t goal) {
+  const auto fills = [&](Store store) {
+    return std::ranges::count(problem.fillers, store, &Filler::store) > 0;
+  };
+  if (!is_possible_alone(problem, goal)) {
+    return fmt::format(
+        "a battery of {:g} Wh, {:.0f} % of it in reserve, does not suffice to get to a place with a "
+        "shot at it{}",
+        supplies.battery_wh, 100.0 * supplies.reserve, fills(Store::charge) ? " and back to a charger" : "");
+  }
+  const bool dry = supplies.ends(Store::water) && !fills(Store::water);
+  const bool flat = supplies.ends(Store::charge) && !fills(Store::charge);
+  if (dry && !flat)
+    return fmt::format("a tank of {:g} is empty before, and no station gives water", supplies.tank);
+  if (flat && !dry) {
+    return fmt::format("a battery of {:g} Wh is empty before, and no station gives charge",
+                       supplies.battery_wh);
+  }
+  return dry ? "the supplies end before, and no station fills them up"
+             : "no order was found in which the supplies suffice";
+}
+
+/// Stops with the shots solved again, for the pitch at which the shot before leaves the barrel.
+std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site, const SupplyTable& table,
+                                  const SupplyTour& tour, const GuardPlan& plan) {
+  std::vector<PlannedStop> stops;
+  double pitch = 0.0;
+  for (const SupplyStep& step : tour.steps) {
+    PlannedStop stop;
+    stop.position = table.places[step.stop];
+    if (step.filler) {
+      stop.call = table.calls[*step.filler];
+      pitch = 0.0;
+    }
+    for (const std::uint32_t goal : step.goals) {
+      const std::size_t target = table.targets[goal];
+      auto shot = best_shot(site.rules, site.space(target), problem.targets[target], stop.position, pitch);
+      if (!shot) {  // the one that the plan had from there
+        for (const PlannedStop& before : plan.stops) {
+          for (const PlannedHit& hit : before.hits) {
+            if (hit.target == target) shot = hit.shot;
+          }
+        }
+      }
+      stop.hits.push_back({target, *shot});
+      pitch = shot->gun.pitch_rad;
+    }
+    stops.push_back(std::move(stop));
+  }
+  return stops;
+}
+
+}  // namespace
+
+Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, GuardPlan plan,
+                               const Budget& budget) {
+  if (!problem.supplies.any()) return plan;
+  auto table = supply_table(problem, site, plan, other_stops, budget);
+  if (!table) return pass_on(table);
+  if (table->targets.empty()) return plan;
+  auto tour = solve_supplied(table->problem, {}, budget);
+  if (!tour) return pass_on(tour);
+  plan.stops = stops_of(problem, site, *table, *tour, plan);
+  for (const std::uint32_t goal : tour->dropped) {
+    plan.unsupplied.push_back({table->targets[goal], why_unsupplied(problem.supplies, table->problem, goal)});
+  }
+  plan.tour_proven = tour->proven_optimal;
+  if (!plan.unsupplied.empty())
+    plan.lower_bound_s = plan.anywhere_lower_bound_s = 0.0;  // for hitting them all
+  if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
+  const auto after = planned_levels(problem, site, plan);
+  plan.cost_s = after.empty() ? 0.0 : after.back().time_s;
+  plan.expected_s.reset();
+  plan.lower_bound_s = std::min(plan.lower_bound_s, plan.cost_s);
+  return plan;
+}
+
+std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const Site& site,
+                                        const GuardPlan& plan) {
+  const Supplies& supplies = problem.supplies;
+  SupplyLevel now{0.0, supplies.full(Store::water), supplies.full(Store::charge), 0.0};
+  std::vector<SupplyLevel> after;
+  const auto pass = [&](double seconds, double metres) {
+    now.time_s += seconds;
+    now.charge -= supplies.charge_of(seconds, metres);
+  };
+  double heading = problem.start.heading_rad;
+  double yaw = 0.0;  // of the gun, relative to the body
+  double pitch = 0.0;
+  for (const PlannedStop& stop : plan.stops) {
+    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, site.ground.terrain());
+    pass(drive.time_s, drive.driven_m);
+    heading = drive.heading_rad;
+    now.filling_s = 0.0;
+    for (const PlannedHit& hit : stop.hits) {
+      const double relative = hit.shot.gun.yaw_rad - heading;
+      pass(aim_time(problem.gun, relative - yaw, hit.shot.gun.pitch_rad - pitch) + hit.shot.flight_s, 0.0);
+      now.water -= supplies.shot_water;
+      now.charge -= supplies.shot_j;
+      yaw = relative;
+      pitch = hit.shot.gun.pitch_rad;
+    }
+    if (stop.call) {
+      pass(aim_time(problem.gun, -yaw, -pitch), 0.0);
+      yaw = 0.0;
+      pitch = 0.0;
+      double& level = stop.call->store == Store::water ? now.water : now.charge;
+      const double full = supplies.full(stop.call->store);
+      now.filling_s = supplies.filling_s(stop.call->store, full - level);
+      now.time_s += now.filling_s;
+      level = full;
+    }
+    after.push_back(now);
+  }
+  return after;
+}
+
+}  // namespace outrider

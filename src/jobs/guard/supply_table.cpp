@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/geometry/polyline.hpp"
+#include "outrider/jobs/guard/supply_plan.hpp"
+
+namespace outrider {
+namespace {
+
+/// What is wrong whatever the yard.
+Status check_amounts(const Supplies& supplies) {
+  if (supplies.tank > 0.0 && supplies.shot_water > supplies.tank) {
+    return bad_input(
+        fmt::format("a tank of {:g} is too small for any shot, which takes {:g}; give more, or less "
+                    "supplies.shot_water",
+                    supplies.tank, supplies.shot_water),
+        "supplies.tank");
+  }
+  const double usable = (1.0 - supplies.reserve) * supplies.full(Store::charge);
+  if (supplies.battery_wh > 0.0 && supplies.shot_j > usable) {
+    return bad_input(
+        fmt::format("a battery of {:g} Wh gives {:.0f} J beside its reserve, too little for any shot, "
+                    "which takes {:g} J; give more, or less supplies.shot",
+                    supplies.battery_wh, usable, supplies.shot_j),
+        "supplies.battery");
+  }
+  return {};
+}
+
+/// Each station must be where the robot can stand, and must be joined to the start.
+Status check_station(const GuardProblem& problem, const Site& site, const Station& station) {
+  const auto refuse = [&](std::string_view why) {
+    return bad_input(
+        fmt::format("station {} at ({:g}, {:g}) {}; move it to free ground that can be driven to",
+                    station.name, station.position.x, station.position.y, why),
+        "supplies.stations");
+  };
+  if (!site.frame.contains(site.frame.cell_at(station.position))) return refuse("is outside the yard");
+  if (!site.ground.segment_free({station.position, station.position}, problem.robot.radius_m)) {
+    return refuse("is too close to an obstacle for the robot");
+  }
+  const auto routes = site_routes(problem, site, {problem.start.position, station.position}, {});
+  if (!routes || !std::isfinite(routes->between(0, 1).time_s))
+    return refuse("is out of reach from the start");
+  return {};
+}
+
+/// One filler for each store that a station gives and that ends; its place is a number among them.
+void add_fillers(const Supplies& supplies, SupplyTable& table) {
+  for (std::size_t s = 0; s < supplies.stations.size(); ++s) {
+    for (const Store store : {Store::water, Store::charge}) {
+      if (!supplies.ends(store) || !supplies.stations[s].gives(store)) continue;
+      const double per_unit = supplies.filling_s(store, 1.0) - supplies.filling_s(store, 0.0);
+      table.problem.fillers.push_back({table.places.size(), store, supplies.filling_s(store, 0.0), per_unit});
+      table.calls.push_back({s, store});
+      table.places.push_back(supplies.stations[s].position);
+    }
+  }
+}
+
+/// The goals are the targets with a shot, in their order.
+void take_services(const Outlook& outlook, SupplyTable& table) {
+  std::vector<std::uint32_t> goal_of(outlook.reachable.size(), 0);
+  for (std::size_t t = 0; t < outlook.reachable.size(); ++t) {
+    if (outlook.reachable[t] == 0) continue;
+    goal_of[t] = static_cast<std::uint32_t>(table.targets.size());
+    table.targets.push_back(t);
+  }
+  TourProblem& tour = table.problem.table;
+  tour.goals = table.targets.size();
+  tour.services.resize(table.places.size());
+  for (std::size_t stop = 0; stop < outlook.stops.size(); ++stop) {
+    for (Service service : outlook.table.services[stop]) {
+      service.goal = goal_of[service.goal];
+      tour.services[stop].push_back(service);
+    }
+  }
+}
+
+}  // namespace
+
+Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                                  std::size_t stops, const Budget& budget) {
+  const Supplies& supplies = problem.supplies;
+  if (auto ok = check_amounts(supplies); !ok) return pass_on(ok);
+  for (const Station& station : supplies.stations) {
+    if (!supplies.any()) break;
+    if (auto ok = check_station(problem, site, station); !ok) return pass_on(ok);
+  }
+  ArrivalOptions few;
+  few.stops = static_cast<std::int64_t>(stops);
+  SupplyTable table;
+  add_fillers(supplies, table);
+  auto outlook = look_out(problem, site, plan, few, budget, table.places);
+  if (!outlook) return pass_on(outlook);
+
+  const std::size_t stations_from = outlook->stops.size() - table.places.size();
+  for (auto& filler : table.problem.fillers) filler.stop += stations_from;
+  table.places = outlook->stops;
+  table.problem.table = outlook->table;
+  table.problem.table.services.clear();
+  take_services(*outlook, table);
+  for (std::size_t i = 0; i < table.places.size(); ++i) {
+    for (std::size_t j = 0; j < table.places.size(); ++j) {
+      table.problem.lengths_m.push_back(length_of(outlook->routes.waypoints(i, j)));
+    }
+  }
+  table.problem.water = supplies.full(Store::water);
+  table.problem.charge = (1.0 - supplies.reserve) * supplies.full(Store::charge);
+  table.problem.water_per_shot = supplies.shot_water;
+  table.problem.charge_per_metre = supplies.drive_jpm;
+  table.problem.charge_per_second = supplies.power_w;
+  table.problem.charge_per_shot = supplies.shot_j;
+  return table;
+}
+
+}  // namespace outrider

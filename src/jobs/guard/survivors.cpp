@@ -1,0 +1,157 @@
+#include "outrider/jobs/guard/survivors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "outrider/core/parallel.hpp"
+#include "outrider/jobs/guard/sequence.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double least_leave = 0.001;
+constexpr std::size_t most_planned = 64;
+
+struct Model {
+  const GuardProblem& problem;
+  const Outlook& outlook;
+  const ArrivalOptions& options;
+  const Manner& manner;
+};
+
+/// A hit to come: from where, and of whom.
+struct Errand {
+  std::size_t stop = 0;
+  std::size_t who = 0;
+};
+
+/// One mission in the model.
+class Played {
+ public:
+  explicit Played(const Model& model) : model_(model) {
+    const TourProblem& table = model.outlook.table;
+    for (std::uint32_t place = 0; place < table.goals; ++place) {
+      if (model.outlook.reachable[place] == 0) continue;
+      inside_.push_back(everybody_.size());
+      everybody_.push_back({place, 0.0});
+    }
+    entered_ = inside_.size();
+    const auto row = table.drives.begin();
+    now_.heading_rad = table.heading_rad;
+    now_.drives = {row, row + static_cast<std::ptrdiff_t>(table.services.size())};
+  }
+
+  double time_s(Rng rng) {
+    const auto group = static_cast<std::size_t>(model_.options.group);
+    while (!inside_.empty()) {
+      const std::size_t count =
+          model_.manner.policy.take({inside_.size(), entered_, errands_.empty(), group});
+      if (count > 0) plan(std::min({count, inside_.size(), most_planned}));
+      if (errands_.empty()) return now_.time_s;  // nobody of them can be hit
+      hit(rng);
+    }
+    return now_.time_s;
+  }
+
+ private:
+  void plan(std::size_t count) {
+    std::vector<Wanted> wanted;
+    for (std::size_t i = 0; i < count; ++i) wanted.push_back(everybody_[inside_[i]]);
+    const Outlook& outlook = model_.outlook;
+    std::size_t toured = 0;
+    for (const Visit& visit : outlook.tour) toured += visit.goals.size();
+    const auto objective = model_.manner.objective;
+    const bool still = objective == WatchObjective::makespan && !planned_ && wanted.size() == toured;
+    const Sequence best = sequence_beside(outlook.tour, outlook.table, wanted, now_, objective,
+                                          static_cast<std::size_t>(model_.options.beam), still);
+    errands_.clear();
+    for (const Visit& visit : best.visits) {
+      for (const std::uint32_t who : visit.goals) errands_.push_back({visit.stop, inside_[who]});
+    }
+    entered_ = 0;
+    planned_ = true;
+  }
+
+  void hit(Rng& rng) {
+    const Errand errand = errands_.front();
+    errands_.pop_front();
+    now_ = after_hit(model_.outlook.table, everybody_[errand.who], now_, errand.stop);
+    std::erase(inside_, errand.who);
+    if (rng.uniform() < model_.options.leave) return;
+    const auto& places = model_.problem.targets;
+    Wanted& one = everybody_[errand.who];
+    const std::size_t next = elsewhere(one.goal, places.size(), rng);
+    const double way_m = distance(xy(places[one.goal].base), xy(places[next].base));
+    const double walk_mps = model_.options.walk_mps;
+    one = {static_cast<std::uint32_t>(next), now_.time_s + (walk_mps > 0.0 ? way_m / walk_mps : 0.0)};
+    if (model_.outlook.reachable[next] == 0) return;
+    inside_.push_back(errand.who);
+    ++entered_;
+  }
+
+  const Model& model_;
+  std::vector<Wanted> everybody_;
+  std::vector<std::size_t> inside_;  // those to be hit, who came last at the end
+  std::deque<Errand> errands_;
+  std::size_t entered_ = 0;
+  bool planned_ = false;
+  Standing now_;
+};
+
+ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions) {
+  std::vector<double> times(missions);
+  parallel_for(missions, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
+  const auto n = static_cast<double>(missions);
+  ExpectedTime expected;
+  for (const double time : times) expected.mean_s += time / n;
+  double squares = 0.0;
+  for (const double time : times) squares += (time - expected.mean_s) * (time - expected.mean_s);
+  expected.error_s = missions > 1 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
+  return expected;
+}
+
+}  // namespace
+
+std::vector<Manner> manners() {
+  std::vector<Manner> all;
+  for (const WatchPolicy& policy : watch_policies()) {
+    if (policy.foresees) continue;
+    all.push_back({policy, WatchObjective::makespan});
+    all.push_back({policy, WatchObjective::time_inside});
+  }
+  return all;
+}
+
+ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
+                           const Manner& manner, std::size_t missions) {
+  return mean_time({problem, outlook, options, manner}, Rng(0).child("survivors"), missions);
+}
+
+BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
+                       std::size_t missions) {
+  std::optional<BestManner> best;
+  for (const Manner& manner : manners()) {
+    const auto time = mean_time({problem, outlook, options, manner}, Rng(0).child("choice"), missions);
+    if (!best || time.mean_s < best->time.mean_s) best = BestManner{manner, time};
+  }
+  best->time = expected_time(problem, outlook, options, best->manner, missions);
+  return *best;
+}
+
+Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options) {
+  if (options.leave < least_leave) {
+    return bad_input(fmt::format("with {:g} the mission would not end; give a probability from {:g} to 1",
+                                 options.leave, least_leave),
+                     "arrivals.leave");
+  }
+  if (options.leave < 1.0 && problem.targets.size() < 2) {
+    return bad_input("who does not leave goes to another target's place, and there is none; list two targets",
+                     "arrivals.leave");
+  }
+  return {};
+}
+
+}  // namespace outrider

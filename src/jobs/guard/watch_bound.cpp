@@ -1,0 +1,88 @@
+#include "outrider/jobs/guard/watch_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace outrider {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct Nearest {
+  double from_start_m = inf;
+  double to_target_m = inf;
+};
+
+/// Least straight-line distances to and from the cells of a region, less the errors of a drive.
+Nearest nearest(const Watch& watch, std::size_t i) {
+  const GuardProblem& problem = watch.problem;
+  const GridFrame& frame = watch.site.frame;
+  Nearest least;
+  for (std::size_t c = 0; c < frame.size(); ++c) {
+    if (watch.site.regions[i].pitch[c] == FiringRegion::no_shot) continue;
+    const Vec2 place = frame.centre(frame.cell(c));
+    least.from_start_m = std::min(least.from_start_m, distance(problem.start.position, place));
+    least.to_target_m = std::min(least.to_target_m, distance(xy(problem.targets[i].base), place));
+  }
+  least.from_start_m = std::max(0.0, least.from_start_m - problem.errors.position_m);
+  least.to_target_m = std::max(0.0, least.to_target_m - problem.errors.position_m);
+  return least;
+}
+
+Job job_of(const Watch& watch, std::size_t i) {
+  const GuardProblem& problem = watch.problem;
+  const Target& target = problem.targets[i];
+  const Nearest least = nearest(watch, i);
+  const double tip = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
+  const double gap =
+      least.to_target_m - tip - 0.5 * std::hypot(target.size.x, target.size.y) - problem.gun.ball_radius_m;
+  const double fastest = problem.gun.muzzle_speed_mps * (1.0 + problem.errors.aim.speed_ratio);
+  return {std::max(watch.intruders[i].settles_s, duration(least.from_start_m, problem.robot.straight())),
+          std::max(0.0, gap) / fastest};
+}
+
+}  // namespace
+
+double least_completion_sum(std::vector<Job> jobs) {
+  std::stable_sort(jobs.begin(), jobs.end(),
+                   [](const Job& a, const Job& b) { return a.release_s < b.release_s; });
+  std::vector<double> rests;  // of the jobs released, the shortest last
+  double now = 0.0;
+  double sum = 0.0;
+  for (std::size_t next = 0; next < jobs.size() || !rests.empty();) {
+    if (rests.empty()) now = std::max(now, jobs[next].release_s);
+    while (next < jobs.size() && jobs[next].release_s <= now) rests.push_back(jobs[next++].work_s);
+    std::sort(rests.begin(), rests.end(), std::greater<>());
+    const double until = next < jobs.size() ? jobs[next].release_s : inf;
+    if (now + rests.back() <= until) {
+      now += rests.back();
+      sum += now;
+      rests.pop_back();
+    } else {
+      rests.back() -= until - now;
+      now = until;
+    }
+  }
+  return sum;
+}
+
+WatchBound watch_bound(const Watch& watch) {
+  std::vector<Job> jobs;
+  double entered = 0.0;
+  for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
+    if (watch.site.regions[i].hits == 0) continue;
+    jobs.push_back(job_of(watch, i));
+    entered += watch.intruders[i].enters_s;
+  }
+  WatchBound bound;
+  bound.time_inside_s = least_completion_sum(jobs) - entered;
+  for (const Job& first : jobs) {
+    double end = first.release_s;
+    for (const Job& job : jobs) end += job.release_s >= first.release_s ? job.work_s : 0.0;
+    bound.makespan_s = std::max(bound.makespan_s, end);
+  }
+  return bound;
+}
+
+}  // namespace outrider

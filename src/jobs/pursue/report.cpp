@@ -1,0 +1,133 @@
+#include "outrider/jobs/pursue/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace outrider {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Costs drawn `block` true cells to one, from the lowest row; -1 for walls.
+std::vector<double> drawn_costs(const PursuitProblem& problem, int block, int columns, int rows) {
+  const auto size = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  std::vector<double> sums(size, 0.0);
+  std::vector<int> free(size, 0), walls(size, 0);
+  const CostGrid& costs = *problem.costs;
+  for (std::size_t i = 0; i < costs.cells.size(); ++i) {
+    const Cell cell = costs.frame.cell(i);
+    const auto at = static_cast<std::size_t>(cell.y / block) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(cell.x / block);
+    const bool wall = costs.cells[i] >= problem.threshold;
+    ++(wall ? walls : free)[at];
+    if (!wall) sums[at] += costs.cells[i];
+  }
+  for (std::size_t at = 0; at < size; ++at) sums[at] = walls[at] > free[at] ? -1.0 : sums[at] / free[at];
+  return sums;
+}
+
+void draw_map(ReportChase& chase, const PursuitProblem& problem) {
+  constexpr int most_cells = 500;
+  const GridFrame& frame = problem.costs->frame;
+  const int block = (std::max(frame.width, frame.height) + most_cells - 1) / most_cells;
+  chase.columns = (frame.width + block - 1) / block;
+  chase.rows = (frame.height + block - 1) / block;
+  chase.cell_m = block;
+  for (const double cost : drawn_costs(problem, block, chase.columns, chase.rows)) {
+    if (chase.cost_runs.empty() || chase.cost_runs[chase.cost_runs.size() - 2] != cost) {
+      chase.cost_runs.insert(chase.cost_runs.end(), {cost, 0.0});
+    }
+    chase.cost_runs.back() += 1.0;
+  }
+}
+
+std::vector<Vec2> centres(const PursuitProblem& problem, const std::vector<Cell>& cells) {
+  std::vector<Vec2> points;
+  for (const Cell cell : cells) points.push_back(problem.costs->frame.centre(cell));
+  return points;
+}
+
+Report scene(const PursuitProblem& problem, const std::string& name) {
+  Report report;
+  report.job = "pursue";
+  report.status = "not_done";
+  report.world_name = name;
+  report.bounds = problem.costs->frame.bounds();
+  report.start = {problem.costs->frame.centre(problem.start), 0.0};
+  report.chase.emplace();
+  draw_map(*report.chase, problem);
+  report.chase->target = centres(problem, problem.target);
+  return report;
+}
+
+/// What the robot on duty paid until each second: the mission keeps the sum only, the rest is counted again.
+std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitMission& mission) {
+  std::vector<double> paid{0.0};
+  for (int s = 1; s <= mission.time_s; ++s) {
+    const std::size_t duty = mission.duties[static_cast<std::size_t>(s) - 1];
+    const Cell at = mission.paths[duty][static_cast<std::size_t>(s) - 1];
+    paid.push_back(paid.back() + (*problem.costs)[at]);
+  }
+  return paid;
+}
+
+std::string not_caught(const PursuitProblem& problem, const PursuitMission& mission) {
+  if (mission.time_s >= problem.last_s()) {
+    return fmt::format("the target was gone after second {} without being caught", problem.last_s());
+  }
+  return fmt::format("from second {} on no catch was possible any more", mission.time_s);
+}
+
+}  // namespace
+
+Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const std::string& name) {
+  const PursuitMission& mission = run.mission;
+  Report report = scene(problem, name);
+  if (mission.caught) {
+    report.status = "done";
+  } else {
+    report.reason = not_caught(problem, mission);
+  }
+  const auto cost = static_cast<double>(mission.cost), bound = static_cast<double>(run.lower_bound);
+  report.metrics = {
+      {"caught", mission.caught ? 1.0 : 0.0},
+      {"catch_time_s", mission.caught ? mission.time_s : unknown},
+      {"moves", static_cast<double>(mission.moves)},
+      {"cost", cost},
+      {"lower_bound", bound},
+      {"optimal", mission.caught && mission.cost == run.lower_bound ? 1.0 : 0.0},
+      {"earliest_catch_s", run.earliest_catch_s < 0 ? unknown : run.earliest_catch_s},
+      {"robots", static_cast<double>(mission.robots.size())},
+      {"catcher", mission.caught ? static_cast<double>(mission.duty + 1) : unknown},
+      {"handovers", static_cast<double>(mission.handovers)},
+      {"planning_calls", static_cast<double>(run.calls)},
+      {"expansions", static_cast<double>(run.expansions)},
+  };
+  for (const auto& path : mission.paths) report.chase->robots.push_back(centres(problem, path));
+  report.chase->paid = paid_by_second(problem, mission);
+  for (const PursuitMoment& moment : run.moments) {
+    report.chase->bounds.push_back(
+        {static_cast<double>(moment.time_s), static_cast<double>(moment.expansions),
+         moment.cost ? static_cast<double>(*moment.cost) : unknown, static_cast<double>(moment.lower_bound)});
+  }
+  return report;
+}
+
+Report pursuit_report(const PursuitProblem& problem, const Fault& fault, const std::string& name) {
+  Report report = scene(problem, name);
+  report.reason = fault.sentence;
+  report.metrics = {{"caught", 0.0},
+                    {"catch_time_s", unknown},
+                    {"moves", 0.0},
+                    {"cost", unknown},
+                    {"lower_bound", unknown},
+                    {"optimal", 0.0},
+                    {"earliest_catch_s", unknown}};
+  report.chase->robots = {{report.start.position}};
+  report.chase->paid = {0.0};
+  return report;
+}
+
+}  // namespace outrider

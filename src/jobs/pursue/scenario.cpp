@@ -1,0 +1,125 @@
+#include "outrider/jobs/pursue/scenario.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "outrider/io/pursuit_map.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/pursuit/catalog.hpp"
+
+namespace outrider {
+namespace {
+
+Status check_names(const PursuitScenario& scenario) {
+  if (scenario.job != "pursue") {
+    return bad_input(
+        fmt::format("'{}' is not a job of this scenario; the job is pursue", excerpt(scenario.job)), "job");
+  }
+  if (scenario.map.empty()) return bad_input("missing; give the file of the map and the target", "map");
+  if (scenario.clock != "virtual" && scenario.clock != "wall") {
+    return bad_input(fmt::format("'{}' is no clock; it takes virtual or wall", excerpt(scenario.clock)),
+                     "clock");
+  }
+  return {};
+}
+
+/// The cells of the robots after the first.
+Outcome<std::vector<Cell>> other_starts(const PursuitScenario& scenario, const PursuitProblem& problem) {
+  const GridFrame& frame = problem.costs->frame;
+  std::vector<Cell> cells;
+  for (const std::string_view word : words(scenario.starts)) {
+    const std::size_t comma = word.find(',');
+    const auto x = number<int>(word.substr(0, comma));
+    const auto y = comma == word.npos ? std::nullopt : number<int>(word.substr(comma + 1));
+    if (!x || !y || !frame.contains({*x - 1, *y - 1})) {
+      return bad_input(fmt::format("'{}' is no cell of the map; it takes x,y from 1,1 to {},{}, with blanks "
+                                   "between robots",
+                                   excerpt(word), frame.width, frame.height),
+                       "starts");
+    }
+    cells.push_back({*x - 1, *y - 1});
+  }
+  if (cells.size() + 1 == static_cast<std::size_t>(scenario.chasers)) return cells;
+  return bad_input(fmt::format("{} cells for {} chasers; the first starts where the map says, so give {}",
+                               cells.size(), scenario.chasers, scenario.chasers - 1),
+                   "starts");
+}
+
+Outcome<std::vector<Cell>> robots_of(const PursuitScenario& scenario, const PursuitProblem& problem) {
+  if (scenario.starts.empty()) return place_team(problem, static_cast<std::size_t>(scenario.chasers));
+  auto others = other_starts(scenario, problem);
+  if (!others) return others;
+  others->insert(others->begin(), problem.start);
+  return others;
+}
+
+/// Nothing for the planners that the anytime search stands for.
+PursuitAsk asked_by(const PursuitScenario& scenario) {
+  if (scenario.planner == "optimal" || scenario.planner == "anytime") return {};
+  std::size_t row = 0;
+  while (pursuit_planners()[row].name != scenario.planner) ++row;
+  return [configured = scenario.planners[row]](const PursuitProblem& problem, const Budget& budget) {
+    Workspace workspace;
+    return configured.plan(problem, budget, workspace);
+  };
+}
+
+}  // namespace
+
+std::vector<ConfiguredPursuitPlanner> PursuitScenario::configured_planners() {
+  std::vector<ConfiguredPursuitPlanner> configured;
+  for (const PursuitPlanner& planner : pursuit_planners()) configured.push_back(planner.configure());
+  return configured;
+}
+
+std::vector<OptionGroup> describe(PursuitScenario& scenario) {
+  std::vector<OptionGroup> groups = {
+      {"",
+       "the pursuit",
+       {{"job", "", 0, 0, "what the robot does; pursue", &scenario.job},
+        {"map", "", 0, 0, "file of the costs, the robot and the target", &scenario.map},
+        {"clock", "", 0, 0, "virtual (planning is free) or wall (it costs the seconds it takes)",
+         &scenario.clock},
+        {"planner", "", 0, 0, "a pursuit planner of 'outrider list'", &scenario.planner},
+        {"known", "s", -1, 1e7, "seconds of the target's future that are known; -1: all", &scenario.known},
+        {"forecast", "", 0, 0, "of the rest: last_velocity, visit_map, evade or stay", &scenario.forecast},
+        {"chasers", "", 1, 100, "robots that chase the target", &scenario.chasers},
+        {"starts", "", 0, 0, "x,y of each robot but the first, with blanks between; empty: spread out",
+         &scenario.starts},
+        {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},
+        {"seed", "", 0, 1e15, "seed of every random number; a pursuit draws none", &scenario.seed}}}};
+  for (std::size_t i = 0; i < scenario.planners.size(); ++i) {
+    const std::string name(pursuit_planners()[i].name);
+    if (!scenario.planners[i].options.empty()) {
+      groups.push_back({name, "planner " + name, scenario.planners[i].options});
+    }
+  }
+  return groups;
+}
+
+void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path) {
+  const auto folder = std::filesystem::path(scenario_path).parent_path();
+  if (!scenario.map.empty()) scenario.map = (folder / scenario.map).lexically_normal().string();
+}
+
+Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {
+  if (auto ok = check_names(scenario); !ok) return pass_on(ok);
+  if (auto known = find_pursuit_planner(scenario.planner); !known) return pass_on(known);
+  auto forecast = find_target_forecast(scenario.forecast);
+  if (!forecast) return pass_on(forecast);
+  auto problem = load_pursuit_map(scenario.map);
+  if (!problem) return pass_on(problem);
+  auto robots = robots_of(scenario, *problem);
+  if (!robots) return pass_on(robots);
+  PursuitRules rules;
+  if (scenario.clock == "wall") rules.clock = PursuitClock::wall;
+  if (scenario.known >= 0) rules.known_s = static_cast<int>(scenario.known);
+  rules.forecast = std::move(*forecast);
+  rules.ask = asked_by(scenario);
+  rules.call_s = scenario.call_s;
+  return PursuitTask{std::move(*problem), std::move(*robots), std::move(rules)};
+}
+
+}  // namespace outrider

@@ -1,0 +1,149 @@
+#include "outrider/path/clearance/medial_axis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "medial_graph.hpp"
+#include "polygon_clearance.hpp"
+#include "straighten.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double most_weight_m = 1e6;
+constexpr double legs_keep = 0.999;      // of the clearance of the way
+constexpr double most_exposure = 0.125;  // between points of the way
+constexpr double least_apart_m = 1e-9;
+constexpr int most_halvings = 40;
+
+Status check_options(const MedialAxisOptions& options) {
+  const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
+  if (!good_weight) {
+    return bad_input(fmt::format("{} m is no good; it takes 0 to {:g}", options.weight_m, most_weight_m),
+                     "weight");
+  }
+  const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
+  if (!good_share) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.kept), "kept");
+  const bool good_slack = options.slack >= 0.0 && options.slack <= 1.0;
+  if (!good_slack) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.slack), "slack");
+  return {};
+}
+
+/// A way as points so close that legs between neighbours keep its clearance, with the cost up to each.
+struct PointsOfWay {
+  const PolygonGround& ground;
+  double weight_m;
+  double least_m;
+  std::vector<Vec2> points{};
+  std::vector<double> cost{};
+
+  void add(const Bisector& part, int halvings = 0) {
+    const Segment chord{part.at(part.u0), part.at(part.u1)};
+    const bool narrow = part.kind == Bisector::Kind::parabola && leg_clearance(ground, chord) < least_m;
+    if ((part.exposure() > most_exposure || narrow) && halvings < most_halvings) {
+      const double middle = 0.5 * (part.u0 + part.u1);
+      add(part.part(part.u0, middle), halvings + 1);
+      add(part.part(middle, part.u1), halvings + 1);
+      return;
+    }
+    if (distance(points.back(), chord.b) < least_apart_m) return;
+    points.push_back(chord.b);
+    cost.push_back(cost.back() + part.length() + weight_m * part.exposure());
+  }
+};
+
+PointsOfWay points_of(const std::vector<Bisector>& way, const PolygonGround& ground, const Problem& problem,
+                      double weight_m, double least_m) {
+  PointsOfWay fine{ground, weight_m, least_m};
+  fine.points = {problem.start};
+  fine.cost = {0.0};
+  for (const Bisector& part : way) fine.add(part);
+  if (fine.points.size() > 1 && distance(fine.points.back(), problem.goal) < least_apart_m) {
+    fine.points.back() = problem.goal;
+  } else {
+    fine.points.push_back(problem.goal);
+    fine.cost.push_back(fine.cost.back());
+  }
+  return fine;
+}
+
+/// Clearance grows by no more than one walks, and ends at the widest place: no path costs less.
+double least_cost(const MedialGraph& graph, Vec2 start, Vec2 goal, double weight_m) {
+  const double length = distance(start, goal);
+  const double from = graph.start.leg.apart, to = graph.goal.leg.apart;
+  const double top = std::min(0.5 * (from + to + length), std::max({graph.widest_m, from, to}));
+  const double level = std::max(0.0, length - (top - from) - (top - to));
+  return length + weight_m * (std::log(top / from) + std::log(top / to) + level / top);
+}
+
+Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double weight_m) {
+  Plan plan;
+  plan.waypoints = waypoints;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    plan.pieces.push_back({waypoints[i - 1], waypoints[i], {}, 0.0});
+    plan.exposure += leg_exposure(*problem.polygons, {waypoints[i - 1], waypoints[i]});
+  }
+  plan.fare.per_exposure_m = weight_m;
+  plan.cost = length_of(plan) + weight_m * plan.exposure;
+  return plan;
+}
+
+}  // namespace
+
+std::vector<Option> describe(MedialAxisOptions& options) {
+  return {{"weight", "m", 0.0, most_weight_m, "clearance at which a metre of path counts twice",
+           &options.weight_m},
+          {"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
+           &options.kept},
+          {"slack", "", 0.0, 1.0, "by how much a straight leg may cost more than the way it replaces",
+           &options.slack}};
+}
+
+Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& options, const Budget& budget,
+                          Workspace& workspace) {
+  if (auto good = check_options(options); !good) return pass_on(good);
+  auto ground = polygon_query(problem);
+  if (!ground) return pass_on(ground);
+  if (problem.start == problem.goal) return plan_of(problem, {problem.start}, options.weight_m);
+  const MedialGraph graph = medial_graph(*ground, problem.start, problem.goal, workspace);
+  BudgetMeter meter(budget);
+  auto largest = largest_clearance(graph, meter, workspace);
+  if (!largest) return pass_on(largest);
+  const double kept = options.kept * *largest;
+  auto way = least_exposed(graph, kept, options.weight_m, meter, workspace);
+  if (!way) return pass_on(way);
+
+  const double least = std::max((*ground)->radius_m, legs_keep * kept);
+  const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least);
+  PlanCounters counters{meter.spent(), 0, 0};
+  const auto does = [&](std::size_t i, std::size_t j) {
+    const Segment leg{fine.points[i], fine.points[j]};
+    ++counters.line_of_sight_checks;
+    if (leg_clearance(**ground, leg) < least) return false;
+    const double cost = distance(leg.a, leg.b) + options.weight_m * leg_exposure(**ground, leg);
+    return cost <= (1.0 + options.slack) * (fine.cost[j] - fine.cost[i]);
+  };
+  std::vector<Vec2> waypoints;
+  for (const std::size_t i : straightened(fine.points.size(), does)) waypoints.push_back(fine.points[i]);
+  Plan plan = plan_of(problem, waypoints, options.weight_m);
+  plan.lower_bound = std::min(plan.cost, least_cost(graph, problem.start, problem.goal, options.weight_m));
+  plan.counters = counters;
+  return plan;
+}
+
+std::vector<std::vector<Vec2>> medial_axis_lines(const PolygonGround& ground) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const VoronoiEdge& edge : voronoi_edges(ground).edges) {
+    const Bisector& b = edge.bisector;
+    const bool straight = b.kind != Bisector::Kind::parabola;
+    const int parts = straight ? 1 : std::max(1, static_cast<int>(std::ceil(4.0 * b.exposure())));
+    std::vector<Vec2> line;
+    for (int i = 0; i <= parts; ++i) line.push_back(b.at(b.u0 + (b.u1 - b.u0) * i / parts));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace outrider

@@ -1,0 +1,79 @@
+// How a taut path winds round the blocked cell at a turn.
+//
+// The blocked cell fills one quadrant. A taut path comes in one of the two neighbouring quadrants of
+// directions and goes on in the same, between its direction and the border of the cell; straight on counts.
+// So of the ways that leave a turn on one side, in order from the border, a path that comes takes its choice
+// of the first few.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "outrider/path/mesh/mesh.hpp"
+
+namespace outrider::hub_labelling {
+
+class Winding {
+ public:
+  enum class Side : std::uint8_t { level, upright, neither };  ///< the border along which a path goes on
+
+  /// `quadrant` as in NavigationMesh::Side::blocked.
+  explicit Winding(std::uint32_t quadrant = 0)
+      : x_((quadrant & 1U) != 0 ? 1 : -1), y_((quadrant & 2U) != 0 ? 1 : -1) {}
+
+  /// Of a way through the turn, to it or from it; neither when it enters the blocked cell or comes out of it.
+  [[nodiscard]] Side side(Cell way) const {
+    const int x = x_ * way.x, y = y_ * way.y;
+    if (x <= 0 && y >= 0) return Side::upright;
+    return x >= 0 && y <= 0 ? Side::level : Side::neither;
+  }
+  /// > 0 when b, on the same side, lies farther from the border than a. Exact.
+  [[nodiscard]] std::int64_t farther(Side side, Cell a, Cell b) const {
+    const std::int64_t left = x_ * y_ * (std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x);
+    return side == Side::upright ? left : -left;
+  }
+
+ private:
+  int x_, y_;
+};
+
+/// By turn.
+inline std::vector<Winding> windings_of(const NavigationMesh& mesh) {
+  std::vector<Winding> windings(mesh.turns.size());
+  for (const NavigationMesh::Side& side : mesh.sides) {
+    if (side.turn != NavigationMesh::no_turn) windings[side.turn] = Winding(side.blocked);
+  }
+  return windings;
+}
+
+/// Things that leave a turn, each with its `way`: on both sides, in order from the border.
+template <class Leaving>
+struct Fan {
+  std::vector<Leaving> level, upright;
+
+  /// `thing` belongs to `side`.
+  void add(Winding::Side side, const Leaving& thing) {
+    (side == Winding::Side::level ? level : upright).push_back(thing);
+  }
+  void sort(const Winding& winding) {
+    const auto sort_one = [&](Winding::Side side, std::vector<Leaving>& things) {
+      std::stable_sort(things.begin(), things.end(), [&](const Leaving& a, const Leaving& b) {
+        return winding.farther(side, a.way, b.way) > 0;
+      });
+    };
+    sort_one(Winding::Side::level, level);
+    sort_one(Winding::Side::upright, upright);
+  }
+  /// visit() each to which a taut path that comes that way may go on.
+  template <class Visit>
+  void onward(const Winding& winding, Cell came, Visit visit) const {
+    const Winding::Side side = winding.side(came);
+    for (const Leaving& thing : side == Winding::Side::level ? level : upright) {
+      if (winding.farther(side, came, thing.way) > 0) return;
+      visit(thing);
+    }
+  }
+};
+
+}  // namespace outrider::hub_labelling

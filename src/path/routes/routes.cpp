@@ -1,0 +1,196 @@
+#include "outrider/path/routes/routes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "routes_graph.hpp"
+#include "routes_parallel.hpp"
+#include "routes_search.hpp"
+
+namespace outrider {
+
+using routes::RouteQuery;
+using routes::RouteTree;
+using routes::same_place_m;
+using routes::SightLine;
+using routes::SightLines;
+
+struct RouteTable {
+  Ground ground;
+  RobotModel robot;
+  std::vector<Vec2> stops;
+  std::vector<Vec2> nodes;
+  SightLines node_lines;         // node to node
+  std::vector<RouteTree> trees;  // from each stop to the later ones
+};
+
+namespace {
+
+constexpr std::size_t most_nodes = 4096;
+constexpr std::size_t most_stops = 2048;
+
+Status check_place(const Ground& ground, const RobotModel& robot, Vec2 p, FaultCode blocked,
+                   std::string_view name) {
+  if (!finite(p)) return bad_input(fmt::format("{} has a coordinate that is not a finite number", name));
+  const Box2& bounds = ground.bounds();
+  if (!bounds.contains(p)) {
+    return fault(
+        FaultCode::outside_map,
+        fmt::format("{} at ({:.3f}, {:.3f}) lies outside x {:g} to {:g}, y {:g} to {:g} m; move it in", name,
+                    p.x, p.y, bounds.low.x, bounds.high.x, bounds.low.y, bounds.high.y));
+  }
+  const double clearance = ground.clearance(p, robot.radius_m);
+  if (clearance >= robot.radius_m - same_place_m) return {};
+  return fault(blocked,
+               fmt::format("{} at ({:.3f}, {:.3f}) is blocked: the clearance there is {:.3f} m and the "
+                           "robot's radius {:g} m; move it",
+                           name, p.x, p.y, clearance, robot.radius_m));
+}
+
+Status check_request(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
+                     const std::vector<Vec2>& extra_nodes, const RouteOptions& options) {
+  if (!(robot.radius_m >= 0.0) || !std::isfinite(robot.radius_m)) {
+    return bad_input(fmt::format("the robot's radius of {} m is no good; it is 0 or more", robot.radius_m));
+  }
+  for (const Limits& limits : {robot.straight(), robot.turning()}) {
+    if (!(limits.speed > 0.0) || !std::isfinite(limits.speed) || !(limits.acceleration > 0.0)) {
+      return bad_input("the robot's speeds and accelerations must be above 0");
+    }
+  }
+  if (!(options.arc_step_rad >= radians(1.0) - 1e-12) || !(options.arc_step_rad <= pi / 2 + 1e-12)) {
+    return bad_input(fmt::format("an arc step of {:g} degrees is no good; it takes 1 to 90",
+                                 degrees(options.arc_step_rad)));
+  }
+  if (stops.size() > most_stops || extra_nodes.size() > most_nodes) {
+    return bad_input(fmt::format("{} stops and {} extra nodes are too many; at most {} and {} fit",
+                                 stops.size(), extra_nodes.size(), most_stops, most_nodes));
+  }
+  if (!std::ranges::all_of(extra_nodes, [](Vec2 p) { return finite(p); })) {
+    return bad_input("an extra node has a coordinate that is not a finite number");
+  }
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    Status status = check_place(ground, robot, stops[i], FaultCode::goal_blocked, fmt::format("stop {}", i));
+    if (!status) return status;
+  }
+  return {};
+}
+
+double opposite(double heading_rad) { return wrap_angle(heading_rad + pi); }
+
+/// The way to a target of a search as points, both ends included.
+std::vector<Vec2> points_of(const RouteTree& tree, const std::vector<Vec2>& nodes, Vec2 start,
+                            std::uint32_t target, Vec2 goal) {
+  std::vector<Vec2> points = {start};
+  for (const std::uint32_t node : routes::nodes_to(tree, target)) points.push_back(nodes[node]);
+  points.push_back(goal);
+  return points;
+}
+
+}  // namespace
+
+std::vector<Option> describe(RouteOptions& options) {
+  return {{"arc_step", "deg", 1.0, 90.0,
+           "turn between the corners of a route around a rounded obstacle; finer is closer, with more halts",
+           &options.arc_step_rad}};
+}
+
+Drive Routes::between(std::size_t from, std::size_t to) const {
+  if (from == to) return {0.0, 0.0, 0.0};
+  const Drive drive = table_->trees[std::min(from, to)].arrivals[std::max(from, to)].drive;
+  if (from < to || !(drive.time_s > 0.0) || !std::isfinite(drive.time_s)) return drive;
+  return {drive.time_s, opposite(drive.arrival_rad), opposite(drive.departure_rad)};
+}
+
+std::vector<Vec2> Routes::waypoints(std::size_t from, std::size_t to) const {
+  const double time_s = between(from, to).time_s;
+  if (!std::isfinite(time_s)) return {};
+  if (time_s == 0.0) return {table_->stops[from]};
+  const auto [low, high] = std::minmax({from, to});
+  auto points = points_of(table_->trees[low], table_->nodes, table_->stops[low],
+                          static_cast<std::uint32_t>(high), table_->stops[high]);
+  if (from > to) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
+  const RouteTable& t = *table_;
+  if (!std::isfinite(start.heading_rad)) return bad_input("the start's heading is not a finite number");
+  Status start_status = check_place(t.ground, t.robot, start.position, FaultCode::start_blocked, "the start");
+  if (!start_status) return pass_on(start_status);
+  Status goal_status = check_place(t.ground, t.robot, goal, FaultCode::goal_blocked, "the goal");
+  if (!goal_status) return pass_on(goal_status);
+  if (distance(start.position, goal) <= same_place_m) {
+    return Route{{start.position}, drive_cost(t.robot, start.heading_rad, {start.position})};
+  }
+
+  Budget unlimited;
+  const std::vector<Vec2> ends = {start.position, goal};
+  auto from_ends = routes::sight_lines(t.ground, t.robot, ends, t.nodes, unlimited);
+  if (!from_ends) return pass_on(from_ends);
+  auto direct = routes::sight_lines(t.ground, t.robot, {start.position}, {goal}, unlimited);
+  if (!direct) return pass_on(direct);
+  const SightLines to_ends = routes::reversed(*from_ends, ends, t.nodes);
+  std::vector<SightLine> direct_line(direct->lines);
+  for (SightLine& line : direct_line) line.to = 1;
+
+  RouteTree tree;
+  const RouteQuery query{from_ends->row(0), direct_line, wrap_angle(start.heading_rad), 1, 2};
+  BudgetMeter meter(unlimited);
+  routes::search_routes(t.robot, t.node_lines, to_ends, query, meter, tree);
+  if (!std::isfinite(tree.arrivals[1].drive.time_s)) {
+    return fault(
+        FaultCode::no_path,
+        fmt::format("no route leads from ({:.3f}, {:.3f}) to ({:.3f}, {:.3f}) over the {} nodes; extra "
+                    "nodes from a grid path may open a narrow passage",
+                    start.position.x, start.position.y, goal.x, goal.y, t.nodes.size()));
+  }
+  Route route;
+  route.waypoints = points_of(tree, t.nodes, start.position, 1, goal);
+  route.cost = drive_cost(t.robot, start.heading_rad, route.waypoints, t.ground.terrain());
+  return route;
+}
+
+Outcome<Routes> routes_between(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
+                               const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
+                               const Budget& budget) {
+  Status request = check_request(ground, robot, stops, extra_nodes, options);
+  if (!request) return pass_on(request);
+  RouteTable table{ground, robot,
+                   stops,  routes::route_nodes(ground, robot.radius_m, options.arc_step_rad, extra_nodes),
+                   {},     std::vector<RouteTree>(stops.size())};
+  if (table.nodes.size() > most_nodes) {
+    return bad_input(
+        fmt::format("the ground has {} free corners to drive around, more than {}; take a larger arc "
+                    "step or a smaller yard",
+                    table.nodes.size(), most_nodes));
+  }
+
+  Budget remaining = budget;
+  auto node_lines = routes::sight_lines(ground, robot, table.nodes, remaining);
+  if (!node_lines) return pass_on(node_lines);
+  auto stop_lines = routes::sight_lines(ground, robot, stops, table.nodes, remaining);
+  if (!stop_lines) return pass_on(stop_lines);
+  auto direct = routes::sight_lines(ground, robot, stops, remaining);
+  if (!direct) return pass_on(direct);
+  table.node_lines = std::move(*node_lines);
+  const SightLines to_stops = routes::reversed(*stop_lines, stops, table.nodes);
+
+  Status searched = routes::in_parallel(stops.size(), remaining, [&](std::size_t i, BudgetMeter& meter) {
+    RouteTree& tree = table.trees[i];
+    const RouteQuery query{stop_lines->row(i), direct->row(i), std::nullopt,
+                           static_cast<std::uint32_t>(i + 1), static_cast<std::uint32_t>(stops.size())};
+    if (!routes::search_routes(robot, table.node_lines, to_stops, query, meter, tree)) return false;
+    for (std::size_t k = i + 1; k < stops.size(); ++k) {
+      if (distance(stops[i], stops[k]) <= same_place_m)
+        tree.arrivals[k] = {{0.0, 0.0, 0.0}, routes::no_label};
+    }
+    return true;
+  });
+  if (!searched) return pass_on(searched);
+  return Routes(std::make_shared<const RouteTable>(std::move(table)));
+}
+
+}  // namespace outrider

@@ -1,0 +1,46 @@
+// The label search of routes.hpp: from one place to all others.
+#pragma once
+
+#include <optional>
+
+#include "outrider/core/budget.hpp"
+#include "outrider/path/routes/routes.hpp"
+#include "routes_graph.hpp"
+
+namespace outrider::routes {
+
+inline constexpr std::uint32_t no_label = 0xffffffffU;
+
+/// A node and the label from which its best known arrival came.
+struct Step {
+  std::uint32_t node = 0;
+  std::uint32_t before = no_label;
+};
+
+/// What a search knows of one target.
+struct Arrival {
+  Drive drive;
+  std::uint32_t last = no_label;  ///< the step before the last leg; no_label for a direct leg
+};
+
+struct RouteTree {
+  std::vector<Step> steps;
+  std::vector<Arrival> arrivals;  ///< by target
+};
+
+struct RouteQuery {
+  std::span<const SightLine> nodes;   ///< what the start sees of the nodes
+  std::span<const SightLine> direct;  ///< and of the targets
+  std::optional<double> heading_rad;  ///< given: the first turn is counted
+  std::uint32_t first_target = 0;     ///< those before it are not asked for
+  std::uint32_t targets = 0;          ///< how many there are
+};
+
+/// `node_lines`: node to node; `target_lines`: node to target. False when the meter refused.
+bool search_routes(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
+                   const RouteQuery& query, BudgetMeter& meter, RouteTree& tree);
+
+/// The nodes of the way to a target, in the order of driving.
+std::vector<std::uint32_t> nodes_to(const RouteTree& tree, std::uint32_t target);
+
+}  // namespace outrider::routes

@@ -1,0 +1,1 @@
+#include "outrider/robot/explorer.hpp"  // to see that it stands alone

@@ -1,0 +1,190 @@
+#include "outrider/jobs/cover/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+#include "outrider/jobs/cover/time_bound.hpp"
+#include "support/cover_areas.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+CoverProblem room(double edge_m) {
+  CoverProblem problem;
+  problem.boundary = {{0, 0}, {edge_m, 0}, {edge_m, edge_m}, {0, edge_m}};
+  problem.width_m = 0.2;
+  problem.overlap = 1.0 - 1.0 / 1.1;  // strips cover 110 %
+  return problem;
+}
+
+CoverPlan planned(const CoverProblem& problem, std::string_view method) {
+  const auto row = find_cover_method(method);
+  auto plan = row->plan(problem, {}, {});
+  if (!plan) throw std::runtime_error(to_string(plan.error()));
+  return std::move(*plan);
+}
+
+/// Smallest distance between the track and an edge, at points of it no farther apart than a thousandth of
+/// the width; with the centre of the robot where the polygons allow it.
+double sampled_clearance(const CoverPlan& plan, const CoverProblem& problem) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](const std::vector<Vec2>& ring, Vec2 p) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      least = std::min(least, distance(p, Segment{ring[i], ring[(i + 1) % ring.size()]}));
+    }
+  };
+  const auto points = points_along(plan.track, radians(2.0));
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const int steps = 1 + static_cast<int>(distance(points[i - 1], points[i]) / (0.05 * problem.width_m));
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = points[i - 1] + (static_cast<double>(k) / steps) * (points[i] - points[i - 1]);
+      look_at(problem.boundary, p);
+      for (const auto& hole : problem.holes) look_at(hole, p);
+    }
+  }
+  return least;
+}
+
+TEST(CoverPlan, TheRoomByEveryMethod) {
+  for (const double edge : {1.5, 1.7}) {
+    for (const CoverMethod& method : cover_methods()) {
+      const CoverProblem problem = room(edge);
+      const CoverPlan plan = planned(problem, method.name);
+      const auto proof = prove(plan, problem);
+      ASSERT_TRUE(proof) << to_string(proof.error());
+      EXPECT_GE(proof->planned.fraction, 0.995) << method.name;
+      EXPECT_NEAR(proof->clearance_m, 0.1, 1e-8);
+      EXPECT_LT(plan.sums.time_s, 176.0) << "the reference takes 176 s";
+      EXPECT_NEAR(area_of(plan.ground.reach), edge * edge - (4.0 - pi) * 0.01, 1e-4);
+    }
+  }
+}
+
+TEST(CoverPlan, TheSpiralOfASquareIsTheReports) {
+  CoverProblem problem = room(1.7);  // its outermost lap is a square with an edge of 1.5 m
+  const CoverPlan plan = planned(problem, "spiral");
+  EXPECT_EQ(plan.laps, 5U);
+  double laps = 0.0;
+  for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+    if (plan.roles[i] == PieceRole::lap) laps += length_of(plan.track.pieces[i]);
+  }
+  EXPECT_NEAR(laps, squares_length_m(1.5, problem.stride_m(), 5), 1e-9);
+}
+
+TEST(CoverPlan, AStrayWithinTheOverlapLeavesNothingOffTheRim) {
+  for (const CoverMethod& method : cover_methods()) {
+    CoverProblem problem = room(1.5);
+    problem.stray_m = 0.009;
+    const CoverPlan plan = planned(problem, method.name);
+    const auto proof = prove(plan, problem);
+    ASSERT_TRUE(proof) << to_string(proof.error());
+    EXPECT_GE(proof->inner_fraction, 1.0 - problem.leave - 1e-3) << method.name;
+    EXPECT_LT(proof->sure_fraction, proof->planned.fraction);
+    EXPECT_LT(plan.sums.time_s, 176.0) << method.name;
+  }
+}
+
+/// Random areas with holes: covered against a raster of exact disks, the track clear of every edge.
+TEST(CoverPlan, RandomAreasAgainstARaster) {
+  Rng rng(23);
+  for (int k = 0; k < testing::cases(3); ++k) {
+    const CoverProblem problem = testing::random_cover_problem(rng);
+    const std::string_view method = cover_methods()[rng.below(2)].name;
+    const CoverPlan plan = planned(problem, method);
+    const auto proof = prove(plan, problem);
+    ASSERT_TRUE(proof) << k << ": " << to_string(proof.error());
+    EXPECT_GE(proof->planned.fraction, 0.995) << k;
+    EXPECT_GE(sampled_clearance(plan, problem), problem.radius_m() * (1.0 - 2e-4)) << k;
+    const auto way = points_along(plan.track, radians(2.0));
+    const double cell = 0.1 * problem.width_m;
+    double reach = 0.0, covered = 0.0, twice = 0.0;
+    for (double x = -6.0; x < 6.0; x += cell) {
+      for (double y = -6.0; y < 6.0; y += cell) {
+        if (!contains(plan.ground.reach, {x, y})) continue;
+        const int passes = testing::passes_over({x, y}, way, problem.radius_m());
+        reach += cell * cell;
+        covered += passes >= 1 ? cell * cell : 0.0;
+        twice += passes >= 2 ? cell * cell : 0.0;
+      }
+    }
+    EXPECT_NEAR(area_of(plan.ground.reach) / reach, 1.0, 0.01) << k;
+    EXPECT_NEAR(proof->planned.covered_m2 / reach, covered / reach, 0.01) << k;
+    EXPECT_NEAR(proof->planned.twice_m2 / reach, twice / reach, 0.015) << k;
+  }
+}
+
+TEST(CoverPlan, BeginsWhereTheRobotStandsAndLeavesOtherRoomsAlone) {
+  CoverProblem problem;
+  problem.boundary = {{0, 0}, {9, 0}, {9, 4}, {0, 4}};
+  problem.holes = {{{4, 0}, {5, 0}, {5, 4}, {4, 4}}};  // a wall between two rooms
+  problem.width_m = 0.5;
+  problem.start = Pose2{{7.0, 2.0}, 0.3};
+  const CoverPlan plan = planned(problem, "boustrophedon");
+  EXPECT_EQ(plan.track.start, *problem.start);
+  EXPECT_NEAR(area_of(plan.ground.reach), 16.0 - (4.0 - pi) * 0.0625, 1e-3);
+  for (const PathPiece& piece : plan.track.pieces) EXPECT_GT(piece.to.x, 5.0);
+  EXPECT_TRUE(prove(plan, problem));
+}
+
+TEST(CoverPlan, SameProblemSameTrack) {
+  Rng rng(3);
+  const CoverProblem problem = testing::random_cover_problem(rng);
+  for (const char* method : {"boustrophedon", "spiral"}) {
+    EXPECT_EQ(planned(problem, method).track.pieces, planned(problem, method).track.pieces);
+  }
+}
+
+TEST(CoverPlan, TheJudgeRefusesWhatIsWrong) {
+  const CoverProblem problem = room(1.5);
+  const CoverPlan plan = planned(problem, "boustrophedon");
+  CoverPlan gap = plan;
+  gap.track.pieces.erase(gap.track.pieces.begin() + 5);
+  EXPECT_FALSE(prove(gap, problem));
+  CoverPlan half = plan;
+  half.track.pieces.resize(half.track.pieces.size() / 2);
+  EXPECT_FALSE(prove(half, problem));
+  CoverPlan outside = plan;
+  outside.track.pieces.push_back({outside.track.pieces.back().to, {0.75, 2.0}, {}, 0.0});
+  EXPECT_FALSE(prove(outside, problem));
+}
+
+void expect_refused(const CoverProblem& problem, const std::string& where, const std::string& says) {
+  const auto ground = cover_ground(problem);
+  ASSERT_FALSE(ground) << says;
+  EXPECT_EQ(ground.error().where, where);
+  EXPECT_NE(ground.error().sentence.find(says), std::string::npos) << ground.error().sentence;
+}
+
+TEST(CoverPlan, BadInputIsRefusedInASentence) {
+  CoverProblem wide = room(1.5);
+  wide.width_m = 2.0;
+  expect_refused(wide, "width", "the widest that does has 1.5 m");
+  for (const double width : {0.0, -1.0}) {
+    CoverProblem none = room(1.5);
+    none.width_m = width;
+    expect_refused(none, "width", "give 0.002 to");
+  }
+  CoverProblem crossed = room(1.5);
+  std::swap(crossed.boundary[1], crossed.boundary[2]);
+  expect_refused(crossed, "boundary", "cross");
+  CoverProblem out = room(1.5);
+  out.holes = {{{0.5, 0.5}, {0.6, 0.5}, {0.6, 0.6}}, {{1.4, 0.5}, {1.8, 0.5}, {1.8, 0.8}}};
+  expect_refused(out, "hole 2", "outside the boundary");
+  CoverProblem loose = room(1.5);
+  loose.stray_m = 0.02;
+  expect_refused(loose, "stray", "an overlap of at least 0.2");
+  CoverProblem blocked = room(1.5);
+  blocked.start = Pose2{{0.05, 0.05}, 0.0};
+  expect_refused(blocked, "start", "cannot stand");
+  blocked.start = Pose2{{-1.0, 0.05}, 0.0};
+  expect_refused(blocked, "start", "outside");
+  CoverProblem hasty = room(1.5);
+  hasty.pace.slowest_speed_mps = 1.0;
+  expect_refused(hasty, "pace.slowest_speed", "above the speed");
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,135 @@
+#include "outrider/jobs/drive/mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+#include "outrider/estimate/planar_pnp.hpp"
+
+namespace outrider {
+namespace {
+
+DriveTask task_with(std::vector<Waypoint> waypoints) {
+  DriveTask task;
+  task.tags.tags = {upright_tag(1, {2, 0.3, 0.2}, pi), upright_tag(2, {2, -0.3, 0.2}, pi)};
+  task.waypoints = std::move(waypoints);
+  return task;
+}
+
+/// What the camera sees without an error.
+std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose) {
+  const RobotCamera camera = robot_camera(task.eye);
+  const Pose3 world_T_robot{{pose.position.x, pose.position.y, 0.0},
+                            Rotation::from_rpy(0.0, 0.0, pose.heading_rad)};
+  std::vector<TagSighting> sightings;
+  for (const Tag& tag : task.tags.tags) {
+    TagSighting sighting;
+    sighting.id = tag.id;
+    const auto corners = tag_corners(tag.size_m);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 point = (world_T_robot * camera.robot_T_camera).to_local(tag.world_T_tag * corners[i]);
+      sighting.corners_px[i] = *project(camera.camera, point);
+    }
+    sighting.poses = planar_pnp(camera.camera, tag.size_m, sighting.corners_px);
+    sightings.push_back(std::move(sighting));
+  }
+  return sightings;
+}
+
+TEST(DriveMission, TheFirstAndTheLastCommandAreToRest) {
+  for (const bool closed : {true, false}) {
+    DriveTask task = task_with({{{{0, 0}, 0}}});
+    task.closed_loop = closed;
+    DriveMission mission = begin(task);
+    std::vector<WheelSpeeds4> commands;
+    double time_s = 0.0;
+    while (const auto command = step(mission, {time_s}, task)) {
+      EXPECT_GT(command->until_s, time_s);
+      time_s = command->until_s;
+      commands.push_back(command->wheels);
+    }
+    ASSERT_GE(commands.size(), 2U);
+    EXPECT_EQ(commands.front(), WheelSpeeds4{});
+    EXPECT_EQ(commands.back(), WheelSpeeds4{});
+    EXPECT_EQ(mission.end, DriveEnd::done);
+    EXPECT_EQ(mission.arrivals.size(), 1U);
+    EXPECT_FALSE(step(mission, {time_s}, task));
+  }
+}
+
+TEST(DriveMission, ATagPoseIsUsedOnceAndOnlyWhileFresh) {
+  const DriveTask task = task_with({{{{1, 0}, 0}}});
+  const auto sightings = seen_from_pose(task, {{0.0, 0.0}, 0.0});
+  DriveMission mission = begin(task);
+  ASSERT_TRUE(step(mission, {0.0}, task));
+  ASSERT_TRUE(step(mission, {0.05, 0.0249, sightings}, task));
+  EXPECT_EQ(mission.used, 0) << "older than half a period";
+  ASSERT_TRUE(step(mission, {0.10, 0.0751, sightings}, task));
+  EXPECT_EQ(mission.used, 1);
+  EXPECT_EQ(mission.tag_s, 0.0751);
+  ASSERT_TRUE(step(mission, {0.11, 0.0751, sightings}, task));
+  EXPECT_EQ(mission.used, 1) << "the same image again";
+  EXPECT_EQ(mission.reckoning.time_s, 0.11) << "the model carries on";
+}
+
+TEST(DriveMission, LooksMakeTheBeliefSharper) {
+  const DriveTask task = task_with({{{{0, 0}, 0}}});
+  DriveMission mission = begin(task);
+  mission.reckoning.belief.world_T_robot = {{0.02, -0.03}, 0.02};
+  for (auto& row : mission.reckoning.belief.covariance) {
+    for (double& entry : row) entry *= 25.0;
+  }
+  const auto sightings = seen_from_pose(task, {});
+  for (int i = 0; i < 10; ++i) (void)step(mission, {0.1 * i, 0.1 * i, sightings}, task);
+  EXPECT_LT(norm(mission.arrivals.empty() ? mission.reckoning.belief.world_T_robot.position
+                                          : mission.arrivals[0].belief.world_T_robot.position),
+            0.01);
+  EXPECT_LT(position_sigma_m(mission.reckoning.belief), 0.02);
+}
+
+TEST(DriveMission, StopsWhenImagesContradictTheBelief) {
+  DriveTask task = task_with({{{{1, 0}, 0}}});
+  task.rules.most_refused = 3;
+  DriveMission mission = begin(task);
+  const auto elsewhere = seen_from_pose(task, {{-0.5, 0.4}, 0.2});
+  double time_s = 0.0;
+  WheelSpeeds4 last{};
+  for (int i = 0; i < 20; ++i) {
+    const auto command = step(mission, {time_s, time_s, elsewhere}, task);
+    if (!command) break;
+    last = command->wheels;
+    time_s = command->until_s;
+  }
+  EXPECT_EQ(mission.end, DriveEnd::lost);
+  EXPECT_EQ(mission.refused, 3);
+  EXPECT_NE(mission.reason.find("was the robot moved?"), std::string::npos);
+  EXPECT_EQ(last, WheelSpeeds4{});
+}
+
+TEST(DriveMission, GivesUpWhenItsPatienceEnds) {
+  DriveTask task = task_with({{{{50, 0}, 0}}});
+  task.rules.patience_s = 2.0;
+  task.reckoning.lost_m = 100.0;
+  task.reckoning.lost_rad = pi;
+  DriveMission mission = begin(task);
+  double time_s = 0.0;
+  while (const auto command = step(mission, {time_s}, task)) time_s = command->until_s;
+  EXPECT_EQ(mission.end, DriveEnd::stuck);
+  EXPECT_NE(mission.reason.find("waypoint 1"), std::string::npos);
+}
+
+TEST(DriveTask, DefaultsLieInTheirRanges) {
+  DriveTask task;
+  DriveTruth truth;
+  for (const auto& options : {describe(task.eye), describe(task.rules), describe(truth),
+                              describe(task.follow), describe(task.pid), describe(task.reckoning)}) {
+    for (const Option& option : options) {
+      EXPECT_TRUE(assign(option, value_text(option))) << option.name;
+      EXPECT_FALSE(option.sentence.empty()) << option.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,77 @@
+#include "outrider/jobs/drive/scenario.hpp"
+
+#include <gtest/gtest.h>
+
+#include "outrider/core/units.hpp"
+#include "outrider/io/scenario.hpp"
+
+namespace outrider {
+namespace {
+
+Outcome<DriveSetup> loaded(const std::string& text) {
+  DriveScenario scenario;
+  if (auto ok = scenario_from_text(text, "drive.yaml", describe(scenario)); !ok) return pass_on(ok);
+  return load_drive(scenario);
+}
+
+TEST(DriveScenario, WaypointsAndTags) {
+  const auto setup = loaded(
+      "job: drive\nwaypoints: \"1,0,0 1,2,180! 0,0,360\"\ntags: \"1=2,1,180 7=0,2,0,0.5\"\nsight: "
+      "modelled\n");
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  ASSERT_EQ(setup->task.waypoints.size(), 3U);
+  EXPECT_EQ(setup->task.waypoints[1], (Waypoint{{{1, 2}, pi}, false}));
+  EXPECT_NEAR(setup->task.waypoints[2].pose.heading_rad, 2.0 * pi, 1e-12);
+  EXPECT_FALSE(setup->rendered);
+  ASSERT_EQ(setup->task.tags.tags.size(), 2U);
+  EXPECT_EQ(setup->task.tags.tags[0].world_T_tag.position.z, setup->task.eye.height_m);
+  EXPECT_EQ(setup->task.tags.tags[1].world_T_tag.position.z, 0.5);
+  EXPECT_TRUE(setup->task.world.bounds.contains({-1, -1}));
+}
+
+TEST(DriveScenario, AGoalAndAPlannerBecomeWaypoints) {
+  const auto setup = loaded("start: 0.5,0.5,0\ngoal: 2.5,2,90\nplanner: a_star\nbounds: 0,0,3,3\n");
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  ASSERT_TRUE(setup->plan);
+  EXPECT_EQ(setup->task.waypoints.back().pose.position, (Vec2{2.5, 2.0}));
+  EXPECT_NEAR(setup->path_clearance_m, 0.5 - 0.15, 0.06);
+}
+
+TEST(DriveScenario, TextOfAllKeysReadsBack) {
+  DriveScenario scenario;
+  EXPECT_TRUE(scenario_from_text(scenario_text(describe(scenario)), "all.yaml", describe(scenario)));
+}
+
+TEST(DriveScenario, Refusals) {
+  const auto refused = [](const std::string& text, const std::string& says) {
+    const auto setup = loaded(text);
+    ASSERT_FALSE(setup) << text;
+    EXPECT_NE(to_string(setup.error()).find(says), std::string::npos) << to_string(setup.error());
+  };
+  const std::string way = "waypoints: 1,0,0\n";
+  refused("", "waypoints: there are none");
+  refused("waypoints: 1,0\n", "waypoints: '1,0' is no good");
+  refused("waypoints: 1,0,0!\n", "the last one is a stop");
+  refused(way + "goal: 1,1,0\n", "planner: a goal and a planner go together");
+  refused(way + "goal: 1,1,0\nplanner: a_star\n", "goal: there are waypoints as well");
+  refused("goal: 1,1,0\nplanner: a_starr\n", "did you mean 'a_star'?");
+  refused(way + "tags: 2,1,180\n", "tags: '2,1,180' is no tag");
+  refused(way + "tags: 1=2,1\n", "tags: '2,1' is no good");
+  refused(way + "tags: \"1=2,1,180 1=0,0,0\"\n", "tags:");
+  refused(way + "tags: 9999=2,1,180\n", "tags:");
+  refused(way + "tag_size: 0\n", "tag_size");
+  refused(way + "camera:\n  fx: 0\n", "camera.fx");
+  refused(way + "loop: shut\n", "loop: 'shut' is no good; it takes closed or open");
+  refused(way + "sight: blind\n", "rendered or modelled");
+  refused(way + "chassis: tank\n", "there is no chassis 'tank'");
+  refused(way + "chassis: differential\n", "take rotate_then_go");
+  refused(way + "follow:\n  follower: pidd\n", "did you mean 'pid'?");
+  refused(way + "bounds: 1,1,0,0\n", "the low corner comes first");
+  refused(way + "bounds: -1,-1,1.1,1\n", "waypoint 1 at 1,0 is 0.1 m from an obstacle or the edge");
+  refused(way + "calibration: none.yaml\n", "none.yaml");
+  refused(way + "world: none.sdf\n", "none.sdf");
+  refused("job: guard\n", "the job is drive");
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,104 @@
+#include "outrider/jobs/explore/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "outrider/report/json.hpp"
+#include "support/curious.hpp"
+
+namespace outrider {
+namespace {
+
+Solid box(const std::string& name, Vec2 low, Vec2 high) {
+  const Vec2 middle = 0.5 * (low + high), half = 0.5 * (high - low);
+  return {name, {{middle.x, middle.y, 0.25}, {}}, BoxShape{{half.x, half.y, 0.25}}};
+}
+
+/// A room of 3 m x 2 m with a screen in it.
+World room() {
+  World world;
+  world.name = "room";
+  world.solids = {box("south", {-0.1, -0.1}, {3.1, 0.0}), box("north", {-0.1, 2.0}, {3.1, 2.1}),
+                  box("west", {-0.1, 0.0}, {0.0, 2.0}), box("east", {3.0, 0.0}, {3.1, 2.0}),
+                  box("screen", {1.5, 0.0}, {1.6, 1.3})};
+  world.bounds = {{-0.1, -0.1}, {3.1, 2.1}};
+  return world;
+}
+
+ExploreTask task_at(Pose2 start) {
+  ExploreTask task;
+  task.start = start;
+  return task;
+}
+
+TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
+  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 3);
+  ASSERT_TRUE(run) << run.error().sentence;
+  const Report& report = run->report;
+  EXPECT_EQ(report.status, "done") << report.reason;
+  EXPECT_EQ(run->stop_reason, "complete");
+  EXPECT_GE(metric(report, "explored_fraction"), 0.99);
+  EXPECT_LE(metric(report, "map_error_m"), 0.05);
+  EXPECT_EQ(metric(report, "contacts"), 0.0);
+  EXPECT_EQ(metric(report, "returned_home"), 1.0);
+  EXPECT_EQ(metric(report, "max_decision_s"), 0.0) << "without a clock no time passes";
+  EXPECT_LT(distance(run->pose.position, run->true_pose.position), 0.05);
+  ASSERT_FALSE(report.track.empty());
+  EXPECT_LT(distance(report.track.back().pose.position, run->true_pose.position), 1e-9);
+  EXPECT_FALSE(report.explore->beliefs.empty());
+  EXPECT_FALSE(report.explore->decisions.empty());
+  EXPECT_EQ(report.explore->walls.size(), 5U);
+  ASSERT_TRUE(report.explore->laser);
+  EXPECT_EQ(report.explore->laser->range_m, RangeFinderModel{}.most_m);
+}
+
+TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
+  const auto one = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4);
+  int scans = 0;
+  double part = 0.0;
+  ExploreWatch watch;
+  watch.progress = [&](double done) { part = std::max(part, done); };
+  watch.scanned = [&](const ExploreMission&, const SimulatedExplorer&) { ++scans; };
+  testing::Curious curious;
+  watch.onlooker = &curious;
+  const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch);
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(to_json(one->report), to_json(two->report));
+  EXPECT_EQ(one->map.cells, two->map.cells);
+  curious.expect_to_have_seen(one->report);
+  EXPECT_EQ(curious.events().size(), one->report.events.size());
+  EXPECT_EQ(static_cast<std::size_t>(scans) + 1, two->track.size());
+  EXPECT_GT(part, 0.3);
+}
+
+TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
+  World open = room();
+  open.solids[3] = box("east", {3.0, 0.0}, {3.1, 1.0});  // of the wall to 2.0
+  const auto run = run_explore(open, task_at({{0.5, 0.5}, 1.0}), {}, 3);
+  ASSERT_TRUE(run) << run.error().sentence;
+  EXPECT_EQ(run->stop_reason, "leak");
+  EXPECT_EQ(run->report.status, "not_done");
+  EXPECT_NE(run->report.reason.find("at about 3.1"), std::string::npos) << run->report.reason;
+  EXPECT_EQ(metric(run->report, "returned_home"), 1.0);
+  EXPECT_LT(metric(run->report, "time_s"), 300.0);
+}
+
+TEST(ExploreRun, AClockTellsTheTimesOfThinking) {
+  double ticks = 0.0;
+  ExploreWatch watch;
+  watch.processor_s = [&] { return ticks += 0.001; };
+  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 5, watch);
+  ASSERT_TRUE(run);
+  EXPECT_GT(metric(run->report, "max_decision_s"), 0.0);
+  EXPECT_GE(metric(run->report, "max_step_s"), metric(run->report, "max_decision_s"));
+}
+
+TEST(ExploreRun, RefusesAStartInsideAWall) {
+  const auto run = run_explore(room(), task_at({{1.55, 0.5}, 0.0}), {}, 1);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().code, FaultCode::start_blocked);
+}
+
+}  // namespace
+}  // namespace outrider

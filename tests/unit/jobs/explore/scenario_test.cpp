@@ -1,0 +1,51 @@
+#include "outrider/jobs/explore/scenario.hpp"
+
+#include <gtest/gtest.h>
+
+#include "outrider/core/units.hpp"
+#include "outrider/io/scenario.hpp"
+#include "support/data.hpp"
+
+namespace outrider {
+namespace {
+
+TEST(ExploreScenario, KeysAndTextsBecomeASetup) {
+  const test::Folder folder;
+  folder.write("s.csv", "0,0,4,0\n");
+  const std::string path =
+      folder.write("e.yaml",
+                   "job: explore\nworld: s.csv\nstart: \"1,2,90\"\nseed: 4\n"
+                   "laser:\n  most: 5\nwheels:\n  scale_error: 0\nslam:\n  laser_x: 0.1\n"
+                   "rules:\n  return_home: false\n");
+  ExploreScenario scenario;
+  ASSERT_TRUE(load_scenario(path, describe(scenario)));
+  resolve_paths(scenario, path);
+  const auto setup = load_explore(scenario);
+  ASSERT_TRUE(setup) << to_string(setup.error());
+  EXPECT_EQ(setup->task.start, (Pose2{{1.0, 2.0}, radians(90.0)}));
+  EXPECT_EQ(setup->truth.laser.most_m, 5.0);
+  EXPECT_EQ(setup->truth.wheels.scale_error, 0.0);
+  EXPECT_EQ(setup->truth.laser.robot_T_laser.position.x, 0.1) << "as the robot knows it";
+  EXPECT_FALSE(setup->task.rules.return_home);
+  EXPECT_EQ(setup->task.robot.radius_m, 0.105) << "a TurtleBot3 burger";
+}
+
+TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
+  const auto fault = [](auto change) {
+    ExploreScenario scenario;
+    scenario.world.world = "s.csv";
+    change(scenario);
+    const auto setup = load_explore(scenario);
+    return setup ? "none" : to_string(setup.error());
+  };
+  EXPECT_EQ(fault([](auto& s) { s.job = "guard"; }),
+            "job: 'guard' is not a job of this scenario; the job is explore");
+  EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
+  EXPECT_EQ(fault([](auto& s) { s.truth.laser.least_m = 4.0; }),
+            "laser.least: '4' is no good; it takes less than laser.most, which is 3.5 m");
+  EXPECT_EQ(fault([](auto& s) { s.world.world = ""; }),
+            "world: missing; give the file of the world to explore");
+}
+
+}  // namespace
+}  // namespace outrider

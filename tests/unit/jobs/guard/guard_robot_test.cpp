@@ -1,0 +1,224 @@
+#include "outrider/jobs/guard/guard_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "support/costly_cases.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::box_at;
+using testing::cases;
+using testing::floor_at;
+using testing::own_duration;
+using testing::random_guard_problem;
+
+GuardProblem open_yard() {
+  GuardProblem problem;
+  problem.world.bounds = {{-5, -5}, {5, 5}};
+  problem.world.solids = {floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
+  problem.targets = {{"cat", {3, 0, 0}, {0.5, 0.3, 0.4}, 0.3}};
+  return problem;
+}
+
+Site site_of(const GuardProblem& problem) {
+  auto site = survey(problem, {.resolution_m = 0.25});
+  EXPECT_TRUE(site.has_value()) << site.error().sentence;
+  return std::move(*site);
+}
+
+TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
+  const GuardProblem problem = open_yard();
+  const Site site = site_of(problem);
+  SimulatedGuard robot(problem, site, 5);
+  const int drives = 4000;
+  std::array<int, 4> rings{};
+  std::array<int, 4> quadrants{};
+  double heading_sum = 0.0;
+  double heading_most = 0.0;
+  for (int i = 0; i < drives; ++i) {
+    const Vec2 from = robot.sense().pose.position;
+    const Vec2 goal{i % 2 == 0 ? 2.0 : -2.0, 0.0};
+    robot.act(FollowWaypoints{{from, goal}});
+    const Pose2 pose = robot.sense().pose;
+    const Vec2 error = pose.position - goal;
+    ASSERT_LE(norm(error), problem.errors.position_m + 1e-12);
+    const double off = wrap_angle(pose.heading_rad - heading_of(pose.position - from));
+    ASSERT_LE(std::abs(off), problem.errors.heading_rad + 1e-12);
+    heading_sum += off;
+    heading_most = std::max(heading_most, std::abs(off));
+    const double part = squared_norm(error) / (problem.errors.position_m * problem.errors.position_m);
+    ++rings[static_cast<std::size_t>(std::min(3.0, 4.0 * part))];  // rings of equal area
+    ++quadrants[(error.x > 0.0 ? 1U : 0U) + (error.y > 0.0 ? 2U : 0U)];
+  }
+  // 1000 each with a standard deviation of 27.
+  for (const int count : rings) EXPECT_NEAR(count, 1000, 110);
+  for (const int count : quadrants) EXPECT_NEAR(count, 1000, 110);
+  EXPECT_NEAR(heading_sum / drives, 0.0, 2e-4);
+  EXPECT_GT(heading_most, 0.99 * problem.errors.heading_rad);
+}
+
+TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
+  Rng rng(101);
+  for (int i = 0; i < cases(5); ++i) {
+    const auto problem = random_guard_problem(rng, 10, 0, 2.0);
+    const Site site = site_of(problem);
+    SimulatedGuard robot(problem, site, static_cast<std::uint64_t>(i));
+    for (int k = 0; k < 300; ++k) {
+      const std::size_t cell = rng.below(site.frame.size());
+      const Vec2 goal = site.frame.centre(site.frame.cell(cell));
+      const Vec2 here = robot.sense().pose.position;
+      if (site.reachable[cell] == 0 || !site.ground.segment_free({here, goal}, problem.robot.radius_m))
+        continue;
+      robot.act(FollowWaypoints{{here, goal}});
+      EXPECT_GE(site.ground.clearance(robot.sense().pose.position, 1.0), problem.robot.radius_m - 2e-9);
+    }
+    for (const TrackSample& sample : robot.report.track) {
+      EXPECT_GE(site.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+    }
+  }
+}
+
+TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
+  GuardProblem problem = open_yard();
+  problem.errors = {0.0, 0.0, {0.0, 0.0}};
+  const Site site = site_of(problem);
+  SimulatedGuard robot(problem, site, 1);
+  const std::vector<Vec2> way{{0, 0}, {0.3, 0.3}, {0.3, 3.0}, {-2.0, 3.0}, {-2.0, -1.0}};
+  robot.act(FollowWaypoints{way});
+  double time = 0.0;
+  double driven = 0.0;
+  double turned = 0.0;
+  double heading = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vec2 leg = way[i] - way[i - 1];
+    const double turn = testing::own_angle(std::atan2(leg.y, leg.x) - heading);
+    time += own_duration(turn, 0.8, 6.0) + own_duration(norm(leg), 0.8, 0.8);
+    turned += turn;
+    driven += norm(leg);
+    heading = std::atan2(leg.y, leg.x);
+  }
+  EXPECT_NEAR(robot.sense().time_s, time, 1e-9);
+  EXPECT_NEAR(robot.driven_m, driven, 1e-9);
+  EXPECT_NEAR(robot.turned_rad, turned, 1e-9);
+  EXPECT_EQ(robot.sense().pose.position, way.back());
+  ASSERT_EQ(robot.report.paths.size(), 1U);
+  EXPECT_NEAR(robot.report.paths[0].end_s, time, 1e-9);
+
+  // Between samples: time goes on, speeds and accelerations stay within the limits.
+  const auto& track = robot.report.track;
+  double before = 0.0;
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    const double dt = track[i].time_s - track[i - 1].time_s;
+    ASSERT_GE(dt, 0.0);
+    EXPECT_LE(dt, 0.1 + 1e-9);
+    if (dt < 1e-9) continue;
+    const double speed = distance(track[i].pose.position, track[i - 1].pose.position) / dt;
+    EXPECT_LE(speed, 0.8 + 1e-9);
+    EXPECT_LE(speed - before, 0.8 * 0.1 + 1e-6);
+    EXPECT_LE(testing::own_angle(track[i].pose.heading_rad - track[i - 1].pose.heading_rad) / dt, 0.8 + 1e-9);
+    before = speed;
+  }
+}
+
+TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
+  const GuardProblem problem = open_yard();
+  const Site site = site_of(problem);
+  SimulatedGuard robot(problem, site, 1);
+  robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
+  const double begin = robot.sense().time_s;
+  const double heading = robot.sense().pose.heading_rad;
+  robot.act(AimGun{-2.5, 0.4});
+  const Observation seen = robot.sense();
+  EXPECT_NEAR(testing::own_angle(seen.pose.heading_rad + seen.gun_yaw_rad + 2.5), 0.0, 1e-12);
+  EXPECT_NEAR(seen.gun_pitch_rad, 0.4, 1e-12);
+  EXPECT_NEAR(seen.time_s - begin, std::max(testing::own_angle(-2.5 - heading) / pi, 0.4 / (pi / 6)), 1e-9);
+  robot.act(AimGun{-2.5, 0.4});
+  EXPECT_EQ(robot.sense().time_s, seen.time_s);
+}
+
+TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
+  const GuardProblem problem = open_yard();
+  const Site site = site_of(problem);
+  SimulatedGuard robot(problem, site, 9);
+  const Shot shot{0.0, 0.2, 6.5};
+  robot.act(AimGun{0.0, 0.2});
+  const int shots = 2000;
+  std::array<std::array<int, 4>, 3> counts{};
+  for (int i = 0; i < shots; ++i) {
+    const double before = robot.sense().time_s;
+    robot.act(Fire{0, shot});
+    const Observation seen = robot.sense();
+    ASSERT_TRUE(seen.hit.has_value());
+    EXPECT_FALSE(robot.sense().hit.has_value()) << "told once";
+    const ReportShot& fired = robot.report.shots.back();
+    EXPECT_EQ(*seen.hit, fired.hit);
+    EXPECT_EQ(fired.attempt, i + 1);
+    EXPECT_DOUBLE_EQ(fired.time_s, before);
+    EXPECT_DOUBLE_EQ(seen.time_s, before + fired.flight_s);
+    const Vec3 v = fired.velocity_mps;
+    const std::array<double, 3> error{std::atan2(v.y, v.x) / 0.01,
+                                      (std::atan2(v.z, std::hypot(v.x, v.y)) - 0.2) / 0.01,
+                                      (norm(v) / 6.5 - 1.0) / 0.01};
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_LE(std::abs(error[k]), 1.0 + 1e-9);
+      ++counts[k][static_cast<std::size_t>(std::clamp(2.0 * error[k] + 2.0, 0.0, 3.0))];
+    }
+    if (i % (shots / testing::part_of(100)) != 0) continue;
+    const Solid target = solid_of(problem.targets[0]);
+    const auto fine =
+        testing::fly_fine(fired.muzzle, v, 9.8, 0.01, site.space(0).solids(), &target, -1.0, 5e-6);
+    EXPECT_EQ(fine.hit, fired.hit);
+    EXPECT_LT(norm(fine.position - fired.contact_point), 1.1e-5);
+    EXPECT_EQ(fired.contact, fine.hit ? "cat" : site.space(0).solids()[*fine.solid].name);
+  }
+  for (const auto& axis : counts) {
+    for (const int count : axis) EXPECT_NEAR(count, 500, 90);
+  }
+}
+
+TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
+  Rng rng(102);
+  GuardProblem problem = open_yard();
+  int counted = 0;
+  int uncounted = 0;
+  for (int i = 0; i < cases(100); ++i) {
+    problem.targets[0].base = {rng.uniform(1.0, 4.0), 0.0, rng.uniform(0.0, 1.5)};
+    const Site site = site_of(problem);
+    SimulatedGuard robot(problem, site, static_cast<std::uint64_t>(i));
+    robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
+    const ReportShot& fired = robot.report.shots.back();
+    double nearest = 1e9;
+    for (int k = 0; k <= 20000; ++k) {
+      const double t = fired.flight_s * k / 20000.0;
+      const Vec3 p = fired.muzzle + t * fired.velocity_mps - Vec3{0, 0, 4.9 * t * t};
+      nearest = std::min(nearest, norm(p - problem.targets[0].base));
+    }
+    if (std::abs(nearest - 0.5) < 1e-3) continue;
+    EXPECT_EQ(fired.hit_by_reference_rule, nearest < 0.5);
+    (nearest < 0.5 ? counted : uncounted) += 1;
+  }
+  EXPECT_GT(counted, 8);
+  EXPECT_GT(uncounted, 15);
+}
+
+TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
+  const GuardProblem problem = open_yard();
+  const Site site = site_of(problem);
+  const auto end = [&](std::uint64_t seed) {
+    SimulatedGuard robot(problem, site, seed);
+    robot.act(FollowWaypoints{{{0, 0}, {1, 0}}});
+    robot.act(Fire{0, {0.0, 0.1, 6.0}});
+    return robot.report.shots.back().contact_point;
+  };
+  EXPECT_EQ(end(3), end(3));
+  EXPECT_FALSE(end(3) == end(4));
+}
+
+}  // namespace
+}  // namespace outrider

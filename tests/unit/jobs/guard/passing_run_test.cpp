@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include "outrider/jobs/guard/guard_mission.hpp"
+#include "outrider/jobs/guard/guard_robot.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/passing_plan.hpp"
+#include "outrider/report/json.hpp"
+#include "support/curious.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::floor_at;
+using testing::fly_fine;
+
+GuardOptions quick() {
+  GuardOptions options;
+  options.resolution_m = 0.2;
+  options.stops = 60;
+  options.iterations = 200;
+  options.shoot_on_the_move = true;
+  return options;
+}
+
+/// Targets left and right of a street, the last at its end.
+GuardProblem street() {
+  GuardProblem problem;
+  problem.world.bounds = {{-1, -4}, {16, 4}};
+  problem.world.solids = {floor_at(0)};
+  problem.start = {{0, 0}, 0.0};
+  for (int i = 0; i < 5; ++i) {
+    problem.targets.push_back(
+        {fmt::format("cat_{}", i), {2.0 + 2.9 * i, i % 2 == 0 ? 2.0 : -2.4, 0.0}, {0.5, 0.3, 0.45}, 0.4 * i});
+  }
+  return problem;
+}
+
+struct Planned {
+  GuardProblem problem;
+  Site site;
+  GuardPlan plan;
+};
+
+Planned planned(GuardProblem problem) {
+  auto site = survey(problem, quick());
+  EXPECT_TRUE(site.has_value()) << site.error().sentence;
+  auto plan = plan_guard(problem, *site, quick(), {});
+  EXPECT_TRUE(plan.has_value());
+  GuardPlan passing = shoot_in_passing(problem, *site, *plan);
+  EXPECT_LT(passing.cost_s, plan->cost_s);
+  return {std::move(problem), std::move(*site), std::move(passing)};
+}
+
+TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
+  GuardProblem problem = street();
+  problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
+  const Planned p = planned(problem);
+  const Report report = run_guard(p.problem, p.site, p.plan, quick(), 1);
+  EXPECT_NEAR(metric(report, "mission_s"), p.plan.cost_s, 1e-6);
+  EXPECT_EQ(metric(report, "reached"), 5.0);
+  EXPECT_EQ(metric(report, "shots"), 5.0);
+  EXPECT_GT(metric(report, "hits_in_passing"), 0.0);
+}
+
+/// The robot's place and velocity by the track, at a time between two samples.
+Platform seen_at(const Report& report, double time_s) {
+  for (std::size_t i = 1; i < report.track.size(); ++i) {
+    const TrackSample& a = report.track[i - 1];
+    const TrackSample& b = report.track[i];
+    if (b.time_s < time_s || b.time_s == a.time_s) continue;
+    const double part = (time_s - a.time_s) / (b.time_s - a.time_s);
+    return {a.pose.position + part * (b.pose.position - a.pose.position),
+            1.0 / (b.time_s - a.time_s) * (b.pose.position - a.pose.position)};
+  }
+  return {};
+}
+
+TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
+  const Planned p = planned(street());
+  double passed = 0.0;
+  for (int seed = 1; seed <= cases(4); ++seed) {
+    const Report report = run_guard(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(metric(report, "reached"), 5.0);
+    for (const ReportShot& shot : report.shots) {
+      const Platform seen = seen_at(report, shot.time_s);
+      const Vec2 tip = xy(shot.muzzle) - seen.position;
+      EXPECT_LT(norm(tip), report.gun_length_m + 1e-9);
+      const Vec2 platform = shot.platform_velocity_mps.value_or(Vec2{});
+      EXPECT_LT(distance(platform, seen.velocity_mps), 0.05);  // the samples are up to 0.1 s apart
+      // Without the robot's velocity the ball leaves along the barrel, which is above the yaw axis.
+      const Vec2 along = xy(shot.velocity_mps) - platform;
+      EXPECT_NEAR(cross(tip, along), 0.0, 1e-9 * norm(along));
+      const auto& target = *std::ranges::find(p.problem.targets, shot.target, &Target::name);
+      const Solid solid = solid_of(target);
+      const auto end = fly_fine(shot.muzzle, shot.velocity_mps, 9.8, p.problem.gun.ball_radius_m,
+                                p.problem.world.solids, &solid, -1.0);
+      EXPECT_EQ(end.hit, shot.hit);
+      EXPECT_NEAR(end.time_s, shot.flight_s, 1e-4);
+      passed += shot.platform_velocity_mps ? 1.0 : 0.0;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
+    EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
+    testing::Curious curious;
+    EXPECT_EQ(to_json(report), to_json(run_guard(p.problem, p.site, p.plan, quick(),
+                                                 static_cast<std::uint64_t>(seed), &curious)));
+    curious.expect_to_have_seen(report);
+    EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
+    EXPECT_EQ(curious.events().size(), report.events.size());
+    const auto stored = report_from_json(to_json(report));
+    ASSERT_TRUE(stored.has_value());
+    EXPECT_EQ(to_json(*stored), to_json(report));
+  }
+  EXPECT_GT(passed, 3.0);
+}
+
+TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
+  const Planned p = planned(street());
+  GuardProblem shaky = p.problem;  // worse than planned for
+  shaky.errors.aim = {0.12, 0.05};
+  int missed = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SimulatedGuard robot(shaky, p.site, seed);
+    GuardMission mission = begin(p.problem, p.plan);
+    while (const auto command = step(mission, robot.sense(), p.problem, p.site)) robot.act(*command);
+    for (std::size_t t = 0; t < mission.records.size(); ++t) {
+      const TargetRecord& record = mission.records[t];
+      EXPECT_NE(record.status, TargetStatus::waiting);
+      std::vector<const ReportShot*> shots;
+      for (const ReportShot& shot : robot.report.shots) {
+        if (shot.target == p.problem.targets[t].name) shots.push_back(&shot);
+      }
+      EXPECT_EQ(shots.size(), static_cast<std::size_t>(record.shots));
+      ASSERT_FALSE(shots.empty());
+      EXPECT_EQ(shots.back()->hit, record.status == TargetStatus::reached);
+      for (std::size_t k = 1; k < shots.size(); ++k) EXPECT_FALSE(shots[k]->platform_velocity_mps);
+      missed += shots.front()->platform_velocity_mps && !shots.front()->hit ? 1 : 0;
+    }
+  }
+  EXPECT_GT(missed, 0);
+}
+
+/// A robot that carries nothing out and tells nothing.
+TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
+  const Planned p = planned(street());
+  GuardMission mission = begin(p.problem, p.plan);
+  Observation seen{0.0, p.problem.start, 0.0, 0.0, {}};
+  int commands = 0;
+  while (const auto command = step(mission, seen, p.problem, p.site)) {
+    ASSERT_LT(++commands, 500);
+    seen.time_s += 1.0;
+    if (const auto* follow = std::get_if<FollowWaypoints>(&*command)) {
+      seen.pose.position = follow->waypoints.back();
+    }
+  }
+  for (const TargetRecord& record : mission.records) EXPECT_EQ(record.status, TargetStatus::failed);
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,262 @@
+#include "outrider/jobs/guard/plan.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+
+#include "outrider/jobs/guard/bound.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::box_at;
+using testing::cases;
+using testing::floor_at;
+using testing::own_cost;
+using testing::OwnGun;
+using testing::random_guard_problem;
+
+/// Every promise of a plan, by other means than those of the planner.
+void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                  const GuardOptions& options) {
+  std::vector<int> times(problem.targets.size(), 0);
+  for (const Unreachable& lost : plan.unreachable) {
+    ++times[lost.target];
+    EXPECT_FALSE(lost.reason.empty());
+    EXPECT_EQ(site.regions[lost.target].hits, 0U);
+  }
+  Vec2 at = problem.start.position;
+  for (const PlannedStop& stop : plan.stops) {
+    ASSERT_FALSE(stop.waypoints.empty());
+    EXPECT_LT(distance(stop.waypoints.front(), at), 1e-9);
+    EXPECT_LT(distance(stop.waypoints.back(), stop.position), 1e-9);
+    at = stop.position;
+    for (std::size_t i = 1; i < stop.waypoints.size(); ++i) {
+      const Segment leg{stop.waypoints[i - 1], stop.waypoints[i]};
+      EXPECT_TRUE(site.ground.segment_free(leg, problem.robot.radius_m));
+      for (int k = 0; k <= 100; ++k) {
+        EXPECT_GE(site.ground.clearance(leg.a + k / 100.0 * (leg.b - leg.a), 1.0),
+                  problem.robot.radius_m - 2e-9);
+      }
+    }
+    EXPECT_FALSE(stop.hits.empty());
+    for (const PlannedHit& hit : stop.hits) {
+      ++times[hit.target];
+      const Solid target = solid_of(problem.targets[hit.target]);
+      const auto end = OwnGun{problem.gun}.shoot(stop.position, hit.shot.shot,
+                                                 site.space(hit.target).solids(), &target, -1.0);
+      EXPECT_TRUE(end.hit) << problem.targets[hit.target].name;
+      EXPECT_NEAR(end.time_s, hit.shot.flight_s, 2e-4);
+      EXPECT_GE(end.gap_m, options.margin_m - 3e-4);
+    }
+  }
+  for (const int count : times) EXPECT_EQ(count, 1);
+  EXPECT_NEAR(plan.cost_s, own_cost(problem, plan), 1e-6);
+  EXPECT_LE(plan.lower_bound_s, plan.bounded_s() + 1e-9);
+  EXPECT_GE(plan.bounded_s(), plan.cost_s - 1e-6);
+  if (plan.stops.empty()) return;
+  std::vector<std::size_t> hit;
+  for (std::size_t t = 0; t < site.regions.size(); ++t) {
+    if (site.regions[t].hits > 0) hit.push_back(t);
+  }
+  EXPECT_DOUBLE_EQ(plan.anywhere_lower_bound_s, mission_bound(problem, site, hit, options, {}));
+  EXPECT_GE(plan.lower_bound_s, std::min(plan.cost_s, plan.anywhere_lower_bound_s));
+}
+
+TEST(PlanGuard, KeepsItsPromisesInRandomYards) {
+  Rng rng(81);
+  std::size_t hit = 0;
+  std::size_t lost = 0;
+  for (int i = 0; i < cases(12); ++i) {
+    auto problem = random_guard_problem(rng, 12, 1 + static_cast<std::size_t>(i) % 6, 2.5);
+    problem.targets_block = i % 3 == 0;
+    if (i % 4 == 1) problem.targets[0].base.z = 7.0;
+    GuardOptions options;
+    options.resolution_m = 0.15;
+    options.stops = 60;
+    options.iterations = 300;
+    const auto site = survey(problem, options);
+    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const auto plan = plan_guard(problem, *site, options, {});
+    ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
+    expect_sound(problem, *site, *plan, options);
+    lost += plan->unreachable.size();
+    hit += problem.targets.size() - plan->unreachable.size();
+
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const auto site_again = survey(problem, options);
+    const auto again = plan_guard(problem, *site_again, options, {});
+    ASSERT_TRUE(again.has_value());
+    EXPECT_EQ(plan->cost_s, again->cost_s);
+    EXPECT_EQ(plan->lower_bound_s, again->lower_bound_s);
+    ASSERT_EQ(plan->stops.size(), again->stops.size());
+    for (std::size_t s = 0; s < plan->stops.size(); ++s) {
+      EXPECT_EQ(plan->stops[s].waypoints, again->stops[s].waypoints);
+      ASSERT_EQ(plan->stops[s].hits.size(), again->stops[s].hits.size());
+      for (std::size_t k = 0; k < plan->stops[s].hits.size(); ++k) {
+        EXPECT_EQ(plan->stops[s].hits[k].target, again->stops[s].hits[k].target);
+        EXPECT_EQ(plan->stops[s].hits[k].shot.shot.pitch_rad, again->stops[s].hits[k].shot.shot.pitch_rad);
+      }
+    }
+  }
+  EXPECT_GT(hit, 25U);
+  EXPECT_GT(lost, 0U);
+}
+
+GuardProblem hut_problem() {
+  GuardProblem problem;
+  problem.world.bounds = {{-3, -3}, {3, 3}};
+  problem.world.solids = {floor_at(0)};
+  problem.start = {{0, -2.5}, radians(90)};
+  problem.targets = {{"free", {-1.5, 0, 0}, {0.5, 0.2, 0.4}, 0.0},
+                     {"shut", {1.5, 0.5, 0}, {0.3, 0.2, 0.3}, 0.0}};
+  for (const double d : {-0.5, 0.5}) {
+    problem.world.solids.push_back(
+        box_at(d < 0 ? "hut/west" : "hut/east", {1.5 + d, 0.5, 0.5}, {0.05, 1.0, 1.0}));
+    problem.world.solids.push_back(
+        box_at(d < 0 ? "hut/south" : "hut/north", {1.5, 0.5 + d, 0.5}, {1.0, 0.05, 1.0}));
+  }
+  problem.world.solids.push_back(box_at("hut/roof", {1.5, 0.5, 1.0}, {1.1, 1.1, 0.05}));
+  return problem;
+}
+
+TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
+  const GuardProblem problem = hut_problem();
+  const GuardOptions options{.resolution_m = 0.2};
+  const auto site = survey(problem, options);
+  ASSERT_TRUE(site.has_value());
+  const auto plan = plan_guard(problem, *site, options, {});
+  ASSERT_TRUE(plan.has_value());
+  expect_sound(problem, *site, *plan, options);
+  ASSERT_EQ(plan->unreachable.size(), 1U);
+  EXPECT_EQ(plan->unreachable[0].target, 1U);
+  const std::string& reason = plan->unreachable[0].reason;
+  EXPECT_NE(reason.find("hut/"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("places every 0.2 m, pitches every 2.5 degrees, aim points every 0.05 m"),
+            std::string::npos)
+      << reason;
+  EXPECT_EQ(reason.find("cannot be driven to"), std::string::npos) << reason;
+}
+
+TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
+  GuardProblem problem = hut_problem();
+  problem.targets[1].base.z = 8.0;
+  const GuardOptions options{.resolution_m = 0.2};
+  const auto site = survey(problem, options);
+  const auto plan = plan_guard(problem, *site, options, {});
+  ASSERT_EQ(plan->unreachable.size(), 1U);
+  EXPECT_NE(plan->unreachable[0].reason.find("within reach"), std::string::npos)
+      << plan->unreachable[0].reason;
+
+  // A roofed hut with room for the robot: from inside the cat could be hit.
+  problem = hut_problem();
+  problem.world.solids = {floor_at(0)};
+  for (const double d : {-1.2, 1.2}) {
+    problem.world.solids.push_back(box_at("wall", {1.5 + d, 0.5, 0.5}, {0.05, 2.4, 1.0}));
+    problem.world.solids.push_back(box_at("wall", {1.5, 0.5 + d, 0.5}, {2.4, 0.05, 1.0}));
+  }
+  problem.world.solids.push_back(box_at("roof", {1.5, 0.5, 1.0}, {2.5, 2.5, 0.05}));
+  const auto hall = survey(problem, options);
+  ASSERT_TRUE(hall.has_value());
+  EXPECT_TRUE(hall->proofs[1].from_elsewhere);
+  const auto outside = plan_guard(problem, *hall, options, {});
+  ASSERT_EQ(outside->unreachable.size(), 1U);
+  EXPECT_NE(outside->unreachable[0].reason.find("cannot be driven to"), std::string::npos);
+}
+
+TEST(PlanGuard, IsEmptyWithoutTargets) {
+  GuardProblem problem = hut_problem();
+  problem.targets.clear();
+  const auto site = survey(problem, {});
+  ASSERT_TRUE(site.has_value());
+  const auto plan = plan_guard(problem, *site, {}, {});
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_TRUE(plan->stops.empty());
+  EXPECT_EQ(plan->cost_s, 0.0);
+  EXPECT_GT(plan->places, 100U);
+}
+
+TEST(PlanGuard, PassesABudgetThatEndsAtOnceOn) {
+  const GuardProblem problem = hut_problem();
+  const auto site = survey(problem, {});
+  Budget budget;
+  budget.expansions = 0;
+  const auto plan = plan_guard(problem, *site, {}, budget);
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().code, FaultCode::budget_exhausted);
+}
+
+/// A target that the lattice of exhaust() alone finds still gets a shot that flies.
+TEST(PlanGuard, ShootsThroughASlitThatTheCentreDoesNotSee) {
+  GuardProblem problem = hut_problem();
+  problem.targets = {{"wide", {0, 1.5, 0}, {1.6, 0.2, 0.4}, 0.0}};
+  problem.world.solids = {floor_at(0),
+                          box_at("north", {0, 2.4, 1.5}, {6, 0.05, 3}),
+                          box_at("left", {-1.57, 1.0, 1.5}, {1.95, 0.05, 3.0}),
+                          box_at("right", {1.15, 1.0, 1.5}, {3.2, 0.05, 3.0}),
+                          box_at("lintel", {0, 1.0, 2.0}, {6, 0.05, 2.0}),
+                          box_at("west", {-1.2, 1.7, 1.5}, {0.05, 1.4, 3.0}),
+                          box_at("east", {1.2, 1.7, 1.5}, {0.05, 1.4, 3.0})};
+  GuardOptions options;
+  options.resolution_m = 0.3;
+  const auto site = survey(problem, options);
+  ASSERT_TRUE(site.has_value()) << site.error().sentence;
+  const auto plan = plan_guard(problem, *site, options, {});
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_TRUE(plan->unreachable.empty());
+  expect_sound(problem, *site, *plan, options);
+}
+
+// ---- Routes -------------------------------------------------------------------------------------
+
+/// Pairs of posts with gaps a little wider than the robot: the corners around them lose some of the
+/// passages, the cells do not.
+TEST(SiteRoutes, ConnectWhateverTheCellsConnect) {
+  Rng rng(83);
+  int restored = 0;
+  for (int i = 0; i < cases(12); ++i) {
+    GuardProblem problem;
+    problem.world.bounds = {{-2.5, -2.5}, {2.5, 2.5}};
+    problem.world.solids = {floor_at(0)};
+    problem.start = {{-1.0, -2.1}, 0.0};
+    // A fence of posts from west to east with gaps of 0.55 m, not quite straight.
+    Vec2 post{-2.5, 0.0};
+    double radius = 0.6;
+    while (post.x < 3.5) {
+      problem.world.solids.push_back({"post", {{post.x, post.y, 0.5}, {}}, CylinderShape{radius, 0.5}});
+      const double next = rng.uniform(0.4, 0.9);
+      const double bearing = post.y > 0.0 ? rng.uniform(-0.4, 0.0) : rng.uniform(0.0, 0.4);
+      post = post + (radius + 0.55 + next) * direction(bearing);
+      radius = next;
+    }
+    const GuardOptions options{.resolution_m = 0.02};
+    const auto site = survey(problem, options);
+    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    std::vector<Vec2> stops{problem.start.position};
+    for (int k = 0; k < 12; ++k) {
+      const auto cell = rng.below(site->frame.size());
+      if (site->reachable[cell] != 0) stops.push_back(site->frame.centre(site->frame.cell(cell)));
+    }
+    const auto plain = routes_between(site->ground, problem.robot, stops, {}, {}, {});
+    const auto routes = site_routes(problem, *site, stops, {});
+    ASSERT_TRUE(plain.has_value());
+    ASSERT_TRUE(routes.has_value());
+    for (std::size_t a = 0; a < stops.size(); ++a) {
+      for (std::size_t b = 0; b < stops.size(); ++b) {
+        ASSERT_TRUE(std::isfinite(routes->between(a, b).time_s)) << i << ": " << a << " to " << b;
+        restored += std::isfinite(plain->between(a, b).time_s) ? 0 : 1;
+        const auto way = routes->waypoints(a, b);
+        for (std::size_t k = 1; k < way.size(); ++k) {
+          EXPECT_TRUE(site->ground.segment_free({way[k - 1], way[k]}, problem.robot.radius_m));
+        }
+      }
+    }
+  }
+  EXPECT_GT(restored, 0) << "no passage was lost in the first place";
+}
+
+}  // namespace
+}  // namespace outrider

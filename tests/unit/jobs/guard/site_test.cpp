@@ -1,0 +1,244 @@
+#include "outrider/jobs/guard/site.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <limits>
+#include <queue>
+
+#include "outrider/jobs/guard/plan.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::box_at;
+using testing::cases;
+using testing::random_guard_problem;
+
+/// True when samples every 4 mm of the segment keep that clearance.
+bool sampled_free(const Ground& ground, Vec2 a, Vec2 b, double clearance_m) {
+  const int n = static_cast<int>(distance(a, b) / 0.004) + 1;
+  for (int i = 0; i <= n; ++i) {
+    if (ground.clearance(a + static_cast<double>(i) / n * (b - a), 1.0) < clearance_m) return false;
+  }
+  return true;
+}
+
+/// A flood over the cells whose steps are decided by samples.
+std::vector<std::uint8_t> flood(const Site& site, Vec2 start, double clearance_m) {
+  const GridFrame& frame = site.frame;
+  std::vector<std::uint8_t> seen(frame.size(), 0);
+  std::queue<Cell> open;
+  const auto visit = [&](Vec2 from, Cell c) {
+    if (!frame.contains(c) || seen[frame.index(c)] != 0) return;
+    if (!sampled_free(site.ground, from, frame.centre(c), clearance_m)) return;
+    seen[frame.index(c)] = 1;
+    open.push(c);
+  };
+  const Cell home = frame.cell_at(start);
+  for (int k = 0; k < 25; ++k) visit(start, {home.x + k % 5 - 2, home.y + k / 5 - 2});
+  while (!open.empty()) {
+    const Cell c = open.front();
+    open.pop();
+    for (int k = 0; k < 9; ++k) visit(frame.centre(c), {c.x + k % 3 - 1, c.y + k / 3 - 1});
+  }
+  return seen;
+}
+
+TEST(Survey, ReachesWhatASampledFloodReaches) {
+  Rng rng(61);
+  std::size_t reached = 0;
+  std::size_t shut = 0;
+  for (int i = 0; i < cases(8); ++i) {
+    const auto problem = random_guard_problem(rng, 14, 0, 2.0);
+    GuardOptions options;
+    options.resolution_m = 0.12 + 0.02 * (i % 4);
+    const auto site = survey(problem, options);
+    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const double radius = problem.robot.radius_m;
+    // Between samples the clearance changes by less than the first margin.
+    const auto surely = flood(*site, problem.start.position, radius + 2.1e-3);
+    const auto perhaps = flood(*site, problem.start.position, radius - 1e-9);
+    for (std::size_t c = 0; c < site->frame.size(); ++c) {
+      const Vec2 p = site->frame.centre(site->frame.cell(c));
+      EXPECT_EQ(site->standable[c] != 0, site->ground.clearance(p, 1.0) >= radius);
+      if (surely[c] != 0) {
+        EXPECT_EQ(site->reachable[c], 1);
+      }
+      if (site->reachable[c] == 0) {
+        shut += site->standable[c];
+        continue;
+      }
+      ++reached;
+      EXPECT_EQ(perhaps[c], 1);
+      EXPECT_EQ(site->standable[c], 1);
+      // The way home: every step swept free, and an end that the start sees.
+      std::size_t at = c;
+      std::size_t steps = 0;
+      while (site->homeward[at] != at && ++steps < site->frame.size()) {
+        const std::size_t next = site->homeward[at];
+        ASSERT_EQ(site->reachable[next], 1);
+        at = next;
+      }
+      EXPECT_LT(steps, site->frame.size());
+      EXPECT_TRUE(site->ground.segment_free(
+          {problem.start.position, site->frame.centre(site->frame.cell(at))}, radius));
+    }
+  }
+  EXPECT_GT(reached, 500U);
+  EXPECT_GT(shut, 0U) << "no yard has a place that is shut off";
+}
+
+TEST(Survey, FindsTheRegionsOfTheReachableGroundWhateverTheThreads) {
+  Rng rng(62);
+  for (int i = 0; i < cases(4); ++i) {
+    const auto problem = random_guard_problem(rng, 10, 5, 2.0);
+    const auto site = survey(problem, {.resolution_m = 0.2});
+    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const auto again = survey(problem, {.resolution_m = 0.2});
+    for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+      EXPECT_EQ(site->regions[t].pitch, again->regions[t].pitch);
+      EXPECT_EQ(site->regions[t].spread, again->regions[t].spread);
+      const auto& region = site->regions[t];
+      for (std::size_t c = 0; c < site->frame.size(); ++c) {
+        if (region.pitch[c] != FiringRegion::no_shot) {
+          EXPECT_EQ(site->reachable[c], 1);
+        }
+      }
+      EXPECT_EQ(region.hits == 0, site->proofs[t].exhausted.has_value());
+    }
+  }
+}
+
+GuardProblem plain() {
+  GuardProblem problem;
+  problem.world.bounds = {{-2, -2}, {2, 2}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{0, -1.5}, 0.0};
+  problem.targets = {{"cat", {0, 1, 0}, {0.5, 0.2, 0.4}, 0.0}};
+  return problem;
+}
+
+void expect_refused(const GuardProblem& problem, const GuardOptions& options, FaultCode code,
+                    const std::string& where, const std::string& says) {
+  const auto site = survey(problem, options);
+  ASSERT_FALSE(site.has_value()) << where << " " << says;
+  EXPECT_EQ(site.error().code, code) << site.error().sentence;
+  EXPECT_EQ(site.error().where, where) << site.error().sentence;
+  EXPECT_NE(site.error().sentence.find(says), std::string::npos) << site.error().sentence;
+}
+
+TEST(Survey, RefusesAStartThatIsBlockedOrOutside) {
+  GuardProblem problem = plain();
+  problem.start.position = {3, 0};
+  expect_refused(problem, {}, FaultCode::outside_map, "start", "outside the yard");
+  problem.start.position = {-1.9, 0};
+  expect_refused(problem, {}, FaultCode::start_blocked, "start", "0.1 m from an obstacle");
+  problem = plain();
+  problem.world.solids.push_back(box_at("box", {0, -1.5, 0.1}, {0.2, 0.2, 0.2}));
+  expect_refused(problem, {}, FaultCode::start_blocked, "start", "start elsewhere");
+}
+
+TEST(Survey, RefusesATargetInsideASolidByName) {
+  GuardProblem problem = plain();
+  problem.world.solids.push_back(box_at("shed", {0, 1, 0.5}, {1, 1, 1}));
+  expect_refused(problem, {}, FaultCode::bad_input, "targets", "cat at (0, 1, 0) is inside shed");
+}
+
+TEST(Survey, RefusesGridsThatAreEmptyOrTooFine) {
+  GuardProblem problem = plain();
+  expect_refused(problem, {.resolution_m = 0.005, .memory_mib = 1}, FaultCode::bad_input, "plan.resolution",
+                 "1 MiB");
+  problem.world.bounds = {{-1e5, -1e5}, {1e5, 1e5}};
+  expect_refused(problem, {}, FaultCode::bad_input, "plan.resolution", "MiB");
+  problem.world.bounds = {{-1e200, -1e200}, {1e200, 1e200}};
+  EXPECT_FALSE(survey(problem, {}).has_value());
+  for (const Box2 none : {Box2{}, Box2{{0, 0}, {0, 0}}, Box2{{1, 1}, {-1, -1}}}) {
+    problem.world.bounds = none;
+    expect_refused(problem, {}, FaultCode::bad_input, "bounds", "no bounds");
+  }
+}
+
+TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf}) {
+    GuardProblem problem = plain();
+    problem.start.position.x = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.start.heading_rad = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.targets[0].base.z = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.targets[0].yaw_rad = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.world.gravity_mps2 = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.world.bounds.high.x = bad;
+    EXPECT_FALSE(survey(problem, {}).has_value());
+    problem = plain();
+    problem.robot.radius_m = bad;
+    expect_refused(problem, {}, FaultCode::bad_input, "robot.radius", "it takes a number");
+    problem = plain();
+    problem.gun.muzzle_speed_mps = bad;
+    expect_refused(problem, {}, FaultCode::bad_input, "gun.muzzle_speed", "it takes a number");
+    EXPECT_FALSE(survey(plain(), {.resolution_m = bad}).has_value());
+    EXPECT_FALSE(survey(plain(), {.pitch_step_rad = bad}).has_value());
+  }
+  GuardProblem problem = plain();
+  problem.targets[0].size.y = 0.0;
+  EXPECT_FALSE(survey(problem, {}).has_value());
+  problem = plain();
+  problem.world.gravity_mps2 = 0.0;
+  EXPECT_FALSE(survey(problem, {}).has_value());
+  EXPECT_FALSE(survey(plain(), {.resolution_m = 0.0}).has_value());
+  EXPECT_FALSE(survey(plain(), {.resolution_m = -0.1}).has_value());
+  EXPECT_FALSE(survey(plain(), {.aim_step_m = 0.0}).has_value());
+  EXPECT_TRUE(survey(plain(), {}).has_value());
+}
+
+TEST(GuardOptionsText, DescribeEveryMemberWithinItsRange) {
+  GuardOptions options;
+  ExecutionErrors errors;
+  EXPECT_EQ(describe(options).size(), 13U);
+  EXPECT_EQ(describe(errors).size(), 5U);
+  for (const auto& list : {describe(options), describe(errors)}) {
+    for (const Option& option : list) EXPECT_TRUE(assign(option, value_text(option))) << option.name;
+  }
+}
+
+/// A cat behind another one can be hit only when targets do not block.
+TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
+  GuardProblem problem = plain();
+  problem.targets[0] = {"hidden", {0, 1.6, 0}, {0.2, 0.2, 0.3}, 0.0};
+  for (const double x : {-0.25, 0.25}) {
+    problem.targets.push_back({"side", {x, 1.6, 0}, {0.28, 0.7, 3.0}, 0.0});
+  }
+  problem.targets.push_back({"front", {0, 1.0, 0}, {0.8, 0.2, 3.0}, 0.0});
+  problem.targets.push_back({"back", {0, 1.9, 0}, {0.8, 0.1, 3.0}, 0.0});
+  const auto open = survey(problem, {.resolution_m = 0.2});
+  ASSERT_TRUE(open.has_value());
+  problem.targets_block = true;
+  const auto blocked = survey(problem, {.resolution_m = 0.2});
+  ASSERT_TRUE(blocked.has_value()) << blocked.error().sentence;
+  EXPECT_GT(open->regions[0].hits, 0U);
+  EXPECT_EQ(blocked->regions[0].hits, 0U);
+  EXPECT_GT(blocked->regions[3].hits, 0U) << "a target does not block itself";
+  const Cell on_front = open->frame.cell_at({0.1, 1.1});
+  EXPECT_EQ(open->standable[open->frame.index(on_front)], 1);
+  EXPECT_EQ(blocked->standable[open->frame.index(on_front)], 0);
+  EXPECT_EQ(blocked->spaces.size(), problem.targets.size());
+  problem.start.position = {0.0, 0.7};
+  EXPECT_EQ(survey(problem, {}).error().code, FaultCode::start_blocked);
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,123 @@
+#include "outrider/jobs/guard/stops.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::random_guard_problem;
+
+std::set<std::size_t> targets_at(const SureHits& hits, const GuardProblem& problem, std::size_t cell) {
+  std::set<std::size_t> set;
+  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+    if (hits.has(cell, t)) set.insert(t);
+  }
+  return set;
+}
+
+TEST(SureHits, AreWhatTheHeaderSays) {
+  Rng rng(71);
+  std::size_t sure = 0;
+  std::size_t not_sure = 0;
+  for (int i = 0; i < cases(6); ++i) {
+    auto problem = random_guard_problem(rng, 8, 4, 2.0);
+    problem.errors.position_m = 0.05 * (i % 4);
+    const auto site = survey(problem, {.resolution_m = 0.1});
+    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const SureHits hits = sure_hits(problem, *site);
+    for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+      const FiringRegion& region = site->regions[t];
+      std::set<std::size_t> own;
+      for (std::size_t c = 0; c < site->frame.size(); ++c) {
+        if (region.pitch[c] == FiringRegion::no_shot || region.spread[c] > 0.9F) continue;
+        const Vec2 p = site->frame.centre(site->frame.cell(c));
+        if (site->ground.clearance(p, 1.0) < problem.robot.radius_m + problem.errors.position_m) continue;
+        bool all = true;
+        for (std::size_t d = 0; d < site->frame.size(); ++d) {
+          const double away = distance(p, site->frame.centre(site->frame.cell(d)));
+          all = all && (away > problem.errors.position_m + 1e-9 || region.pitch[d] != FiringRegion::no_shot);
+        }
+        if (all) own.insert(c);
+      }
+      for (std::size_t c = 0; c < site->frame.size(); ++c) {
+        const bool expected = own.empty() ? region.pitch[c] != FiringRegion::no_shot : own.contains(c);
+        // The clearance is kept as a float; a cell at the very limit may go either way.
+        const Vec2 p = site->frame.centre(site->frame.cell(c));
+        const double room = problem.robot.radius_m + problem.errors.position_m;
+        if (std::abs(site->ground.clearance(p, 1.0) - room) < 1e-6) continue;
+        EXPECT_EQ(hits.has(c, t), expected) << "yard " << i << " target " << t << " cell " << c;
+        (expected ? sure : not_sure) += 1;
+      }
+    }
+  }
+  EXPECT_GT(sure, 500U);
+  EXPECT_GT(not_sure, 500U);
+}
+
+TEST(ChooseStops, CoverEveryTargetWithinTheirNumber) {
+  Rng rng(72);
+  for (int i = 0; i < cases(6); ++i) {
+    const auto problem = random_guard_problem(rng, 8, 6, 2.0);
+    const auto site = survey(problem, {.resolution_m = 0.1});
+    ASSERT_TRUE(site.has_value());
+    const SureHits hits = sure_hits(problem, *site);
+    std::set<std::size_t> wanted;
+    for (std::size_t c = 0; c < site->frame.size(); ++c) wanted.merge(targets_at(hits, problem, c));
+    for (const std::size_t most : {1U, 5U, 20U, 150U}) {
+      const auto stops = choose_stops(*site, hits, 0.4, most, {}, 0.0);
+      EXPECT_EQ(stops, choose_stops(*site, hits, 0.4, most, {}, 0.0));
+      EXPECT_TRUE(std::is_sorted(stops.begin(), stops.end()));
+      EXPECT_LE(stops.size(), std::max(most, problem.targets.size()));
+      std::set<std::size_t> covered;
+      for (const std::size_t stop : stops) covered.merge(targets_at(hits, problem, stop));
+      EXPECT_EQ(covered, wanted) << most;
+    }
+    // In each tile nothing is lost: some stop there hits at least what any cell there hits.
+    const auto all = choose_stops(*site, hits, 0.4, 100000, {}, 0.0);
+    const auto tile = [&](std::size_t c) {
+      const Vec2 p = site->frame.centre(site->frame.cell(c)) - site->frame.origin;
+      return std::pair{static_cast<int>(p.x / 0.4), static_cast<int>(p.y / 0.4)};
+    };
+    for (std::size_t c = 0; c < site->frame.size(); ++c) {
+      const auto set = targets_at(hits, problem, c);
+      if (set.empty()) continue;
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](std::size_t stop) {
+        const auto larger = targets_at(hits, problem, stop);
+        return tile(stop) == tile(c) && std::includes(larger.begin(), larger.end(), set.begin(), set.end());
+      }));
+    }
+    const Vec2 here{0.5, 0.5};
+    for (const std::size_t stop : choose_stops(*site, hits, 0.2, 100, {here}, 0.7)) {
+      EXPECT_LE(distance(here, site->frame.centre(site->frame.cell(stop))), 0.7);
+    }
+  }
+}
+
+TEST(SureHits, HoldMoreThanSixtyFourTargets) {
+  GuardProblem problem;
+  problem.world.bounds = {{-2, -2}, {2, 2}};
+  problem.world.solids = {testing::floor_at(0)};
+  problem.start = {{0, -1.5}, 0.0};
+  for (int i = 0; i < 70; ++i) {
+    problem.targets.push_back({fmt::format("cat_{}", i), {-1.5 + 0.043 * i, 1.0, 0}, {0.3, 0.3, 0.4}, 0.0});
+  }
+  const auto site = survey(problem, {.resolution_m = 0.25});
+  ASSERT_TRUE(site.has_value());
+  const SureHits hits = sure_hits(problem, *site);
+  EXPECT_EQ(hits.words, 2U);
+  for (std::size_t t = 0; t < 70; ++t) {
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < site->frame.size(); ++c) count += hits.has(c, t) ? 1 : 0;
+    EXPECT_GT(count, 0U) << t;
+    EXPECT_LE(count, site->regions[t].hits);
+  }
+}
+
+}  // namespace
+}  // namespace outrider

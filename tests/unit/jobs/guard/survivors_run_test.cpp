@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/sequence.hpp"
+#include "outrider/jobs/guard/watch_run.hpp"
+#include "outrider/report/json.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::quick;
+using testing::random_guard_problem;
+
+struct Yard {
+  GuardProblem problem;
+  Site site;
+  GuardPlan plan;
+  ArrivalOptions options;
+  Outlook outlook;
+};
+
+Yard random_yard(Rng& rng, std::size_t targets, bool with_errors) {
+  auto problem = random_guard_problem(rng, 6, targets, 2.5);
+  if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
+  auto site = survey(problem, quick());
+  auto plan = plan_guard(problem, *site, quick(), {});
+  ArrivalOptions options;
+  options.stops = 30;
+  options.beam = 10;
+  auto outlook = look_out(problem, *site, *plan, options, {});
+  return {std::move(problem), std::move(*site), std::move(*plan), options, std::move(*outlook)};
+}
+
+/// A random yard in which everybody can be hit.
+Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
+  for (;;) {
+    Yard yard = random_yard(rng, targets, with_errors);
+    const auto& reachable = yard.outlook.reachable;
+    if (std::ranges::all_of(reachable, [](char r) { return r != 0; })) return yard;
+  }
+}
+
+Report mission(const Yard& yard, std::uint64_t seed) {
+  const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
+  const WatchPolicy policy = watch_policies()[seed % 3];
+  return run_watch({*watch, yard.outlook, policy, WatchObjective::makespan, 3, 10}, quick(), seed,
+                   {yard.options.leave, yard.options.walk_mps});
+}
+
+std::size_t count(const Report& report, std::string_view kind) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.events, [&](const ReportEvent& e) { return e.kind == kind; }));
+}
+
+TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
+  Rng rng(61);
+  std::size_t survived = 0;
+  for (int y = 0; y < cases(2); ++y) {
+    Yard yard = random_yard(rng, 5, true);
+    yard.options.leave = 0.5;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      const Report report = mission(yard, seed);
+      const auto hits = static_cast<std::size_t>(
+          std::ranges::count_if(report.shots, [](const ReportShot& s) { return s.hit; }));
+      survived += count(report, "survive");
+      EXPECT_EQ(metric(report, "survived"), static_cast<double>(count(report, "survive")));
+      std::size_t ended_after_a_hit = 0;
+      for (const ReportTarget& target : report.targets) {
+        EXPECT_NE(target.status, "waiting");
+        std::size_t own = 0;
+        for (const ReportShot& shot : report.shots) {
+          if (shot.target == target.name && shot.hit) ++own;
+          // Nobody is hit on its way: where a shot is fired at it, it has been at rest since the last hit.
+          if (shot.target != target.name || !target.moves) continue;
+          for (std::size_t i = 2; i < target.moves->size(); i += 2) {
+            const bool walks = shot.time_s > (*target.moves)[i - 1].time_s + 1e-9 &&
+                               shot.time_s < (*target.moves)[i].time_s - 1e-9;
+            EXPECT_FALSE(walks);
+          }
+        }
+        const std::size_t moved = target.moves ? (target.moves->size() - 1) / 2 : 0;
+        EXPECT_EQ(own, moved + (target.status == "reached" ? 1 : 0)) << target.name;
+        ended_after_a_hit += own;
+      }
+      EXPECT_EQ(ended_after_a_hit, hits);
+      EXPECT_EQ(to_json(report), to_json(mission(yard, seed)));
+      const auto back = report_from_json(to_json(report));
+      ASSERT_TRUE(back.has_value()) << to_string(back.error());
+      EXPECT_EQ(to_json(*back), to_json(report));
+    }
+  }
+  EXPECT_GT(survived, 8U);
+}
+
+/// Two places and one intruder: the times of all missions are a geometric series.
+TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
+  Rng rng(62);
+  for (int y = 0; y < cases(4); ++y) {
+    Yard yard = open_yard(rng, 2, false);
+    const double p = 0.6 + 0.1 * (y % 4);
+    yard.options.leave = p;
+    yard.options.walk_mps = y % 2 == 0 ? 0.0 : 0.4;
+    Outlook one = yard.outlook;  // the second place is empty at first: it counts as served by the plan
+    const TourProblem& table = one.table;
+    const Manner manner = manners().front();
+
+    // By hand: all missions of both intruders with at most 12 survivals between them.
+    struct State {
+      std::vector<Wanted> wanted;
+      Standing from;
+    };
+    constexpr double least = 1e-4;
+    double mean = 0.0, cut = 0.0;
+    const auto walk_s = [&](std::uint32_t a, std::uint32_t b) {
+      const double way = distance(xy(yard.problem.targets[a].base), xy(yard.problem.targets[b].base));
+      return yard.options.walk_mps > 0.0 ? way / yard.options.walk_mps : 0.0;
+    };
+    const Outlook& outlook = one;
+    const std::function<void(State, std::vector<std::pair<std::size_t, std::size_t>>, double, bool, int)>
+        go_through = [&](State state, std::vector<std::pair<std::size_t, std::size_t>> errands,
+                         double probability, bool news, int depth) {
+          if (state.wanted.empty() || probability < least) {
+            mean += probability * state.from.time_s;
+            cut += state.wanted.empty() ? 0.0 : probability;
+            return;
+          }
+          if (errands.empty() || (news && manner.policy.name == "each_arrival")) {
+            const bool still = depth == 0 && manner.objective == WatchObjective::makespan;
+            const std::size_t group = std::min<std::size_t>(
+                state.wanted.size(), manner.policy.name == "groups" ? 3 : state.wanted.size());
+            const std::vector<Wanted> first(state.wanted.begin(),
+                                            state.wanted.begin() + static_cast<std::ptrdiff_t>(group));
+            errands.clear();
+            for (const Visit& v :
+                 sequence_beside(outlook.tour, table, first, state.from, manner.objective, 10, still)
+                     .visits) {
+              for (const std::uint32_t who : v.goals) errands.emplace_back(v.stop, who);
+            }
+          }
+          const auto [stop, who] = errands.front();
+          errands.erase(errands.begin());
+          state.from = after_hit(table, state.wanted[who], state.from, stop);
+          const Wanted hit = state.wanted[who];
+          state.wanted.erase(state.wanted.begin() + static_cast<std::ptrdiff_t>(who));
+          for (auto& errand : errands) errand.second -= errand.second > who ? 1 : 0;
+          go_through(state, errands, probability * p, false, depth + 1);
+          const std::uint32_t other = 1 - hit.goal;
+          state.wanted.push_back({other, state.from.time_s + walk_s(hit.goal, other)});
+          go_through(state, errands, probability * (1.0 - p), true, depth + 1);
+        };
+    Standing start;
+    start.heading_rad = table.heading_rad;
+    start.drives.assign(table.drives.begin(),
+                        table.drives.begin() + static_cast<std::ptrdiff_t>(table.services.size()));
+    go_through({{{0, 0.0}, {1, 0.0}}, start}, {}, 1.0, false, 0);
+
+    const ExpectedTime expected = expected_time(yard.problem, one, yard.options, manner, 1000);
+    EXPECT_NEAR(expected.mean_s, mean, 4.0 * expected.error_s + cut * mean) << "p = " << p;
+  }
+}
+
+/// What the plan expects is what missions take, simulated by other code, on average.
+TEST(Survivors, TakeOnAverageWhatIsExpected) {
+  Rng rng(63);
+  for (int y = 0; y < cases(1); ++y) {
+    Yard yard = open_yard(rng, 4, false);
+    yard.options.leave = 0.6;
+    const BestManner best = best_manner(yard.problem, yard.outlook, yard.options, 100);
+    const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
+    const WatchPlan plan{*watch, yard.outlook, best.manner.policy, best.manner.objective, 3, 10};
+    constexpr int missions = 60;
+    double sum = 0.0, squares = 0.0;
+    for (std::uint64_t seed = 1; seed <= missions; ++seed) {
+      const Report report = run_watch(plan, quick(), seed, {0.6, yard.options.walk_mps});
+      EXPECT_EQ(report.status, "done");
+      const double time = metric(report, "makespan_s");
+      sum += time;
+      squares += time * time;
+    }
+    const double mean = sum / missions;
+    const double error = std::sqrt((squares / missions - mean * mean) / missions);
+    EXPECT_NEAR(mean, best.time.mean_s, 3.5 * std::hypot(error, best.time.error_s) + 0.01 * mean);
+  }
+}
+
+/// No manner is expected to take less than the one that is taken, up to the errors of both means.
+TEST(Survivors, AreMetInTheBestManner) {
+  Rng rng(64);
+  for (int y = 0; y < cases(1); ++y) {
+    Yard yard = open_yard(rng, 4, false);
+    yard.options.leave = 0.5;
+    const BestManner best = best_manner(yard.problem, yard.outlook, yard.options, 20);
+    for (const Manner& manner : manners()) {
+      EXPECT_FALSE(manner.policy.foresees);
+      const ExpectedTime time = expected_time(yard.problem, yard.outlook, yard.options, manner, 20);
+      EXPECT_LE(best.time.mean_s, time.mean_s + 3.0 * std::hypot(best.time.error_s, time.error_s));
+    }
+  }
+}
+
+/// When all leave, it is the mission of the still yard, to the last byte but for what is said of it.
+TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
+  Rng rng(65);
+  for (int y = 0; y < cases(3); ++y) {
+    Yard yard = open_yard(rng, 5, true);
+    const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
+    const auto policy = find_watch_policy("each_arrival");
+    const WatchPlan plan{*watch, yard.outlook, *policy, WatchObjective::makespan, 3, 30};
+    Report report = run_watch(plan, quick(), 7, {1.0, 1.0});
+    Report still = run_guard(yard.problem, yard.site, yard.plan, quick(), 7);
+    report.metrics = still.metrics;
+    report.reason = still.reason;
+    EXPECT_EQ(to_json(report), to_json(still));
+  }
+}
+
+TEST(Survivors, GoElsewhereUniformly) {
+  Rng rng(66);
+  std::vector<int> seen(5, 0);
+  for (int i = 0; i < 8000; ++i) ++seen[elsewhere(2, 5, rng)];
+  EXPECT_EQ(seen[2], 0);
+  for (const int place : {0, 1, 3, 4}) EXPECT_NEAR(seen[static_cast<std::size_t>(place)], 2000, 160);
+}
+
+TEST(Survivors, AreRefusedWhereTheyCannotBe) {
+  Rng rng(67);
+  GuardProblem problem = random_guard_problem(rng, 2, 2, 2.5);
+  ArrivalOptions options;
+  options.leave = 0.0;
+  EXPECT_EQ(check_survivors(problem, options).error().where, "arrivals.leave");
+  options.leave = 0.5;
+  EXPECT_TRUE(check_survivors(problem, options).has_value());
+  problem.targets.resize(1);
+  EXPECT_EQ(check_survivors(problem, options).error().where, "arrivals.leave");
+  options.leave = 1.0;
+  EXPECT_TRUE(check_survivors(problem, options).has_value());
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+
+#include "outrider/ballistics/stance.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/report/json.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+#include "support/random_terrain.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::hill;
+using testing::terrain_of;
+
+GuardOptions quick() {
+  GuardOptions options;
+  options.resolution_m = 0.25;
+  options.refinements = 0;
+  options.iterations = 50;
+  return options;
+}
+
+struct Mission {
+  Site site;
+  GuardPlan plan;
+  Report report;
+};
+
+Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
+  auto site = survey(problem, quick());
+  EXPECT_TRUE(site) << site.error().sentence;
+  auto plan = plan_guard(problem, *site, quick(), {});
+  EXPECT_TRUE(plan);
+  Report report = run_guard(problem, *site, *plan, quick(), seed);
+  return {std::move(*site), std::move(*plan), std::move(report)};
+}
+
+/// The yard with its things and targets lifted onto ground of that shape.
+GuardProblem lifted(GuardProblem problem, const HeightField& field) {
+  problem.world = problem.world.on(std::make_shared<const HeightField>(field));
+  for (std::size_t i = 1; i < problem.world.solids.size(); ++i) {
+    Vec3& at = problem.world.solids[i].world_T_solid.position;
+    at.z += field.height(xy(at));
+  }
+  for (Target& target : problem.targets) target.base.z += field.height(xy(target.base));
+  return problem;
+}
+
+TEST(TerrainRun, FlatGroundGivesTheSameBytesAsNone) {
+  Rng rng(1);
+  const GuardProblem problem = testing::random_guard_problem(rng, 6, 3, 3.0);
+  const GuardProblem flat =
+      lifted(problem, terrain_of({-4, -4}, {0.5, 0.5}, 17, 17, [](Vec2) { return 0.0; }));
+  EXPECT_EQ(to_json(run_of(problem, 3).report), to_json(run_of(flat, 3).report));
+}
+
+TEST(TerrainRun, GroundThatIsFlatAndHigherGivesTheSamePlan) {
+  Rng rng(2);
+  const GuardProblem problem = testing::random_guard_problem(rng, 6, 3, 3.0);
+  // Whole and half metres are exact, so nothing is rounded otherwise.
+  const GuardProblem high =
+      lifted(problem, terrain_of({-4, -4}, {0.5, 0.5}, 17, 17, [](Vec2) { return 2.0; }));
+  ASSERT_NE(high.world.terrain, nullptr);
+  const Mission low_run = run_of(problem, 3);
+  const Mission high_run = run_of(high, 3);
+  ASSERT_EQ(low_run.plan.stops.size(), high_run.plan.stops.size());
+  EXPECT_NEAR(low_run.plan.cost_s, high_run.plan.cost_s, 1e-6);
+  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+    EXPECT_EQ(low_run.site.regions[t].hits, high_run.site.regions[t].hits);
+  }
+}
+
+TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
+  Rng rng(3);
+  double reached = 0.0;
+  double targets = 0.0;
+  for (int i = 0; i < cases(3); ++i) {
+    const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
+    const GuardProblem problem = lifted(testing::random_guard_problem(rng, 4, 3, 3.0), field);
+    const Mission run = run_of(problem, 1);
+    EXPECT_LE(run.plan.lower_bound_s, run.plan.bounded_s() + 1e-6);
+    for (const PlannedStop& stop : run.plan.stops) {
+      const Stance stance = stance_at(run.site.rules, stop.position);
+      for (const PlannedHit& hit : stop.hits) {
+        const Target& target = problem.targets[hit.target];
+        const Flight flight = launch(run.site.rules, {stop.position, {}}, target, hit.shot.shot);
+        EXPECT_NEAR(flight.muzzle.z, muzzle(problem.gun, stance, stop.position, hit.shot.gun).z, 1e-9);
+        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, run.site.space(hit.target), target,
+                        problem.world.floor_z_m)
+                        .hit);
+        EXPECT_GE(hit.shot.gun.pitch_rad, problem.gun.pitch_low_rad - 1e-9);
+        EXPECT_LE(hit.shot.gun.pitch_rad, problem.gun.pitch_high_rad + 1e-9);
+      }
+      for (std::size_t k = 1; k < stop.waypoints.size(); ++k) {
+        const Segment leg{stop.waypoints[k - 1], stop.waypoints[k]};
+        for (double part = 0.0; part <= 1.0; part += 0.01) {
+          const Vec2 p = leg.a + part * (leg.b - leg.a);
+          EXPECT_LE(norm(field.gradient(p)), std::tan(problem.robot.max_slope_rad) + 1e-9);
+        }
+      }
+    }
+    // What was driven is as long as the track on the surface.
+    double along = 0.0;
+    for (const ReportPath& path : run.report.paths) {
+      for (std::size_t k = 1; k < path.waypoints.size(); ++k) {
+        along += field.length({path.waypoints[k - 1], path.waypoints[k]});
+      }
+    }
+    EXPECT_NEAR(metric(run.report, "driven_m"), along, 1e-9);
+    reached += metric(run.report, "reached");
+    targets += metric(run.report, "targets") - metric(run.report, "unreachable");
+    ASSERT_TRUE(run.report.terrain);
+    EXPECT_FALSE(run.report.terrain->contours.empty());
+    ASSERT_TRUE(run.report.terrain->relief);
+    const ReportRelief& relief = *run.report.terrain->relief;
+    const Vec2 last = relief.origin +
+                      Vec2{(relief.columns - 1) * relief.spacing_m.x, (relief.rows - 1) * relief.spacing_m.y};
+    EXPECT_NEAR(relief.heights_m.back(), field.height(last), 1e-9);
+    const auto again = report_from_json(to_json(run.report));
+    ASSERT_TRUE(again) << again.error().sentence;
+    EXPECT_EQ(to_json(*again), to_json(run.report));
+  }
+  EXPECT_GE(reached, targets - 1.0);
+}
+
+TEST(TerrainSurvey, ALongerWayUphillTakesLonger) {
+  GuardProblem problem;
+  problem.world.bounds = {{-3, -3}, {3, 3}};
+  problem.world.solids = {testing::floor_at(0.0)};
+  problem.world = problem.world.on(std::make_shared<const HeightField>(
+      terrain_of({-4, -4}, {1, 1}, 9, 9, [](Vec2 p) { return 0.3 * p.x; })));
+  const DriveCost cost = drive_cost(problem.robot, 0.0, {{-2, 0}, {2, 0}}, problem.world.terrain.get());
+  EXPECT_NEAR(cost.driven_m, 4.0 * std::hypot(1.0, 0.3), 1e-12);
+  EXPECT_NEAR(cost.time_s, testing::own_duration(cost.driven_m, 0.8, 0.8), 1e-12);
+}
+
+TEST(TerrainSurvey, SaysWhereTheStartIsTooSteep) {
+  GuardProblem problem;
+  problem.world.bounds = {{-3, -3}, {3, 3}};
+  problem.world.solids = {testing::floor_at(0.0)};
+  problem.start = {{0.5, 0.25}, 0.0};
+  const auto slope = [&](double by) {
+    GuardProblem on = problem;
+    on.world = on.world.on(std::make_shared<const HeightField>(
+        terrain_of({-4, -4}, {1, 1}, 9, 9, [by](Vec2 p) { return by * p.x; })));
+    return on;
+  };
+  EXPECT_TRUE(survey(slope(0.3), quick()));
+  const auto steep = survey(slope(1.0), quick());
+  ASSERT_FALSE(steep);
+  EXPECT_EQ(steep.error().where, "start");
+  EXPECT_EQ(
+      steep.error().sentence,
+      "the ground under the robot at (0.5, 0.25) is as steep as 45.0 degrees, and it holds on 20; start "
+      "elsewhere or raise robot.max_slope");
+}
+
+TEST(TerrainSurvey, TargetsBeyondSteepGroundAreOutOfReach) {
+  GuardProblem problem;
+  problem.world.bounds = {{-9, -3}, {9, 3}};
+  problem.world.solids = {testing::floor_at(0.0)};
+  problem.start = {{-8, 0}, 0.0};
+  problem.gun.muzzle_speed_mps = 5.0;
+  const HeightField field =
+      terrain_of({-10, -4}, {0.5, 0.5}, 41, 17, [](Vec2 p) { return 1.0 * std::clamp(p.x + 1.0, 0.0, 2.0); });
+  problem.world = problem.world.on(std::make_shared<const HeightField>(field));
+  problem.targets = {{"near", {-5, 0, 0}, {0.4, 0.4, 0.4}}, {"far", {7, 0, 2}, {0.4, 0.4, 0.4}}};
+  const Mission run = run_of(problem, 1);
+  ASSERT_EQ(run.plan.unreachable.size(), 1U);
+  EXPECT_EQ(run.plan.unreachable[0].target, 1U);
+  EXPECT_EQ(run.report.targets[0].status, "reached");
+}
+
+TEST(TerrainSurvey, RefusesTerrainThatEndsWithinTheYard) {
+  GuardProblem problem;
+  problem.world.bounds = {{-5, -3}, {3, 3}};
+  problem.world.solids = {testing::floor_at(0.0)};
+  problem.world = problem.world.on(std::make_shared<const HeightField>(hill(4.0, 0.5, 0.5, 3.0)));
+  const auto refused = survey(problem, quick());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, "terrain");
+  EXPECT_NE(refused.error().sentence.find("spans (-4, -4) to (4, 4)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace outrider

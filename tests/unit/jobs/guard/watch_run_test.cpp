@@ -1,0 +1,217 @@
+#include "outrider/jobs/guard/watch_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "outrider/jobs/guard/guard_robot.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/report/json.hpp"
+#include "support/curious.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::quick;
+using testing::random_guard_problem;
+
+struct Yard {
+  GuardProblem problem;
+  Site site;
+  GuardPlan plan;
+  Outlook outlook;
+};
+
+Yard random_yard(Rng& rng, bool with_errors) {
+  auto problem = random_guard_problem(rng, 8, 5, 2.5);
+  if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
+  auto site = survey(problem, quick());
+  EXPECT_TRUE(site.has_value()) << site.error().sentence;
+  auto plan = plan_guard(problem, *site, quick(), {});
+  EXPECT_TRUE(plan.has_value());
+  ArrivalOptions options;
+  options.stops = 30;
+  auto outlook = look_out(problem, *site, *plan, options, {});
+  EXPECT_TRUE(outlook.has_value());
+  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+}
+
+Watch crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uint64_t seed) {
+  ArrivalOptions options;
+  options.count = count;
+  options.rate_hz = rate_hz;
+  const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
+  auto watch = watch_over(yard.problem, yard.site, *draw_arrivals(yard.problem, doors, options, seed));
+  EXPECT_TRUE(watch.has_value());
+  return std::move(*watch);
+}
+
+/// Nobody is lost, nobody is shot at before it is there, and nobody does better than the bound.
+void expect_laws(const Watch& watch, const Outlook& outlook, const WatchPolicy& policy,
+                 const Report& report) {
+  double failed = 0.0;
+  for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
+    const ReportTarget& target = report.targets[i];
+    EXPECT_EQ(target.name, watch.intruders[i].name);
+    EXPECT_NE(target.status, "waiting");
+    EXPECT_FALSE(target.reason.empty());
+    const bool can_be_hit = outlook.reachable[watch.intruders[i].place] != 0;
+    failed += target.status == "failed" ? 1.0 : 0.0;
+    if (!can_be_hit) continue;
+    EXPECT_NE(target.status, "unreachable");
+    EXPECT_GE(target.done_s, watch.intruders[i].settles_s);
+  }
+  EXPECT_EQ(metric(report, "failed"), failed);
+  EXPECT_EQ(report.status == "done", failed == 0.0);
+  for (const ReportShot& shot : report.shots) {
+    const auto one = std::find_if(watch.intruders.begin(), watch.intruders.end(),
+                                  [&](const Intruder& i) { return i.name == shot.target; });
+    ASSERT_NE(one, watch.intruders.end());
+    EXPECT_GE(shot.time_s, one->settles_s);
+  }
+  EXPECT_GE(metric(report, "intruder_seconds"), metric(report, "intruder_seconds_bound")) << policy.name;
+  EXPECT_GE(metric(report, "makespan_s"), metric(report, "makespan_bound_s")) << policy.name;
+}
+
+TEST(Watch, LosesNobodyStaysAboveTheBoundAndRepeats) {
+  Rng rng(51);
+  for (int y = 0; y < cases(4); ++y) {
+    const Yard yard = random_yard(rng, true);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Watch watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
+      for (const WatchPolicy& policy : watch_policies()) {
+        const auto objective = seed % 2 == 0 ? WatchObjective::makespan : WatchObjective::time_inside;
+        const WatchPlan plan{watch, yard.outlook, policy, objective, 3, 50};
+        const Report report = run_watch(plan, quick(), seed);
+        expect_laws(watch, yard.outlook, policy, report);
+        EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
+        testing::Curious curious;
+        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed, {}, &curious)));
+        curious.expect_to_have_seen(report);
+        const auto back = report_from_json(to_json(report));
+        ASSERT_TRUE(back.has_value()) << to_string(back.error());
+        EXPECT_EQ(to_json(*back), to_json(report));
+        for (const TrackSample& sample : report.track) {
+          ASSERT_GE(yard.site.ground.clearance(sample.pose.position, 1.0),
+                    yard.problem.robot.radius_m - 2e-9);
+        }
+      }
+    }
+  }
+}
+
+/// The way to the fox leads around two corners; the cat sits in front of the start.
+Yard yard_with_corners() {
+  GuardProblem problem;
+  problem.world.name = "corners";
+  problem.world.bounds = {{-4, -4}, {4, 4}};
+  problem.world.solids = {testing::floor_at(0), testing::box_at("long", {-0.75, 0, 2}, {6.5, 0.1, 4}),
+                          testing::box_at("short", {1.5, 2.45, 2}, {0.1, 3.1, 4})};
+  problem.start = {{-2, -3.5}, radians(90)};
+  problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}, 0.0},
+                     {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}, 0.0}};
+  auto site = survey(problem, quick());
+  auto plan = plan_guard(problem, *site, quick(), {});
+  auto outlook = look_out(problem, *site, *plan, {}, {});
+  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+}
+
+/// Once the gun is aimed the shot follows, and a drive ends at a waypoint, whoever enters meanwhile.
+TEST(Watch, FinishesWhatIsInHand) {
+  const Yard yard = yard_with_corners();
+  int shortened = 0;
+  for (double enters = 0.1; enters < 20.0; enters += 0.7) {
+    const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0},
+                                       {"cat", 1, "gate", {}, enters, enters}};
+    const auto watch = watch_over(yard.problem, yard.site, two);
+    ASSERT_TRUE(watch.has_value());
+    const auto policy = find_watch_policy("each_arrival");
+    const WatchPlan plan{*watch, yard.outlook, *policy};
+    SimulatedGuard robot(watch->problem, watch->site, 1, watch->intruders);
+    WatchMission mission = begin(plan);
+    bool aimed = false;
+    while (const auto command = step(mission, robot.sense(), plan)) {
+      EXPECT_FALSE(aimed && !std::holds_alternative<Fire>(*command)) << "an aimed shot was dropped";
+      aimed = std::holds_alternative<AimGun>(*command);
+      robot.act(*command);
+      const auto* follow = std::get_if<FollowWaypoints>(&*command);
+      if (follow == nullptr) continue;
+      const auto& driven = robot.report.paths.back().waypoints;
+      ASSERT_LE(driven.size(), follow->waypoints.size());
+      if (driven.size() == follow->waypoints.size()) continue;
+      ++shortened;
+      EXPECT_EQ(driven.back(), follow->waypoints[driven.size() - 1]);
+    }
+    EXPECT_EQ(mission.guard.records[0].status, TargetStatus::reached);
+    EXPECT_EQ(mission.guard.records[1].status, TargetStatus::reached);
+  }
+  EXPECT_GT(shortened, 0) << "no drive was ever cut short: the test shows nothing";
+}
+
+/// When all are there from the start and the makespan counts, it is the still yard, to the last byte.
+TEST(Watch, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
+  Rng rng(53);
+  for (int y = 0; y < cases(5); ++y) {
+    const Yard yard = random_yard(rng, y % 2 == 0);
+    Report still = run_guard(yard.problem, yard.site, yard.plan, quick(), 1);
+    std::vector<Intruder> all;
+    for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
+      all.push_back({"", t, "gate", {}, 0.0, 0.0});
+    put_in_order(yard.problem, all);
+    const auto watch = watch_over(yard.problem, yard.site, all);
+    ASSERT_TRUE(watch.has_value());
+    for (const WatchPolicy& policy : watch_policies()) {
+      const WatchPlan plan{*watch, yard.outlook, policy, WatchObjective::makespan, 3, 50};
+      Report report = run_watch(plan, quick(), 1);
+      expect_laws(*watch, yard.outlook, policy, report);
+      EXPECT_EQ(metric(report, "unreachable"), metric(still, "unreachable"));
+      if (policy.name == "groups") continue;
+      EXPECT_EQ(metric(report, "mission_s"), metric(still, "mission_s")) << policy.name;
+      EXPECT_EQ(metric(report, "plans"), metric(still, "targets") > metric(still, "unreachable") ? 1.0 : 0.0);
+      for (ReportTarget& target : report.targets) target.visit.reset();
+      for (ReportTarget& target : still.targets) target.reason.clear();
+      for (ReportTarget& target : report.targets) target.reason.clear();  // of those out of reach
+      std::erase_if(report.events, [](const ReportEvent& event) { return event.kind == "enter"; });
+      report.metrics = still.metrics;
+      report.reason = still.reason;
+      EXPECT_EQ(to_json(report), to_json(still)) << policy.name;
+    }
+  }
+}
+
+TEST(Watch, OfNobodyIsOverAtOnce) {
+  Rng rng(54);
+  const Yard yard = random_yard(rng, true);
+  const auto watch = watch_over(yard.problem, yard.site, {});
+  ASSERT_TRUE(watch.has_value());
+  const Report report = run_watch({*watch, yard.outlook, watch_policies().front()}, quick(), 1);
+  EXPECT_EQ(report.status, "done");
+  EXPECT_EQ(metric(report, "mission_s"), 0.0);
+  EXPECT_TRUE(report.shots.empty());
+  auto blocking = yard.problem;
+  blocking.targets_block = true;
+  EXPECT_EQ(watch_over(blocking, yard.site, {}).error().where, "targets_block");
+}
+
+/// Looking up from the plan helps, on average, by time inside.
+TEST(Watch, IsShorterOnAverageForThoseWhoPlanAnew) {
+  Rng rng(55);
+  const Yard yard = random_yard(rng, true);
+  std::map<std::string, double> sums;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Watch watch = crowd(yard, 12, 0.2, seed);
+    for (const WatchPolicy& policy : watch_policies()) {
+      const Report report =
+          run_watch({watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
+      sums[std::string(policy.name)] += metric(report, "intruder_seconds");
+    }
+  }
+  EXPECT_LE(sums["each_arrival"], sums["groups"]);
+}
+
+}  // namespace
+}  // namespace outrider

@@ -1,0 +1,172 @@
+#include "outrider/path/hubs/hub_labels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "outrider/path/check.hpp"
+#include "outrider/path/grid/line_of_sight.hpp"
+#include "outrider/path/mesh/polyanya.hpp"
+#include "support/grid_oracle.hpp"
+#include "support/random_cases.hpp"
+#include "support/random_grid.hpp"
+
+namespace outrider {
+namespace {
+
+using oracle::Blocked;
+
+std::shared_ptr<const GridGround> ground_of(const Blocked& grid) {
+  return std::make_shared<const GridGround>(*GridGround::of(grid, GridModel::corners));
+}
+
+Cell random_vertex(Rng& rng, const GridFrame& frame) {
+  return {static_cast<int>(rng.below(static_cast<std::uint64_t>(frame.width) + 1)),
+          static_cast<int>(rng.below(static_cast<std::uint64_t>(frame.height) + 1))};
+}
+
+Blocked strewn(Rng& rng, int width, int height, double density) {
+  Blocked grid(GridFrame{{}, 1.0, width, height});
+  for (std::uint8_t& cell : grid.cells) cell = rng.uniform() < density ? 1 : 0;
+  return grid;
+}
+
+/// Walls all over, with gaps, and pillars that touch them at corners.
+Blocked rooms(Rng& rng, int side) {
+  Blocked grid = strewn(rng, side, side, 0.03);
+  const int pitch = 4 + static_cast<int>(rng.below(5));
+  for (int i = pitch; i < side; i += pitch) {
+    for (int k = 0; k < side; ++k) {
+      if (rng.below(5) != 0) grid[{i, k}] = 1;
+      if (rng.below(5) != 0) grid[{k, i}] = 1;
+    }
+  }
+  return grid;
+}
+
+/// The same cost as polyanya, a legal path, or the same refusal.
+void expect_as_polyanya(const Problem& problem, const HubLabelsOptions& options, Workspace& workspace,
+                        int& bent) {
+  const auto plan = hub_labels(problem, options, {}, workspace);
+  const auto truth = polyanya(problem, {}, {}, workspace);
+  ASSERT_EQ(plan.has_value(), truth.has_value());
+  if (!plan) {
+    ASSERT_EQ(to_string(plan.error()), to_string(truth.error()));
+    return;
+  }
+  ASSERT_NEAR(plan->cost, truth->cost, 1e-9 * std::max(1.0, truth->cost));
+  ASSERT_EQ(plan->lower_bound, plan->cost);
+  const auto verdict = check(*plan, problem);
+  ASSERT_TRUE(verdict.has_value()) << to_string(verdict.error());
+  bent += plan->vertices.size() > 2 ? 1 : 0;
+}
+
+TEST(HubLabels, AreTheShortestPathOverAllVertices) {
+  Rng rng = Rng(21).child("brute force");
+  Workspace workspace;
+  int joined = 0;
+  for (int i = 0; i < outrider::testing::cases(800); ++i) {
+    const Blocked grid = random_grid(rng, 8);
+    const auto ground = ground_of(grid);
+    for (int k = 0; k < 4; ++k) {
+      const Cell start = random_vertex(rng, grid.frame), goal = random_vertex(rng, grid.frame);
+      if (!ground->place(start) || !ground->place(goal)) continue;
+      const auto plan = hub_labels({ground, ground->point(start), ground->point(goal)}, {}, {}, workspace);
+      const double least = oracle::shortest(grid, GridModel::corners, start, goal, true);
+      ASSERT_EQ(plan.has_value(), std::isfinite(least)) << "grid " << i;
+      if (!plan) continue;
+      ASSERT_NEAR(plan->cost, least, 1e-9) << "grid " << i;
+      ++joined;
+    }
+  }
+  EXPECT_GT(joined, 800);
+}
+
+TEST(HubLabels, AgreeWithPolyanya) {
+  Rng rng = Rng(22).child("polyanya");
+  Workspace workspace;
+  int bent = 0;
+  for (int i = 0; i < outrider::testing::cases(60); ++i) {
+    const int side = 20 + static_cast<int>(rng.below(35));
+    const Blocked grid = i % 2 == 0 ? rooms(rng, side) : strewn(rng, side, 35, rng.uniform(0.02, 0.45));
+    const auto ground = ground_of(grid);
+    for (int k = 0; k < 60; ++k) {
+      const Cell start = random_vertex(rng, grid.frame), goal = random_vertex(rng, grid.frame);
+      expect_as_polyanya({ground, ground->point(start), ground->point(goal)}, {}, workspace, bent);
+      ASSERT_FALSE(HasFatalFailure()) << "grid " << i << ", query " << k;
+    }
+  }
+  EXPECT_GT(bent, 1000);
+}
+
+TEST(HubLabels, GoRoundBothSidesOfPinchesButNotThroughThem) {
+  const auto ground = ground_of(drawn({".....", "..#..", ".#...", "....."}));
+  Workspace workspace;
+  int bent = 0;
+  for (int y = 0; y <= 4; ++y) {
+    for (int x = 0; x <= 5; ++x) {
+      for (int k = 0; k < 30; ++k) {
+        const Cell goal{k % 6, k / 6};
+        expect_as_polyanya({ground, ground->point({x, y}), ground->point(goal)}, {}, workspace, bent);
+        ASSERT_FALSE(HasFatalFailure()) << x << "," << y << " to " << goal.x << "," << goal.y;
+      }
+    }
+  }
+  EXPECT_GT(bent, 200);
+}
+
+TEST(HubLabels, LeaveItToPolyanyaWhereAListDoesNotFit) {
+  Rng rng = Rng(23).child("small memory");
+  const Blocked grid = strewn(rng, 110, 110, 0.003);
+  const auto ground = ground_of(grid);
+  HubLabelsOptions small, large;
+  small.index_mib = 1;
+  Workspace narrow, wide;
+  int by_hubs = 0, by_search = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const Problem problem{ground, ground->point(random_vertex(rng, grid.frame)),
+                          ground->point(random_vertex(rng, grid.frame))};
+    const auto a = hub_labels(problem, small, {}, narrow), b = hub_labels(problem, large, {}, wide);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    ASSERT_EQ(b->counters.generated, 0U) << "not by hubs";
+    ASSERT_NEAR(a->cost, b->cost, 1e-12 * b->cost) << "query " << k;
+    ASSERT_TRUE(check(*a, problem));
+    if (a->vertices.size() > 2) ++(a->counters.generated == 0 ? by_hubs : by_search);
+  }
+  EXPECT_GT(by_hubs, 10);
+  EXPECT_GT(by_search, 10);
+}
+
+TEST(HubLabels, LeaveItToPolyanyaWhereTheHubsDoNotFit) {
+  Rng rng = Rng(24).child("no memory");
+  const auto ground = ground_of(strewn(rng, 150, 150, 0.25));
+  HubLabelsOptions options;
+  options.index_mib = 1;
+  Workspace workspace;
+  int bent = 0;
+  for (int k = 0; k < 50; ++k) {
+    const Problem problem{ground, ground->point(random_vertex(rng, ground->frame)),
+                          ground->point(random_vertex(rng, ground->frame))};
+    expect_as_polyanya(problem, options, workspace, bent);
+    ASSERT_FALSE(HasFatalFailure()) << "query " << k;
+  }
+  EXPECT_GT(bent, 20);
+}
+
+TEST(HubLabels, AreMadeAnewForAnotherGround) {
+  Rng rng = Rng(25).child("grounds");
+  Workspace workspace;
+  const auto one = ground_of(rooms(rng, 30)), other = ground_of(rooms(rng, 30));
+  int bent = 0;
+  for (int k = 0; k < 40; ++k) {
+    const auto& ground = k % 2 == 0 ? one : other;
+    const Problem problem{ground, ground->point(random_vertex(rng, ground->frame)),
+                          ground->point(random_vertex(rng, ground->frame))};
+    expect_as_polyanya(problem, {}, workspace, bent);
+    ASSERT_FALSE(HasFatalFailure()) << "query " << k;
+  }
+}
+
+}  // namespace
+}  // namespace outrider
