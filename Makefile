@@ -17,14 +17,14 @@ FUZZ_SECONDS ?= 60
 LOAD_SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak load fuzz bench sbom lint check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak load fuzz bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
 
 # Where npm cannot have its packages the tool has no page; the moving picture needs none.
 demo: tool-and-page  ## guard the example yard, print the summary, write a page and a picture to out/yard
-	@build/outrider run scenarios/yard/yard.yaml --out out/yard --svg $$(grep -qs incbin build/web/page_files.cpp && echo --html)
+	@build/outrider run scenarios/yard/yard.yaml --out out/yard $$(grep -qs incbin build/web/page_files.cpp && echo --html)
 
 build:  ## build the tool, build/outrider
 	$(INSTALL) build
@@ -40,7 +40,7 @@ serve: tool-and-page  ## build the tool with its page, and open the scenarios at
 	@build/outrider serve scenarios
 
 test:  ## build everything and run every test
-	$(INSTALL) build test physics cbc page browser
+	$(INSTALL) build test physics cbc ompl page browser
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
 	@ninja -C build -j $(JOBS)
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
@@ -65,7 +65,7 @@ tsan:  ## run the tests of what uses threads, costly ones in part, under the thr
 	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
 docs:  ## write docs/options.md and docs/scenario.schema.json anew
-	$(INSTALL) build
+	$(INSTALL) build ompl
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
@@ -105,8 +105,22 @@ pictures: tool-and-page  ## make the pictures of the README and docs/ anew, from
 lint: check-format  ## static analysis and formatting
 	$(INSTALL) build test lint
 	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
-	@ninja -C build-tidy -j $(JOBS)
+	@scripts/check-clang build-tidy
 	@run-clang-tidy-19 -quiet -p build-tidy -j $(JOBS) "$(CURDIR)/(src|apps)/.*" 2>/dev/null
+
+# What older lines and headers have is left to lint, which sees every file.
+tidy:  ## static analysis of the lines of the library and the tool that differ from the commit BASE, HEAD~1 unless given
+	$(INSTALL) build test lint
+	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
+	@[ -z "$$(scripts/changed-sources $(BASE))" ] || git diff -M -U0 $(or $(BASE),HEAD~1) -- src apps | \
+	  clang-tidy-diff-19.py -clang-tidy-binary clang-tidy-19 -p1 -path build-tidy -iregex '.*[.]cpp' -j $(JOBS) -quiet
+
+# What clang++-19 says: all but the tests, and of the tests what changed.
+check-clang:
+	$(INSTALL) build test lint
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@scripts/check-clang build src/ apps/ bench/ examples/ \
+	  $$(scripts/changed-sources $(BASE) | grep '^tests/.*[.]cpp$$')
 
 check-format:
 	$(INSTALL) format

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "outrider/io/scenario.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/site.hpp"
 
 namespace outrider {
@@ -18,12 +18,10 @@ void survey_of_yard(benchmark::State& state) {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const char* named = std::getenv("OUTRIDER_GUARD_SCENARIO");
   const std::string path = named == nullptr ? OUTRIDER_SCENARIOS "/yard/yard.yaml" : named;
-  GuardScenario scenario;
-  if (auto ok = load_scenario(path, describe(scenario)); !ok) {
-    return state.SkipWithError(ok.error().sentence.c_str());
-  }
-  resolve_paths(scenario, path);
-  if (auto ok = load_problem(scenario); !ok) return state.SkipWithError(ok.error().sentence.c_str());
+  GuardJob job;
+  if (auto ok = read_scenario(job, path); !ok) return state.SkipWithError(ok.error().sentence.c_str());
+  if (auto ok = job.load(); !ok) return state.SkipWithError(ok.error().sentence.c_str());
+  GuardScenario& scenario = job.scenario;
   scenario.options.resolution_m = static_cast<double>(state.range(0)) / 1000.0;
   std::size_t hits = 0;
   for (auto _ : state) {

@@ -33,7 +33,7 @@ void look(benchmark::State& state) {
     const Pose2 opening{{rng.uniform(-0.2, 1.2), rng.uniform(-0.4, 1.2)}, rng.uniform(0.0, pi / 2)};
     const Pose2 closing{opening.position + Vec2{0.002, 0.0}, opening.heading_rad + 0.005};
     const auto sightings = eye.look(opening, closing);
-    const PoseBelief prior{opening, {{{0.0025, 0, 0}, {0, 0.0025, 0}, {0, 0, 0.0025}}}};
+    const PoseBelief prior{opening, 0.0025 * Eigen::Matrix3d::Identity()};
     const TagFix fix = localise(sightings, scene.tags, mount, prior);
     seen += static_cast<double>(sightings.size());
     if (!fix.belief) continue;

@@ -1,287 +1,156 @@
-#include <fmt/format.h>
-#include <malloc.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <iterator>
-#include <limits>
+// outrider bench: the flags of the suites (bench/suites), which measure, and their rows on the terminal.
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <optional>
 
-#include "bench_grids.hpp"
-#include "bench_words.hpp"
+#include "clocks.hpp"
 #include "commands.hpp"
-#include "flags.hpp"
 #include "output.hpp"
-#include "outrider/path/catalog.hpp"
-#include "outrider/path/check.hpp"
 #include "progress.hpp"
+#include "suites/suites.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
 namespace {
 
-struct BenchCommand {
-  std::string data;
-  std::vector<std::string> maps;
-  std::vector<std::string> planners;
-  std::size_t queries = 1000;
-  int repeat = 1;
-  bool all_rows = false;
+/// A suite that is asked for, with the values of its flags.
+template <class Request>
+struct Asked {
+  Request request;
   bool json = false;
 };
 
-struct Row {
-  std::string map;
-  PathPlanner planner;
-  GridModel model = GridModel::cells;
-  std::vector<double> times_us;  ///< of the answered queries
-  std::vector<double> ratios;    ///< to the published optimum, where there is one
-  std::uint64_t expansions = 0;
-  std::size_t unanswered = 0;
-  std::size_t mismatches = 0;  ///< answers that the judge or a published length contradicts
-  std::string first_mismatch;
-  double build_s = 0.0;
-  double memory_mib = 0.0;
-};
+template <class Request>
+using Suite = Outcome<bench::BenchResult> (*)(const Request&, const bench::BenchObserver&);
 
-/// The model on which a planner's class of paths has published lengths; nothing when it takes no grid.
-std::optional<GridModel> model_for(const PathPlanner& planner) {
-  if (planner.models.empty()) return std::nullopt;
-  const bool corners = planner.guarantee.among == PathClass::any_direction;
-  const GridModel wanted = corners ? GridModel::corners : GridModel::cells;
-  return planner.takes(wanted) ? wanted : planner.models.front();
-}
-
-std::string guarantee_of(const PathPlanner& planner) {
-  if (planner.guarantee.most_ratio != 1.0) return "none";
-  return planner.guarantee.among == PathClass::any_direction ? "any_angle_optimal" : "grid_optimal";
-}
-
-/// In `corners`, from and to the top left corners of the cells.
-Problem problem_of(const std::shared_ptr<const GridGround>& ground, const GridQueryRow& row) {
-  const int up = ground->model == GridModel::corners ? 1 : 0;
-  return {ground, ground->point({row.start.x, row.start.y + up}),
-          ground->point({row.goal.x, row.goal.y + up})};
-}
-
-struct Optimum {
-  double length = 0.0;
-  double tolerance = 0.0;  ///< relative
-};
-std::optional<Optimum> optimum_of(const Row& row, const PublishedGrid& grid, const GridQueryRow& query) {
-  const bool any_direction = row.planner.guarantee.among == PathClass::any_direction;
-  if (any_direction != (row.model == GridModel::corners)) return std::nullopt;
-  if (!any_direction && std::isfinite(grid.octile_tolerance))
-    return Optimum{query.octile_length, grid.octile_tolerance};
-  if (any_direction && query.shortest_length) return Optimum{*query.shortest_length, 1e-6};
-  return std::nullopt;
-}
-
-/// Why the answer cannot be right; empty when nothing speaks against it.
-std::string contradiction(const Row& row, const Outcome<Plan>& plan, const Problem& problem,
-                          const std::optional<Optimum>& optimum) {
-  if (!plan) return optimum ? plan.error().sentence : std::string();
-  if (auto verdict = check(*plan, problem); !verdict) return to_string(verdict.error());
-  if (!optimum) return {};
-  const double slack = optimum->tolerance * std::max(1.0, optimum->length);
-  const bool longer = row.planner.guarantee.most_ratio == 1.0 && plan->cost > optimum->length + slack;
-  if (plan->cost >= optimum->length - slack && !longer) return {};
-  return fmt::format("length {} where {} is published", plan->cost, optimum->length);
-}
-
-void judge(Row& row, const Outcome<Plan>& plan, const Problem& problem,
-           const std::optional<Optimum>& optimum) {
-  if (auto reason = contradiction(row, plan, problem, optimum); !reason.empty()) {
-    if (row.mismatches++ == 0) {
-      row.first_mismatch = fmt::format("from ({}, {}) to ({}, {}): {}", problem.start.x, problem.start.y,
-                                       problem.goal.x, problem.goal.y, reason);
-    }
+/// Runs a suite with a line of progress, then prints its rows. Returns the exit status.
+template <class Request>
+int execute(const std::string& job, Suite<Request> suite, const Asked<Request>& asked) {
+  std::optional<Progress> progress;
+  bench::BenchObserver observer;
+  observer.begin = [&](int steps) { progress.emplace(steps); };
+  observer.next = [&](const std::string& step) { progress->next(step); };
+  observer.part = [&](double done) { progress->part(done); };
+  observer.processor_s = processor_s;
+  auto result = suite(asked.request, observer);
+  progress.reset();  // clears its line
+  if (!result) return say(result.error(), asked.json);
+  if (asked.json) {
+    print({{"status", result->right ? "done" : "not_done"}, {"job", job}, {"rows", std::move(result->rows)}});
+  } else {
+    show_text(result->table);
   }
-  if (!plan) {
-    ++row.unanswered;
-    return;
-  }
-  row.expansions += plan->counters.expansions;
-  if (!optimum) return;
-  row.ratios.push_back(optimum->length > 0.0 ? plan->cost / optimum->length : 1.0);
+  for (const std::string& complaint : result->complaints) complain(complaint);
+  return result->right ? job_done : job_not_done;
 }
 
-std::size_t allocated_bytes() {
-  const struct mallinfo2 info = ::mallinfo2();
-  return info.uordblks + info.hblkhd;
+/// --json, and what the command does.
+template <class Request>
+void finish(Command& command, const std::string& job, Suite<Request> suite,
+            const std::shared_ptr<Asked<Request>>& asked) {
+  command.flag("--json", &asked->json, "print one JSON object on standard output");
+  command.does([=](const Command&) { return execute(job, suite, *asked); });
 }
 
-struct Timed {
-  Outcome<Plan> plan;
-  double time_us = 0.0;
-};
-Timed timed(const ConfiguredPlanner& planner, const Problem& problem, Workspace& workspace) {
-  const auto begin = std::chrono::steady_clock::now();
-  auto plan = planner.plan(problem, {}, workspace);
-  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
-  return {std::move(plan), time.count()};
+void add_names(Command& command, const std::string& flag, std::vector<std::string>& names,
+               const std::string& sentence = "names from 'outrider list'; all unless given") {
+  command.option(flag, &names, sentence).separated_by(',').type("NAME,...");
 }
 
-Row measure(const BenchCommand& command, const GridFiles& files, const PublishedGrid& grid,
-            const PathPlanner& planner, const std::shared_ptr<const GridGround>& ground) {
-  Row row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
-  row.times_us.reserve(grid.rows.size());
-  row.ratios.reserve(grid.rows.size());
-  std::vector<double> best_us(grid.rows.size(), std::numeric_limits<double>::infinity());
-  const std::size_t before = allocated_bytes();
-  Workspace workspace;
-  const ConfiguredPlanner configured = planner.configure();
-  const Problem first = problem_of(ground, grid.rows.front());
-  const double cold_us = timed(configured, first, workspace).time_us;
-  row.build_s = 1e-6 * std::max(0.0, cold_us - timed(configured, first, workspace).time_us);
-  for (int round = 0; round < command.repeat; ++round) {  // in turn, so that no query is fresh in the cache
-    for (std::size_t i = 0; i < grid.rows.size(); ++i) {
-      const Problem problem = problem_of(ground, grid.rows[i]);
-      const Timed answer = timed(configured, problem, workspace);
-      best_us[i] = std::min(best_us[i], answer.time_us);
-      if (round == 0) judge(row, answer.plan, problem, optimum_of(row, grid, grid.rows[i]));
-      if (!answer.plan) best_us[i] = std::numeric_limits<double>::quiet_NaN();
-    }
-  }
-  const std::size_t after = allocated_bytes();
-  row.memory_mib = after > before ? static_cast<double>(after - before) / (1 << 20) : 0.0;
-  std::copy_if(best_us.begin(), best_us.end(), std::back_inserter(row.times_us),
-               [](double time) { return !std::isnan(time); });
-  std::sort(row.times_us.begin(), row.times_us.end());
-  return row;
+void add_scenarios(Command& command, std::vector<std::string>& paths, const std::string& sentence) {
+  command.option("--scenarios", &paths, sentence).separated_by(',').type("FILE,...");
 }
 
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) /
-         static_cast<double>(std::max<std::size_t>(1, values.size()));
+void add_seeds(Command& command, std::int64_t& seeds, const std::string& sentence) {
+  command.option("--seeds", &seeds, sentence).between(1, 10'000).type("N");
 }
 
-nlohmann::ordered_json row_json(const Row& row) {
-  const auto number = [](bool known, double value) {
-    return known ? nlohmann::ordered_json(value) : nullptr;
-  };
-  const bool answered = !row.times_us.empty(), known = !row.ratios.empty();
-  return {{"map", row.map},
-          {"planner", row.planner.name},
-          {"model", to_string(row.model)},
-          {"guarantee", guarantee_of(row.planner)},
-          {"index", row.planner.index},
-          {"queries", row.times_us.size()},
-          {"unanswered", row.unanswered},
-          {"mismatches", row.mismatches},
-          {"mean_us", number(answered, mean(row.times_us))},
-          {"median_us", number(answered, answered ? row.times_us[row.times_us.size() / 2] : 0.0)},
-          {"worst_us", number(answered, answered ? row.times_us.back() : 0.0)},
-          {"expansions",
-           number(answered, static_cast<double>(row.expansions) /
-                                static_cast<double>(std::max<std::size_t>(1, row.times_us.size())))},
-          {"ratio_to_optimum_mean", number(known, mean(row.ratios))},
-          {"ratio_to_optimum_max",
-           number(known, known ? *std::max_element(row.ratios.begin(), row.ratios.end()) : 0.0)},
-          {"build_s", row.build_s},
-          {"memory_mib", row.memory_mib}};
+void add_path_suite(Command& bench) {
+  Command& path = bench.add("path", "path planners on grids: time, expansions, length");
+  auto asked = std::make_shared<Asked<bench::PathRequest>>();
+  bench::PathRequest& request = asked->request;
+  path.option("--data", &request.data, "folder with MovingAI .map and .scen files, searched to its depths")
+      .required()
+      .type("DIR");
+  add_names(path, "--maps", request.maps, "names of maps, such as lak303d,brc202d; all unless given");
+  add_names(path, "--planners", request.planners);
+  path.option("--queries", &request.queries, "at most so many a map, spread over its rows [1000]")
+      .between(1, 1'000'000)
+      .type("N");
+  path.option("--repeat", &request.repeat,
+              "go through the queries so often and keep the shortest time of each [1]")
+      .between(1, 1000)
+      .type("N");
+  path.flag("--all-rows", &request.all_rows,
+            "the rows of the scenario also where there is a table of shortest lengths");
+  finish(path, "bench path", bench::measure_path, asked);
+  path.footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
 }
 
-void print_table(const std::vector<Row>& rows) {
-  show("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", "map", "planner",
-       "queries", "mean us", "median us", "worst us", "expansions", "ratio", "at most", "build s", "MiB");
-  for (const Row& row : rows) {
-    const auto object = row_json(row);
-    const auto text = [&](const char* key, int digits) {
-      return object[key].is_null() ? std::string("-")
-                                   : fmt::format("{:.{}f}", object[key].get<double>(), digits);
-    };
-    show("  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", row.map,
-         row.planner.name, row.times_us.size(), text("mean_us", 1), text("median_us", 1), text("worst_us", 1),
-         text("expansions", 0), text("ratio_to_optimum_mean", 6), text("ratio_to_optimum_max", 6),
-         text("build_s", 4), text("memory_mib", 2));
-  }
+void add_pursuit_suite(Command& bench) {
+  Command& pursuit = bench.add("pursuit", "pursuit planners: cost, time to the first catch, time to proof");
+  auto asked = std::make_shared<Asked<bench::PursuitRequest>>();
+  bench::PursuitRequest& request = asked->request;
+  pursuit.option("--data", &request.data, "folder with pursuit maps, searched to its depths")
+      .required()
+      .type("DIR");
+  add_names(pursuit, "--maps", request.maps, "names of maps, such as map3,map1s; all unless given");
+  add_names(pursuit, "--planners", request.planners);
+  pursuit.option("--limit", &request.limit_s, "time of each planner on each map [60]")
+      .between(0.001, 86'400.0)
+      .type("s");
+  finish(pursuit, "bench pursuit", bench::measure_pursuit, asked);
+  pursuit.footer("\nExample: outrider bench pursuit --data DIR --maps map3,map4");
 }
 
-Outcome<std::vector<GridFiles>> chosen_maps(const BenchCommand& command) {
-  auto all = find_grids(command.data);
-  if (!all || command.maps.empty()) return all;
-  std::vector<std::string> known;
-  for (const GridFiles& files : *all) known.push_back(files.name);
-  for (const std::string& name : command.maps) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string nearest = nearest_name(name, known);
-    return bad_input(fmt::format("there is no map '{}' with queries{}", name,
-                                 nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
-                     "--maps");
-  }
-  std::erase_if(*all, [&](const GridFiles& files) {
-    return std::find(command.maps.begin(), command.maps.end(), files.name) == command.maps.end();
-  });
-  return all;
+void add_guard_suite(Command& bench) {
+  Command& guard = bench.add("guard", "guard planners: missions simulated, and where their time goes");
+  auto asked = std::make_shared<Asked<bench::GuardRequest>>();
+  bench::GuardRequest& request = asked->request;
+  add_scenarios(guard, request.scenarios, "scenario files of yards [scenarios/yard/yard.yaml]");
+  guard
+      .option("--data", &request.data,
+              "folder with goals_params.txt and worlds/by_small.sdf, by_small2.sdf, for these yards too")
+      .type("DIR");
+  add_names(guard, "--planners", request.planners);
+  add_seeds(guard, request.seeds, "missions of each plan, with seeds from 1 on [3]");
+  guard
+      .option("--arrivals", &request.arrivals,
+              "a scenario in which intruders keep coming: compare the policies there instead")
+      .type("FILE");
+  finish(guard, "bench guard", bench::measure_guard, asked);
+  guard.footer("\nExample: outrider bench guard --planners best_tour,shrinking_circles");
 }
 
-Outcome<std::vector<PathPlanner>> chosen_planners(const BenchCommand& command) {
-  std::vector<PathPlanner> planners;
-  for (const std::string& name : command.planners) {
-    auto planner = find_path_planner(name);
-    if (!planner) return bad_input(planner.error().sentence, "--planners");
-    if (!model_for(*planner)) return bad_input(fmt::format("{} takes no grids", name), "--planners");
-    if (planner->guarantee.measure != Measure::length)
-      return bad_input(fmt::format("{} does not look for short paths, which these tables hold", name),
-                       "--planners");
-    planners.push_back(std::move(*planner));
-  }
-  if (!command.planners.empty()) return planners;
-  std::copy_if(path_planners().begin(), path_planners().end(), std::back_inserter(planners),
-               [](const PathPlanner& planner) {
-                 return model_for(planner).has_value() && planner.guarantee.measure == Measure::length;
-               });
-  return planners;
+void add_slam_suite(Command& bench) {
+  Command& slam = bench.add(
+      "slam", "pose graphs and laser logs: cost, error and time; graphs beside Ceres where it is installed");
+  auto asked = std::make_shared<Asked<bench::SlamRequest>>();
+  bench::SlamRequest& request = asked->request;
+  slam.option("--data", &request.data, "folder with .g2o or .log files, which may be gzip-compressed")
+      .required()
+      .type("DIR");
+  slam.option("--repeat", &request.repeat, "do each so often and keep the shortest time [1]")
+      .between(1, 1000)
+      .type("N");
+  finish(slam, "bench slam", bench::measure_slam, asked);
+  slam.footer("\nExample: outrider bench slam --data DIR --repeat 5");
 }
 
-/// All planners on one map; one ground of each model at a time.
-Status measure_map(const BenchCommand& command, const GridFiles& files,
-                   const std::vector<PathPlanner>& planners, Progress& progress, std::vector<Row>& rows) {
-  auto grid = load_grid(files, command.queries, command.all_rows);
-  if (!grid) return pass_on(grid);
-  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-    std::shared_ptr<const GridGround> ground;
-    for (const PathPlanner& planner : planners) {
-      if (model_for(planner) != model) continue;
-      progress.next(fmt::format("{} on {}", planner.name, files.name));
-      if (!ground) {
-        auto made = GridGround::of(grid->blocked, model);
-        if (!made) return bad_input(made.error().sentence, files.map);
-        ground = std::make_shared<const GridGround>(std::move(*made));
-      }
-      if (!grid->rows.empty()) rows.push_back(measure(command, files, *grid, planner, ground));
-    }
-  }
-  return {};
-}
-
-int execute(const BenchCommand& command) {
-  const auto maps = chosen_maps(command);
-  if (!maps) return say(maps.error(), command.json);
-  const auto planners = chosen_planners(command);
-  if (!planners) return say(planners.error(), command.json);
-  std::vector<Row> rows;
-  Progress progress(static_cast<int>(maps->size() * planners->size()));
-  for (const GridFiles& files : *maps) {
-    if (auto ok = measure_map(command, files, *planners, progress, rows); !ok) {
-      progress.end();
-      return say(ok.error(), command.json);
-    }
-  }
-  progress.end();
-  const bool right =
-      std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.mismatches == 0; });
-  const int status = tell("bench path", rows, right, command.json);
-  for (const Row& row : rows) {
-    if (row.mismatches == 0) continue;
-    complain(fmt::format("{} on {}: {} of {} answers are wrong, the first {}", row.planner.name, row.map,
-                         row.mismatches, row.times_us.size() + row.unanswered, row.first_mismatch));
-  }
-  return status;
+void add_explore_suite(Command& bench) {
+  Command& explore =
+      bench.add("explore", "ways to choose the next view: worlds explored with SLAM in the loop");
+  auto asked = std::make_shared<Asked<bench::ExploreRequest>>();
+  bench::ExploreRequest& request = asked->request;
+  add_scenarios(explore, request.scenarios, "scenario files [scenarios/explore/office.yaml]");
+  explore
+      .option("--data", &request.data,
+              "folder with closed_maze.world and house_closed.world, for these worlds too")
+      .type("DIR");
+  add_names(explore, "--strategies", request.strategies);
+  add_seeds(explore, request.seeds, "runs of each strategy in each world, with seeds from 1 on [20]");
+  finish(explore, "bench explore", bench::measure_explore, asked);
+  explore.footer("\nExample: outrider bench explore --strategies tour,nearest --seeds 5");
 }
 
 }  // namespace
@@ -289,29 +158,11 @@ int execute(const BenchCommand& command) {
 void add_bench(Command& tool) {
   Command& bench = tool.add("bench", "measure planners on published benchmarks");
   bench.require_command();
-  Command& path = bench.add("path", "path planners on grids: time, expansions, length");
-  auto command = std::make_shared<BenchCommand>();
-  path.option("--data", &command->data, "folder with MovingAI .map and .scen files, searched to its depths")
-      .required()
-      .type("DIR");
-  add_names(path, "--maps", command->maps, "names of maps, such as lak303d,brc202d; all unless given");
-  add_names(path, "--planners", command->planners);
-  path.option("--queries", &command->queries, "at most so many a map, spread over its rows [1000]")
-      .between(1, 1'000'000)
-      .type("N");
-  path.option("--repeat", &command->repeat,
-              "go through the queries so often and keep the shortest time of each [1]")
-      .between(1, 1000)
-      .type("N");
-  path.flag("--all-rows", &command->all_rows,
-            "the rows of the scenario also where there is a table of shortest lengths");
-  add_json(path, command->json);
-  path.does([command](const Command&) { return execute(*command); });
-  path.footer("\nExample: outrider bench path --data DIR --maps lak303d --planners a_star,jps");
-  add_bench_pursuit(bench);
-  add_bench_guard(bench);
-  add_bench_slam(bench);
-  add_bench_explore(bench);
+  add_path_suite(bench);
+  add_pursuit_suite(bench);
+  add_guard_suite(bench);
+  add_slam_suite(bench);
+  add_explore_suite(bench);
 }
 
 }  // namespace outrider::cli

@@ -11,8 +11,9 @@
 #include "outrider/core/units.hpp"
 #include "outrider/io/calibration_runs.hpp"
 #include "outrider/io/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/drive/job.hpp"
 #include "outrider/jobs/drive/run.hpp"
-#include "outrider/jobs/drive/scenario.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -69,11 +70,10 @@ Outcome<Recorded> runs_of(const CalibrateCommand& command) {
     if (!runs) return pass_on(runs);
     return Recorded{std::move(*chassis), std::move(*runs)};
   }
-  DriveScenario scenario;
-  if (auto ok = load_scenario(command.record, describe(scenario)); !ok) return pass_on(ok);
-  resolve_paths(scenario, command.record);
-  scenario.calibration.clear();
-  auto setup = load_drive(scenario);
+  DriveJob job;
+  if (auto ok = read_scenario(job, command.record); !ok) return pass_on(ok);
+  job.scenario.calibration.clear();
+  auto setup = load_drive(job.scenario);
   if (!setup) return pass_on(setup);
   auto runs = record_runs(setup->task, setup->truth, static_cast<int>(command.repeats), command.measured_m,
                           command.measured_rad, static_cast<std::uint64_t>(command.seed));
@@ -123,7 +123,7 @@ nlohmann::ordered_json fit_json(const CalibrationFit& fit, const Chassis& chassi
                     {"unit", is_turn(law) ? "rad" : "m"},
                     {"a", estimate_json(law.slope)},
                     {"b", estimate_json(law.offset)},
-                    {"spread", law.spread},
+                    {"spread", law.residual_sd},
                     {"runs", law.points.size()}});
   }
   auto wheels = nlohmann::ordered_json::array();

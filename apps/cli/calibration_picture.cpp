@@ -45,8 +45,8 @@ std::string law_panel(const FittedLaw& law, const Panel& panel) {
   for (int i = 0; i <= band_steps; ++i) {
     const double t = last_s * i / band_steps;
     const double value = law.offset.value + law.slope.value * t;
-    upper += at(t, value + band(law, t));
-    lower.insert(0, at(t, value - band(law, t)));
+    upper += at(t, value + confidence_half_width(law, t));
+    lower.insert(0, at(t, value - confidence_half_width(law, t)));
     line += at(t, value);
   }
   std::string svg = fmt::format(

@@ -154,7 +154,10 @@ void Command::footer(const std::string& text) { app_->footer(text); }
 
 void Command::does(Job job) { job_ = std::move(job); }
 
-bool Command::given(const std::string& name) const { return app_->get_option(name)->count() > 0; }
+bool Command::given(const std::string& name) const {
+  const CLI::Option* option = app_->get_option_no_throw(name);
+  return option != nullptr && option->count() > 0;
+}
 
 std::vector<std::string> Command::values(const std::string& name) const {
   return app_->get_option(name)->results();
@@ -174,9 +177,10 @@ const Command& Command::chosen() const {
   return found == commands_.end() ? *this : (*found)->chosen();
 }
 
-Outcome<int> Command::run(int argc, char** argv) {
+Outcome<int> Command::run(std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // as the parser wants them
   try {
-    app_->parse(argc, argv);
+    app_->parse(words);
   } catch (const CLI::Success& success) {  // --help, --version
     return app_->exit(success);
   } catch (const CLI::ParseError& error) {

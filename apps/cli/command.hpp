@@ -97,7 +97,7 @@ class Command {
 
   /// Reads the words, then does the job of the command they name. Returns the exit status, or what was
   /// misunderstood, in one sentence with the nearest that would do. For the tool itself.
-  Outcome<int> run(int argc, char** argv);
+  Outcome<int> run(std::vector<std::string> words);
 
  private:
   explicit Command(CLI::App& app);

@@ -54,7 +54,7 @@ double yaw_rad(const Pose3& camera_T_tag) {
 nlohmann::ordered_json pose_json(const TagPose& pose) {
   const Vec3 t = pose.camera_T_tag.position;
   const auto& axes = pose.camera_T_tag.rotation.axes;
-  const auto sigma = [&](std::size_t i) { return std::sqrt(pose.covariance[i][i]); };
+  const auto sigma = [&](int i) { return std::sqrt(pose.covariance(i, i)); };
   return {{"translation_m", {t.x, t.y, t.z}},
           {"rotation",
            {{axes[0].x, axes[1].x, axes[2].x},

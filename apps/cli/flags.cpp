@@ -16,6 +16,7 @@ std::string sentence_case(std::string text) {
 
 /// What stands behind the flag in the help.
 std::string placeholder(const Option& option) {
+  if (option.names_file) return "FILE";
   if (!option.unit.empty()) return option.unit;
   if (std::holds_alternative<std::string*>(option.value)) return "TEXT";
   return std::holds_alternative<double*>(option.value) ? "NUMBER" : "COUNT";
@@ -51,7 +52,8 @@ void add_flags(Command& command, const std::vector<OptionGroup>& groups) {
   }
 }
 
-Status apply_flags(const Command& command, const std::vector<OptionGroup>& groups) {
+Status apply_flags(const Command& command, const std::vector<OptionGroup>& groups,
+                   std::set<std::string>* given) {
   for (const OptionGroup& group : groups) {
     for (const Option& option : group.options) {
       const std::string flag = flag_of(group.name, option.name);
@@ -60,6 +62,7 @@ Status apply_flags(const Command& command, const std::vector<OptionGroup>& group
         ok.error().where = flag;
         return ok;
       }
+      if (given != nullptr) given->insert(group.name.empty() ? option.name : group.name + "." + option.name);
     }
   }
   return {};

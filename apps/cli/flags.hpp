@@ -1,6 +1,7 @@
 // Flags derived from described options: --name for the top level, --group-name for the groups.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ std::string flag_of(const std::string& group, const std::string& option);
 /// flags can win over a file that is read in between.
 void add_flags(Command& command, const std::vector<OptionGroup>& groups);
 
-/// Assigns what was given to the options; the fault names the flag.
-Status apply_flags(const Command& command, const std::vector<OptionGroup>& groups);
+/// Assigns what was given to the options; the fault names the flag. Options that the command does not have as
+/// flags stay as they are. The keys of what was given, as "robot.radius", go to `given`.
+Status apply_flags(const Command& command, const std::vector<OptionGroup>& groups,
+                   std::set<std::string>* given = nullptr);
 
 }  // namespace outrider::cli

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "jobs.hpp"
 #include "output.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
@@ -61,9 +60,9 @@ void list_cover_methods() {
   }
 }
 
-void list_json() {
+void list_json(const std::vector<Job>& jobs) {
   auto job_list = nlohmann::ordered_json::array();
-  for (const Job& job : jobs()) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
+  for (const Job& job : jobs) job_list.push_back({{"name", job.name}, {"sentence", job.sentence}});
   auto planners = nlohmann::ordered_json::array();
   for (const PathPlanner& planner : path_planners()) {
     planners.push_back({{"name", planner.name},
@@ -99,9 +98,9 @@ void list_json() {
          {"guard_policies", policies_json()}});
 }
 
-void list_text() {
+void list_text(const std::vector<Job>& jobs) {
   show("Jobs\n");
-  for (const Job& job : jobs()) show("  {}\n      {}\n", job.name, job.sentence);
+  for (const Job& job : jobs) show("  {}\n      {}\n", job.name, job.sentence);
   show("\nGuard planners (outrider guard --planner NAME)\n");
   for (const GuardPlanner& planner : guard_planners()) {
     show("  {}\n      {}\n      Source: {}.\n", planner.name, planner.sentence, planner.source);
@@ -124,12 +123,12 @@ void list_text() {
 
 }  // namespace
 
-void add_list(Command& tool) {
+void add_list(Command& tool, const std::vector<Job>& jobs) {
   Command& list = tool.add("list", "the jobs, and the planners with what they guarantee");
   auto json = std::make_shared<bool>(false);
   list.flag("--json", json.get(), "print one JSON object on standard output");
-  list.does([json](const Command&) {
-    *json ? list_json() : list_text();
+  list.does([json, jobs](const Command&) {
+    *json ? list_json(jobs) : list_text(jobs);
     return job_done;
   });
 }

@@ -54,6 +54,17 @@ std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side
   return is_free ? "\x1b[48;5;238m" + text + "\x1b[0m" : text;
 }
 
+/// The cells of a map in a report.
+Grid<std::uint8_t> occupancy_of(const ReportMap& map) {
+  Grid<std::uint8_t> grid;
+  grid.frame = {map.origin, map.cell_m, map.columns, map.rows};
+  for (std::size_t i = 0; i + 1 < map.state_runs.size(); i += 2) {
+    grid.cells.insert(grid.cells.end(), static_cast<std::size_t>(map.state_runs[i + 1]),
+                      static_cast<std::uint8_t>(map.state_runs[i]));
+  }
+  return grid;
+}
+
 }  // namespace
 
 std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<MapSign>& signs, int columns,
@@ -96,25 +107,27 @@ LiveMap::~LiveMap() {
   if (drawn_) fmt::print(stderr, "\n");
 }
 
-void LiveMap::show(const ExploreMission& mission, const Pose2& home) {
-  if (!terminal_) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (now < next_ && mission.stage != ExploreStage::over) return;
-  next_ = now + period;
-  draw(mission, home);
+bool LiveMap::wants() { return terminal_ && std::chrono::steady_clock::now() >= next_; }
+
+void LiveMap::see(const Report& so_far) {
+  if (!terminal_ || !so_far.explore) return;
+  next_ = std::chrono::steady_clock::now() + period;
+  draw(so_far, *so_far.explore);
 }
 
-void LiveMap::draw(const ExploreMission& mission, const Pose2& home) {
-  const auto& occupancy = mission.slam.map().occupancy();
-  const std::vector<MapSign> signs = {{home.position, "\x1b[1;32m⌂\x1b[0m"},
-                                      {mission.decision.goal.position, "\x1b[1;35m×\x1b[0m"},
-                                      {mission.pose.position, "\x1b[1;33m●\x1b[0m"}};
+void LiveMap::draw(const Report& report, const ReportExplore& explore) {
+  const Grid<std::uint8_t> occupancy = occupancy_of(explore.map);
+  std::vector<MapSign> signs = {{report.start.position, "\x1b[1;32m⌂\x1b[0m"}};
+  if (!explore.decisions.empty())
+    signs.push_back({explore.decisions.back().goal.position, "\x1b[1;35m×\x1b[0m"});
+  if (!explore.beliefs.empty()) signs.push_back({explore.beliefs.back().pose.position, "\x1b[1;33m●\x1b[0m"});
   const double cell_m2 = occupancy.frame.resolution_m * occupancy.frame.resolution_m;
   const auto free = static_cast<double>(std::ranges::count(occupancy.cells, free_cell));
   const std::string map = map_lines(occupancy, signs, columns_, rows_);
   if (drawn_) fmt::print(stderr, "\r\x1b[{}A", rows_);
-  fmt::print(stderr, "{}\x1b[K{:.0f} s, {:.0f} m driven, {:.1f} m2 free, {} frontiers", map, mission.time_s,
-             mission.driven_m, cell_m2 * free, mission.frontiers.frontiers().size());
+  fmt::print(stderr, "{}\x1b[K{:.0f} s, {:.0f} m2 free, {} frontiers", map,
+             report.track.empty() ? 0.0 : report.track.back().time_s, cell_m2 * free,
+             explore.decisions.empty() ? 0 : explore.decisions.back().frontiers);
   std::fflush(stderr);
   drawn_ = true;
 }

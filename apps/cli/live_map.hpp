@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "outrider/jobs/explore/mission.hpp"
+#include "outrider/report/growth.hpp"
+#include "outrider/world/grid.hpp"
 
 namespace outrider::cli {
 
@@ -23,17 +24,18 @@ std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<Map
 
 /// Draws over what it drew before, at most ten times a second, with a line of figures below; the last map
 /// stays. Silent where standard error is no terminal.
-class LiveMap {
+class LiveMap final : public RunObserver {
  public:
   LiveMap();
-  ~LiveMap();
+  ~LiveMap() override;
   LiveMap(const LiveMap&) = delete;
   LiveMap& operator=(const LiveMap&) = delete;
 
-  void show(const ExploreMission& mission, const Pose2& home);
+  bool wants() override;
+  void see(const Report& so_far) override;
 
  private:
-  void draw(const ExploreMission& mission, const Pose2& home);
+  void draw(const Report& report, const ReportExplore& explore);
 
   bool terminal_;
   bool drawn_ = false;

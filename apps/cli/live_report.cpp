@@ -15,7 +15,7 @@ constexpr std::size_t longest_line = std::size_t{4} << 20U;
 bool LiveReport::wants() { return std::chrono::steady_clock::now() >= next_; }
 
 void LiveReport::see(const Report& so_far) {
-  const Report news = growth_.news(so_far);
+  const Report news = growth_.delta(so_far);
   std::string line = to_json_line(news);
   if (line.size() > longest_line) {
     line = fmt::format(R"({{"omitted":"{}","bytes":{},"most_bytes":{}}})",

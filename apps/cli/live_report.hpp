@@ -14,12 +14,12 @@
 
 namespace outrider::cli {
 
-class LiveReport final : public Onlooker {
+class LiveReport final : public RunObserver {
  public:
   LiveReport() : watcher_("OUTRIDER_LIVE") {}
 
   /// Itself; null where nobody watches.
-  Onlooker* onlooker() { return watcher_.is_there() ? this : nullptr; }
+  RunObserver* observer() { return watcher_.is_there() ? this : nullptr; }
 
   bool wants() override;
   void see(const Report& so_far) override;

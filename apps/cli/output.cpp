@@ -92,13 +92,4 @@ Status write_files(const std::string& folder, const std::vector<NamedText>& file
   return outrider::write_files(placed);
 }
 
-std::string duration_text(double seconds) {
-  if (!std::isfinite(seconds)) return "an unknown time";
-  if (seconds < 0.995) return fmt::format("{:.2f} s", seconds);
-  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
-  if (seconds > 1e9) return fmt::format("{:.3g} s", seconds);
-  const auto whole = static_cast<long>(seconds + 0.5);
-  return fmt::format("{} min {} s", whole / 60, whole % 60);
-}
-
 }  // namespace outrider::cli

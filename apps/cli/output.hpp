@@ -47,7 +47,4 @@ using NamedText = std::pair<std::string, std::string>;
 /// put the report first: a report that is there has its pictures beside it.
 Status write_files(const std::string& folder, const std::vector<NamedText>& files);
 
-/// "1 min 21 s", "42.0 s", "0.31 s".
-std::string duration_text(double seconds);
-
 }  // namespace outrider::cli

@@ -21,6 +21,16 @@ Progress::Progress(int steps) : steps_(steps), program_("OUTRIDER_PROGRESS") {
 
 Progress::~Progress() { end(); }
 
+void Progress::show(const RunStep& step) {
+  if (step.number == done_ + 1 && step.name == step_) return part(step.part);
+  {
+    const std::lock_guard lock(mutex_);
+    steps_ = step.steps;
+    done_ = step.number - 2;
+  }
+  next(step.name);
+}
+
 void Progress::next(const std::string& step) {
   const std::lock_guard lock(mutex_);
   step_ = step;

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "outrider/job/watch.hpp"
 #include "watcher.hpp"
 
 namespace outrider::cli {
@@ -17,11 +18,13 @@ namespace outrider::cli {
 /// JSON for each step and each hundredth of one: {"step":2,"steps":4,"name":"planning the tour","part":0.25}.
 class Progress {
  public:
-  explicit Progress(int steps);
+  explicit Progress(int steps = 1);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// What a run tells of itself.
+  void show(const RunStep& step);
   /// The next step begins.
   void next(const std::string& step);
   /// That part of the present step is done, from 0 to 1.

@@ -4,18 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "cover_summary.hpp"
-#include "drive_summary.hpp"
-#include "explore_summary.hpp"
 #include "flags.hpp"
-#include "guard_summary.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/job/run_job.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
-#include "pursue_summary.hpp"
-#include "slam_summary.hpp"
+#include "run_output.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -49,24 +45,7 @@ Outcome<Report> load_report(const std::string& path) {
   return report;
 }
 
-nlohmann::ordered_json json_of(const Report& report, const std::string& path) {
-  if (report.chase) return pursuit_json(report, path);
-  if (report.cover) return cover_json(report, path);
-  if (report.job == "explore" && report.explore)
-    return explore_json(report, report.status == "done" ? "complete" : "", path);
-  if (report.slam) return slam_json(report, path);
-  return report.drive ? drive_json(report, path) : summary_json(report, path);
-}
-
-std::string text_of(const Report& report) {
-  if (report.chase) return pursuit_summary(report);
-  if (report.cover) return cover_summary(report);
-  if (report.job == "explore" && report.explore) return explore_summary(report);
-  if (report.slam) return slam_summary(report);
-  return report.drive ? drive_summary(report) : summary(report);
-}
-
-int execute(ReplayCommand& command, const Command& flags) {
+int execute(ReplayCommand& command, const std::vector<Job>& jobs, const Command& flags) {
   const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), json);
   if (flags.given("--html")) {
@@ -83,11 +62,13 @@ int execute(ReplayCommand& command, const Command& flags) {
       return say(ok.error(), command.json);
     }
   }
+  const auto job = find_job(jobs, report->job, command.path);
+  if (!job) return say(job.error(), command.json);
   if (command.json) {
-    print(json_of(*report, command.path));
+    print(run_json(*report, tables_of(*job, *report), {{"report", command.path}}));
     return job_done;
   }
-  show("{}", text_of(*report));
+  show("{}", text_of(*job, *report));
   if (!command.html.empty()) show("\n  watch    {}\n", command.html);
   if (!command.svg.empty()) show("{}  picture  {}\n", command.html.empty() ? "\n" : "", command.svg);
   return job_done;
@@ -95,14 +76,14 @@ int execute(ReplayCommand& command, const Command& flags) {
 
 }  // namespace
 
-void add_replay(Command& tool) {
+void add_replay(Command& tool, const std::vector<Job>& jobs) {
   Command& replay = tool.add("replay", "summarise a report, or make a page or a picture of it");
   auto command = std::make_shared<ReplayCommand>();
   replay.positional("report", &command->path, "report of a run, as --out of the job left it")
       .required()
       .type("FILE");
   add_flags(replay, {describe(*command)});
-  replay.does([command](const Command& flags) { return execute(*command, flags); });
+  replay.does([command, jobs](const Command& flags) { return execute(*command, jobs, flags); });
   replay.footer("\nExample: outrider replay out/guard.json --html out/guard.html");
 }
 

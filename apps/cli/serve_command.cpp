@@ -10,7 +10,6 @@
 #include "app.hpp"
 #include "commands.hpp"
 #include "flags.hpp"
-#include "jobs.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
 #include "reading.hpp"
@@ -83,14 +82,21 @@ Status check_token(const ServeCommand& command) {
   return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
 }
 
-std::vector<server::JobForm> forms(BlankScenarios& scenarios) {
-  std::vector<server::JobForm> all;
-  for (const Job& job : jobs()) {
-    if (job.flags.empty()) continue;
-    all.push_back({std::string(job.name), std::string(job.sentence), scenarios.options(job.name)});
+/// The forms of the page: the options of each job, which point into tasks that live as long.
+class Forms {
+ public:
+  explicit Forms(const std::vector<Job>& jobs) {
+    for (const Job& job : jobs) {
+      tasks_.push_back(job.blank());
+      all.push_back({std::string(job.name), std::string(job.sentence), tasks_.back()->options()});
+    }
   }
-  return all;
-}
+
+  std::vector<server::JobForm> all;
+
+ private:
+  std::vector<std::unique_ptr<JobTask>> tasks_;
+};
 
 /// This program, to run missions with.
 std::string own_path() {
@@ -110,7 +116,7 @@ void print_address(const ServeCommand& command, int port, const server::Folder& 
   }
 }
 
-int execute(ServeCommand& command, const Command& flags) {
+int execute(ServeCommand& command, const std::vector<Job>& jobs, const Command& flags) {
   if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), false);
   if (auto ok = find_token(command); !ok) return say(ok.error(), false);
   if (auto ok = check_token(command); !ok) return say(ok.error(), false);
@@ -122,11 +128,11 @@ int execute(ServeCommand& command, const Command& flags) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ends, number);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
 
-  BlankScenarios scenarios;
+  const Forms forms(jobs);
   server::AppSettings settings;
   settings.version = OUTRIDER_VERSION;
   settings.token = command.token;
-  settings.jobs = forms(scenarios);
+  settings.jobs = forms.all;
   settings.runs.tool = own_path();
   settings.runs.at_once = static_cast<std::size_t>(command.jobs);
   settings.runs.memory_bytes = static_cast<std::size_t>(command.memory_mib) << 20U;
@@ -143,12 +149,12 @@ int execute(ServeCommand& command, const Command& flags) {
 
 }  // namespace
 
-void add_serve(Command& tool) {
+void add_serve(Command& tool, const std::vector<Job>& jobs) {
   Command& serve = tool.add("serve", "the page: watch, try, and run missions live, in a browser");
   auto command = std::make_shared<ServeCommand>();
   serve.positional("folder", &command->folder, "folder with scenarios, maps and reports [.]").type("DIR");
   add_flags(serve, {describe(*command)});
-  serve.does([command](const Command& flags) { return execute(*command, flags); });
+  serve.does([command, jobs](const Command& flags) { return execute(*command, jobs, flags); });
   serve.footer("\nExample: outrider serve scenarios");
 
   Command& reader = tool.add("serve-reader", "reads files for 'outrider serve'").hidden();

@@ -338,7 +338,7 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   conclusion.fault = without_folder(std::move(conclusion.fault), run->out);
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
-  if (conclusion.summary.contains("report")) conclusion.summary.erase("report");  // a path of ours
+  if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths of ours
   const bool has_report = open_report(run->out / (run->job + ".json")) != nullptr;
   {
     const std::lock_guard lock(mutex_);

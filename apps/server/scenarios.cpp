@@ -10,7 +10,8 @@
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/values.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/plan/job.hpp"
 #include "yard_scenarios.hpp"
 
 namespace outrider::server {
@@ -40,18 +41,23 @@ Outcome<Json> point_from(const std::string& text, const char* key) {
 }
 
 Outcome<Json> shown_question(const fs::path& file, const Folder& folder) {
-  PlanScenario scenario;
-  if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
-  if (auto ok = check(scenario); !ok) return pass_on(ok);
+  PlanJob job;
+  const std::string as_if = file.lexically_relative(folder.root()).string();
+  if (auto ok = read_scenario(job, file.string(), as_if); !ok) return pass_on(ok);
+  if (auto ok = check(job.scenario); !ok) return pass_on(ok);
+  auto map = load_known_map(job.scenario.map, folder);
+  if (!map) return pass_on(map);
+  const auto content = read_file((folder.root() / job.scenario.map).string());
+  if (!content) return tl::unexpected(content.error());
+  const auto kind = map_kind(*content, job.scenario.map);
+  if (!kind) return tl::unexpected(kind.error());
+  const PlanScenario scenario = settle(job.scenario, *kind, job.given);
   auto start = point_from(scenario.from, "from");
   if (!start) return start;
   auto goal = point_from(scenario.to, "to");
   if (!goal) return goal;
   auto planner = find_path_planner(scenario.planner);
   if (!planner) return pass_on(planner);
-  resolve_paths(scenario, file.lexically_relative(folder.root()).string());
-  auto map = load_known_map(scenario.map, folder);
-  if (!map) return pass_on(map);
   map->radius_m = scenario.radius_m;
   return Json{{"job", "plan"},
               {"map", packed(*map)},
@@ -86,7 +92,9 @@ Outcome<std::vector<NamedContent>> question_files(const std::string& path, const
   auto files = map_files(path.substr(0, path.rfind('.')), asked->map);
   if (!files) return files;
   asked->scenario.map = fs::path(files->back().path).filename().string();
-  PlanScenario usual;
+  PlanScenario usual;  // but for what depends on the map where it is not said: that is always written
+  usual.planner = usual.model = "";
+  usual.radius_m = usual.grid.resolution_m = -1.0;
   files->push_back({path, fmt::format("# {}\njob: plan\n{}", saved_here,
                                       scenario_changes(describe(asked->scenario), describe(usual)))});
   return files;

@@ -7,7 +7,8 @@
 
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/targets.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "yard_things.hpp"
 
 namespace outrider::server {
@@ -27,9 +28,10 @@ struct Yard {
 
 Outcome<Yard> loaded_yard(const fs::path& file) {
   Yard yard;
+  GuardJob job;
+  if (auto ok = read_scenario(job, file.string()); !ok) return pass_on(ok);
+  yard.scenario = std::move(job.scenario);
   GuardScenario& scenario = yard.scenario;
-  if (auto ok = load_scenario(file.string(), describe(scenario)); !ok) return pass_on(ok);
-  resolve_paths(scenario, file.string());
   auto changes = changes_from_text(scenario.moved, scenario.removed);
   if (!changes) return pass_on(changes);
   scenario.moved = scenario.removed = "";
@@ -200,9 +202,10 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
   const std::string stem = path.substr(0, path.rfind('.'));
   std::vector<NamedContent> files{
       {stem + "_targets.txt", fmt::format("# {}\n{}", saved_here, targets_text(*targets))}};
-  GuardScenario changed, usual;
-  if (auto ok = load_scenario(file->string(), describe(changed)); !ok) return pass_on(ok);
-  resolve_paths(changed, (file->parent_path().lexically_relative(beside) / "a").string());
+  GuardJob job;
+  const std::string as_if = (file->parent_path().lexically_relative(beside) / "a").string();
+  if (auto ok = read_scenario(job, file->string(), as_if); !ok) return pass_on(ok);
+  GuardScenario& changed = job.scenario;
   changed.targets = fs::path(files.back().path).filename().string();
   if (!boxes->empty()) {
     auto world = world_with(*boxes, scenario, beside);
@@ -220,6 +223,7 @@ Outcome<std::vector<NamedContent>> yard_files(const std::string& path, const Jso
     changed.moved = moved_text(changes->moved);
     changed.removed = removed_text(changes->removed);
   }
+  GuardScenario usual;
   files.push_back({path, fmt::format("# {}\njob: guard\n{}", saved_here,
                                      scenario_changes(describe(changed), describe(usual)))});
   return files;

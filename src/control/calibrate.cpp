@@ -12,7 +12,7 @@
 namespace outrider {
 namespace {
 
-/// The part of a pose along a direction, which is positive when the robot goes where it is told.
+/// The component of a pose along a commanded direction; positive if the robot moved as commanded.
 double progress(Direction direction, const Pose2& pose) {
   switch (direction) {
     case Direction::ahead: return pose.position.x;
@@ -64,7 +64,7 @@ Status check_run(const Chassis& chassis, const CalibrationRun& run) {
   return {};
 }
 
-/// What is along the direction of a straight is the arc that was driven, not its chord.
+/// The distance or angle of a run. A straight counts the length of its arc, not of the chord.
 double measured(const CalibrationRun& run) {
   const Direction direction = direction_of(run.command);
   if (is_turn(run.command)) return progress(direction, run.start_T_end);
@@ -103,10 +103,10 @@ Outcome<FittedLaw> fit_law(const std::vector<const CalibrationRun*>& runs) {
     const double left = p.y - law.offset.value - law.slope.value * p.x;
     square += left * left;
   }
-  law.spread = std::sqrt(square / (n - 2.0));
+  law.residual_sd = std::sqrt(square / (n - 2.0));
   law.slope.half_width =
-      student_quantile(law.points.size() - 2) * law.spread / std::sqrt(law.time_square_sum);
-  law.offset.half_width = band(law, 0.0);
+      student_quantile(law.points.size() - 2) * law.residual_sd / std::sqrt(law.time_square_sum);
+  law.offset.half_width = confidence_half_width(law, 0.0);
   if (!(law.slope.value > 0.0)) {
     return bad_input(
         fmt::format("by its runs the robot does not go {} when it is told to; are the signs right?",
@@ -116,7 +116,7 @@ Outcome<FittedLaw> fit_law(const std::vector<const CalibrationRun*>& runs) {
   return law;
 }
 
-/// Runs of one direction and speed, in the order of direction and speed, then of the runs.
+/// Groups the runs by direction and speed and fits a law to each group.
 Outcome<std::vector<FittedLaw>> fit_laws(const std::vector<CalibrationRun>& runs) {
   std::vector<const CalibrationRun*> sorted;
   for (const CalibrationRun& run : runs) sorted.push_back(&run);
@@ -135,7 +135,7 @@ Outcome<std::vector<FittedLaw>> fit_laws(const std::vector<CalibrationRun>& runs
   return laws;
 }
 
-/// Means over the laws of each direction, by their runs; a direction without a law keeps gain 1, no dead
+/// Sets each direction to the mean of its laws, weighted by runs; without a law it keeps gain 1 and no dead
 /// time.
 void take_directions(Calibration& calibration, const std::vector<FittedLaw>& laws) {
   for (std::size_t d = 0; d < directions; ++d) {
@@ -151,7 +151,7 @@ void take_directions(Calibration& calibration, const std::vector<FittedLaw>& law
   }
 }
 
-/// What a run says of the wheels: three equations in their gains, in m/s at the rim of a body of 1 m.
+/// Adds the three equations of a run in the wheel gains, in m/s and, at a radius of 1 m, rad/s.
 void add_run(NormalEquations& equations, const Chassis& chassis, const Calibration& calibration,
              const CalibrationRun& run) {
   if (std::abs(run.start_T_end.heading_rad) >= most_turn_rad) return;  // the arc says nothing of its chord
@@ -163,18 +163,20 @@ void add_run(NormalEquations& equations, const Chassis& chassis, const Calibrati
                        body.left_mps / left_law(calibration, body.left_mps).gain,
                        body.turn_radps / turn_law(calibration, body.turn_radps).gain};
   const WheelSpeeds4 speeds = wheel_speeds(chassis, run.command);
-  WheelSpeeds4 rows[3] = {};
+  const auto wheels = static_cast<Eigen::Index>(chassis.wheels.size());
+  NormalEquations::Vector ahead(wheels), left(wheels), turn(wheels);
   for (std::size_t i = 0; i < chassis.wheels.size(); ++i) {
     WheelSpeeds4 alone{};
     alone[i] = speeds[i];
     const Twist2 part = twist_of(chassis, alone);
-    rows[0][i] = part.ahead_mps;
-    rows[1][i] = part.left_mps;
-    rows[2][i] = part.turn_radps;
+    const auto wheel = static_cast<Eigen::Index>(i);
+    ahead[wheel] = part.ahead_mps;
+    left[wheel] = part.left_mps;
+    turn[wheel] = part.turn_radps;
   }
-  equations.add(rows[0], seen.ahead_mps - run.command.ahead_mps);
-  if (chassis.moves_sideways()) equations.add(rows[1], seen.left_mps - run.command.left_mps);
-  equations.add(rows[2], seen.turn_radps - run.command.turn_radps);
+  equations.add(ahead, seen.ahead_mps - run.command.ahead_mps);
+  if (chassis.moves_sideways()) equations.add(left, seen.left_mps - run.command.left_mps);
+  equations.add(turn, seen.turn_radps - run.command.turn_radps);
 }
 
 void take_wheels(CalibrationFit& fit, const Chassis& chassis, const std::vector<CalibrationRun>& runs) {
@@ -185,10 +187,11 @@ void take_wheels(CalibrationFit& fit, const Chassis& chassis, const std::vector<
   const std::size_t unknown = wheels - 1;
   const std::size_t rest = equations.rows() > unknown ? equations.rows() - unknown : 0;
   for (std::size_t i = 0; i < wheels; ++i) {
-    fit.calibration.wheels[i] = 1.0 + gains[i];
+    const auto wheel = static_cast<Eigen::Index>(i);
+    fit.calibration.wheels[i] = 1.0 + gains[wheel];
     const double half_width =
-        rest > 0 ? student_quantile(rest) * deviations[i] : std::numeric_limits<double>::infinity();
-    fit.wheels.push_back({1.0 + gains[i], half_width});
+        rest > 0 ? student_quantile(rest) * deviations[wheel] : std::numeric_limits<double>::infinity();
+    fit.wheels.push_back({1.0 + gains[wheel], half_width});
   }
 }
 
@@ -208,10 +211,10 @@ Outcome<CalibrationFit> calibrate(const Chassis& chassis, const std::vector<Cali
   return fit;
 }
 
-double band(const FittedLaw& law, double time_s) {
+double confidence_half_width(const FittedLaw& law, double time_s) {
   const auto n = static_cast<double>(law.points.size());
   const double off = time_s - law.mean_time_s;
-  return student_quantile(law.points.size() - 2) * law.spread *
+  return student_quantile(law.points.size() - 2) * law.residual_sd *
          std::sqrt(1.0 / n + off * off / law.time_square_sum);
 }
 

@@ -9,15 +9,15 @@
 namespace outrider {
 namespace {
 
-constexpr double aimed_rad = 0.03;      ///< near enough to the bearing to go
-constexpr double off_course_rad = 0.7;  ///< too far from it to go on
-constexpr double half_turn_rad = 2.6;   ///< from here on the written sense decides
+constexpr double aimed_rad = 0.03;      ///< bearing error below which the robot drives
+constexpr double off_course_rad = 0.7;  ///< bearing error above which it stops to turn
+constexpr double half_turn_rad = 2.6;   ///< larger turns go the way the headings are written
 
 const Waypoint& goal_of(const Follower& follower, const std::vector<Waypoint>& waypoints) {
   return waypoints[follower.next];
 }
 
-/// Near enough to the waypoint, or beyond it.
+/// Returns true if the position is near the waypoint or beyond it.
 bool is_passed(const Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
                const FollowOptions& options) {
   const Vec2 goal = goal_of(follower, waypoints).pose.position;
@@ -25,7 +25,7 @@ bool is_passed(const Follower& follower, const std::vector<Waypoint>& waypoints,
          dot(position - goal, goal - follower.from.position) > 0.0;
 }
 
-/// The turn to a waypoint's heading.
+/// The turn that is left to a waypoint's heading, rad.
 double heading_error(const Follower& follower, const Waypoint& goal, double heading_rad) {
   const double error = wrap_angle(goal.pose.heading_rad - heading_rad);
   const double written = goal.pose.heading_rad - follower.from.heading_rad;
@@ -64,23 +64,25 @@ FollowStep holonomic(Follower& follower, const std::vector<Waypoint>& waypoints,
   if (!at_place) {
     velocity = place_command(follower, error, goal.stop, options, gains, period_s);
     if (options.follower == "pure_pursuit") {
-      const Pursued pursued = carrot_on(follower, waypoints, believed.position, options.lookahead_m);
-      const Vec2 aim = pursued.carrot - believed.position;
-      if (pursued.ahead_m > options.lookahead_m && norm(aim) > 0.0) {
-        velocity = (regulated_speed(pursued, 0.0, options) / norm(aim)) * aim;
+      const PursuitPoint pursuit =
+          find_pursuit_point(follower, waypoints, believed.position, options.lookahead_m);
+      const Vec2 aim = pursuit.position - believed.position;
+      if (pursuit.ahead_m > options.lookahead_m && norm(aim) > 0.0) {
+        velocity = (regulated_speed(pursuit, 0.0, options) / norm(aim)) * aim;
       }
     }
   }
   return {in_body(velocity, turn, believed.heading_rad), at_place && facing};
 }
 
-/// Ahead towards the goal on the pure pursuit's arc.
+/// Drives ahead on the arc of pure pursuit.
 Twist2 along_arc(const Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
                  const FollowOptions& options) {
-  const Pursued pursued = carrot_on(follower, waypoints, believed.position, options.lookahead_m);
-  const Vec2 aim = seen_from(believed, {pursued.carrot, 0.0}).position;
+  const PursuitPoint pursuit =
+      find_pursuit_point(follower, waypoints, believed.position, options.lookahead_m);
+  const Vec2 aim = believed.to_local(pursuit.position);
   const double curvature = 2.0 * aim.y / std::max(squared_norm(aim), 1e-9);
-  const double speed = regulated_speed(pursued, curvature, options);
+  const double speed = regulated_speed(pursuit, curvature, options);
   return {speed, 0.0, speed * curvature};
 }
 
@@ -123,8 +125,9 @@ FollowStep rotate_then_go(Follower& follower, const std::vector<Waypoint>& waypo
   return {{0.0, 0.0, turn_command(follower, turn, options, gains, period_s)}, false};
 }
 
-/// No faster change than the accelerations allow.
-Twist2 eased(const Twist2& wanted, const Twist2& last, const FollowOptions& options, double period_s) {
+/// Limits the change of the twist to the accelerations.
+Twist2 limit_acceleration(const Twist2& wanted, const Twist2& last, const FollowOptions& options,
+                          double period_s) {
   Vec2 change = {wanted.ahead_mps - last.ahead_mps, wanted.left_mps - last.left_mps};
   const double most = options.acceleration_mps2 * period_s;
   if (norm(change) > most) change = (most / norm(change)) * change;
@@ -171,17 +174,18 @@ FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, co
                   const FollowOptions& options, const PidGains& gains, double period_s) {
   while (!goal_of(follower, waypoints).stop && follower.next + 1 < waypoints.size() &&
          is_passed(follower, waypoints, believed.position, options)) {
-    go_on(follower, waypoints);
+    advance_to_next(follower, waypoints);
   }
   FollowStep wanted = options.manner == "holonomic"
                           ? holonomic(follower, waypoints, believed, options, gains, period_s)
                           : rotate_then_go(follower, waypoints, believed, options, gains, period_s);
-  follower.last = wanted.there ? Twist2{} : eased(wanted.twist, follower.last, options, period_s);
+  follower.last =
+      wanted.there ? Twist2{} : limit_acceleration(wanted.twist, follower.last, options, period_s);
   wanted.twist = follower.last;
   return wanted;
 }
 
-void go_on(Follower& follower, const std::vector<Waypoint>& waypoints) {
+void advance_to_next(Follower& follower, const std::vector<Waypoint>& waypoints) {
   follower = {follower.next + 1, goal_of(follower, waypoints).pose, {}, {}, Follower::Stage::aim,
               follower.last};
 }

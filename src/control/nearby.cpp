@@ -28,8 +28,8 @@ double Nearby::clearance(Vec2 p) const {
 }
 
 double Nearby::clearance(Segment s) const {
-  // The distance to a set changes no faster than the point moves, so steps as long as what is missing to the
-  // least known clearance skip nothing.
+  // Clearance changes by at most the distance moved, so a step of (clearance here - least so far) skips no
+  // smaller value.
   const double length = distance(s.a, s.b), finest = 0.2 * half_m_;
   double least = std::min(clearance(s.a), clearance(s.b));
   for (double at = finest; at < length;) {

@@ -1,6 +1,7 @@
-// Least squares in a few unknowns whose mean is 0, equation by equation.
+// Linear least squares in the gains of a few wheels, equation by equation.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 
 #include "outrider/motion/chassis.hpp"
@@ -9,25 +10,29 @@ namespace outrider {
 
 class NormalEquations {
  public:
-  explicit NormalEquations(std::size_t unknowns) : unknowns_(unknowns) {}
+  static constexpr int most_unknowns = static_cast<int>(most_wheels);
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_unknowns, most_unknowns>;
 
-  /// row * x = right.
-  void add(const WheelSpeeds4& row, double right);
+  explicit NormalEquations(std::size_t unknowns);
+
+  /// Adds the equation row . x = right.
+  void add(const Vector& row, double right);
   [[nodiscard]] std::size_t rows() const { return rows_; }
 
   struct Solution {
-    WheelSpeeds4 x{};
-    WheelSpeeds4 deviations{};  ///< standard deviations of x
+    Vector x;
+    Vector deviations;  ///< standard deviations of x
   };
-  /// The x of mean 0 with the least squares. What no row determines is 0, with an infinite deviation.
+  /// The least-squares x among those of mean 0. A component that no row determines is 0 and has an infinite
+  /// deviation.
   [[nodiscard]] Solution solve_with_mean_zero() const;
 
  private:
-  std::size_t unknowns_;
   std::size_t rows_ = 0;
-  double product_[most_wheels][most_wheels] = {};  // A^T A
-  WheelSpeeds4 right_{};                           // A^T b
-  double square_ = 0.0;                            // b^T b
+  Matrix product_;       ///< A^T A
+  Vector right_;         ///< A^T b
+  double square_ = 0.0;  ///< b^T b
 };
 
 }  // namespace outrider

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double there_m = 0.01;
 
-/// The point of the path that lies so far along it.
+/// The point of the path at that arc length.
 Vec2 point_at(const std::vector<Vec2>& points, double along_m) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double leg = distance(points[i - 1], points[i]);
@@ -22,7 +22,7 @@ Vec2 point_at(const std::vector<Vec2>& points, double along_m) {
 }
 
 /// The farthest point within the lookahead to which the robot can go straight.
-Vec2 aim(const Followed& path, Vec2 position, const Nearby& nearby, const RobotModel& robot,
+Vec2 aim(const PathProgress& path, Vec2 position, const Nearby& nearby, const RobotModel& robot,
          const SteerOptions& options) {
   constexpr int tries = 8;
   const double wanted = std::min(robot.radius_m + options.gap_m, nearby.clearance(position) - 1e-3);
@@ -33,7 +33,7 @@ Vec2 aim(const Followed& path, Vec2 position, const Nearby& nearby, const RobotM
   return point_at(path.points, path.along_m + options.lookahead_m / tries);
 }
 
-/// Towards a point, as if nothing stood in the way.
+/// The twist towards a point, without regard to obstacles.
 Twist2 towards(Vec2 point, double left_m, const Pose2& pose, const RobotModel& robot,
                const SteerOptions& options) {
   const Vec2 way = point - pose.position;
@@ -43,7 +43,7 @@ Twist2 towards(Vec2 point, double left_m, const Pose2& pose, const RobotModel& r
   const double turn = std::min({robot.turn_rate_radps, braking, off / options.settle_s});
   const Twist2 turning{0.0, 0.0, std::copysign(turn, error)};
   if (off >= options.pivot_rad) return turning;
-  // On the circle through the point it comes round in time if it goes no faster than this.
+  // At most the speed at which the arc through the point needs no higher turn rate than `turn`.
   const double bend = 0.5 * turn * norm(way) / std::max(std::sin(std::min(off, 0.5 * pi)), 1e-9);
   const double stopping = std::sqrt(1.6 * robot.acceleration_mps2 * left_m);
   const double ahead =
@@ -53,15 +53,15 @@ Twist2 towards(Vec2 point, double left_m, const Pose2& pose, const RobotModel& r
 
 double approach(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
-/// The least clearance on the way that the command leads to.
-double foreseen(const Pose2& pose, const Twist2& now, const Twist2& command, const Nearby& nearby,
-                const RobotModel& robot, double duration_s) {
+/// The least clearance on the simulated way of a command.
+double predicted_clearance(const Pose2& pose, const Twist2& now, const Twist2& command, const Nearby& nearby,
+                           const RobotModel& robot, double duration_s) {
   constexpr double step_s = 0.05;
   Pose2 at = pose;
   Twist2 twist = now;
   double least = nearby.clearance(at.position);
   for (double t = 0.0; t < duration_s; t += step_s) {
-    // In the last part it brakes.
+    // The second half simulates braking.
     const Twist2 wanted = t < 0.5 * duration_s ? command : Twist2{};
     twist.ahead_mps = approach(twist.ahead_mps, wanted.ahead_mps, robot.acceleration_mps2 * step_s);
     twist.turn_radps = approach(twist.turn_radps, wanted.turn_radps, robot.turn_acceleration_radps2 * step_s);
@@ -84,7 +84,7 @@ std::vector<Option> describe(SteerOptions& options) {
   };
 }
 
-void pass(Followed& path, Vec2 position) {
+void advance_along(PathProgress& path, Vec2 position) {
   constexpr double window_m = 0.5;
   double before = 0.0, nearest = std::numeric_limits<double>::infinity(), found = path.along_m;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -102,18 +102,18 @@ void pass(Followed& path, Vec2 position) {
   path.along_m = found;
 }
 
-double left_of(const Followed& path) { return std::max(0.0, length_of(path.points) - path.along_m); }
+double remaining_m(const PathProgress& path) { return std::max(0.0, length_of(path.points) - path.along_m); }
 
-Twist2 steer(const Followed& path, const Pose2& pose, const Twist2& now, const Nearby& nearby,
+Twist2 steer(const PathProgress& path, const Pose2& pose, const Twist2& now, const Nearby& nearby,
              const RobotModel& robot, const SteerOptions& options) {
-  const double left_m = std::max(left_of(path), distance(pose.position, path.points.back()));
+  const double left_m = std::max(remaining_m(path), distance(pose.position, path.points.back()));
   if (left_m < there_m) return {};
   const Vec2 point = aim(path, pose.position, nearby, robot, options);
   Twist2 command = towards(point, left_m, pose, robot, options);
   const double needed =
       std::min(robot.radius_m + options.least_gap_m, nearby.clearance(pose.position) - 1e-4);
   for (int i = 0; i < 3; ++i) {
-    if (foreseen(pose, now, command, nearby, robot, options.foresight_s) >= needed) return command;
+    if (predicted_clearance(pose, now, command, nearby, robot, options.foresight_s) >= needed) return command;
     command.ahead_mps *= 0.5;
   }
   return {0.0, 0.0, command.turn_radps};

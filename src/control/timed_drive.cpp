@@ -11,7 +11,7 @@ namespace {
 constexpr double least_turn_rad = 1e-6;
 constexpr double least_way_m = 1e-6;
 
-/// distance = a t + b for the t of this distance; the twist moves already as calibrated, so a is its speed.
+/// Solves distance = a t + b for t; the twist is the calibrated one, so a is its speed.
 double time_for(double distance, double speed, const DirectionLaw& law) {
   return std::max(0.0, distance / speed + law.dead_time_s);
 }

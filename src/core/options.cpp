@@ -47,6 +47,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+Option file_option(std::string name, std::string sentence, std::string* path) {
+  return {std::move(name), "", 0.0, 0.0, std::move(sentence), path, true};
+}
+
 Status assign(const Option& option, std::string_view text) {
   const auto number = [&](double* value) -> Status {
     auto parsed = parse<double>(option, text, "a number");

@@ -1,5 +1,9 @@
 #include "outrider/core/text.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace outrider {
 namespace {
 
@@ -50,6 +54,15 @@ std::string printable(std::string_view text, std::string_view kept) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return result;
+}
+
+std::string duration_text(double seconds) {
+  if (!std::isfinite(seconds)) return "an unknown time";
+  if (seconds < 0.995) return fmt::format("{:.2f} s", seconds);
+  if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
+  if (seconds > 1e9) return fmt::format("{:.3g} s", seconds);
+  const auto whole = static_cast<long>(seconds + 0.5);
+  return fmt::format("{} min {} s", whole / 60, whole % 60);
 }
 
 }  // namespace outrider

@@ -14,7 +14,7 @@ constexpr int longest_side_px = 100'000;
 constexpr double least_depth_m = 1e-6;
 constexpr int bend_steps = 64;
 
-/// What the lens does to a point of the plane z = 1, and its derivative by columns.
+/// The distorted point of a point of the plane z = 1, and the columns of its derivative.
 struct Bent {
   Vec2 point;
   Vec2 by_x;
@@ -39,7 +39,7 @@ bool is_pinhole(const Camera& camera) {
   return std::ranges::all_of(camera.distortion, [](double k) { return k == 0.0; });
 }
 
-/// True where the lens keeps its sense all the way from the axis to p.
+/// Returns true if the distortion keeps orientation all the way from the axis to p.
 bool unfolded(const Camera& camera, Vec2 p) {
   for (int i = 1; i <= bend_steps; ++i) {
     const Bent bent = bend(camera.distortion, (static_cast<double>(i) / bend_steps) * p);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "eigen_poses.hpp"
+#include "rigid_motion.hpp"
 
 namespace outrider {
 namespace {
@@ -20,24 +20,24 @@ struct Pose {
   Vector3d position;
 };
 
-/// Half the second derivatives of the cost, half its slope downhill, and the cost.
+/// The normal equations: half the Hessian of the cost, half its negative gradient, and the cost.
 struct Normal {
-  Matrix6 matrix = Matrix6::Zero();
-  Vector6 downhill = Vector6::Zero();
+  Matrix6d matrix = Matrix6d::Zero();
+  Vector6d downhill = Vector6d::Zero();
   double cost = 0.0;
 };
 
-/// Adds the corners of one tag; false when one is not in front of the camera.
+/// Adds the corners of one tag; returns false if one is not in front of the camera.
 bool add_view(Normal& normal, const Pose& robot, const TagView& view, const RobotCamera& mount,
               const LocaliseOptions& options) {
-  const Matrix3d camera_R_world = (robot.rotation * eigen(mount.robot_T_camera.rotation)).transpose();
-  const Vector3d camera = robot.position + robot.rotation * eigen(mount.robot_T_camera.position);
+  const Matrix3d camera_R_world = (robot.rotation * to_eigen(mount.robot_T_camera.rotation)).transpose();
+  const Vector3d camera = robot.position + robot.rotation * to_eigen(mount.robot_T_camera.position);
   const Vector2d focal(mount.camera.fx, mount.camera.fy);
   Eigen::Matrix<double, 8, 6> jacobian;
   Eigen::Matrix<double, 8, 1> error;
   const auto corners = tag_corners(view.tag->size_m);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vector3d world = eigen(view.tag->world_T_tag * corners[i]);
+    const Vector3d world = to_eigen(view.tag->world_T_tag * corners[i]);
     const Vector3d p = camera_R_world * (world - camera);
     if (!(p.z() > 0.0)) return false;
     const Vec2 ray = ray_through(mount.camera, view.corners_px[i]);
@@ -48,7 +48,7 @@ bool add_view(Normal& normal, const Pose& robot, const TagView& view, const Robo
     const auto row = static_cast<Eigen::Index>(2 * i);
     error.segment<2>(row) = focal.cwiseProduct(seen - Vector2d(ray.x, ray.y));
     jacobian.block<2, 3>(row, 0) = -by_point;
-    jacobian.block<2, 3>(row, 3) = by_point * crossing(world - robot.position);
+    jacobian.block<2, 3>(row, 3) = by_point * skew(world - robot.position);
   }
   const auto by_tag = jacobian.leftCols<3>();
   Matrix8 covariance = options.tag_sigma_m * options.tag_sigma_m * by_tag * by_tag.transpose();
@@ -86,16 +86,16 @@ std::optional<Normal> normal_at(const Pose& robot, const std::vector<TagView>& v
 
 std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<TagView>& views,
                                        const RobotCamera& robot_camera, const LocaliseOptions& options) {
-  Pose robot{eigen(Rotation::from_rpy(0.0, 0.0, start.heading_rad)),
+  Pose robot{to_eigen(Rotation::from_rpy(0.0, 0.0, start.heading_rad)),
              {start.position.x, start.position.y, 0.0}};
   auto normal = normal_at(robot, views, robot_camera, options);
   if (!normal) return std::nullopt;
   double damping = 1e-6;
   for (int step = 0; step < most_steps && damping < 1e6; ++step) {
-    Matrix6 damped = normal->matrix;
+    Matrix6d damped = normal->matrix;
     damped.diagonal() *= 1.0 + damping;
-    const Vector6 move = damped.ldlt().solve(normal->downhill);
-    const Pose moved{turning(move.tail<3>()) * robot.rotation, robot.position + move.head<3>()};
+    const Vector6d move = damped.ldlt().solve(normal->downhill);
+    const Pose moved{exp_so3(move.tail<3>()) * robot.rotation, robot.position + move.head<3>()};
     const auto there = normal_at(moved, views, robot_camera, options);
     if (!there || !(there->cost <= normal->cost)) {
       damping *= 10.0;
@@ -109,11 +109,11 @@ std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<Tag
   const double freedom = 8.0 * static_cast<double>(views.size()) - 3.0;
   const double scale = (expectation_weight + normal->cost) / (expectation_weight + freedom);
   constexpr std::array<int, 3> kept{0, 1, 5};
-  const Matrix6 covariance = scale * normal->matrix.ldlt().solve(Matrix6::Identity());
-  PoseBelief belief{
-      {{robot.position.x(), robot.position.y()}, std::atan2(robot.rotation(1, 0), robot.rotation(0, 0))}, {}};
-  store(Matrix3d(covariance(kept, kept)), belief.covariance);
-  return belief;
+  const Matrix6d covariance = scale * normal->matrix.ldlt().solve(Matrix6d::Identity());
+  const Matrix3d planar = covariance(kept, kept);
+  return PoseBelief{
+      {{robot.position.x(), robot.position.y()}, std::atan2(robot.rotation(1, 0), robot.rotation(0, 0))},
+      0.5 * (planar + planar.transpose())};
 }
 
 }  // namespace outrider

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "eigen_poses.hpp"
 #include "floor_fit.hpp"
+#include "rigid_motion.hpp"
 
 namespace outrider {
 namespace {
@@ -23,16 +23,15 @@ struct Place {
 
 Place place_of(const PoseBelief& belief) {
   const Pose2& pose = belief.world_T_robot;
-  return {{pose.position.x, pose.position.y, pose.heading_rad}, eigen(belief.covariance)};
+  return {{pose.position.x, pose.position.y, pose.heading_rad}, belief.covariance};
 }
 
 PoseBelief belief_of(const Place& place) {
-  PoseBelief belief{{{place.mean.x(), place.mean.y()}, wrap_angle(place.mean.z())}, {}};
-  store(place.covariance, belief.covariance);
-  return belief;
+  return {{{place.mean.x(), place.mean.y()}, wrap_angle(place.mean.z())},
+          0.5 * (place.covariance + place.covariance.transpose())};
 }
 
-/// Of a covariance.
+/// The inverse of a covariance.
 Matrix3d inverse(const Matrix3d& covariance) { return covariance.ldlt().solve(Matrix3d::Identity()); }
 
 Vector3d difference(const Vector3d& a, const Vector3d& b) {
@@ -45,7 +44,7 @@ double squared_distance(const Vector3d& d, const Matrix3d& covariance) {
   return d.dot(covariance.ldlt().solve(d));
 }
 
-/// How far two places are from being one, as chi-squared.
+/// The squared Mahalanobis distance between two places.
 double disagreement(const Place& a, const Place& b) {
   return squared_distance(difference(a.mean, b.mean), a.covariance + b.covariance);
 }
@@ -54,9 +53,9 @@ struct Frame {
   Matrix3d rotation;
   Vector3d position;
 };
-Frame frame_of(const Pose3& pose) { return {eigen(pose.rotation), eigen(pose.position)}; }
+Frame frame_of(const Pose3& pose) { return {to_eigen(pose.rotation), to_eigen(pose.position)}; }
 
-/// What one solution says of the robot, upright on the floor z = 0.
+/// The pose of the robot by one solution, conditioned on standing upright on the floor z = 0.
 struct Candidate {
   std::size_t sighting = 0;
   Place place;
@@ -74,23 +73,24 @@ Frame robot_by(const TagPose& solution, const Tag& tag, const Pose3& robot_T_cam
 
 /// Covariance of the robot's position and rotation vector, along the world's axes. To first order
 /// position = world_tag - R robot_tag and R is turned against the tag in the robot's frame.
-Matrix6 spread(const TagPose& solution, const Frame& robot, const Pose3& robot_T_camera, double tag_sigma_m) {
-  const Matrix3d turn = robot.rotation * eigen(robot_T_camera.rotation);  // from the camera's axes
-  const Vector3d to_tag = robot.rotation * eigen((robot_T_camera * solution.camera_T_tag).position);
-  Matrix6 by_error = Matrix6::Zero();
+Matrix6d propagate(const TagPose& solution, const Frame& robot, const Pose3& robot_T_camera,
+                   double tag_sigma_m) {
+  const Matrix3d turn = robot.rotation * to_eigen(robot_T_camera.rotation);  // from the camera's axes
+  const Vector3d to_tag = robot.rotation * to_eigen((robot_T_camera * solution.camera_T_tag).position);
+  Matrix6d by_error = Matrix6d::Zero();
   by_error.topLeftCorner<3, 3>() = -turn;
-  by_error.topRightCorner<3, 3>() = -crossing(to_tag) * turn;
+  by_error.topRightCorner<3, 3>() = -skew(to_tag) * turn;
   by_error.bottomRightCorner<3, 3>() = -turn;
-  Matrix6 covariance = by_error * eigen(solution.covariance) * by_error.transpose();
+  Matrix6d covariance = by_error * solution.covariance * by_error.transpose();
   covariance.topLeftCorner<3, 3>().diagonal().array() += tag_sigma_m * tag_sigma_m;
   return covariance;
 }
 
-/// Conditions what a solution says on a robot that stands upright on the floor.
+/// Conditions the pose by a solution on a robot that stands upright on the floor.
 Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T_camera,
                    const LocaliseOptions& options) {
   const Frame robot = robot_by(solution, tag, robot_T_camera);
-  const Matrix6 all = spread(solution, robot, robot_T_camera, options.tag_sigma_m);
+  const Matrix6d all = propagate(solution, robot, robot_T_camera, options.tag_sigma_m);
   const Vector3d up = robot.rotation.col(2), ahead = robot.rotation.col(0);
   const double sine = std::hypot(up.x(), up.y());
   const double per_sine = sine > 0.0 ? std::atan2(sine, up.z()) / sine : 1.0;
@@ -111,7 +111,7 @@ Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T
   return candidate;
 }
 
-/// Candidates that fit; the verdict of a sighting without any says why.
+/// Returns the candidates that fit, and sets the verdict of each sighting that has none.
 std::vector<Candidate> candidates_of(std::span<const TagSighting> sightings, const TagMap& map,
                                      const Pose3& robot_T_camera, const std::optional<PoseBelief>& prior,
                                      const LocaliseOptions& options, std::vector<TagVerdict>& verdicts) {
@@ -125,10 +125,10 @@ std::vector<Candidate> candidates_of(std::span<const TagSighting> sightings, con
       Candidate candidate = on_floor(solution, *tag, robot_T_camera, options);
       candidate.sighting = i;
       if (!(candidate.floor_misfit <= gate)) continue;
-      const double astray = prior ? disagreement(candidate.place, place_of(*prior)) : 0.0;
-      candidate.cost += astray;
+      const double off_prior = prior ? disagreement(candidate.place, place_of(*prior)) : 0.0;
+      candidate.cost += off_prior;
       if (verdicts[i] == TagVerdict::off_floor) verdicts[i] = TagVerdict::off_prior;
-      if (!(astray <= gate)) continue;
+      if (!(off_prior <= gate)) continue;
       verdicts[i] = TagVerdict::outvoted;
       fitting.push_back(candidate);
     }
@@ -136,7 +136,7 @@ std::vector<Candidate> candidates_of(std::span<const TagSighting> sightings, con
   return fitting;
 }
 
-/// Solutions that agree with one of them, one for each tag.
+/// A set of solutions that agree with one of them, at most one for each tag.
 struct Agreement {
   std::size_t centre = 0;
   std::vector<std::size_t> members;  ///< by their index among the candidates
@@ -243,25 +243,7 @@ TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const
   return fix;
 }
 
-std::optional<Pose2> average_by_inverse_distance(std::span<const TagSighting> sightings, const TagMap& map,
-                                                 const RobotCamera& robot_camera) {
-  Vec2 position, heading;
-  double weights = 0.0;
-  for (const TagSighting& sighting : sightings) {
-    const Tag* tag = map.find(sighting.id);
-    if (tag == nullptr || sighting.poses.empty()) continue;
-    const Frame robot = robot_by(sighting.poses.front(), *tag, robot_camera.robot_T_camera);
-    const double weight = 1.0 / norm(sighting.poses.front().camera_T_tag.position);
-    const Vec2 ahead{robot.rotation(0, 0), robot.rotation(1, 0)};
-    position = position + weight * Vec2{robot.position.x(), robot.position.y()};
-    heading = heading + (weight / norm(ahead)) * ahead;
-    weights += weight;
-  }
-  if (weights == 0.0) return std::nullopt;
-  return Pose2{(1.0 / weights) * position, heading_of(heading)};
-}
-
-PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {
+PoseBelief fuse(const PoseBelief& a, const PoseBelief& b) {
   return belief_of(fuse(place_of(a), place_of(b)));
 }
 

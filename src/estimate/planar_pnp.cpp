@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "eigen_poses.hpp"
+#include "rigid_motion.hpp"
 
 namespace outrider {
 namespace {
@@ -20,7 +20,7 @@ constexpr int most_steps = 500;  // the worse solution of a tag seen aslant conv
 
 using Rays = std::array<Vec2, 4>;  // on the plane z = 1
 
-/// True for corners that wrap around as those of a tag seen from its front.
+/// Returns true if the corners go round as those of a tag seen from its front.
 bool is_seen_from_front(const std::array<Vec2, 4>& corners) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 edge = corners[(i + 1) % 4] - corners[i];
@@ -51,7 +51,7 @@ std::array<Matrix3d, 2> rotations(const Matrix3d& h) {
   const Matrix2d slope = h.topLeftCorner<2, 2>() - v * h.bottomLeftCorner<1, 2>();
   const double aside = v.norm();
   const Vector3d axis = aside > 0.0 ? Vector3d(-v.y() / aside, v.x() / aside, 0.0) : Vector3d::Zero();
-  const Matrix3d turn = turning(std::atan(aside) * axis);  // of the view's axis to the middle
+  const Matrix3d turn = exp_so3(std::atan(aside) * axis);  // of the view's axis to the middle
   const Matrix2d b = turn.topLeftCorner<2, 2>() - v * turn.bottomLeftCorner<1, 2>();
   Matrix2d adjugate;
   adjugate << b(1, 1), -b(0, 1), -b(1, 0), b(0, 0);
@@ -67,7 +67,7 @@ std::array<Matrix3d, 2> rotations(const Matrix3d& h) {
     Matrix3d local;
     local.col(0) << r.col(0), tilt_x;
     local.col(1) << r.col(1), tilt_y;
-    local.col(2) = crossing(local.col(0)) * local.col(1);
+    local.col(2) = skew(local.col(0)) * local.col(1);
     rotation = turn * local;
     tilt_x = -tilt_x;
     tilt_y = -tilt_y;
@@ -85,7 +85,7 @@ Vector3d translation_for(const Matrix3d& rotation, const std::array<Vec3, 4>& co
   Matrix3d normal = Matrix3d::Zero();
   Vector3d right = Vector3d::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vector3d p = rotation * eigen(corners[i]);
+    const Vector3d p = rotation * to_eigen(corners[i]);
     Eigen::Matrix<double, 2, 3> rows;
     rows << 1, 0, -rays[i].x, 0, 1, -rays[i].y;
     normal += rows.transpose() * rows;
@@ -105,7 +105,7 @@ std::optional<Linearised> linearise(const Estimate& pose, const Vector2d& focal,
                                     const std::array<Vec3, 4>& corners, const Rays& rays) {
   Linearised result;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vector3d turned = pose.rotation * eigen(corners[i]);
+    const Vector3d turned = pose.rotation * to_eigen(corners[i]);
     const Vector3d p = turned + pose.translation;
     if (!(p.z() > 0.0)) return std::nullopt;
     const Vector2d seen = p.head<2>() / p.z();
@@ -115,7 +115,7 @@ std::optional<Linearised> linearise(const Estimate& pose, const Vector2d& focal,
     const auto row = static_cast<Eigen::Index>(2 * i);
     result.error.segment<2>(row) = focal.cwiseProduct(seen - Vector2d(rays[i].x, rays[i].y));
     result.jacobian.block<2, 3>(row, 0) = by_point;
-    result.jacobian.block<2, 3>(row, 3) = -by_point * crossing(turned);
+    result.jacobian.block<2, 3>(row, 3) = -by_point * skew(turned);
   }
   return result;
 }
@@ -125,17 +125,17 @@ struct Minimum {
   Linearised at;
 };
 
-/// Levenberg and Marquardt to a local minimum of the reprojection error.
+/// Levenberg-Marquardt to a local minimum of the reprojection error.
 std::optional<Minimum> refine(Estimate pose, const Vector2d& focal, const std::array<Vec3, 4>& corners,
                               const Rays& rays) {
   auto at = linearise(pose, focal, corners, rays);
   if (!at) return std::nullopt;
   double damping = 1e-4;
   for (int step = 0; step < most_steps && damping < 1e12; ++step) {
-    Matrix6 normal = at->jacobian.transpose() * at->jacobian;
+    Matrix6d normal = at->jacobian.transpose() * at->jacobian;
     normal.diagonal() *= 1.0 + damping;
-    const Vector6 move = normal.ldlt().solve(-at->jacobian.transpose() * at->error);
-    const Estimate moved{turning(move.tail<3>()) * pose.rotation, pose.translation + move.head<3>()};
+    const Vector6d move = normal.ldlt().solve(-at->jacobian.transpose() * at->error);
+    const Estimate moved{exp_so3(move.tail<3>()) * pose.rotation, pose.translation + move.head<3>()};
     auto there = linearise(moved, focal, corners, rays);
     if (!there || !(there->error.squaredNorm() <= at->error.squaredNorm())) {
       damping *= 10.0;
@@ -149,14 +149,16 @@ std::optional<Minimum> refine(Estimate pose, const Vector2d& focal, const std::a
   return Minimum{pose, *at};
 }
 
-TagPose told(const Minimum& minimum, const PlanarPnpOptions& options) {
+TagPose with_covariance(const Minimum& minimum, const PlanarPnpOptions& options) {
   const double squares = minimum.at.error.squaredNorm();
   const double weight = options.corner_sigma_weight;
   const double variance =
       (weight * options.corner_sigma_px * options.corner_sigma_px + squares) / (weight + 2.0);
-  const Matrix6 normal = minimum.at.jacobian.transpose() * minimum.at.jacobian;
-  TagPose pose{{plain(minimum.pose.translation), plain(minimum.pose.rotation)}, std::sqrt(squares / 4.0), {}};
-  store(variance * normal.ldlt().solve(Matrix6::Identity()), pose.covariance);
+  const Matrix6d normal = minimum.at.jacobian.transpose() * minimum.at.jacobian;
+  TagPose pose{{to_vec3(minimum.pose.translation), to_rotation(minimum.pose.rotation)},
+               std::sqrt(squares / 4.0)};
+  const Matrix6d covariance = variance * normal.ldlt().solve(Matrix6d::Identity());
+  pose.covariance = 0.5 * (covariance + covariance.transpose());
   return pose;
 }
 
@@ -187,7 +189,7 @@ std::vector<TagPose> planar_pnp(const Camera& camera, double size_m, const std::
     if (!again) minima.push_back(*minimum);
   }
   std::vector<TagPose> poses;
-  for (const Minimum& minimum : minima) poses.push_back(told(minimum, options));
+  for (const Minimum& minimum : minima) poses.push_back(with_covariance(minimum, options));
   std::ranges::stable_sort(poses, {}, &TagPose::error_px);
   return poses;
 }

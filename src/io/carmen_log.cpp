@@ -10,7 +10,6 @@
 
 #include "log_lines.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 namespace {
@@ -106,7 +105,8 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
     auto line = scan_of(words, options.most_m);
     if (!line) return bad_input(line.error().sentence);
     Pose2 motion;
-    if (!result.reference.empty() && odometry) motion = seen_from(result.reference.back(), *odometry);
+    if (!result.reference.empty() && odometry)
+      motion = wrap_heading(relative_pose(result.reference.back(), *odometry));
     odometry.reset();
     result.steps.push_back({motion, std::move(line->scan)});
     result.reference.push_back(line->pose);
@@ -117,7 +117,7 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
     return bad_input("the log has no scan; it takes a FLASER line at least", log.name);
   if (!has_odometry) {
     for (std::size_t i = 1; i < result.steps.size(); ++i) {
-      result.steps[i].motion = seen_from(result.reference[i - 1], result.reference[i]);
+      result.steps[i].motion = wrap_heading(relative_pose(result.reference[i - 1], result.reference[i]));
     }
     result.reference.clear();
   }

@@ -31,7 +31,7 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
     const auto& c = *v;
     const LogStep step{static_cast<double>(result.steps.size()),
                        {{c[2], c[3]}, c[4]},
-                       {{c[5], c[6], c[7], c[6], c[8], c[9], c[7], c[9], c[10]}},
+                       Eigen::Matrix3d{{c[5], c[6], c[7]}, {c[6], c[8], c[9]}, {c[7], c[9], c[10]}},
                        {}};
     if (auto ok = check(step); !ok) return ok;
     result.steps.push_back(step);
@@ -49,8 +49,10 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
           pose));
     }
     const auto& c = *v;
-    const LandmarkSighting sighting{*id, {c[2], c[3]}, {{c[4], c[5], c[5], c[6]}}};
-    if (auto ok = check(LogStep{0.0, {}, {}, {sighting}}); !ok) return ok;
+    const LandmarkSighting sighting{*id, {c[2], c[3]}, Eigen::Matrix2d{{c[4], c[5]}, {c[5], c[6]}}};
+    LogStep alone;
+    alone.sightings = {sighting};
+    if (auto ok = check(alone); !ok) return ok;
     result.steps.back().sightings.push_back(sighting);
     return {};
   };

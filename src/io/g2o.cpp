@@ -85,8 +85,8 @@ Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& po
     text += fmt::format("{} {} {} {} {}", point ? "EDGE_SE2_XY" : "EDGE_SE2", graph.nodes[edge.from].name,
                         graph.nodes[edge.to].name, edge.measured.position.x, edge.measured.position.y);
     if (!point) text += fmt::format(" {}", edge.measured.heading_rad);
-    for (std::size_t i = 0; i < (point ? 2U : 3U); ++i) {
-      for (std::size_t j = i; j < (point ? 2U : 3U); ++j) text += fmt::format(" {}", edge.information(i, j));
+    for (Eigen::Index i = 0; i < (point ? 2 : 3); ++i) {
+      for (Eigen::Index j = i; j < (point ? 2 : 3); ++j) text += fmt::format(" {}", edge.information(i, j));
     }
     text += '\n';
   }

@@ -2,28 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
 namespace outrider {
 namespace {
 
+Eigen::Index rows_of(std::span<const double> triangle) {
+  return triangle.size() == 6 ? 3 : triangle.size() == 3 ? 2 : 1;
+}
+
 /// Both triangles; what the edge does not measure stays 0.
-Matrix3 from_upper(std::span<const double> triangle) {
-  Matrix3 result;
-  const std::size_t n = triangle.size() == 6 ? 3 : triangle.size() == 3 ? 2 : 1;
+Eigen::Matrix3d from_upper(std::span<const double> triangle) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  const Eigen::Index n = rows_of(triangle);
   std::size_t next = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i; j < n; ++j) result(i, j) = result(j, i) = triangle[next++];
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = i; j < n; ++j) result(i, j) = result(j, i) = triangle[next++];
   }
   return result;
 }
 
-/// The inverse in the upper left n x n.
-std::optional<Matrix3> inverse_of_part(Matrix3 a, std::size_t n) {
-  for (std::size_t k = n; k < 3; ++k) a(k, k) = 1.0;
-  auto inverse = inverse_of_positive(a);
-  for (std::size_t k = n; inverse && k < 3; ++k) (*inverse)(k, k) = 0.0;
+/// The inverse of the upper left n x n, and zeros beside it; nothing unless that is positive definite.
+std::optional<Eigen::Matrix3d> inverse_of_part(Eigen::Matrix3d a, Eigen::Index n) {
+  a.diagonal().tail(3 - n).setOnes();
+  const Eigen::LLT<Eigen::Matrix3d> factor(a);
+  Eigen::Matrix3d inverse = factor.solve(Eigen::Matrix3d::Identity());
+  if (factor.info() != Eigen::Success || !inverse.allFinite()) return std::nullopt;
+  inverse.diagonal().tail(3 - n).setZero();
   return inverse;
 }
 
@@ -71,8 +78,8 @@ Status GraphLines::join(EdgeKind kind, std::string_view from, std::string_view t
   if (!a) return pass_on(a);
   auto b = node(to, range ? known_point(to) : kind == EdgeKind::point);
   if (!b) return pass_on(b);
-  Matrix3 information = from_upper(triangle);
-  const std::size_t n = triangle.size() == 6 ? 3 : triangle.size() == 3 ? 2 : 1;
+  Eigen::Matrix3d information = from_upper(triangle);
+  const Eigen::Index n = rows_of(triangle);
   const auto inverse = inverse_of_part(information, n);
   if (!inverse || (covariance && !inverse_of_part(*inverse, n))) {
     return bad_input(fmt::format("its {} is not positive definite; correct it",

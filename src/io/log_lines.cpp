@@ -54,7 +54,7 @@ Outcome<std::vector<double>> line_numbers(std::span<const std::string_view> word
 void Motion::add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise) {
   const double heading_rad = pose.heading_rad + turn_rad;
   const Vec2 arm = distance_m * direction(heading_rad);
-  Matrix3 by_pose = diagonal<3>({1.0, 1.0, 1.0});
+  Eigen::Matrix3d by_pose = Eigen::Matrix3d::Identity();
   by_pose(0, 2) = -arm.y;
   by_pose(1, 2) = arm.x;
   const double driven_m = std::abs(distance_m);
@@ -63,7 +63,8 @@ void Motion::add(double turn_rad, double distance_m, double then_turn_rad, const
   const double place = noise.distance * noise.distance * driven_m + least;
   const double heading = noise.turn_per_distance_rad * noise.turn_per_distance_rad * driven_m +
                          noise.turn * noise.turn * turned_rad + least;
-  covariance = by_pose * covariance * transposed(by_pose) + diagonal<3>({place, place, heading});
+  covariance = by_pose * covariance * by_pose.transpose();
+  covariance.diagonal() += Eigen::Vector3d(place, place, heading);
   pose = {pose.position + arm, wrap_angle(heading_rad + then_turn_rad)};
 }
 

@@ -21,7 +21,7 @@ Outcome<std::vector<double>> line_numbers(std::span<const std::string_view> word
 /// A motion with its covariance, made of short ones one after the other.
 struct Motion {
   Pose2 pose;
-  Matrix3 covariance;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
   /// Turns, drives, turns.
   void add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise);

@@ -122,10 +122,8 @@ std::uint8_t shade_of(std::uint8_t occupancy) {
   return occupancy == occupied_cell ? 0 : 205;
 }
 
-Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& keys) {
-  auto bytes = read_file(path);
-  if (!bytes) return pass_on(bytes);
-  auto image = image_from_bytes(*bytes, path);
+Outcome<MapServerMap> map_from_bytes(std::string_view bytes, const std::string& path, const MapKeys& keys) {
+  auto image = image_from_bytes(bytes, path);
   if (!image) return pass_on(image);
 
   MapServerMap map;
@@ -142,6 +140,12 @@ Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& key
   return map;
 }
 
+Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& keys) {
+  auto bytes = read_file(path);
+  if (!bytes) return pass_on(bytes);
+  return map_from_bytes(*bytes, path, keys);
+}
+
 Status check_frame(const GridFrame& frame, const std::string& path) {
   const double far = std::max(std::abs(frame.origin.x), std::abs(frame.origin.y));
   if (frame.width >= 1 && frame.height >= 1 && frame.resolution_m > 0.0 &&
@@ -156,15 +160,26 @@ Status check_frame(const GridFrame& frame, const std::string& path) {
 Outcome<MapServerMap> load_map_server(const std::string& path) {
   auto text = read_file(path);
   if (!text) return pass_on(text);
-  auto keys = map_keys(*text, path);
+  return map_server_from_text(*text, path);
+}
+
+Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name) {
+  auto keys = map_keys(text, name);
   if (!keys) return pass_on(keys);
-  return map_from_image((fs::path(path).parent_path() / keys->image).string(), *keys);
+  return map_from_image((fs::path(name).parent_path() / keys->image).string(), *keys);
 }
 
 Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m) {
   MapKeys keys;
   keys.resolution_m = resolution_m;
   return map_from_image(path, keys);
+}
+
+Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,
+                                           double resolution_m) {
+  MapKeys keys;
+  keys.resolution_m = resolution_m;
+  return map_from_bytes(bytes, name, keys);
 }
 
 Outcome<MapServerText> map_server_text(const MapServerMap& map, const std::string& image_name) {

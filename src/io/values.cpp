@@ -36,12 +36,6 @@ Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t 
   return numbers;
 }
 
-Outcome<Vec2> parse_point(const std::string& text, const std::string& where) {
-  auto n = parse_numbers(text, 2, where, "x,y in m, such as 1.5,-2");
-  if (!n) return pass_on(n);
-  return Vec2{(*n)[0], (*n)[1]};
-}
-
 Outcome<Pose2> parse_pose(const std::string& text, const std::string& where) {
   auto n = parse_numbers(text, 3, where, "x,y,heading in m, m and degrees, such as 0,-9.5,90");
   if (!n) return pass_on(n);

@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-/// The part of the wheel speeds along one column of the chassis.
+/// Projects the wheel speeds on one column of the chassis matrix.
 double along(const Chassis& chassis, double Wheel::* column, const WheelSpeeds4& speeds) {
   double product = 0.0;
   double square = 0.0;

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
-#include "outrider/core/units.hpp"
-
 namespace outrider {
 namespace {
 
-/// sin(a) / a and (1 - cos(a)) / a, whose quotients lose their digits near 0.
+/// sin(a) / a and (1 - cos(a)) / a, by series near 0 where the quotients lose digits.
 struct ArcFactors {
   double along;
   double aside;
@@ -27,24 +25,15 @@ Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s) {
   const double turn = twist.turn_radps * duration_s;
   const auto [along, aside] = arc_factors(turn);
   const Vec2 v = duration_s * Vec2{twist.ahead_mps, twist.left_mps};
-  return placed_in(from, {{along * v.x - aside * v.y, aside * v.x + along * v.y}, turn});
+  return compose(from, {{along * v.x - aside * v.y, aside * v.x + along * v.y}, turn});
 }
 
 Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s) {
   const double turn = to.heading_rad - from.heading_rad;
   const auto [along, aside] = arc_factors(turn);
   const double scale = 1.0 / ((along * along + aside * aside) * duration_s);
-  const Vec2 p = seen_from(from, to).position;
+  const Vec2 p = from.to_local(to.position);
   return {scale * (along * p.x + aside * p.y), scale * (along * p.y - aside * p.x), turn / duration_s};
-}
-
-Pose2 seen_from(const Pose2& frame, const Pose2& pose) {
-  return {unrotated(frame.heading_rad, pose.position - frame.position),
-          wrap_angle(pose.heading_rad - frame.heading_rad)};
-}
-
-Pose2 placed_in(const Pose2& frame, const Pose2& pose) {
-  return {frame.position + rotated(frame.heading_rad, pose.position), frame.heading_rad + pose.heading_rad};
 }
 
 }  // namespace outrider

@@ -60,7 +60,7 @@ Part& part_of(std::optional<Part>& part) {
 
 }  // namespace
 
-Report ReportGrowth::news(const Report& so_far) {
+Report ReportGrowth::delta(const Report& so_far) {
   const bool begins = std::exchange(job_, so_far.job) != so_far.job;
   Report news = begins ? scene_of(so_far) : Report{};
   news.status = "running";

@@ -1,7 +1,6 @@
 #include "outrider/report/scan_map.hpp"
 
 #include "outrider/core/units.hpp"
-#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 
@@ -17,7 +16,7 @@ void ScanMap::redraw(const std::vector<Pose2>& poses) {
 }
 
 void ScanMap::insert(const Pose2& world_T_robot, const Kept& kept) {
-  Pose2 world_T_laser = placed_in(world_T_robot, robot_T_laser_);
+  Pose2 world_T_laser = compose(world_T_robot, robot_T_laser_);
   world_T_laser.heading_rad = wrap_angle(world_T_laser.heading_rad);
   const MapUpdate update = map_.insert(world_T_laser, *kept.scan);
   discovery_.note(map_.occupancy(), update.redrawn, update.cells, kept.time_s);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/motion/twist.hpp"
 #include "outrider/report/thinning.hpp"
 
 namespace outrider {
@@ -89,7 +88,7 @@ std::vector<Vec2> points_of(const LaserScan& scan, const Pose2& robot_T_laser) {
     const double range_m = scan.ranges_m[i];
     if (!(range_m >= scan.least_m && range_m <= scan.most_m)) continue;
     const double bearing_rad = scan.first_rad + scan.step_rad * static_cast<double>(i);
-    points.push_back(placed_in(robot_T_laser, {range_m * direction(bearing_rad), 0.0}).position);
+    points.push_back(robot_T_laser * (range_m * direction(bearing_rad)));
   }
   return points;
 }
@@ -115,7 +114,7 @@ void SlamRecord::note(const SlamRow& row) {
                           wrap_angle(row.odometry.heading_rad - odometry_->heading_rad)});
   }
   odometry_ = row.odometry;
-  const Matrix3& c = row.covariance;
+  const Eigen::Matrix3d& c = row.covariance;
   const ReportSigmas sigmas = sigmas_of(c(0, 0), c(0, 1), c(1, 1));
   slam.beliefs.push_back({row.time_s, row.pose, sigmas.x_m, sigmas.y_m, sigmas.correlation,
                           std::sqrt(std::max(0.0, c(2, 2))), row.recognised});

@@ -71,7 +71,7 @@ ExplorerObservation SimulatedExplorer::sense() {
   ExplorerObservation seen{time_s_, odometry_, std::nullopt, touching_ || touched_};
   const double turns = (time_s_ + instant_s) * laser_.model().rate_hz;
   if (turns >= static_cast<double>(turns_)) {
-    seen.scan = laser_.look(placed_in(pose_, laser_.model().robot_T_laser), time_s_, laser_rng_);
+    seen.scan = laser_.look(compose(pose_, laser_.model().robot_T_laser), time_s_, laser_rng_);
     turns_ = static_cast<std::int64_t>(turns) + 1;
   }
   touched_ = false;

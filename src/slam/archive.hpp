@@ -1,9 +1,11 @@
-// State as text, each part written and read by one function: exchange(archive) of a struct.
+// Serialisation of state as text. The member template exchange(archive) of a struct both writes and reads it.
 //
-// Numbers stand in their shortest form that reads back the same; a list begins with its length.
+// Numbers are written in the shortest form that reads back the same; a list begins with its length.
 #pragma once
 
+#include <Eigen/Core>
 #include <charconv>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <string>
@@ -41,9 +43,9 @@ class StateWriter {
     for (Part& part : list) write(part);
     text += '\n';
   }
-  template <std::size_t Rows, std::size_t Columns>
-  void write(Matrix<Rows, Columns>& matrix) {
-    for (double& value : matrix.values) write(value);
+  template <int Rows, int Columns>
+  void write(Eigen::Matrix<double, Rows, Columns>& matrix) {
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) write(matrix(i / Columns, i % Columns));
   }
   void write(Pose2& pose) { (*this)(pose.position.x, pose.position.y, pose.heading_rad); }
   void write(LandmarkSighting& s) {
@@ -57,7 +59,7 @@ class StateWriter {
   }
 };
 
-/// Reads until something is wrong; then `ok` is false and the rest stays as it is.
+/// Reads up to the first error; `ok` is then false and the remaining values stay unchanged.
 class StateReader {
  public:
   static constexpr bool reading = true;
@@ -94,9 +96,9 @@ class StateReader {
     list.clear();
     for (std::size_t i = 0; ok && i < size; ++i) read(list.emplace_back());
   }
-  template <std::size_t Rows, std::size_t Columns>
-  void read(Matrix<Rows, Columns>& matrix) {
-    for (double& value : matrix.values) read(value);
+  template <int Rows, int Columns>
+  void read(Eigen::Matrix<double, Rows, Columns>& matrix) {
+    for (Eigen::Index i = 0; i < matrix.size(); ++i) read(matrix(i / Columns, i % Columns));
   }
   void read(Pose2& pose) { (*this)(pose.position.x, pose.position.y, pose.heading_rad); }
   void read(LandmarkSighting& s) {

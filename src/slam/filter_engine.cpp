@@ -1,7 +1,9 @@
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 
+#include "covariances.hpp"
 #include "graph_edges.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/slam/joint_compatibility.hpp"
@@ -15,27 +17,8 @@ using Index = Eigen::Index;
 
 Index at(std::size_t landmark) { return 3 + 2 * static_cast<Index>(landmark); }
 
-template <std::size_t Rows, std::size_t Columns>
-Dense dense(const Matrix<Rows, Columns>& m) {
-  Dense result(static_cast<Index>(Rows), static_cast<Index>(Columns));
-  for (std::size_t i = 0; i < Rows; ++i) {
-    for (std::size_t j = 0; j < Columns; ++j) result(static_cast<Index>(i), static_cast<Index>(j)) = m(i, j);
-  }
-  return result;
-}
-
-template <std::size_t N>
-Matrix<N, N> block(const Dense& m, Index first) {
-  Matrix<N, N> result;
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = 0; j < N; ++j)
-      result(i, j) = m(first + static_cast<Index>(i), first + static_cast<Index>(j));
-  }
-  return result;
-}
-
-/// The Kalman filters. The state is (x, y, heading of the robot, x, y of each landmark). In the linear one
-/// the heading has no uncertainty, and so takes no correction.
+/// The Kalman filters. The state is (x, y, heading of the robot, x, y of each landmark). In the linear filter
+/// the heading has no uncertainty, so it is never corrected.
 class FilterEngine : public SlamEngine {
  public:
   FilterEngine(LandmarkSlamOptions options, const Pose2& start)
@@ -62,11 +45,12 @@ class FilterEngine : public SlamEngine {
   }
 
   [[nodiscard]] Pose2 pose() const override { return {{mean_(0), mean_(1)}, mean_(2)}; }
-  [[nodiscard]] Matrix3 pose_covariance() const override { return block<3>(covariance_, 0); }
+  [[nodiscard]] Eigen::Matrix3d pose_covariance() const override { return covariance_.topLeftCorner<3, 3>(); }
   [[nodiscard]] LandmarkMap landmarks() const override {
     LandmarkMap map;
     for (std::size_t i = 0; i < records_.size(); ++i) {
-      map.push_back({records_[i].id, position(i), block<2>(covariance_, at(i)), records_[i].sightings});
+      map.push_back(
+          {records_[i].id, position(i), covariance_.block<2, 2>(at(i), at(i)), records_[i].sightings});
     }
     return map;
   }
@@ -106,42 +90,39 @@ class FilterEngine : public SlamEngine {
   void predict(const LogStep& step) {
     const Pose2 before = pose();
     const Vec2 moved = rotated(before.heading_rad, step.odometry.position);
-    Dense by_pose = Dense::Identity(3, 3);
-    Dense by_motion = Dense::Identity(3, 3);
-    by_motion.topLeftCorner(2, 2) = dense(rotation2(before.heading_rad));
-    by_pose(0, 2) = -moved.y;
-    by_pose(1, 2) = moved.x;
+    const Eigen::Matrix3d by_pose = lever_of(moved);
+    Eigen::Matrix3d by_motion = rotation_by(before.heading_rad);
     if (linear_) by_motion(2, 2) = 0.0;
-    const Pose2 after = composed(before, step.odometry);
+    const Pose2 after = wrap_heading(compose(before, step.odometry));
     mean_.head(3) << after.position.x, after.position.y, after.heading_rad;
     const Index rest = covariance_.rows() - 3;
-    covariance_.topLeftCorner(3, 3) = (by_pose * covariance_.topLeftCorner(3, 3) * by_pose.transpose() +
-                                       by_motion * dense(step.covariance) * by_motion.transpose())
-                                          .eval();
+    covariance_.topLeftCorner<3, 3>() = (by_pose * covariance_.topLeftCorner<3, 3>() * by_pose.transpose() +
+                                         by_motion * step.covariance * by_motion.transpose())
+                                            .eval();
     covariance_.topRightCorner(3, rest) = (by_pose * covariance_.topRightCorner(3, rest)).eval();
     covariance_.bottomLeftCorner(rest, 3) = covariance_.topRightCorner(3, rest).transpose();
   }
 
-  /// The sighting less what is expected, and the Jacobian of the expectation by the whole state.
+  /// The innovation of a sighting, and the Jacobian of the predicted sighting by the whole state.
   struct Expectation {
-    Vec2 innovation;
-    Dense jacobian;
+    Eigen::Vector2d innovation;
+    Eigen::Matrix<double, 2, Eigen::Dynamic> jacobian;
   };
   [[nodiscard]] Expectation expect(const LandmarkSighting& sighting, std::size_t landmark) const {
-    const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
-    const LinearEdge linear = linearised(edge, pose(), {position(landmark), 0.0});
-    Dense jacobian = Dense::Zero(2, mean_.size());
-    jacobian.leftCols(3) = dense(linear.by_from).topRows(2);
-    jacobian.middleCols(at(landmark), 2) = dense(linear.by_to).topLeftCorner(2, 2);
-    if (linear_) jacobian.col(2).setZero();
-    return {{-linear.residual[0], -linear.residual[1]}, jacobian};
+    const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}};
+    const LinearEdge linear = linearise(edge, pose(), {position(landmark), 0.0});
+    Expectation result{-linear.residual.head<2>(), {}};
+    result.jacobian.setZero(2, mean_.size());
+    result.jacobian.leftCols<3>() = linear.by_from.topRows<2>();
+    result.jacobian.middleCols<2>(at(landmark)) = linear.by_to.topLeftCorner<2, 2>();
+    if (linear_) result.jacobian.col(2).setZero();
+    return result;
   }
 
   [[nodiscard]] bool compatible(const LandmarkSighting& sighting, std::size_t landmark) const {
     const Expectation e = expect(sighting, landmark);
-    const Dense s = e.jacobian * covariance_ * e.jacobian.transpose() + dense(sighting.covariance);
-    const Eigen::Vector2d v(e.innovation.x, e.innovation.y);
-    return v.dot(s.llt().solve(v)) <= squared_gate(options_.gate, 2);
+    const Eigen::Matrix2d s = e.jacobian * covariance_ * e.jacobian.transpose() + sighting.covariance;
+    return e.innovation.dot(s.llt().solve(e.innovation)) <= squared_gate(options_.gate, 2);
   }
 
   /// The sightings of landmarks in the map; counts those refused. Those of no landmark are left for
@@ -185,12 +166,12 @@ class FilterEngine : public SlamEngine {
 
   std::vector<Pairing> associate_jointly(const std::vector<LandmarkSighting>& sightings) {
     std::vector<PossiblePair> pairs;
-    std::vector<Dense> jacobians;
+    std::vector<Eigen::Matrix<double, 2, Eigen::Dynamic>> jacobians;
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       for (std::size_t k = 0; k < records_.size(); ++k) {
         if (!compatible(sightings[i], k)) continue;
         const Expectation e = expect(sightings[i], k);
-        pairs.push_back({i, k, e.innovation});
+        pairs.push_back({i, k, {e.innovation.x(), e.innovation.y()}});
         jacobians.push_back(e.jacobian);
       }
     }
@@ -201,22 +182,20 @@ class FilterEngine : public SlamEngine {
     Dense s = all * covariance_ * all.transpose();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto row = 2 * static_cast<Index>(i);
-      s.block(row, row, 2, 2) += dense(sightings[pairs[i].sighting].covariance);
+      s.block<2, 2>(row, row) += sightings[pairs[i].sighting].covariance;
     }
     std::vector<Pairing> pairings;
-    const std::vector<double> covariance(s.data(), s.data() + s.size());
-    for (const std::size_t i : joint_compatibility(pairs, covariance, options_.gate)) {
+    for (const std::size_t i : joint_compatibility(pairs, s, options_.gate)) {
       pairings.push_back({pairs[i].sighting, pairs[i].landmark});
     }
     return pairings;
   }
-  /// Without ids, a sighting that fits no landmark but lies near one is no new landmark either; and where
-  /// none of several fits, the robot may be elsewhere.
+  /// Without ids, refuses sightings that fit no landmark but lie near one: they are no new landmarks either.
   void refuse_near_the_map(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
-    const Matrix3 p = pose_covariance();
+    const Eigen::Matrix3d p = pose_covariance();
     const double slack = options_.patience_distance_m + 3.0 * std::sqrt(p(0, 0) + p(1, 1));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
-      const Vec2 world = composed(pose(), {sightings[i].position, 0.0}).position;
+      const Vec2 world = pose() * sightings[i].position;
       for (std::size_t k = 0; fresh_[i] && k < records_.size(); ++k) {
         if (distance(world, position(k)) > slack) continue;
         fresh_[i] = false;
@@ -236,8 +215,8 @@ class FilterEngine : public SlamEngine {
       const LandmarkSighting& sighting = sightings[pairings[i].sighting];
       const Expectation e = expect(sighting, pairings[i].landmark);
       jacobian.middleRows(row, 2) = e.jacobian;
-      innovation.segment(row, 2) << e.innovation.x, e.innovation.y;
-      noise.block(row, row, 2, 2) = dense(sighting.covariance);
+      innovation.segment<2>(row) = e.innovation;
+      noise.block<2, 2>(row, row) = sighting.covariance;
       ++records_[pairings[i].landmark].sightings;
     }
     const Dense cross = covariance_ * jacobian.transpose();
@@ -264,7 +243,7 @@ class FilterEngine : public SlamEngine {
     for (const Pairing& pairing : pairings) seen.insert(pairing.landmark);
     for (std::size_t k = records_.size(); k-- > 0;) {
       LandmarkRecord& record = records_[k];
-      const Vec2 local = unrotated(pose().heading_rad, position(k) - pose().position);
+      const Vec2 local = pose().to_local(position(k));
       if (seen.contains(k)) record.missed = 0;
       if (!seen.contains(k) && has_to_be_seen(local, options_) && !sightings.empty()) ++record.missed;
       if (record.refused < options_.patience + 2 && record.missed < options_.misses) continue;
@@ -276,7 +255,7 @@ class FilterEngine : public SlamEngine {
   void add_new(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       if (!fresh_[i]) continue;
-      const Vec2 world = composed(pose(), {sightings[i].position, 0.0}).position;
+      const Vec2 world = pose() * sightings[i].position;
       const auto ready = memory_.remember(sightings[i], world, options_);
       outcome.waiting += ready ? 0 : 1;
       if (!ready) continue;
@@ -289,13 +268,12 @@ class FilterEngine : public SlamEngine {
     const Pose2 from = pose();
     const Vec2 arm = rotated(from.heading_rad, sighting.position);
     const Index n = mean_.size();
-    Dense by_pose = Dense::Zero(2, 3);
-    by_pose << 1.0, 0.0, -arm.y, 0.0, 1.0, arm.x;
+    Eigen::Matrix<double, 2, 3> by_pose = lever_of(arm).topRows<2>();
     if (linear_) by_pose.col(2).setZero();
-    const Dense turn = dense(rotation2(from.heading_rad));
-    const Dense cross = by_pose * covariance_.topRows(3);
-    const Dense own =
-        cross.leftCols(3) * by_pose.transpose() + turn * dense(sighting.covariance) * turn.transpose();
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(from.heading_rad).toRotationMatrix();
+    const Eigen::Matrix<double, 2, Eigen::Dynamic> cross = by_pose * covariance_.topRows<3>();
+    const Eigen::Matrix2d own =
+        cross.leftCols<3>() * by_pose.transpose() + turn * sighting.covariance * turn.transpose();
     mean_.conservativeResize(n + 2);
     mean_.tail(2) << from.position.x + arm.x, from.position.y + arm.y;
     covariance_.conservativeResize(n + 2, n + 2);

@@ -1,9 +1,9 @@
-// The edges of a graph about a point: residual, Jacobians, weight.
+// The edges of a pose graph: residuals, Jacobians, robust weights, and the normal equations they add up to.
 //
-// A step (x, y, heading) moves a pose along the arc that leaves it in the direction (x, y) of the world and
-// turns by the heading on the way. So poses that turn together about one point keep their places in each
-// other's frames exactly, however stiff the edges between them. A residual with fewer than three numbers has
-// zeros in the rest, and so has its information.
+// Unknowns are steps (x, y, heading) along the world's axes. retract() moves a pose by a step along an arc
+// that leaves in the direction (x, y) and turns by the heading, so poses that rotate together about one point
+// keep their relative poses exactly, however stiff the edges between them. A residual of fewer than three
+// numbers is padded with zeros, and so is its information.
 #pragma once
 
 #include <string_view>
@@ -14,39 +14,37 @@
 namespace outrider {
 
 struct LinearEdge {
-  Block3 residual{};
-  Matrix3 by_from;  ///< derivative of the residual
-  Matrix3 by_to;
-  Matrix3 information;
+  Eigen::Vector3d residual = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d by_from = Eigen::Matrix3d::Zero();  ///< derivative of the residual by a step of `from`
+  Eigen::Matrix3d by_to = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-Block3 residual(const GraphEdge& edge, const Pose2& from, const Pose2& to);
-LinearEdge linearised(const GraphEdge& edge, const Pose2& from, const Pose2& to);
-Pose2 moved(const Pose2& pose, const Block3& step);
-/// placed_in() with the heading wrapped.
-Pose2 composed(const Pose2& from, const Pose2& measured);
+Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to);
+LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to);
+Pose2 retract(const Pose2& pose, const Eigen::Vector3d& step);
 
-/// What a kernel makes of s = r^T W r: the loss, and its derivative by s, the weight of the edge.
+/// The loss of a robust kernel at s = r^T W r, and its derivative by s: the weight of the edge.
 struct Loss {
   double value = 0.0;
   double weight = 1.0;
 };
 Loss robust_loss(std::string_view kernel, double width, double s);
 
-/// The normal equations H x = -g of a graph with the nodes `fixed` held.
+/// The normal equations H x = -g of a graph whose node `fixed` does not move.
 class GraphEquations {
  public:
   GraphEquations(const PoseGraph& graph, std::uint32_t fixed);
 
-  /// Zeros, and ones on the diagonal where a node has fewer unknowns than three.
-  void clear(std::size_t of_a_pose = 3, std::size_t of_a_point = 2);
+  /// Sets all to zero, with ones on the diagonal where a node has fewer than three unknowns.
+  void clear(int of_a_pose = 3, int of_a_point = 2);
   void add(std::size_t edge, const LinearEdge& linear);
-  /// The steps by node with `damping` added to the diagonal; empty when singular.
-  std::vector<Block3> solve(double damping);
-  /// The decrease of the cost that a step of solve() promises in the linear model.
-  [[nodiscard]] double promised(const std::vector<Block3>& step) const;
-  /// Factors H and gives the diagonal blocks of its inverse; empty when singular.
-  std::vector<Matrix3> covariances();
+  /// Solves for the steps, by node, with `damping` added to the diagonal; empty if H is singular.
+  std::vector<Eigen::Vector3d> solve(double damping);
+  /// The decrease of the cost that the linear model predicts for steps of solve().
+  [[nodiscard]] double predicted_decrease(const std::vector<Eigen::Vector3d>& step) const;
+  /// Factors H and returns the diagonal blocks of its inverse; empty if H is singular.
+  std::vector<Eigen::Matrix3d> covariances();
 
  private:
   std::uint32_t fixed_;
@@ -54,7 +52,7 @@ class GraphEquations {
   std::vector<std::uint32_t> pairs_;  ///< by edge
   std::vector<std::array<std::uint32_t, 2>> ends_;
   BlockMatrix matrix_;
-  std::vector<Block3> gradient_;
+  std::vector<Eigen::Vector3d> gradient_;
   BlockCholesky factor_;
 };
 

@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
@@ -18,7 +19,7 @@ class GraphEngine : public SlamEngine {
   StepOutcome advance(const LogStep& step) override {
     ++memory_.step;
     const std::uint32_t before = poses_.back();
-    poses_.push_back(graph_.add_node(composed(graph_.estimate(before), step.odometry), false));
+    poses_.push_back(graph_.add_node(wrap_heading(compose(graph_.estimate(before), step.odometry)), false));
     graph_.add_edge(EdgeKind::pose, before, poses_.back(), step.odometry, step.covariance);
     has_present_pose_ = false;
     StepOutcome outcome;
@@ -40,15 +41,15 @@ class GraphEngine : public SlamEngine {
   }
 
   [[nodiscard]] Pose2 pose() const override { return graph_.estimate(poses_.back()); }
-  [[nodiscard]] Matrix3 pose_covariance() const override { return graph_.covariance(poses_.back()); }
+  [[nodiscard]] Eigen::Matrix3d pose_covariance() const override { return graph_.covariance(poses_.back()); }
   [[nodiscard]] LandmarkMap landmarks() const override {
     LandmarkMap map;
     if (landmarks_.empty()) return map;
-    const std::vector<Matrix3> covariances = graph_.covariances();
+    const std::vector<Eigen::Matrix3d> covariances = graph_.covariances();
     for (const Landmark& landmark : landmarks_) {
-      const Matrix3& c = covariances[landmark.node];
-      map.push_back({landmark.record.id, graph_.estimate(landmark.node).position,
-                     Matrix2{{c(0, 0), c(0, 1), c(1, 0), c(1, 1)}}, landmark.record.sightings});
+      const Eigen::Matrix3d& c = covariances[landmark.node];
+      map.push_back({landmark.record.id, graph_.estimate(landmark.node).position, c.topLeftCorner<2, 2>(),
+                     landmark.record.sightings});
     }
     return map;
   }
@@ -68,7 +69,7 @@ class GraphEngine : public SlamEngine {
   void exchange(Archive& archive) {
     archive(memory_, landmarks_, poses_, graph_);
   }
-  /// Whether poses, landmarks and candidates belong to the graph.
+  /// Returns true if poses, landmarks and candidates are consistent with the graph.
   [[nodiscard]] bool sound() const {
     const auto steps = static_cast<std::int64_t>(poses_.size()) - 1;
     const auto known = [&](std::int64_t step) { return step >= 0 && step <= steps; };
@@ -101,14 +102,14 @@ class GraphEngine : public SlamEngine {
     return static_cast<std::size_t>(found - landmarks_.begin());
   }
 
-  /// The covariance of what is expected is asked for only where the sighting's own does not explain it.
+  /// Computes the covariance of the prediction only if that of the sighting does not explain the residual.
   [[nodiscard]] bool compatible(const LandmarkSighting& sighting, const Landmark& landmark) {
-    const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
-    const Block3 r = residual(edge, graph_.estimate(poses_.back()), graph_.estimate(landmark.node));
+    const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}};
+    const Eigen::Vector3d r = residual(edge, graph_.estimate(poses_.back()), graph_.estimate(landmark.node));
     const double gate = squared_gate(options_.gate, 2);
-    const auto far = [&](const Matrix2& covariance) {
-      const auto inverse = inverse_of_positive(covariance);
-      return inverse && quadratic_form(*inverse, {r[0], r[1]}) > gate;
+    const auto far = [&](const Eigen::Matrix2d& covariance) {
+      const Eigen::LLT<Eigen::Matrix2d> factor(covariance);
+      return factor.info() == Eigen::Success && r.head<2>().dot(factor.solve(r.head<2>())) > gate;
     };
     if (!far(sighting.covariance)) return true;
     if (!has_present_pose_) graph_.update(std::numeric_limits<double>::infinity());
@@ -136,20 +137,20 @@ class GraphEngine : public SlamEngine {
   }
 
   void use(std::uint32_t pose, const LandmarkSighting& sighting, Landmark& landmark) {
-    const Matrix2& c = sighting.covariance;
-    const Matrix3 covariance = {{c(0, 0), c(0, 1), 0.0, c(1, 0), c(1, 1), 0.0, 0.0, 0.0, 0.0}};
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    covariance.topLeftCorner<2, 2>() = sighting.covariance;
     graph_.add_edge(EdgeKind::point, pose, landmark.node, {sighting.position, 0.0}, covariance);
     ++landmark.record.sightings;
   }
 
-  /// The node stays in the graph, as history; sightings to come make a new one.
+  /// Removes landmarks from the map. Their nodes stay in the graph; later sightings make new ones.
   void remove_gone(const std::vector<LandmarkSighting>& sightings, const std::vector<Match>& matches,
                    StepOutcome& outcome) {
     const Pose2 here = graph_.estimate(poses_.back());
     for (const Match& found : matches) landmarks_[found.landmark].record.missed = -1;
     std::erase_if(landmarks_, [&](Landmark& landmark) {
       LandmarkRecord& record = landmark.record;
-      const Vec2 local = unrotated(here.heading_rad, graph_.estimate(landmark.node).position - here.position);
+      const Vec2 local = here.to_local(graph_.estimate(landmark.node).position);
       const bool missed = record.missed >= 0 && !sightings.empty() && has_to_be_seen(local, options_);
       if (missed || record.missed < 0) ++record.missed;
       const bool gone = record.refused >= options_.patience + 2 || record.missed >= options_.misses;
@@ -158,11 +159,11 @@ class GraphEngine : public SlamEngine {
     });
   }
 
-  /// All sightings of a candidate that proved itself count, from the poses where they were made.
+  /// Adds the candidates with enough sightings, and all their sightings from the poses of that time.
   void add_new(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     for (const LandmarkSighting& sighting : sightings) {
       if (find(*sighting.id) != landmarks_.size()) continue;
-      const Vec2 world = composed(graph_.estimate(poses_.back()), {sighting.position, 0.0}).position;
+      const Vec2 world = graph_.estimate(poses_.back()) * sighting.position;
       const auto ready = memory_.remember(sighting, world, options_);
       outcome.waiting += ready ? 0 : 1;
       if (!ready) continue;

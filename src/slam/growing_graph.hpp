@@ -1,10 +1,10 @@
-// A pose graph that grows, and its least squares kept up to date: a step changes the part of the block
-// Cholesky factor that depends on it, and no other.
+// Incremental least squares of a growing pose graph: an update refactors only the part of the block Cholesky
+// factor that depends on the changed nodes.
 //
-// Each node has a place where its edges are linearised, and the step from there that the linear equations
-// give. A node whose step grows beyond a bound is moved by it and its edges are linearised again ("fluid
-// relinearisation": Kaess et al., iSAM2, IJRR 31 (2012) 216-235, algorithm 5).
-// Every number is a function of the edges, the places and the order of elimination, whatever came before.
+// Each node has a linearisation point, `place`, and a step from there, the solution of the linear equations.
+// If the step of a node exceeds a threshold, the node is moved by it and its edges are linearised again
+// ("fluid relinearisation": Kaess et al., iSAM2, IJRR 31 (2012) 216-235, algorithm 5). Every number depends
+// only on the edges, the linearisation points and the elimination order, not on history.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,16 @@ class GrowingGraph {
  public:
   GrowingGraph(std::string kernel, double kernel_width);
 
-  /// The number of the node; the first is held where it is.
+  /// Returns the number of the new node. The first node is fixed.
   std::uint32_t add_node(const Pose2& guess, bool is_point);
-  /// Takes covariance; exact odometry gets 1e-12.
+  /// Adds an edge by its covariance; zeros on its diagonal become 1e-12.
   void add_edge(EdgeKind kind, std::uint32_t from, std::uint32_t to, const Pose2& measured,
-                const Matrix3& covariance);
-  /// Linearises again what moved more than `threshold`, and solves.
+                const Eigen::Matrix3d& covariance);
+  /// Relinearises the nodes that moved more than `threshold`, and solves.
   void update(double threshold);
-  /// Chooses the order of elimination anew, with that node last.
+  /// Chooses a new elimination order, with `last` at its end.
   void reorder(std::uint32_t last);
-  /// Gauss-Newton steps to the minimum.
+  /// Iterates Gauss-Newton to the minimum.
   void settle();
 
   [[nodiscard]] Pose2 estimate(std::uint32_t node) const;
@@ -35,16 +35,16 @@ class GrowingGraph {
   [[nodiscard]] bool is_point(std::uint32_t node) const {
     return node < nodes_.size() && nodes_[node].is_point != 0;
   }
-  /// Whether all of them are poses.
+  /// Returns true if all of them are poses.
   [[nodiscard]] bool is_pose(const std::vector<std::uint32_t>& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
       return node < nodes_.size() && nodes_[node].is_point == 0;
     });
   }
-  [[nodiscard]] Matrix3 covariance(std::uint32_t node) const;
-  [[nodiscard]] std::vector<Matrix3> covariances() const;
-  /// Of a point in the frame of a pose; what the linear equations make of it.
-  [[nodiscard]] Matrix2 relative_covariance(std::uint32_t pose, std::uint32_t point) const;
+  [[nodiscard]] Eigen::Matrix3d covariance(std::uint32_t node) const;
+  [[nodiscard]] std::vector<Eigen::Matrix3d> covariances() const;
+  /// The covariance of a point in the frame of a pose, by the linear equations.
+  [[nodiscard]] Eigen::Matrix2d relative_covariance(std::uint32_t pose, std::uint32_t point) const;
 
   template <class Archive>
   void exchange(Archive& archive) {
@@ -57,7 +57,7 @@ class GrowingGraph {
  private:
   struct Node {
     Pose2 place;
-    Block3 step{};
+    Eigen::Vector3d step = Eigen::Vector3d::Zero();
     std::int64_t is_point = 0;
     template <class Archive>
     void exchange(Archive& archive) {
@@ -69,7 +69,7 @@ class GrowingGraph {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
     Pose2 measured;
-    Matrix3 information;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     template <class Archive>
     void exchange(Archive& archive) {
       archive(kind, from, to, measured, information);
@@ -95,7 +95,7 @@ class GrowingGraph {
   std::vector<std::uint32_t> changed_;                ///< nodes with new edges
   BlockMatrix matrix_;
   BlockCholesky factor_;
-  std::vector<Block3> gradient_;
+  std::vector<Eigen::Vector3d> gradient_;
 };
 
 }  // namespace outrider

@@ -12,7 +12,7 @@ namespace {
 /// innovations divided by it: their squared norm is the joint distance.
 class Joint {
  public:
-  Joint(const std::vector<PossiblePair>& pairs, const std::vector<double>& covariance)
+  Joint(const std::vector<PossiblePair>& pairs, const Eigen::MatrixXd& covariance)
       : pairs_(pairs), covariance_(covariance) {}
 
   /// False, and nothing is added, when the covariance is not positive definite.
@@ -50,7 +50,7 @@ class Joint {
 
  private:
   [[nodiscard]] double at(std::size_t row, std::size_t column) const {
-    return covariance_[row * 2 * pairs_.size() + column];
+    return covariance_(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
   }
   void shrink(std::size_t size) {
     rows_.resize(size);
@@ -59,7 +59,7 @@ class Joint {
   }
 
   const std::vector<PossiblePair>& pairs_;
-  const std::vector<double>& covariance_;
+  const Eigen::MatrixXd& covariance_;
   std::vector<std::vector<double>> rows_;
   std::vector<double> values_;
   std::vector<std::size_t> indices_;
@@ -102,7 +102,7 @@ struct Search {
 }  // namespace
 
 std::vector<std::size_t> joint_compatibility(const std::vector<PossiblePair>& pairs,
-                                             const std::vector<double>& covariance, double gate) {
+                                             const Eigen::MatrixXd& covariance, double gate) {
   std::vector<std::vector<std::size_t>> by_sighting;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i == 0 || pairs[i].sighting != pairs[i - 1].sighting) by_sighting.emplace_back();

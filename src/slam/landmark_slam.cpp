@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "covariances.hpp"
 #include "slam_engine.hpp"
 
 namespace outrider {
@@ -13,9 +16,9 @@ namespace {
 
 constexpr std::string_view state_head = "outrider-landmark-slam-1";
 
-template <std::size_t N>
-bool usable(const Matrix<N, N>& covariance) {
-  return symmetric(covariance) && cholesky(covariance).has_value();
+template <int N>
+bool usable(const Eigen::Matrix<double, N, N>& covariance) {
+  return is_symmetric(covariance) && covariance.llt().info() == Eigen::Success;
 }
 
 Status check_options(const LandmarkSlamOptions& options) {
@@ -79,8 +82,8 @@ LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double 
                          double range_sd_m, double bearing_sd_rad) {
   const double along = range_sd_m * range_sd_m;
   const double across = std::max(1e-6, range_m * range_m) * bearing_sd_rad * bearing_sd_rad;
-  const Matrix2 turn = rotation2(bearing_rad);
-  Matrix2 covariance = turn * diagonal<2>({along, across}) * transposed(turn);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(bearing_rad).toRotationMatrix();
+  Eigen::Matrix2d covariance = turn * Eigen::Vector2d(along, across).asDiagonal() * turn.transpose();
   covariance(1, 0) = covariance(0, 1);
   return {id, range_m * direction(bearing_rad), covariance};
 }
@@ -89,7 +92,7 @@ Status check(const LogStep& step) {
   if (!std::isfinite(step.time_s) || !finite(step.odometry)) {
     return bad_input("its odometry is not finite; leave the step out");
   }
-  if (step.covariance != Matrix3{} && !usable(step.covariance)) {
+  if (!step.covariance.isZero(0.0) && !usable(step.covariance)) {
     return bad_input("the covariance of its odometry is not positive definite; correct it");
   }
   for (const LandmarkSighting& sighting : step.sightings) {
@@ -194,7 +197,7 @@ Outcome<StepOutcome> LandmarkSlam::advance(const LogStep& step) {
 
 void LandmarkSlam::settle() { engine_->settle(); }
 Pose2 LandmarkSlam::pose() const { return engine_->pose(); }
-Matrix3 LandmarkSlam::pose_covariance() const { return engine_->pose_covariance(); }
+Eigen::Matrix3d LandmarkSlam::pose_covariance() const { return engine_->pose_covariance(); }
 LandmarkMap LandmarkSlam::landmarks() const { return engine_->landmarks(); }
 std::vector<Pose2> LandmarkSlam::trajectory() const { return engine_->trajectory(); }
 double LandmarkSlam::cost() const { return engine_->cost(); }

@@ -1,29 +1,29 @@
-// Places that come again: recognised, held against chance, and tied together.
+// Loop closing: recognises a place that was visited before and adds a constraint between the two visits.
 //
-// The last scans together, as they stand to each other, are searched for among the scans of an earlier visit
-// that may be here, given how uncertain their place is from here. What is found counts when most points lie
-// on a surface, no other place does nearly as well, and the ties already there can give way to it.
+// The last keyframes, joined rigidly, are matched with the keyframes of each earlier visit whose uncertainty
+// allows the same place. A match is accepted if most points lie on a surface, no other pose in the window
+// scores nearly as well, and the optimised graph still agrees with the constraint.
 #pragma once
 
 #include <optional>
 #include <utility>
 
-#include "key_graph.hpp"
+#include "keyframe_graph.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
 
-/// Where the surface stands by a map, if that is beyond chance: most points lie on a surface, and no other
-/// place in the window does nearly as well.
-std::optional<Fit> recognised(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
+/// The pose of a surface on a map; nothing unless most points lie on the map's surfaces and no other pose in
+/// the window scores nearly as well.
+std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
 
 struct LoopSearch {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< scans tied: the earlier, the later
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< keyframes: the earlier, the later
   double tried_at_m = 0.0;                                      ///< way driven at the last search
 
-  /// Ties the last scan to earlier visits and relaxes the graph; true when it did. What lies farther from
-  /// where it is believed to be than `reach_sd` standard deviations is a look-alike.
-  bool close(KeyGraph& graph, double reach_sd);
+  /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
+  /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose.
+  bool close(KeyframeGraph& graph, double reach_sd);
 };
 
 }  // namespace outrider

@@ -1,17 +1,17 @@
 #include "outrider/slam/laser_slam.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "laser_loops.hpp"
 #include "odometry_bias.hpp"
-#include "outrider/motion/twist.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t recent_keys = 10;
+constexpr std::uint32_t recent_keyframes = 10;
 constexpr int recent_group = 0;
 constexpr int earlier_group = 1;
 constexpr double most_correction_m = 3.0;  // beyond, matching is no correction but a search for the place
@@ -27,17 +27,17 @@ struct TrackPoint {
   Pose2 key_T_robot;
 };
 
-/// Standard deviations of a motion by odometry.
+/// Standard deviations of a motion measured by odometry.
 struct MotionNoise {
   double position_m = 0.0;
   double heading_rad = 0.0;
 
-  [[nodiscard]] Matrix3 information() const {
+  [[nodiscard]] Eigen::Matrix3d information() const {
     const double p = 1.0 / (position_m * position_m);
-    return diagonal<3>({p, p, 1.0 / (heading_rad * heading_rad)});
+    return Eigen::Vector3d(p, p, 1.0 / (heading_rad * heading_rad)).asDiagonal();
   }
 };
-/// How far it has driven, and how much it has turned.
+/// Distance driven and sum of turns.
 struct Driven {
   double way_m = 0.0;
   double turn_rad = 0.0;
@@ -49,8 +49,8 @@ struct Driven {
   }
 };
 
-/// A heading that goes astray along the way carries the position with it.
-MotionNoise noise_of(const Driven& driven, const LaserSlamOptions& o) {
+/// The error of the heading also moves the position sideways.
+MotionNoise odometry_noise(const Driven& driven, const LaserSlamOptions& o) {
   const double root_m = std::sqrt(driven.way_m);
   const double heading_rad = std::hypot(o.odometry_rest_rad, o.odometry_turn * std::sqrt(driven.turn_rad),
                                         o.odometry_turn_per_distance_rad * root_m);
@@ -64,35 +64,37 @@ struct LaserSlam::State {
   LaserSlamOptions options;
   Pose2 pose;
   OccupancyMap map;
-  KeyGraph graph;
+  KeyframeGraph graph;
   LoopSearch loops;
-  std::vector<Pose2> before_keys;       ///< the track before there was a scan to keep, or of trusted odometry
-  std::vector<TrackPoint> track;        ///< and after that
-  std::vector<Pose2> drawn;             ///< poses of the kept scans as the map has them
-  std::optional<SurfaceMap> near;       ///< of the last scans (group 0) and of earlier visits (group 1)
-  std::optional<std::uint32_t> anchor;  ///< of the earlier visits in `near`, the nearest scan
-  std::size_t part = 0;                 ///< the first scan kept since the robot was last lost
+  std::vector<Pose2> before_keyframes;  ///< the track before the first keyframe, or of trusted odometry
+  std::vector<TrackPoint> track;        ///< the track after that
+  std::vector<Pose2> drawn;             ///< poses of the keyframes in the map as drawn
+  std::optional<SurfaceMap> near;       ///< local map: last keyframes (group 0), earlier visits (group 1)
+  std::optional<std::uint32_t> anchor;  ///< the nearest keyframe of earlier visits in `near`
+  std::size_t part = 0;                 ///< the first keyframe since the robot was last lost
   OdometryBias bias;
-  Driven unmatched;    ///< since a scan last fitted
-  Driven unkept;       ///< since a scan was last kept
-  bool blind = false;  ///< the last scan saw next to nothing
+  Driven unmatched;    ///< since the last match
+  Driven unkept;       ///< since the last keyframe
+  bool blind = false;  ///< the last scan had too few points
 
   State(const LaserSlamOptions& given, const Pose2& start)
-      : options(given), pose(start), map(given.map), before_keys{start} {}
+      : options(given), pose(start), map(given.map), before_keyframes{start} {}
 
-  [[nodiscard]] Pose2 since_key() const { return seen_from(graph.keys.back().pose, pose); }
+  [[nodiscard]] Pose2 since_keyframe() const {
+    return wrap_heading(relative_pose(graph.keyframes.back().pose, pose));
+  }
   void move(const Pose2& motion);
   [[nodiscard]] MatchWindow window() const;
   [[nodiscard]] std::optional<Fit> match(const Surface& surface, MatchWindow window) const;
-  void see(const LaserScan& scan, Surface surface, LaserSlamStep& step);
+  void take_scan(const LaserScan& scan, Surface surface, LaserSlamStep& step);
   void learn(const Fit& fit);
-  [[nodiscard]] bool is_key() const;
-  void add_key(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit);
-  void gather();
+  [[nodiscard]] bool is_keyframe_due() const;
+  void add_keyframe(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit);
+  void build_local_map();
   [[nodiscard]] std::vector<SurfaceMap::Part> earlier_visits();
   [[nodiscard]] bool stands_as_drawn() const;
-  MapUpdate draw_anew();
-  void note_step();
+  MapUpdate redraw();
+  void add_track_point();
 };
 
 std::vector<Option> describe(LaserSlamOptions& o) {
@@ -137,25 +139,26 @@ LaserSlam::LaserSlam(LaserSlam&&) noexcept = default;
 LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
 LaserSlam::~LaserSlam() = default;
 
-/// About where odometry puts the robot, three standard deviations wide.
+/// The search window: centred at the pose of the odometry, three standard deviations to each side.
 MatchWindow LaserSlam::State::window() const {
   constexpr double sds = 3.0;
   constexpr MotionNoise least{0.05, 0.02};
-  const MotionNoise noise = noise_of(unmatched, options);
+  const MotionNoise noise = odometry_noise(unmatched, options);
   return {pose, std::max(least.position_m, sds * noise.position_m),
           std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
 }
 
-/// Fits the scan to the surfaces nearby: in the window, and where little of it lies on them, in a wider one,
-/// if there are points enough to tell one place from others. Nothing when too little does. In a window with
-/// room for several places the scan must be recognised.
+/// Matches the scan with the surfaces nearby. If few points lie on them, and the scan has enough points to
+/// tell places apart, tries a wider window. Returns nothing if too few points match. In a window that is
+/// large enough for several places, the scan must be recognised in one.
 std::optional<Fit> LaserSlam::State::match(const Surface& surface, MatchWindow window) const {
   constexpr MotionNoise wide{0.6, 0.6};
   constexpr double least_score = 0.1, wide_score = 0.3;
   constexpr std::size_t least_wide_points = 60;
   constexpr double least_share = 0.25, sure_share = 0.5, better_share = 0.1;
   const bool telling = surface.size() >= least_wide_points;
-  if (window.reach_m > most_correction_m) return telling ? recognised(*near, surface, window) : std::nullopt;
+  if (window.reach_m > most_correction_m)
+    return telling ? recognise_place(*near, surface, window) : std::nullopt;
   const MotionNoise noise{window.position_sd_m, window.heading_sd_rad};
   Fit best;
   if (const auto found = near->find(surface, window, least_score)) {
@@ -172,45 +175,46 @@ std::optional<Fit> LaserSlam::State::match(const Surface& surface, MatchWindow w
   return best.share >= least_share ? std::optional(best) : std::nullopt;
 }
 
-bool LaserSlam::State::is_key() const {
-  if (graph.keys.empty()) return true;
-  const Pose2 motion = since_key();
+bool LaserSlam::State::is_keyframe_due() const {
+  if (graph.keyframes.empty()) return true;
+  const Pose2 motion = since_keyframe();
   return norm(motion.position) >= options.key_distance_m ||
          std::abs(motion.heading_rad) >= options.key_turn_rad;
 }
 
-/// Keeps the scan, tied to the one before, and to an earlier visit where it was matched with one.
-void LaserSlam::State::add_key(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit) {
+/// Adds a keyframe with a constraint to the one before, and to an earlier visit if it was matched with one.
+void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit) {
   constexpr MotionNoise lost{0.3, 0.3};  // whatever odometry says of itself
   constexpr MotionNoise loose{0.1, 0.1};
   constexpr double least_share = 0.5;
-  const auto key = static_cast<std::uint32_t>(graph.keys.size());
-  const Pose2 motion = key == 0 ? Pose2{} : since_key();
-  const double way_m = key == 0 ? 0.0 : graph.keys.back().way_m + norm(motion.position);
-  graph.keys.push_back({pose, {}, way_m, scan, std::move(surface)});
+  const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
+  const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
+  const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
+  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, std::move(surface)});
   if (key == 0) return;
-  const MotionNoise driven = noise_of(unkept, options);
+  const MotionNoise driven = odometry_noise(unkept, options);
   const MotionNoise doubted{std::max(lost.position_m, driven.position_m),
                             std::max(lost.heading_rad, driven.heading_rad)};
-  graph.tie(key - 1, key, pose,
-            fit     ? fit->information + driven.information()
-            : blind ? driven.information()
-                    : doubted.information());
+  graph.add_constraint(key - 1, key, pose,
+                       fit     ? Eigen::Matrix3d(fit->information + driven.information())
+                       : blind ? driven.information()
+                               : doubted.information());
   unkept = {};
   if (!fit || !anchor) return;
-  const Fit visit = near->refine(graph.keys[key].surface, pose, {pose, loose.information()}, earlier_group);
+  const Fit visit =
+      near->refine(graph.keyframes[key].surface, pose, {pose, loose.information()}, earlier_group);
   if (visit.share >= least_share) {
-    graph.tie(*anchor, key, visit.pose, visit.information + diagonal<3>({1.0, 1.0, 1.0}));
+    graph.add_constraint(*anchor, key, visit.pose, visit.information + Eigen::Matrix3d::Identity());
   }
 }
 
-/// Scans of earlier visits that are near, and whose place by the last scan is well known.
+/// Keyframes of earlier visits that are near and whose pose relative to the last keyframe is well known.
 std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
-  constexpr std::uint32_t earlier = 2 * recent_keys;
-  constexpr std::size_t most_keys = 16;
+  constexpr std::uint32_t earlier = 2 * recent_keyframes;
+  constexpr std::size_t most_keyframes = 16;
   constexpr double most_variance = 0.01;  // m^2
   constexpr double most_reach_m = 5.0;
-  const auto last = static_cast<std::uint32_t>(graph.keys.size() - 1);
+  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   anchor.reset();
   if (last < earlier) return {};
   const std::vector<double> variance = graph.variances_from(last, most_variance);
@@ -218,33 +222,34 @@ std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
   std::vector<std::pair<double, std::uint32_t>> nearest;
   for (std::uint32_t i = 0; i + earlier <= last; ++i) {
     if (variance[i] > most_variance) continue;
-    const double away_m = distance(graph.keys[i].pose.position, pose.position);
+    const double away_m = distance(graph.keyframes[i].pose.position, pose.position);
     if (away_m <= reach_m) nearest.emplace_back(away_m, i);
   }
   std::sort(nearest.begin(), nearest.end());
-  if (nearest.size() > most_keys) nearest.resize(most_keys);
+  if (nearest.size() > most_keyframes) nearest.resize(most_keyframes);
   if (!nearest.empty()) anchor = nearest.front().second;
   std::vector<SurfaceMap::Part> parts;
   for (const auto& [away_m, i] : nearest) {
-    parts.push_back({&graph.keys[i].surface, graph.keys[i].pose, earlier_group});
+    parts.push_back({&graph.keyframes[i].surface, graph.keyframes[i].pose, earlier_group});
   }
   return parts;
 }
 
-void LaserSlam::State::gather() {
+void LaserSlam::State::build_local_map() {
   std::vector<SurfaceMap::Part> parts = earlier_visits();
-  const std::size_t count = graph.keys.size();
-  for (std::size_t i = std::max(part, count > recent_keys ? count - recent_keys : 0); i < count; ++i) {
-    parts.push_back({&graph.keys[i].surface, graph.keys[i].pose, recent_group});
+  const std::size_t count = graph.keyframes.size();
+  for (std::size_t i = std::max(part, count > recent_keyframes ? count - recent_keyframes : 0); i < count;
+       ++i) {
+    parts.push_back({&graph.keyframes[i].surface, graph.keyframes[i].pose, recent_group});
   }
   near.emplace(parts);
 }
 
-/// Whether no kept scan has moved by a cell since it was drawn, nor what it sees a few metres away.
+/// Returns true if no keyframe, and nothing 2 m away from it, has moved by a cell since it was drawn.
 bool LaserSlam::State::stands_as_drawn() const {
   constexpr double lever_m = 2.0;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const Pose2& now = graph.keys[i].pose;
+    const Pose2& now = graph.keyframes[i].pose;
     const double moved_m = distance(drawn[i].position, now.position) +
                            lever_m * std::abs(drawn[i].heading_rad - now.heading_rad);
     if (moved_m > options.map.resolution_m) return false;
@@ -252,44 +257,46 @@ bool LaserSlam::State::stands_as_drawn() const {
   return true;
 }
 
-MapUpdate LaserSlam::State::draw_anew() {
+MapUpdate LaserSlam::State::redraw() {
   map = OccupancyMap(options.map);
-  for (const KeyScan& key : graph.keys) map.insert(composed(key.pose, options.robot_T_laser), key.scan);
+  for (const Keyframe& key : graph.keyframes)
+    map.insert(wrap_heading(compose(key.pose, options.robot_T_laser)), key.scan);
   drawn = graph.poses();
   return {true, {}};
 }
 
-void LaserSlam::State::note_step() {
-  if (graph.keys.empty()) {
-    before_keys.push_back(pose);
+void LaserSlam::State::add_track_point() {
+  if (graph.keyframes.empty()) {
+    before_keyframes.push_back(pose);
   } else {
-    track.push_back(
-        {static_cast<std::uint32_t>(graph.keys.size() - 1), between(graph.keys.back().pose, pose)});
+    track.push_back({static_cast<std::uint32_t>(graph.keyframes.size() - 1),
+                     relative_pose(graph.keyframes.back().pose, pose)});
   }
 }
 
-/// Moves by odometry, without what it is known to count wrong.
+/// Moves by odometry, corrected for its known systematic errors.
 void LaserSlam::State::move(const Pose2& motion) {
   bias.count(motion);
-  pose = composed(pose, options.learn_odometry ? bias.corrected(motion) : motion);
+  pose = wrap_heading(compose(pose, options.learn_odometry ? bias.corrected(motion) : motion));
   unmatched += motion;
   unkept += motion;
 }
 
-/// Holds the odometry since the scan kept before against where the scans are.
+/// Updates the estimate of odometry errors with the motion since the last keyframe.
 void LaserSlam::State::learn(const Fit& fit) {
   constexpr double nothing = 1e-3;
-  const auto covariance = inverse_of_positive(fit.information + diagonal<3>({nothing, nothing, nothing}));
-  const MotionNoise noise = noise_of(unkept, options);
-  if (covariance)
-    bias.learn(pose, *covariance, noise.position_m * noise.position_m, noise.heading_rad * noise.heading_rad);
+  const Eigen::LLT<Eigen::Matrix3d> factor(fit.information + nothing * Eigen::Matrix3d::Identity());
+  const MotionNoise noise = odometry_noise(unkept, options);
+  if (factor.info() != Eigen::Success) return;
+  bias.learn(pose, factor.solve(Eigen::Matrix3d::Identity()), noise.position_m * noise.position_m,
+             noise.heading_rad * noise.heading_rad);
 }
 
-/// Where the surface says that the robot is; the scan is kept when it is time. A robot that may be in several
-/// places and is recognised in none is lost: the scan is kept, and the next ones are matched with those since
-/// then alone, whose place by the others is only as well known as odometry tells.
-void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
-  if (blind && near) gather();
+/// Corrects the pose with a scan, and makes the scan a keyframe if one is due. A robot that may be in several
+/// places and is recognised in none is lost: the scan becomes the first keyframe of a new part of the map,
+/// with which alone the next scans are matched; odometry is all that joins it to the part before.
+void LaserSlam::State::take_scan(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
+  if (blind && near) build_local_map();
   const MatchWindow about = window();
   const auto fit = near ? match(surface, about) : std::nullopt;
   step.matched = fit.has_value();
@@ -297,14 +304,14 @@ void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep
   if (fit) pose = fit->pose;
   if (!fit) bias.forget();
   if (fit || step.lost) unmatched = {};
-  if (step.lost) part = graph.keys.size();
-  if (step.lost || is_key()) {
+  if (step.lost) part = graph.keyframes.size();
+  if (step.lost || is_keyframe_due()) {
     if (fit) learn(*fit);
-    add_key(scan, std::move(surface), fit);
+    add_keyframe(scan, std::move(surface), fit);
     step.kept = true;
     step.closed_loop = options.close_loops && loops.close(graph, options.loop_reach_sd);
-    pose = graph.keys.back().pose;
-    gather();
+    pose = graph.keyframes.back().pose;
+    build_local_map();
     if (!options.draw_late) drawn.push_back(pose);
   }
   blind = false;
@@ -312,61 +319,62 @@ void LaserSlam::State::see(const LaserScan& scan, Surface surface, LaserSlamStep
 
 Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& scan) {
   State& s = *state_;
-  if (!in_the_world(motion) || !in_the_world(composed(s.pose, motion))) {
+  if (!in_the_world(motion) || !in_the_world(wrap_heading(compose(s.pose, motion)))) {
     return bad_input("the motion is not finite or leads out of the world; leave it out");
   }
   LaserSlamStep step;
   if (s.options.trust_odometry) {
-    s.pose = composed(s.pose, motion);
+    s.pose = wrap_heading(compose(s.pose, motion));
   } else {
     s.move(motion);
     Surface surface;
     if (outrider::check(scan)) surface = surface_of(scan, s.options.robot_T_laser, s.options.reach_m);
     constexpr std::size_t least_points = 10;
     if (surface.size() >= least_points) {
-      s.see(scan, std::move(surface), step);
+      s.take_scan(scan, std::move(surface), step);
     } else {
       s.blind = true;
       s.bias.forget();
     }
   }
-  s.note_step();
+  s.add_track_point();
   step.pose = s.pose;
   if (step.closed_loop && !s.stands_as_drawn()) {
-    step.update = s.draw_anew();
+    step.update = s.redraw();
   } else if (!s.options.draw_late) {
-    step.update = s.map.insert(composed(s.pose, s.options.robot_T_laser), scan);
+    step.update = s.map.insert(wrap_heading(compose(s.pose, s.options.robot_T_laser)), scan);
   }
   return step;
 }
 
 void LaserSlam::settle() {
   State& s = *state_;
-  if (s.graph.keys.empty()) return;
-  s.graph.relax();
-  s.draw_anew();
-  s.pose = composed(s.graph.keys[s.track.back().key].pose, s.track.back().key_T_robot);
+  if (s.graph.keyframes.empty()) return;
+  s.graph.optimise();
+  s.redraw();
+  s.pose = wrap_heading(compose(s.graph.keyframes[s.track.back().key].pose, s.track.back().key_T_robot));
 }
 
 const Pose2& LaserSlam::pose() const { return state_->pose; }
-Matrix3 LaserSlam::pose_covariance() const {
-  return state_->graph.keys.empty() ? Matrix3{} : state_->graph.keys.back().covariance;
+Eigen::Matrix3d LaserSlam::pose_covariance() const {
+  return state_->graph.keyframes.empty() ? Eigen::Matrix3d::Zero()
+                                         : state_->graph.keyframes.back().covariance;
 }
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
 std::vector<LaserLoop> LaserSlam::closed_loops() const {
   std::vector<std::size_t> pose_of;  // by kept scan: the first pose that hangs on it is its own
   for (std::size_t i = 0; i < state_->track.size(); ++i) {
-    if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keys.size() + i);
+    if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keyframes.size() + i);
   }
   std::vector<LaserLoop> result;
   for (const auto& [from, to] : state_->loops.closed) result.push_back({pose_of[from], pose_of[to]});
   return result;
 }
 std::vector<Pose2> LaserSlam::trajectory() const {
-  std::vector<Pose2> poses = state_->before_keys;
+  std::vector<Pose2> poses = state_->before_keyframes;
   for (const TrackPoint& point : state_->track) {
-    poses.push_back(composed(state_->graph.keys[point.key].pose, point.key_T_robot));
+    poses.push_back(wrap_heading(compose(state_->graph.keyframes[point.key].pose, point.key_T_robot)));
   }
   return poses;
 }

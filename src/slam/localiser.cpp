@@ -1,8 +1,11 @@
 #include "outrider/slam/localiser.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
+#include "covariances.hpp"
 #include "graph_edges.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/slam/joint_compatibility.hpp"
@@ -10,38 +13,36 @@
 namespace outrider {
 namespace {
 
-/// What a sighting of a landmark says about the pose.
+/// The innovation of a sighting of a landmark, and its Jacobian by the pose.
 struct Innovation {
-  std::array<double, 2> difference{};
-  Matrix<2, 3> by_pose;
-  Matrix2 weight;  ///< inverse of the difference's covariance
+  Eigen::Vector2d difference = Eigen::Vector2d::Zero();
+  Eigen::Matrix<double, 2, 3> by_pose = Eigen::Matrix<double, 2, 3>::Zero();
+  Eigen::Matrix2d weight = Eigen::Matrix2d::Zero();  ///< inverse of the difference's covariance
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
 Innovation innovation(const LandmarkSighting& sighting, const LandmarkEstimate& landmark, const Pose2& pose,
-                      const Matrix3& covariance) {
-  const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}, {}};
-  const LinearEdge linear = linearised(edge, pose, {landmark.position, 0.0});
+                      const Eigen::Matrix3d& covariance) {
+  const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}};
+  const LinearEdge linear = linearise(edge, pose, {landmark.position, 0.0});
   Innovation result;
-  result.difference = {-linear.residual[0], -linear.residual[1]};
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result.by_pose(i, j) = linear.by_from(i, j);
-  }
-  const Matrix2 turn = rotation2(-pose.heading_rad);
-  Matrix2 sum = result.by_pose * covariance * transposed(result.by_pose) + sighting.covariance +
-                turn * landmark.covariance * transposed(turn);
+  result.difference = -linear.residual.head<2>();
+  result.by_pose = linear.by_from.topRows<2>();
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-pose.heading_rad).toRotationMatrix();
+  Eigen::Matrix2d sum = result.by_pose * covariance * result.by_pose.transpose() + sighting.covariance +
+                        turn * landmark.covariance * turn.transpose();
   sum(1, 0) = sum(0, 1);
-  const auto weight = inverse_of_positive(sum);
-  if (!weight) return result;
-  result.weight = *weight;
-  result.squared_distance = quadratic_form(*weight, result.difference);
+  const Eigen::LLT<Eigen::Matrix2d> factor(sum);
+  if (factor.info() != Eigen::Success) return result;
+  result.weight = factor.solve(Eigen::Matrix2d::Identity());
+  result.squared_distance = result.difference.dot(result.weight * result.difference);
   return result;
 }
 
 }  // namespace
 
 Outcome<Localiser> Localiser::begin(LandmarkMap map, const LocaliserOptions& options, const Pose2& start,
-                                    const Matrix3& covariance) {
+                                    const Eigen::Matrix3d& covariance) {
   if (map.empty()) return bad_input("the map has no landmarks; it takes one at least", "map");
   if (auto ok = check(LogStep{0.0, start, covariance, {}}); !ok) {
     return bad_input("the start is not finite, or its covariance not positive definite; correct it", "start");
@@ -57,28 +58,22 @@ bool Localiser::correct(const LandmarkSighting& sighting) {
     if (found.squared_distance < best.squared_distance) best = found;
   }
   if (!(best.squared_distance <= squared_gate(options_.gate, 2))) return false;
-  const Matrix<3, 2> gain = covariance_ * transposed(best.by_pose) * best.weight;
-  Block3 step{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    step[i] = gain(i, 0) * best.difference[0] + gain(i, 1) * best.difference[1];
-  }
+  const Eigen::Matrix<double, 3, 2> gain = covariance_ * best.by_pose.transpose() * best.weight;
+  const Eigen::Vector3d step = gain * best.difference;
   pose_ = {pose_.position + Vec2{step[0], step[1]}, wrap_angle(pose_.heading_rad + step[2])};
-  const Matrix3 smaller = covariance_ - gain * best.by_pose * covariance_;
-  covariance_ = 0.5 * (smaller + transposed(smaller));
+  const Eigen::Matrix3d smaller = covariance_ - gain * best.by_pose * covariance_;
+  covariance_ = 0.5 * (smaller + smaller.transpose());
   return true;
 }
 
 Outcome<StepOutcome> Localiser::advance(const LogStep& step) {
   if (auto ok = check(step); !ok) return pass_on(ok);
   const Vec2 arm = rotated(pose_.heading_rad, step.odometry.position);
-  Matrix3 by_pose = diagonal<3>({1.0, 1.0, 1.0});
-  by_pose(0, 2) = -arm.y;
-  by_pose(1, 2) = arm.x;
-  const Matrix2 turn = rotation2(pose_.heading_rad);
-  const Matrix3 by_motion = {{turn(0, 0), turn(0, 1), 0.0, turn(1, 0), turn(1, 1), 0.0, 0.0, 0.0, 1.0}};
+  const Eigen::Matrix3d by_pose = lever_of(arm);
+  const Eigen::Matrix3d by_motion = rotation_by(pose_.heading_rad);
   covariance_ =
-      by_pose * covariance_ * transposed(by_pose) + by_motion * step.covariance * transposed(by_motion);
-  pose_ = composed(pose_, step.odometry);
+      by_pose * covariance_ * by_pose.transpose() + by_motion * step.covariance * by_motion.transpose();
+  pose_ = wrap_heading(compose(pose_, step.odometry));
   StepOutcome outcome;
   for (const LandmarkSighting& sighting : step.sightings)
     ++(correct(sighting) ? outcome.used : outcome.refused);

@@ -24,7 +24,7 @@ std::vector<std::size_t> partners(const LandmarkMap& map, const std::vector<Vec2
     std::size_t best = nobody;
     double least_m = reach_m;
     for (std::size_t i = 0; i < map.size(); ++i) {
-      const double apart = distance(composed(motion, {map[i].position, 0.0}).position, place);
+      const double apart = distance(motion * map[i].position, place);
       if (taken[i] || apart >= least_m) continue;
       least_m = apart;
       best = i;
@@ -67,7 +67,7 @@ std::optional<double> rms_distance(const std::vector<Vec2>& estimate, const std:
   if (estimate.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < estimate.size(); ++i) {
-    sum += squared_norm(composed(motion, {estimate[i], 0.0}).position - truth[i]);
+    sum += squared_norm(motion * estimate[i] - truth[i]);
   }
   return std::sqrt(sum / static_cast<double>(estimate.size()));
 }

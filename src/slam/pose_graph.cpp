@@ -39,7 +39,8 @@ std::vector<Pose2> given_poses(const PoseGraph& graph) {
 double robust_cost(const PoseGraph& graph, const std::vector<Pose2>& poses, const PoseGraphOptions& options) {
   double sum = 0.0;
   for (const GraphEdge& edge : graph.edges) {
-    const double s = quadratic_form(edge.information, residual(edge, poses[edge.from], poses[edge.to]));
+    const Eigen::Vector3d r = residual(edge, poses[edge.from], poses[edge.to]);
+    const double s = r.dot(edge.information * r);
     sum += robust_loss(options.kernel, options.kernel_width, s).value;
   }
   return sum;
@@ -50,9 +51,9 @@ void linearise(const PoseGraph& graph, const std::vector<Pose2>& poses, const Po
   equations.clear();
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
-    LinearEdge linear = linearised(edge, poses[edge.from], poses[edge.to]);
-    const double s = quadratic_form(linear.information, linear.residual);
-    linear.information = robust_loss(options.kernel, options.kernel_width, s).weight * linear.information;
+    LinearEdge linear = linearise(edge, poses[edge.from], poses[edge.to]);
+    const double s = linear.residual.dot(linear.information * linear.residual);
+    linear.information *= robust_loss(options.kernel, options.kernel_width, s).weight;
     equations.add(i, linear);
   }
 }
@@ -66,15 +67,15 @@ std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first
     if (edge.kind != EdgeKind::pose) continue;
     LinearEdge linear;
     const Vec2 turn = direction(edge.measured.heading_rad);
-    linear.by_from.values = {-turn.x, turn.y, 0.0, -turn.y, -turn.x, 0.0};
-    linear.by_to = diagonal<3>({1.0, 1.0, 0.0});
-    linear.information = edge.information(2, 2) * diagonal<3>({1.0, 1.0, 0.0});
-    if (edge.from == first) linear.residual = linear.by_from * Block3{axis.x, axis.y, 0.0};
-    if (edge.to == first) linear.residual = linear.by_to * Block3{axis.x, axis.y, 0.0};
+    linear.by_from.topLeftCorner<2, 2>() << -turn.x, turn.y, -turn.y, -turn.x;
+    linear.by_to.diagonal() << 1.0, 1.0, 0.0;
+    linear.information.diagonal() << edge.information(2, 2), edge.information(2, 2), 0.0;
+    if (edge.from == first) linear.residual = linear.by_from * Eigen::Vector3d(axis.x, axis.y, 0.0);
+    if (edge.to == first) linear.residual = linear.by_to * Eigen::Vector3d(axis.x, axis.y, 0.0);
     equations.add(i, linear);
   }
   std::vector<double> headings;
-  for (const Block3& z : equations.solve(0.0)) headings.push_back(std::atan2(z[1], z[0]));
+  for (const Eigen::Vector3d& z : equations.solve(0.0)) headings.push_back(std::atan2(z[1], z[0]));
   if (!headings.empty()) headings[first] = graph.nodes[first].pose.heading_rad;
   return headings;
 }
@@ -88,18 +89,18 @@ std::vector<Pose2> chordal_positions(const PoseGraph& graph, const std::vector<d
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const GraphEdge& edge = graph.edges[i];
     if (edge.kind == EdgeKind::range) continue;
-    LinearEdge linear = linearised(edge, poses[edge.from], poses[edge.to]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      linear.by_from(k, 2) = linear.by_to(k, 2) = 0.0;
-      linear.information(k, 2) = linear.information(2, k) = 0.0;
-    }
+    LinearEdge linear = linearise(edge, poses[edge.from], poses[edge.to]);
+    linear.by_from.col(2).setZero();
+    linear.by_to.col(2).setZero();
+    linear.information.col(2).setZero();
+    linear.information.row(2).setZero();
     equations.add(i, linear);
   }
-  const std::vector<Block3> steps = equations.solve(0.0);
+  const std::vector<Eigen::Vector3d> steps = equations.solve(0.0);
   if (steps.empty()) return {};
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    poses[i] = graph.nodes[i].is_point ? Pose2{moved(poses[i], steps[i]).position, 0.0}
-                                       : moved(poses[i], {steps[i][0], steps[i][1], 0.0});
+    poses[i] = graph.nodes[i].is_point ? Pose2{retract(poses[i], steps[i]).position, 0.0}
+                                       : retract(poses[i], {steps[i][0], steps[i][1], 0.0});
   }
   return poses;
 }
@@ -127,11 +128,11 @@ Outcome<Start> choose_start(const PoseGraph& graph, const PoseGraphOptions& opti
   return take ? Start{std::move(*relaxed), "chordal"} : given;
 }
 
-std::vector<Pose2> stepped(const PoseGraph& graph, const std::vector<Pose2>& poses,
-                           const std::vector<Block3>& step) {
+std::vector<Pose2> retract_all(const PoseGraph& graph, const std::vector<Pose2>& poses,
+                               const std::vector<Eigen::Vector3d>& step) {
   std::vector<Pose2> result = poses;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    result[i] = moved(poses[i], step[i]);
+    result[i] = retract(poses[i], step[i]);
     if (graph.nodes[i].is_point) result[i].heading_rad = 0.0;
   }
   return result;
@@ -159,12 +160,6 @@ std::vector<Option> describe(PoseGraphOptions& options) {
 
 double cost(const PoseGraph& graph, const std::vector<Pose2>& poses) { return robust_cost(graph, poses, {}); }
 
-Outcome<std::vector<Pose2>> chordal_start(const PoseGraph& graph) {
-  if (auto ok = check(graph); !ok) return pass_on(ok);
-  GraphEquations equations(graph, first_pose(graph));
-  return chordal(graph, equations);
-}
-
 Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptions& options,
                                     const Budget& budget) {
   if (auto ok = check_options(options); !ok) return pass_on(ok);
@@ -184,12 +179,12 @@ Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptio
     }
     ++best.iterations;
     linearise(graph, best.poses, options, equations);
-    const std::vector<Block3> step = equations.solve(damping);
-    const double promised = step.empty() ? 0.0 : equations.promised(step);
-    std::vector<Pose2> next = step.empty() ? best.poses : stepped(graph, best.poses, step);
+    const std::vector<Eigen::Vector3d> step = equations.solve(damping);
+    const double predicted = step.empty() ? 0.0 : equations.predicted_decrease(step);
+    std::vector<Pose2> next = step.empty() ? best.poses : retract_all(graph, best.poses, step);
     const double next_cost = step.empty() ? best.robust_cost : robust_cost(graph, next, options);
     const double decrease = best.robust_cost - next_cost;
-    best.converged = !step.empty() && promised <= options.tolerance * best.robust_cost;
+    best.converged = !step.empty() && predicted <= options.tolerance * best.robust_cost;
     if (decrease > 0.0) {
       damping = damping > least_damping ? 0.1 * damping : 0.0;
       best.poses = std::move(next);
@@ -202,7 +197,8 @@ Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptio
   return best;
 }
 
-Outcome<std::vector<Matrix3>> marginal_covariances(const PoseGraph& graph, const std::vector<Pose2>& poses) {
+Outcome<std::vector<Eigen::Matrix3d>> marginal_covariances(const PoseGraph& graph,
+                                                           const std::vector<Pose2>& poses) {
   if (auto ok = check(graph); !ok) return pass_on(ok);
   if (poses.size() != graph.nodes.size()) {
     return bad_input(
@@ -211,9 +207,9 @@ Outcome<std::vector<Matrix3>> marginal_covariances(const PoseGraph& graph, const
   const std::uint32_t first = first_pose(graph);
   GraphEquations equations(graph, first);
   linearise(graph, poses, {}, equations);
-  std::vector<Matrix3> result = equations.covariances();
+  std::vector<Eigen::Matrix3d> result = equations.covariances();
   if (result.empty()) return bad_input("the measurements do not determine every node; add some");
-  result[first] = {};
+  result[first].setZero();
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (graph.nodes[i].is_point) result[i](2, 2) = 0.0;
   }

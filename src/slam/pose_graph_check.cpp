@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "covariances.hpp"
 #include "graph_edges.hpp"
 
 namespace outrider {
@@ -19,20 +21,20 @@ std::string name_of(const PoseGraph& graph, const GraphEdge& edge) {
   return fmt::format("the edge from {} to {}", graph.nodes[edge.from].name, graph.nodes[edge.to].name);
 }
 
-std::size_t dimension(EdgeKind kind) { return kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1; }
+Eigen::Index dimension(EdgeKind kind) { return kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1; }
 
 /// The information with ones for the numbers that the residual does not have.
 bool positive_definite(const GraphEdge& edge) {
-  if (!symmetric(edge.information)) return false;
-  Matrix3 information = edge.information;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
+  if (!is_symmetric(edge.information)) return false;
+  Eigen::Matrix3d information = edge.information;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index j = 0; j < 3; ++j) {
       if (std::max(i, j) < dimension(edge.kind)) continue;
       if (information(i, j) != 0.0) return false;
       information(i, j) = i == j ? 1.0 : 0.0;
     }
   }
-  return cholesky(information).has_value();
+  return information.llt().info() == Eigen::Success;
 }
 
 Status check_edge(const PoseGraph& graph, const GraphEdge& edge) {
@@ -71,7 +73,7 @@ Reach edges_at_nodes(const PoseGraph& graph) {
 bool place(PoseGraph& graph, const GraphEdge& edge, std::uint32_t near) {
   if (edge.kind == EdgeKind::range) return false;
   if (near == edge.from) {
-    Pose2 pose = composed(graph.nodes[near].pose, edge.measured);
+    Pose2 pose = wrap_heading(compose(graph.nodes[near].pose, edge.measured));
     if (graph.nodes[edge.to].is_point) pose.heading_rad = 0.0;
     graph.nodes[edge.to].pose = pose;
     return true;
@@ -80,7 +82,7 @@ bool place(PoseGraph& graph, const GraphEdge& edge, std::uint32_t near) {
   const Pose2& to = graph.nodes[edge.to].pose;
   const double heading_rad = to.heading_rad - edge.measured.heading_rad;
   graph.nodes[edge.from].pose =
-      composed({to.position - rotated(heading_rad, edge.measured.position), heading_rad}, {});
+      wrap_heading({to.position - rotated(heading_rad, edge.measured.position), heading_rad});
   return true;
 }
 
@@ -120,13 +122,9 @@ Status check(const PoseGraph& graph) {
 PoseGraph in_measured_frame(PoseGraph graph) {
   for (GraphEdge& edge : graph.edges) {
     if (edge.kind != EdgeKind::pose) continue;
-    Matrix3 turn = diagonal<3>({1.0, 1.0, 1.0});
-    const Matrix2 r = rotation2(edge.measured.heading_rad);
-    for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t j = 0; j < 2; ++j) turn(i, j) = r(i, j);
-    }
-    const Matrix3 information = turn * edge.information * transposed(turn);
-    edge.information = 0.5 * (information + transposed(information));
+    const Eigen::Matrix3d turn = rotation_by(edge.measured.heading_rad);
+    const Eigen::Matrix3d information = turn * edge.information * turn.transpose();
+    edge.information = 0.5 * (information + information.transpose());
   }
   return graph;
 }

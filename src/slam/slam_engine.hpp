@@ -1,4 +1,4 @@
-// What an engine of landmark SLAM does, and what all of them share: candidates, and when a robot is lost.
+// The interface of landmark SLAM engines, and what they share: candidates, and when a robot is lost.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ class SlamEngine {
   virtual StepOutcome advance(const LogStep& step) = 0;
   virtual void settle() {}
   [[nodiscard]] virtual Pose2 pose() const = 0;
-  [[nodiscard]] virtual Matrix3 pose_covariance() const = 0;
+  [[nodiscard]] virtual Eigen::Matrix3d pose_covariance() const = 0;
   [[nodiscard]] virtual LandmarkMap landmarks() const = 0;
   [[nodiscard]] virtual std::vector<Pose2> trajectory() const = 0;
   [[nodiscard]] virtual double cost() const { return 0.0; }
@@ -28,7 +28,7 @@ std::unique_ptr<SlamEngine> make_graph_engine(const LandmarkSlamOptions& options
 std::unique_ptr<SlamEngine> load_filter_engine(const LandmarkSlamOptions& options, StateReader& reader);
 std::unique_ptr<SlamEngine> load_graph_engine(const LandmarkSlamOptions& options, StateReader& reader);
 
-/// What a landmark of the map went through.
+/// Counters of a landmark in the map.
 struct LandmarkRecord {
   std::int64_t id = 0;
   std::int64_t sightings = 0;
@@ -74,10 +74,10 @@ struct Memory {
   }
 };
 
-/// Counts what became of the map's sightings in this step.
+/// Counts steps in a row in which no sighting of the map fitted.
 void note_fit(Memory& memory, const StepOutcome& outcome);
 
-/// Whether a landmark there, seen from that pose, lies well within the sensor's reach.
+/// Returns true if a landmark at that place of the robot's frame is well within range and field of view.
 bool has_to_be_seen(Vec2 in_robot_frame, const LandmarkSlamOptions& options);
 
 }  // namespace outrider

@@ -18,7 +18,7 @@ struct End {
   bool joined = false;  ///< with the next
 };
 
-/// Whether a and the end of the next beam lie on one surface.
+/// Returns true if the ends a and b of neighbouring beams lie on one surface.
 bool on_one_surface(const End& a, const End& b, double step_rad) {
   constexpr double surely_m = 0.15;
   constexpr double steps = 6.0;
@@ -52,7 +52,7 @@ std::vector<End> ends_of(const LaserScan& scan, double reach_m) {
   return ends;
 }
 
-/// The line through what is joined with an end within a hand's breadth to both sides.
+/// The normal of the line through the joined ends within `breadth_m` to both sides.
 Vec2 normal_at(const std::vector<End>& ends, std::size_t i) {
   std::size_t low = i, high = i;
   while (low > 0 && ends[low - 1].joined && distance(ends[low].position, ends[i].position) < breadth_m) --low;
@@ -70,8 +70,7 @@ Surface surface_of(const LaserScan& scan, const Pose2& robot_T_laser, double rea
   const std::vector<End> ends = ends_of(scan, reach_m);
   Surface surface;
   const auto add = [&](Vec2 position, Vec2 normal) {
-    surface.push_back(
-        {composed(robot_T_laser, {position, 0.0}).position, rotated(robot_T_laser.heading_rad, normal)});
+    surface.push_back({robot_T_laser * position, rotated(robot_T_laser.heading_rad, normal)});
   };
   Vec2 last{1e9, 1e9};
   for (std::size_t i = 0; i < ends.size(); ++i) {

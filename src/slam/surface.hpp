@@ -1,8 +1,8 @@
-// A scan as points of the surfaces that it saw, at even distances, each with the normal of its surface.
+// A scan as evenly spaced points on the surfaces that it hit, each with a surface normal.
 //
-// Two beams side by side saw one surface when their ends are near each other and the line between them is not
-// almost along the beams. Where such ends are far apart the line between them is filled with points, where
-// they are close some are left out; a normal is square to a piece of the surface of a hand's breadth.
+// The ends of two neighbouring beams belong to one surface if they are close together and the line between
+// them is not nearly parallel to the beams. Points are interpolated where such ends are far apart, and
+// dropped where they are dense. A normal is perpendicular to about 12 cm of surface to each side.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,14 @@ namespace outrider {
 
 struct SurfacePoint {
   Vec2 position;
-  Vec2 normal;  ///< towards the laser, of length 1; zero where the surface is not known
+  Vec2 normal;  ///< unit length, towards the laser; zero if unknown
 };
 using Surface = std::vector<SurfacePoint>;
 
-/// In the frame of the robot; of a scan that check() accepts, and of readings up to `reach_m`.
+/// Returns the points in the frame of the robot. Uses readings up to `reach_m`; check() must accept the scan.
 Surface surface_of(const LaserScan& scan, const Pose2& robot_T_laser, double reach_m);
 
-/// At most `most` of the points, evenly chosen.
+/// Returns at most `most` of the points, evenly chosen.
 Surface thinned(const Surface& surface, std::size_t most);
 
 }  // namespace outrider

@@ -1,5 +1,6 @@
 #include "surface_map.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -175,11 +176,9 @@ MatchEquations SurfaceMap::equations(const Surface& surface, const Pose2& pose, 
     if (!line) continue;
     const double s = line->distance_m / robust_m;
     const double weight = 1.0 / ((1.0 + s * s) * point_sd_m * point_sd_m);
-    const std::array<double, 3> by = {line->normal.x, line->normal.y, cross(arm, line->normal)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum.gradient[i] += weight * by[i] * line->distance_m;
-      for (std::size_t j = 0; j < 3; ++j) sum.hessian(i, j) += weight * by[i] * by[j];
-    }
+    const Eigen::Vector3d by(line->normal.x, line->normal.y, cross(arm, line->normal));
+    sum.gradient += weight * by * line->distance_m;
+    sum.hessian += weight * by * by.transpose();
     sum.cost += 0.5 * std::log1p(s * s) * robust_m * robust_m / (point_sd_m * point_sd_m);
     sum.squares += line->distance_m * line->distance_m;
     ++sum.on_surface;
@@ -192,22 +191,20 @@ Fit SurfaceMap::refine(const Surface& surface, const Pose2& start, const PosePri
   constexpr double enough = 1e-5;
   constexpr double held = 1e-3;
   const Surface few = thinned(surface, most_refined);
-  Fit fit{start, {}, 0.0, 0.0};
+  Fit fit;
+  fit.pose = start;
   MatchEquations sum;
   for (int step = 0; step < most_steps; ++step) {
     sum = equations(few, fit.pose, group);
-    const std::array<double, 3> off = {fit.pose.position.x - prior.mean.position.x,
-                                       fit.pose.position.y - prior.mean.position.y,
-                                       wrap_angle(fit.pose.heading_rad - prior.mean.heading_rad)};
-    const std::array<double, 3> pull = prior.information * off;
-    const auto inverse =
-        inverse_of_positive(sum.hessian + prior.information + diagonal<3>({held, held, held}));
-    if (!inverse) break;
-    std::array<double, 3> gradient = sum.gradient;
-    for (std::size_t i = 0; i < 3; ++i) gradient[i] += pull[i];
-    const std::array<double, 3> move = *inverse * gradient;
+    const Eigen::Vector3d off(fit.pose.position.x - prior.mean.position.x,
+                              fit.pose.position.y - prior.mean.position.y,
+                              wrap_angle(fit.pose.heading_rad - prior.mean.heading_rad));
+    const Eigen::LLT<Eigen::Matrix3d> factor(sum.hessian + prior.information +
+                                             held * Eigen::Matrix3d::Identity());
+    const Eigen::Vector3d move = factor.solve(sum.gradient + prior.information * off);
+    if (factor.info() != Eigen::Success || !move.allFinite()) break;
     fit.pose = {fit.pose.position - Vec2{move[0], move[1]}, fit.pose.heading_rad - move[2]};
-    if (std::max({std::abs(move[0]), std::abs(move[1]), std::abs(move[2])}) < enough) break;
+    if (move.lpNorm<Eigen::Infinity>() < enough) break;
   }
   sum = equations(few, fit.pose, group);
   fit.information = sum.hessian;

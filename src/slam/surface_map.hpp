@@ -1,13 +1,13 @@
-// SurfaceMap: the surfaces that a few scans saw, to match another scan with.
+// SurfaceMap: a local map of the surfaces in a few scans, to match another scan with.
 //
-// Two views of the same points. The field is a grid of how near the next surface is, 255 on it and fading
-// within 15 cm, and a pyramid of maxima over it: what the search bounds with. The surface itself is, about
-// any point, the weighted mean of the lines through the points nearby that face the same way: what the
-// refinement goes to.
+// It has two representations. The likelihood field is a grid of the closeness to the next surface, 255 on it
+// and 0 from 15 cm on, with a pyramid of maxima over it for the bounds of the search. The lines are for the
+// refinement: the surface about a point is the weighted mean of the lines through the map points nearby that
+// face the same way.
 //
-// find() is branch and bound: complete within its window to a cell and to the turn that moves the farthest
-// point by one. Only poses are looked at from which some point meets the field, and 4 million blocks of poses
-// at most, about a second of work: a window that holds more is not searched. refine() is Gauss-Newton on the
+// find() is branch and bound, complete within its window at a resolution of one cell, and of the turn that
+// moves the farthest point by one cell. It visits at most 4 million blocks of poses, about a second of work,
+// and gives up on a window that holds more. refine() is Gauss-Newton on the
 // distances to the lines, with a robust weight. Sources: Olson, M3RSM: many-to-many multi-resolution scan
 // matching, ICRA 2015, 5815-5821 (the pyramid); Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D
 // LIDAR SLAM, ICRA 2016, 1271-1278 (the search); Censi, An ICP variant using a point-to-line metric, ICRA
@@ -15,28 +15,29 @@
 // Thread rule: const members may be called concurrently.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "outrider/slam/matrix.hpp"
+#include "outrider/geometry/pose.hpp"
 #include "outrider/world/grid.hpp"
 #include "surface.hpp"
 
 namespace outrider {
 
-/// What is known of a pose beforehand: normal, in the world.
+/// A normal prior of a pose in the world.
 struct PosePrior {
   Pose2 mean;
-  Matrix3 information;  ///< of x, y, heading; zeros for nothing
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, heading; zero for no prior
 };
 
-/// Poses to look among: a square of half side `reach_m` about the centre, turned by up to `turn_rad`.
+/// The poses to search: a square of half side `reach_m` about the centre, rotated by up to `turn_rad`.
 struct MatchWindow {
   Pose2 centre;
   double reach_m = 0.0;
   double turn_rad = 0.0;
-  double position_sd_m = 1e9;  ///< what a pose costs for its distance from the centre
+  double position_sd_m = 1e9;  ///< of the prior: poses off the centre score less
   double heading_sd_rad = 1e9;
 };
 
@@ -47,16 +48,16 @@ struct FoundPose {
 
 struct Fit {
   Pose2 pose;
-  Matrix3 information;  ///< of the points alone
-  double share = 0.0;   ///< of the points that lie on a surface
-  double rms_m = 0.0;   ///< of the distances of those
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone
+  double share = 0.0;                                     ///< of the points that lie on a surface
+  double rms_m = 0.0;                                     ///< of the distances of those
 };
 
 /// The robust sum of squares that refine() makes less, about a pose: the gradient with the lines held, and
 /// the Gauss-Newton part of the second derivative.
 struct MatchEquations {
-  Matrix3 hessian;
-  std::array<double, 3> gradient{};
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   double cost = 0.0;
   std::size_t on_surface = 0;
   double squares = 0.0;
@@ -77,8 +78,8 @@ class SurfaceMap {
   /// than are searched.
   [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window,
                                               double least) const;
-  /// False when no pose farther than `apart_m` from `except` scores above `least`. Where that cannot be
-  /// told, for there are more poses in the window than are searched, it is true.
+  /// Returns true if some pose farther than `apart_m` from `except` scores above `least`, or if the window
+  /// holds too many poses to tell.
   [[nodiscard]] bool may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
                                       Vec2 except, double apart_m) const;
   [[nodiscard]] Fit refine(const Surface& surface, const Pose2& start, const PosePrior& prior,

@@ -51,7 +51,7 @@ class AnyBytes(ToolTest):
         self.harmless(EVIL)
         for flag in ["--planner", "--start", "--seed", "--validate", "--targets"]:
             self.harmless("guard", "--world", "yard.sdf", flag, EVIL)
-        for flag in ["--planner", "--from", "--block", "--query", "--svg"]:
+        for flag in ["--planner", "--from", "--block", "--query", "--to"]:
             self.harmless("plan", "small.map", "--from", "0.5,3.5", "--to", "5.5,3.5", flag, EVIL[:6])
         self.harmless("schema", "--as", EVIL)
         self.harmless("bench", "path", "--data", EVIL)
@@ -63,7 +63,7 @@ class AnyBytes(ToolTest):
         self.harmless("replay", b"guard" + EVIL + b"/guard.json", "--svg", EVIL + b".svg")
         self.harmless("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE, "--pddl", EVIL)
         self.harmless("run", EVIL + b".yaml")
-        self.harmless("plan", EVIL + b".map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--svg", EVIL + b".svg")
+        self.harmless("plan", EVIL + b".map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--out", b"paths" + EVIL)
         self.harmless("plan", EVIL + b".sdf", "--from", "0,0", "--to", "1,-1")
         self.harmless("cover", EVIL + b".geojson", "--out", b"cover" + EVIL)
         self.harmless("explore", EVIL + b".csv", "--start", "1,1,0", "--out", b"explore" + EVIL)

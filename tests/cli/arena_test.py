@@ -2,7 +2,7 @@
 import math
 import unittest
 
-from tool import SOURCE, ToolTest, main
+from tool import SOURCE, ToolTest, flat, main
 
 ARENA = SOURCE / "scenarios" / "arena"
 ENDS = ("--from", "2.5,0.5", "--to", "1,2.5", "--radius", "0.2")
@@ -31,14 +31,14 @@ class Arena(ToolTest):
 
     def test_safe_way_on_the_grid(self):
         ask = ("plan", ARENA / "arena.sdf", *ENDS, "--planner", "safest", "--resolution", "0.05", "--json")
-        few = self.json_of(self.run_tool(*ask))
-        moves = self.json_of(self.run_tool(*ask, "--safest-along-moves"))
-        self.assertLessEqual(few["metrics"]["cost_m"], moves["metrics"]["cost_m"] + 1e-9)
+        (few,) = self.json_of(self.run_tool(*ask))["rows"]
+        (moves,) = self.json_of(self.run_tool(*ask, "--safest-along-moves"))["rows"]
+        self.assertLessEqual(few["cost"], moves["cost"] + 1e-9)
         self.assertLessEqual(len(few["waypoints"]), 10)
-        for answer in (few, moves):
-            self.assertGreater(answer["metrics"]["clearance_m"], 0.2)
-            self.assertAlmostEqual(sum(map(math.dist, answer["waypoints"], answer["waypoints"][1:])),
-                                   answer["metrics"]["length_m"], places=9)
+        for row in (few, moves):
+            self.assertGreater(row["clearance_m"], 0.2)
+            self.assertAlmostEqual(sum(map(math.dist, row["waypoints"], row["waypoints"][1:])), row["length_m"],
+                                   places=9)
 
     def test_bad_options_are_refused(self):
         for flag, value in (("--medial-axis-weight", "-1"), ("--widest-kept", "2"), ("--safest-kept", "x")):
@@ -53,7 +53,7 @@ class Arena(ToolTest):
             self.write(f"{name}.yaml", (text + "sight: modelled\n").encode())
             result = self.run_tool("run", f"{name}.yaml", "--json")
             self.assertEqual(result.returncode, 0, result.stderr)
-            runs[name] = self.json_of(result)
+            runs[name] = flat(self.json_of(result))
             self.assertEqual(runs[name]["status"], "done")
             self.assertLess(runs[name]["driven_m"], 1.2 * runs[name]["path_m"])
         self.assertLess(runs["shortest"]["path_m"], runs["safest"]["path_m"])

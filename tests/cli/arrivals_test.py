@@ -13,7 +13,7 @@ class Arrivals(ToolTest):
         return self.guard(DOORS, *args)
 
     def test_json_tells_the_objectives_and_their_bounds(self):
-        result = self.run_tool(*self.watch("--arrivals-count", "5", "--json", "--out", "out", *PAGE, "--svg"))
+        result = self.run_tool(*self.watch("--arrivals-count", "5", "--json", "--out", "out", *PAGE))
         self.assertEqual(result.returncode, 0, result.stderr)
         summary = self.json_of(result)
         metrics = summary["metrics"]

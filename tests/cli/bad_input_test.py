@@ -29,7 +29,7 @@ class Words(ToolTest):
         self.refused(says=["--help"])
         self.refused("run", says=["scenario: it is missing"])
         self.refused("replay", says=["report: it is missing"])
-        self.refused("plan", "small.map", "--from", "1,1", says=["--to: it is missing"])
+        self.refused("plan", "small.map", "--from", "1,1", says=["to: it is missing"])
         self.refused("guard", "--seed", says=["--seed: its value is missing"])
         self.refused("guard", says=["world", "SDF"])
         self.refused("guard", "--world", "yard.sdf", says=["targets"])
@@ -66,7 +66,10 @@ class Words(ToolTest):
                      says=["pitch_low", "swap"])
 
     def test_another_job(self):
-        self.refused(*self.guard("--job", "explore"), says=["job", "'explore'", "guard"])
+        self.write("other.yaml", "job: explore\n")
+        self.refused("guard", "--scenario", "other.yaml", says=["job", "'explore'", "guard"])
+        self.write("other.yaml", "job: gaurd\n")
+        self.refused("run", "other.yaml", says=["job", "'gaurd'", "did you mean 'guard'?"])
 
     def test_schema_of_an_unknown_form(self):
         self.refused("schema", "--as", "markdwn", says=["--as", "'markdwn'", "'markdown'"])
@@ -75,7 +78,6 @@ class Words(ToolTest):
 class Output(ToolTest):
     def test_a_page_without_a_folder(self):
         self.refused(*self.guard("--html"), says=["--html", "--out DIR"])
-        self.refused(*self.guard("--svg"), says=["--svg", "--out DIR"])
         self.refused(*self.guard("--out", ""), says=["--out", "''", "empty"])
 
     def test_a_folder_that_is_a_file(self):
@@ -108,7 +110,7 @@ class Output(ToolTest):
         first = self.run_tool(*self.guard("--out", "out"))
         self.assertIn(first.returncode, (0, 1))
         before = self.tree()
-        full = subprocess.run([TOOL, *map(str, self.guard("--out", "out", "--svg", "--seed", "9", "--json"))], cwd=self.folder,
+        full = subprocess.run([TOOL, *map(str, self.guard("--out", "out", "--seed", "9", "--json"))], cwd=self.folder,
                               capture_output=True, text=True, timeout=60,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000)))
         self.assertEqual(full.returncode, 3, full.stderr)
@@ -120,18 +122,18 @@ class Output(ToolTest):
     def test_killed_while_it_writes(self):
         """All old files or all new ones; the two runs differ by their seed, which stands in each."""
         folder = self.folder / "out"
-        self.assertIn(self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1")).returncode, (0, 1))
+        self.assertIn(self.run_tool(*self.guard("--out", "out", "--seed", "1")).returncode, (0, 1))
         versions = [{path.name: path.read_bytes() for path in folder.iterdir()}]
-        self.run_tool(*self.guard("--out", "other", "--svg", "--seed", "2"))
+        self.run_tool(*self.guard("--out", "other", "--seed", "2"))
         versions.append({path.name: path.read_bytes() for path in (self.folder / "other").iterdir()})
         self.assertEqual([name for name in versions[0] if versions[0][name] == versions[1][name]], [], "all differ")
         begin = time.monotonic()
-        self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1"))
+        self.run_tool(*self.guard("--out", "out", "--seed", "1"))
         whole_s = time.monotonic() - begin
         rng = random.Random(5)
         killed = 0
         for i in range(costly_cases(25)):
-            run = subprocess.Popen([TOOL, *map(str, self.guard("--out", "out", "--svg", "--seed", str(1 + i % 2)))],
+            run = subprocess.Popen([TOOL, *map(str, self.guard("--out", "out", "--seed", str(1 + i % 2)))],
                                    cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             time.sleep(whole_s * rng.uniform(0.5, 1.0))
             run.kill()
@@ -139,7 +141,7 @@ class Output(ToolTest):
             time.sleep(0.05)  # the renaming may be under way
             self.assertIn({path.name: path.read_bytes() for path in folder.iterdir() if path.suffix != ".part"}, versions)
         self.assertGreater(killed, 5, "it was killed while it worked")
-        self.run_tool(*self.guard("--out", "out", "--svg", "--seed", "1"))
+        self.run_tool(*self.guard("--out", "out", "--seed", "1"))
         self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, versions[0], "and nothing is left behind")
 
 
@@ -166,13 +168,13 @@ class Files(ToolTest):
         self.refused("replay", "garbage", "--svg", "p.svg", says=["garbage"])
         for kind in ["sdf", "world", "map", "yaml"]:
             name = self.write(f"garbage.{kind}", GARBAGE)
-            self.refused("plan", name, "--from", "1,1", "--to", "2,2", "--svg", "p.svg", says=[name])
+            self.refused("plan", name, "--from", "1,1", "--to", "2,2", "--out", "out", says=[name])
 
     def test_empty_files(self):
         self.write("empty", "")
         self.refused(*self.guard("--world", "empty"), says=["empty"])
         self.refused(*self.guard("--targets", "empty"), says=["empty"])
-        self.refused("run", "empty", says=["world"])
+        self.refused("run", "empty", says=["empty", "job", "missing"])
         self.refused("replay", "empty", says=["empty"])
 
     def test_gzip_cut_short(self):

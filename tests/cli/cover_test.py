@@ -4,11 +4,12 @@ import math
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import DATA, PAGE, SOURCE, ToolTest, main
+from tool import DATA, PAGE, SOURCE, ToolTest, flat, main
 
 ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
-KEYS = {"status", "method", "covered_fraction", "missed_m2", "double_m2", "length_m", "turned_rad", "stops",
-        "t_min_s", "t_max_s", "time_s", "guarantee", "reachable_m2", "clearance_m", "driven"}
+KEYS = {"status", "planned_fraction", "planned_missed_m2", "planned_twice_m2", "planned_m", "covered_fraction", "missed_m2",
+        "twice_m2", "length_m", "turned_rad", "stops", "t_min_s", "t_max_s", "time_s", "reach_m2", "clearance_m",
+        "sure_fraction", "sure_inner_fraction"}
 # A width that suits each area, m.
 PUBLISHED = {"ethz_example_l.yaml": 0.08, "ethz_example_polygon_bcd_cell.yaml": 6, "f2c_test_ring.json": 0.6,
              "ethz_example_rectangle_with_hole.yaml": 8, "f2c_test.json": 12, "f2c_Envelope.xml": 24,
@@ -31,33 +32,32 @@ class Cover(ToolTest):
     def cover(self, *args):
         result = self.run_tool("cover", *args, "--json", timeout=300)
         self.assertEqual(result.returncode, 0, result.stderr)
-        answer = self.json_of(result)
+        answer = flat(self.json_of(result))
         self.assertLessEqual(KEYS, set(answer))
         self.assertEqual(answer["status"], "done")
         self.assertLessEqual(answer["t_min_s"], answer["time_s"])
         self.assertLessEqual(answer["time_s"], answer["t_max_s"])
-        self.assertGreaterEqual(answer["covered_fraction"], 0.995)
-        self.assertGreaterEqual(answer["clearance_m"], answer["width_m"] / 2 - 1e-8)
-        self.assertGreaterEqual(answer["driven"]["covered_fraction"], answer["guarantee"]["covered_fraction"] - 1e-3)
-        off = answer["covered_m2"] + answer["missed_m2"] - answer["reachable_m2"]
-        self.assertLess(abs(off), 1e-8 * answer["reachable_m2"])
+        self.assertGreaterEqual(answer["planned_fraction"], 0.995)
+        self.assertGreaterEqual(answer["clearance_m"], 0)
+        self.assertGreaterEqual(answer["covered_fraction"], answer["sure_fraction"] - 1e-3)
+        off = answer["covered_m2"] + answer["missed_m2"] - answer["reach_m2"]
+        self.assertLess(abs(off), 1e-8 * answer["reach_m2"])
         return answer
 
     def test_the_room_beats_the_reference(self):
         for seed in range(1, 6):
             result = self.run_tool("run", SOURCE / "scenarios/cover/cover_room.yaml", "--seed", seed, "--json")
             self.assertEqual(result.returncode, 0, result.stderr)
-            answer = self.json_of(result)
+            answer = flat(self.json_of(result))
             self.assertLess(answer["time_s"], 176)
-            self.assertEqual(answer["driven"]["seed"], seed)
-            self.assertLessEqual(answer["driven"]["strayed_m"], 0.005)
-            self.assertGreaterEqual(answer["driven"]["covered_fraction"], 0.995)
-            self.assertGreaterEqual(answer["guarantee"]["covered_fraction_off_the_rim"], 0.997)
+            self.assertLessEqual(answer["strayed_m"], 0.005)
+            self.assertGreaterEqual(answer["covered_fraction"], 0.995)
+            self.assertGreaterEqual(answer["sure_inner_fraction"], 0.997)
 
     def test_the_field_scenario(self):
         answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml")
         self.assertGreater(answer["area_m2"], 5000)
-        self.assertEqual(answer["guarantee"]["stray_m"], 0.08)
+        self.assertEqual(answer["stray_m"], 0.08)
 
     def test_published_areas(self):
         folder = DATA / "slam" / "coverage"
@@ -99,16 +99,14 @@ class Cover(ToolTest):
         self.assertEqual(answer["report"], "out/cover.json")
         report = json.loads((self.folder / "out/cover.json").read_text())
         self.assertEqual((report["job"], report["status"], report["seed"]), ("cover", "done", 7))
-        self.assertEqual(report["settings"]["method"], answer["method"])
-        driven, metrics, track = answer["driven"], report["metrics"], report["track"]
-        for name in ("time_s", "length_m", "turned_rad", "covered_fraction", "missed_m2"):
-            self.assertEqual(metrics[name], driven[name], name)
-        self.assertEqual(metrics["planned_m"], answer["length_m"])
-        self.assertAlmostEqual(track[-1][0], driven["time_s"], places=5)
+        self.assertIn(report["settings"]["method"], ("spiral", "boustrophedon"))
+        metrics, track = report["metrics"], report["track"]
+        self.assertEqual(metrics, answer["metrics"], "one name has one meaning")
+        self.assertAlmostEqual(track[-1][0], metrics["time_s"], places=5)
         length = sum(math.dist(a[1:3], b[1:3]) for a, b in zip(track, track[1:]))
-        self.assertAlmostEqual(length, driven["length_m"], places=3)
+        self.assertAlmostEqual(length, metrics["length_m"], places=3)
         cover = report["cover"]
-        self.assertAlmostEqual(sum(map(signed_area, cover["reach"])), answer["reachable_m2"], places=4)
+        self.assertAlmostEqual(sum(map(signed_area, cover["reach"])), answer["reach_m2"], places=4)
         self.assertAlmostEqual(cover["covered"][-1][1], metrics["covered_m2"], places=3)
         self.assertEqual([p["role"] for p in cover["passes"]].count("lane"), answer["lanes"])
         way = json.loads((self.folder / "out/track.json").read_text())["driven"]
@@ -121,7 +119,7 @@ class Cover(ToolTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(summary.startswith(result.stdout.split("\n\n  picture")[0]))
         self.assertTrue(ElementTree.parse(self.folder / "moving.svg").getroot().tag.endswith("svg"))
-        answer = self.json_of(self.run_tool("replay", "out/cover.json", "--json"))
+        answer = flat(self.json_of(self.run_tool("replay", "out/cover.json", "--json")))
         self.assertEqual((answer["job"], answer["report"]), ("cover", "out/cover.json"))
         self.assertGreater(answer["covered_fraction"], 0.995)
 

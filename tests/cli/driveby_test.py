@@ -25,7 +25,7 @@ class DriveBy(ToolTest):
         return json.loads((self.folder / out / "guard.json").read_text())
 
     def test_the_lane(self):
-        report = self.report_of("run", LANE, *QUICK, *PAGE, "--svg")
+        report = self.report_of("run", LANE, *QUICK, *PAGE)
         metrics = report["metrics"]
         self.assertEqual(metrics["reached"], metrics["targets"])
         passing = [shot for shot in report["shots"] if "platform_velocity_mps" in shot]

@@ -48,7 +48,7 @@ class Air(ToolTest):
             self.assertLess(math.dist(own[-1], shot["contact_point"]), 1e-5)
 
     def test_every_flight_of_a_report_is_one_of_the_law(self):
-        report = self.report_of(*self.guard(*BREEZE), *PAGE, "--svg")
+        report = self.report_of(*self.guard(*BREEZE), *PAGE)
         self.assertEqual(report["metrics"]["reached"], 3)
         self.assertLessEqual(report["metrics"]["lower_bound_s"], report["metrics"]["expected_s"])
         self.check_flights(report, 0.03, 2.5, 120)

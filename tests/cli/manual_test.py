@@ -115,7 +115,7 @@ class Manual(ToolTest):
         help_text = self.text("guard", "--help")
         for key, option in schema["properties"].items():
             names = [f"{key}-{inner}" for inner in option["properties"]] if "properties" in option else [key]
-            for name in names:
+            for name in names if key != "job" else []:  # the verb is the job
                 self.assertIn(f"  --{name.replace('_', '-')} ", help_text)
 
     def test_generated_pages_are_fresh(self):
@@ -126,7 +126,10 @@ class Manual(ToolTest):
                                 ("explore", "markdown", "options-explore.md"),
                                 ("plan", "markdown", "options-plan.md"),
                                 ("slam", "markdown", "options-slam.md")]:
-            self.assertEqual(self.text("schema", "--job", job, "--as", form), (SOURCE / "docs" / page).read_text(),
+            expected = (SOURCE / "docs" / page).read_text()
+            if "prm_star" not in self.text("list"):  # built without OMPL, whose planners stand last
+                expected = expected.partition("\n### `prm_star`")[0]
+            self.assertEqual(self.text("schema", "--job", job, "--as", form), expected,
                              f"docs/{page} is stale: build the target docs")
 
     def test_commands_in_the_manual_exist(self):

@@ -26,7 +26,7 @@ class Movers(ToolTest):
         self.assertIn(words, result.stderr)
 
     def test_who_survives_goes_elsewhere_and_the_time_is_expected(self):
-        result = self.hunt("--arrivals-leave", "0.4", "--seed", "2", "--json", "--out", "out", *PAGE, "--svg")
+        result = self.hunt("--arrivals-leave", "0.4", "--seed", "2", "--json", "--out", "out", *PAGE)
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics = self.json_of(result)["metrics"]
         self.assertEqual(metrics["reached"], 3)
@@ -58,7 +58,7 @@ class Movers(ToolTest):
     def test_walkers_are_led_and_hit(self):
         self.write("history.csv", "t,id,x,y\n" + "".join(f"{t / 2},fox,1.5,-1.2\n" for t in range(60)))
         flags = ["--wander-speed", "0.4", "--wander-rest", "4", "--wander-history", "history.csv",
-                 "--wander-prefers", "boar=9", "--json", *PAGE, "--svg"]
+                 "--wander-prefers", "boar=9", "--json", *PAGE]
         result = self.hunt(*flags, "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.json_of(result)["metrics"]["reached"], 3)

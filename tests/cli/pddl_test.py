@@ -7,7 +7,7 @@ import operator
 import re
 import unittest
 
-from tool import SOURCE, ToolTest, main
+from tool import SOURCE, ToolTest, flat, main
 
 STATIONS = ["--supplies-stations=well=-2,-2,water dock=0,-2.3,charge", "--supplies-tank", "1",
             "--supplies-battery", "1"]
@@ -119,15 +119,15 @@ def lines_of(plan):
 
 class Pddl(ToolTest):
     def written(self, *flags, folder="pddl"):
-        result = self.run_tool(*self.guard(*flags, "--json", "--pddl", folder))
+        result = self.run_tool(*self.guard(*flags, "--json", "--pddl", "--out", folder))
         self.assertEqual(result.returncode, 0, result.stderr)
-        return self.json_of(result)
+        return flat(self.json_of(result))
 
     def judged(self, plan, *flags):
         self.write("their.txt", plan)
         result = self.run_tool(*self.guard(*flags, "--json", "--validate", "their.txt"))
-        verdict = self.json_of(result)
-        self.assertEqual(result.returncode, 0 if verdict["valid"] else 1, result.stderr)
+        verdict = flat(self.json_of(result))
+        self.assertEqual(result.returncode, 0 if verdict["status"] == "done" else 1, result.stderr)
         return verdict
 
     def text(self, name):
@@ -149,11 +149,10 @@ class Pddl(ToolTest):
             with self.subTest(flags=flags):
                 answer = self.written(*flags)
                 self.assertEqual(sorted(p.name for p in (self.folder / "pddl").iterdir()),
-                                 ["domain.pddl", "plan.txt", "problem.pddl"])
+                                 ["domain.pddl", "guard.json", "plan.txt", "problem.pddl"])
                 self.assertAlmostEqual(self.followed(), answer["makespan_s"], places=6)
                 verdict = self.judged(self.text("plan.txt"), *flags)
-                self.assertTrue(verdict["valid"], verdict)
-                self.assertIsNone(verdict["broken"])
+                self.assertEqual((verdict["status"], verdict["reason"]), ("done", ""))
                 self.assertLess(abs(verdict["makespan_s"] / verdict["our_makespan_s"] - 1), 1e-6)
                 self.assertLessEqual(answer["lower_bound_s"], answer["makespan_s"] + 1e-6)
                 self.assertEqual(answer["stations"], 2 if flags == STATIONS else 0)
@@ -173,7 +172,7 @@ class Pddl(ToolTest):
                     text += f"{time:.9f}: ({' '.join(words)}) [{duration:.9f}]\n"
                     time += duration
                 verdict = self.judged(text, *STATIONS)
-                self.assertEqual(verdict["valid"], valid, (name, lines[i], verdict))
+                self.assertEqual(verdict["status"] == "done", valid, (name, lines[i], verdict))
                 agreed += 1
         self.assertGreater(agreed, 15)
 
@@ -182,12 +181,12 @@ class Pddl(ToolTest):
         lines = self.text("plan.txt").splitlines()
         verdict = self.judged("\n".join(lines[:1] + lines[2:]))
         self.assertEqual(verdict["status"], "not_done")
-        self.assertRegex(verdict["broken"], r"^their\.txt:2: \(shoot .*\): it begins at another pose")
+        self.assertRegex(verdict["reason"], r"^their\.txt:2: \(shoot .*\): it begins at another pose")
         verdict = self.judged("; nothing\n")
-        self.assertEqual(verdict["broken"], "target t0 is never hit")
+        self.assertEqual(verdict["reason"], "target t0 is never hit")
         self.write("their.txt", "\n".join(lines))
         result = self.run_tool(*self.guard("--validate", "their.txt"))
-        self.assertRegex(result.stdout, r"^valid: \d+ actions, makespan [\d.]+ s; ours takes [\d.]+ s\n$")
+        self.assertRegex(result.stdout, r"^valid: \d+ actions, makespan [\d.]+ s; ours takes [\d.]+ s\n")
 
     def test_the_same_bytes_with_any_threads(self):
         self.written("--threads", "1")
@@ -197,8 +196,8 @@ class Pddl(ToolTest):
 
     def test_what_supplies_do_not_suffice_for_is_left_out(self):
         answer = self.written("--supplies-tank", "1")
-        self.assertEqual(answer["targets"], 1)
-        self.assertEqual(len(answer["left_out"]), 2)
+        self.assertEqual(answer["metrics"]["targets"], 1)
+        self.assertEqual((answer["left_out"], len(answer["warnings"])), (2, 2))
         self.assertIn("is left out", self.text("problem.pddl"))
         self.followed()
 
@@ -208,24 +207,22 @@ class Pddl(ToolTest):
         for flags, says in [
                 (["--validate", "plan.txt"], ["plan.txt:2", "'(fly p0-0 p1-0)' is no action here"]),
                 (["--validate", "none.txt"], ["none.txt", "no such file"]),
-                (["--validate", ""], ["--validate", "empty"]),
-                (["--pddl", ""], ["--pddl", "its name is empty"]),
-                (["--pddl", "file/x"], ["--pddl", "is no folder"]),
-                (["--pddl", "x", "--validate", "plan.txt"], ["--validate", "leave one of"]),
-                (["--pddl", "x", "--out", "out"], ["--out", "carries out no mission"]),
-                (["--pddl", "x", "--pddl-stops", "-1"], ["--pddl-stops", "'-1'", "from 0 to 300"]),
-                (["--pddl", "x", "--arrivals-count", "2", "--arrivals-entrances=gate=-2,-2"],
-                 ["--pddl", "still yard"])]:
+                (["--pddl", "--out", ""], ["--out", "its name is empty"]),
+                (["--pddl", "--out", "file/x"], ["--out", "is no folder"]),
+                (["--pddl", "--validate", "plan.txt"], ["pddl.validate", "leave one of"]),
+                (["--pddl", "--pddl-stops", "-1"], ["--pddl-stops", "'-1'", "from 0 to 300"]),
+                (["--pddl", "--arrivals-count", "2", "--arrivals-entrances=gate=-2,-2"],
+                 ["pddl", "still yard"])]:
             with self.subTest(flags=flags):
                 self.refused(*self.guard(*flags), says=says)
 
     def test_nothing_to_decide_is_an_answer(self):
         self.write("high.txt", "type=1 x=1 y=-1 z=40\n")
-        self.refused(*self.guard("--targets", "high.txt", "--pddl", "x"), says=["no target can be hit"], status=1)
+        self.refused(*self.guard("--targets", "high.txt", "--pddl"), says=["no target can be hit"], status=1)
 
     def test_the_bundled_scenario(self):
         scenario = SOURCE / "scenarios" / "stations" / "stations.yaml"
-        result = self.run_tool("guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "pddl",
+        result = self.run_tool("guard", "--scenario", scenario, "--plan-resolution", "0.2", "--pddl", "--out", "pddl",
                                timeout=300)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("(fill-", self.text("plan.txt"))

@@ -63,8 +63,8 @@ class Pursue(ToolTest):
         self.assertEqual((team["cost"], team["catcher"], team["robots"]), (5, 2, 2))
 
     def test_files_and_replay(self):
-        self.pursue("small.txt", "--out", "a")
-        self.pursue("small.txt", "--out", "b")
+        self.pursue("small.txt", "--out", "a", *PAGE)
+        self.pursue("small.txt", "--out", "b", *PAGE)
         for ending in ("json", "svg", "html")[:2 + len(PAGE)]:
             self.assertEqual((self.folder / f"a/pursue.{ending}").read_bytes(),
                              (self.folder / f"b/pursue.{ending}").read_bytes())

@@ -39,8 +39,8 @@ class Plans(Serve):
             # As the tool itself has it.
             tool = self.json_of(self.run_tool("plan", "small.map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--planner",
                                               "a_star", "--model", "cells", "--json"))
-            self.assertEqual(tool["metrics"]["cost_m"], plan["cost"])
-            self.assertEqual(tool["waypoints"], plan["waypoints"])
+            self.assertEqual(tool["metrics"]["cost"], plan["cost"])
+            self.assertEqual(tool["rows"][0]["waypoints"], plan["waypoints"])
             shut = {**question, "edits": [{"block": [3, 0, 1, 1]}]}
             none = self.valid("Plan", server.json("POST", "/api/v1/plan", shut))
             self.assertEqual((none["status"], none["code"]), ("not_done", "no_path"))
@@ -110,7 +110,7 @@ class Plans(Serve):
             self.assertEqual(kinds["case_0_map.yaml"][0], "map")
         self.refused("run", "case_0.yaml", "--seed", "3", says=["--seed", "plan"])
         self.write("broken.yaml", "job: plan\nmap: small.map\nfrom: 0.5,3.5\nto: 9\n")
-        self.refused("run", "broken.yaml", says=["--to", "x,y"])
+        self.refused("run", "broken.yaml", says=["to", "x,y"])
 
     def test_a_map_of_every_kind_is_read_as_it_is_dropped(self):
         """The bytes that the page sends when a file is dropped; a broken one is refused with a sentence that names it."""

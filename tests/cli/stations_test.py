@@ -10,7 +10,7 @@ STATIONS = "--supplies-stations=well=-2,-2,water dock=0,-2.3,charge"
 class Stations(ToolTest):
     def test_the_report_has_levels_stations_and_fills(self):
         result = self.run_tool(*self.guard(STATIONS, "--supplies-tank", "1", "--supplies-battery", "1", "--json",
-                                           "--out", "out", *PAGE, "--svg"))
+                                           "--out", "out", *PAGE))
         self.assertEqual(result.returncode, 0, result.stderr)
         metrics = self.json_of(result)["metrics"]
         self.assertGreaterEqual(metrics["fills"], 1)

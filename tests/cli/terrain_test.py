@@ -26,7 +26,7 @@ class Terrain(ToolTest):
         self.assertEqual(floor, flat)
 
     def test_a_slope_is_driven_and_drawn(self):
-        result = self.on(lambda x, y: 0.1 * (x + 4), "--json", "--out", "out", *PAGE, "--svg")
+        result = self.on(lambda x, y: 0.1 * (x + 4), "--json", "--out", "out", *PAGE)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         report = json.loads((self.folder / "out" / "guard.json").read_text())
         self.assertEqual(report["world"]["solids"][0]["kind"], "height_field")

@@ -48,6 +48,11 @@ PAGE = [] if NO_PAGE in subprocess.run([TOOL, "replay", "none.json", "--html", "
                                        text=True, stdin=subprocess.DEVNULL, timeout=60).stderr else ["--html"]
 
 
+def flat(answer):
+    """The answer with its metrics beside its other keys, and the path of its report."""
+    return {**answer["metrics"], **answer, "report": answer["files"].get("report")}
+
+
 class ToolTest(unittest.TestCase):
     maxDiff = None
 

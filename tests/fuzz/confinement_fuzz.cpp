@@ -16,13 +16,8 @@
 
 #include "outrider/io/confinement.hpp"
 #include "outrider/io/map_server.hpp"
-#include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/jobs/cover/scenario.hpp"
-#include "outrider/jobs/drive/scenario.hpp"
-#include "outrider/jobs/explore/scenario.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
-#include "outrider/jobs/pursue/scenario.hpp"
+#include "outrider/jobs/catalog.hpp"
 
 namespace {
 
@@ -102,22 +97,12 @@ class Folders {
   int witness_ = -1;
 };
 
-template <class Scenario, class Load>
-void load_as(Load load) {
-  Scenario scenario;
-  if (!outrider::load_scenario("scenario.yaml", describe(scenario))) return;
-  resolve_paths(scenario, "scenario.yaml");
-  static_cast<void>(load(scenario));
-}
-
 void load_everything() {
   using namespace outrider;
-  static_cast<void>(scenario_job("scenario.yaml"));
-  load_as<GuardScenario>([](GuardScenario& scenario) { return load_problem(scenario); });
-  load_as<DriveScenario>([](DriveScenario& scenario) { return load_drive(scenario); });
-  load_as<ExploreScenario>([](ExploreScenario& scenario) { return load_explore(scenario); });
-  load_as<CoverScenario>([](CoverScenario& scenario) { return load_task(scenario); });
-  load_as<PursuitScenario>([](PursuitScenario& scenario) { return load_task(scenario); });
+  for (const Job& job : jobs()) {
+    const auto task = job.blank();
+    if (read_scenario(*task, "scenario.yaml")) static_cast<void>(task->load());
+  }
   static_cast<void>(load_sdf("world.sdf"));
   static_cast<void>(load_map_server("map.yaml"));
 }

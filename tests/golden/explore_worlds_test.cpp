@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "outrider/io/scenario.hpp"
 #include "outrider/io/slices.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/explore/job.hpp"
 #include "outrider/jobs/explore/reference.hpp"
-#include "outrider/jobs/explore/scenario.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "support/data.hpp"
 
@@ -137,10 +137,9 @@ INSTANTIATE_TEST_SUITE_P(Worlds, Published, ::testing::Values(maze, house, willo
 TEST(ExploreWorlds, OursAreWhatTheyClaim) {
   const auto truth_in = [](const std::string& name) {
     const std::string path = OUTRIDER_SOURCE_DIR "/scenarios/explore/" + name;
-    ExploreScenario scenario;
-    EXPECT_TRUE(load_scenario(path, describe(scenario)));
-    resolve_paths(scenario, path);
-    const auto setup = load_explore(scenario);
+    ExploreJob job;
+    EXPECT_TRUE(read_scenario(job, path));
+    const auto setup = load_explore(job.scenario);
     EXPECT_TRUE(setup) << to_string(setup.error());
     if (!setup) return ExploreTruth{};
     EXPECT_TRUE(setup->warnings.empty());

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "outrider/io/scenario.hpp"
+#include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/guard_run.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "outrider/report/json.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
@@ -41,12 +41,10 @@ Mission prepared(GuardScenario scenario) {
 }
 
 Mission our_yard() {
-  GuardScenario scenario;
-  const std::string path = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/yard.yaml";
-  const auto loaded = load_scenario(path, describe(scenario));
-  EXPECT_TRUE(loaded.has_value()) << to_string(loaded.error());
-  resolve_paths(scenario, path);
-  return prepared(std::move(scenario));
+  GuardJob job;
+  const auto read = read_scenario(job, std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/yard.yaml");
+  EXPECT_TRUE(read.has_value()) << to_string(read.error());
+  return prepared(std::move(job.scenario));
 }
 
 /// Flies every shot of a report again, in small steps; the contact must be where the report says.
@@ -101,7 +99,7 @@ TEST(OurYard, IsGuardedButForTheCatInTheShed) {
 TEST(OurYard, GivesTheSameBytesTwiceAndWithOneThread) {
   if (!testing::in_full()) GTEST_SKIP() << "three missions like the one above";
   const std::string first = to_json(our_yard().run(7));
-  for (const std::size_t most_threads : {1, 2}) {
+  for (const std::size_t most_threads : {1U, 2U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
     EXPECT_EQ(first, to_json(our_yard().run(7))) << most_threads << " threads";
   }

@@ -9,12 +9,12 @@
 
 namespace outrider::testing {
 
-class Curious final : public Onlooker {
+class Curious final : public RunObserver {
  public:
   bool wants() override { return true; }
 
   void see(const Report& so_far) override {
-    const Report news = growth_.news(so_far);
+    const Report news = growth_.delta(so_far);
     EXPECT_EQ(news.status, "running");
     EXPECT_TRUE(!news.job.empty() || news.solids.empty()) << "what stands still is told once";
     if (!news.job.empty()) world_name_ = news.world_name;

@@ -7,8 +7,8 @@
 //
 // What a run does beside its direction tells the wheels apart: with the gains and dead times taken out,
 // twist - command = J^+ diag(J command) (g - 1) is linear in the gains g of the wheels (J: chassis.hpp), and
-// is solved over all runs by least squares; their mean is 1 by definition. A combination of wheels that no
-// run shows keeps the gain 1 and has an interval without end.
+// is solved over all runs by least squares; their mean is 1 by definition. A combination of gains that no run
+// determines keeps the value 1 and gets an infinite interval.
 //
 // Errors: bad_input, in the words of the run's line, on a command in several directions or none, times that
 // are not positive, a turn of 300 degrees or more beside a straight, fewer than 3 runs or only one time for
@@ -40,7 +40,7 @@ struct FittedLaw {
   double command = 0.0;      ///< m/s or rad/s, > 0
   Estimate95 slope;          ///< a, m/s or rad/s
   Estimate95 offset;         ///< b, m or rad
-  double spread = 0.0;       ///< standard deviation of what is left, m or rad
+  double residual_sd = 0.0;  ///< standard deviation of the residuals, m or rad
   std::vector<Vec2> points;  ///< of each run: time (s), distance (m) or angle (rad)
   double mean_time_s = 0.0;
   double time_square_sum = 0.0;  ///< about the mean, s^2
@@ -54,8 +54,8 @@ struct CalibrationFit {
 
 Outcome<CalibrationFit> calibrate(const Chassis& chassis, const std::vector<CalibrationRun>& runs);
 
-/// Half the width of the 95 % band of a law about its line at that time.
-double band(const FittedLaw& law, double time_s);
+/// Half the width of the 95 % confidence band of a law at that time.
+double confidence_half_width(const FittedLaw& law, double time_s);
 
 /// The 97.5 % quantile of Student's t for 1 or more degrees of freedom, to 0.2 %. Source: Abramowitz and
 /// Stegun, Handbook of Mathematical Functions, 26.7.5; exact for 1 and 2.

@@ -1,9 +1,9 @@
-// Calibration: how a robot answers to its commands, and the commands that make up for it.
+// Calibration: how a robot responds to commands, and the commands that compensate for it.
 //
 // A steady command in one of six directions brings the body
 //   distance = a t + b   and   angle = a t + b,   a = gain * commanded speed,   b = -a * dead time,
 // for a robot that starts and ends at rest; and each wheel has a gain of its own, relative to their mean.
-// The default is a robot that does what it is told.
+// The default is an ideal robot.
 #pragma once
 
 #include <array>

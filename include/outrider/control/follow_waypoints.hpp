@@ -1,17 +1,18 @@
-// Follow waypoints in a closed loop: from where the robot believes to be to the twist to command next.
+// Follow waypoints in a closed loop: computes the next twist from the estimated pose.
 //
 // Two followers:
-//   pid           a PID on the pose. The command of the position and that of the heading are cut, and
-//                 raised to their floors, each by its length, so a robot far off goes straight at its goal.
+//   pid           a PID on the pose. Position and heading commands are limited separately, by length, so a
+//                 distant robot drives straight at its goal.
 //   pure_pursuit  aims at a point `lookahead` further on the way; slower where the way bends and towards
 //                 its end (regulated pure pursuit). The last lookahead before a stop is the PID's.
 // Two manners:
 //   holonomic       goes sideways as well, and turns to the heading of the waypoint on the way
-//   rotate_then_go  turns towards the waypoint, goes ahead, turns to its heading; begins anew when it then
-//                   stands beside it, and within a lookahead of it goes back where that turns less
+//   rotate_then_go  turns towards the waypoint, drives ahead, turns to its heading. Starts again if it then
+//                   stands beside the waypoint; within a lookahead of it, drives backwards if that turns
+//                   less.
 //
-// A turn takes the shorter way; one of nearly half a turn goes in the sense in which the headings are
-// written, so that 180 after 0 is a turn to the left and 180 after 360 one to the right.
+// A turn takes the shorter way. A turn of about 180 degrees goes the way the written headings do: 0 to 180 is
+// a left turn, 360 to 180 a right turn.
 // A pure step; O(waypoints). Sources: Macenski, Singh, Martin and Gines, Regulated pure pursuit for robot
 // path tracking (Autonomous Robots, 2023); Coulter, Implementation of the pure pursuit path tracking
 // algorithm (1992).
@@ -46,13 +47,13 @@ struct FollowOptions {
   double lookahead_m = 0.3;  ///< of pure_pursuit
 };
 std::vector<Option> describe(FollowOptions& options);
-/// Refuses names of followers and manners that there are not.
+/// Refuses unknown names of followers and manners.
 Status check(const FollowOptions& options);
 
 struct Follower {
   enum class Stage { aim, go, face };  ///< of rotate_then_go
   std::size_t next = 0;                ///< waypoint
-  Pose2 from;                          ///< of the way to it, as it is planned
+  Pose2 from;                          ///< planned start of the leg to it
   Pid place;
   Pid heading;
   Stage stage = Stage::aim;
@@ -61,15 +62,15 @@ struct Follower {
 
 struct FollowStep {
   Twist2 twist;        ///< in the robot's frame
-  bool there = false;  ///< at a stop, within the tolerances, and commanded to rest
+  bool there = false;  ///< at a stop within the tolerances; the command is zero
 };
 
-/// The command for the next period. A waypoint that is no stop is passed by once the robot is near it or
-/// beyond it; at a stop it stays until go_on().
+/// Computes the command for the next period. The robot passes a waypoint that is no stop once it is near or
+/// beyond it; it stays at a stop until advance_to_next().
 FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
                   const FollowOptions& options, const PidGains& gains, double period_s);
 
-/// Turns to the next waypoint.
-void go_on(Follower& follower, const std::vector<Waypoint>& waypoints);
+/// Makes the next waypoint the goal.
+void advance_to_next(Follower& follower, const std::vector<Waypoint>& waypoints);
 
 }  // namespace outrider

@@ -1,7 +1,7 @@
-// Nearby: what stands around a robot, for questions asked many times before it moves on.
+// Nearby: the obstacles around a robot, for many clearance queries from about one place.
 //
-// The occupied cells of a map in a square around a middle are gathered once, or it is given what a range
-// finder sees; each query goes through them.
+// Collects the occupied cells of a map in a square once, or takes the points of a range scan; each query goes
+// through all of them.
 // Building O(cells in the square); a query O(occupied cells found). Thread rule: const queries may run
 // concurrently.
 #pragma once

@@ -2,11 +2,11 @@
 //
 //   command = p e + i integral(e) + d de/dt
 //
-// Its length is cut to `most`, so a saturated command keeps its direction. A command shorter than `least`,
-// which would not move the motors, is made that long. The integral grows only while the command is not cut,
-// or while growing makes it shorter (conditional integration: Astrom and Hagglund, Advanced PID Control,
-// 2006, section 3.5), and is forgotten when the error turns against it: what was gathered on the way does not
-// carry past the goal. A scalar is a vector with y = 0. O(1).
+// A command longer than `most` is shortened to it and keeps its direction. A command shorter than `least`,
+// which would not move the motors, is lengthened to it. Anti-windup: the integral grows only while the
+// command is not saturated, or if growing makes it shorter (conditional integration: Astrom and Hagglund,
+// Advanced PID Control, 2006, section 3.5). It is reset when the error points against it, so the robot does
+// not overshoot by what was integrated on the way. A scalar is a vector with y = 0. O(1).
 #pragma once
 
 #include <optional>
@@ -27,15 +27,15 @@ std::vector<Option> describe(PidGains& gains);
 /// Lengths of a command, in its unit.
 struct PidRange {
   double most = 1.0;
-  double least = 0.0;  ///< a command of no length stays 0
+  double least = 0.0;  ///< a zero command stays zero
 };
 
 struct Pid {
-  Vec2 integral;             ///< of the error, its unit times s
-  std::optional<Vec2> last;  ///< the error before; none at first
+  Vec2 integral;             ///< of the error over time
+  std::optional<Vec2> last;  ///< the last error; none before the first step
 };
 
-/// The command for an error, `period_s` > 0 after the last one. The state moves on.
+/// Computes the command for an error measured `period_s` > 0 after the last one, and updates the state.
 Vec2 step(Pid& pid, const PidGains& gains, Vec2 error, const PidRange& range, double period_s);
 
 }  // namespace outrider

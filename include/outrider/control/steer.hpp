@@ -1,11 +1,11 @@
-// Steer: the twist with which a disk robot that turns and goes ahead follows a path on a map it is still
-// learning, at full speed wherever it can, without touching what it knows of.
+// Steer: a path follower for a disk robot with differential drive on a map that is still growing. It drives
+// as fast as it can without touching a known obstacle.
 //
-// It aims at the farthest point of the path within `lookahead` to which it can go straight with `gap` to
-// spare, so that it cuts corners as far as there is room. It drives while it turns, slower the farther it
-// has to turn, and turns in place beyond `pivot`. What the command leads to is then foreseen for `foresight`
-// with the robot's accelerations; where that comes nearer to an obstacle than `least_gap`, and nearer than
-// the robot is now, it goes slower, in the end not ahead at all: a disk that turns touches nothing new.
+// The robot aims at the farthest point of the path within `lookahead` that it can reach in a straight line
+// with clearance `gap`, so it cuts corners where there is room. It drives while it turns, more slowly for
+// larger heading errors, and turns in place beyond `pivot`. The command is then simulated for `foresight`
+// under the robot's acceleration limits. If that comes closer to an obstacle than `least_gap`, and closer
+// than the robot is now, the robot slows down, in the end to turning in place, which is safe for a disk.
 //
 // A pure function; O(cells nearby). Source: Macenski, Singh, Martin and Gines, Regulated pure pursuit for
 // robot path tracking (Autonomous Robots, 2023); Fox, Burgard and Thrun, The dynamic window approach to
@@ -32,20 +32,22 @@ struct SteerOptions {
 };
 std::vector<Option> describe(SteerOptions& options);
 
-/// A path being followed.
-struct Followed {
+/// A path, and how far the robot has come along it.
+struct PathProgress {
   std::vector<Vec2> points;  ///< at least one
-  double along_m = 0.0;      ///< of its length, what has been passed; never less than before
+  double along_m = 0.0;      ///< arc length already driven; never decreases
 };
 
-/// How far along the path the robot has come: the nearest place of the path not far beyond the last.
-void pass(Followed& path, Vec2 position);
+/// Updates `along_m` to the point of the path nearest to the robot, searched from the last one a little way
+/// on.
+void advance_along(PathProgress& path, Vec2 position);
 
-/// What is left of the path, m.
-double left_of(const Followed& path);
+/// The length of the rest of the path, m.
+double remaining_m(const PathProgress& path);
 
-/// The command for a robot at that pose with that twist. To rest within 1 cm of the path's end.
-Twist2 steer(const Followed& path, const Pose2& pose, const Twist2& now, const Nearby& nearby,
+/// Computes the next command for a robot at `pose` that moves with `now`. The robot stops within 1 cm of the
+/// path's end.
+Twist2 steer(const PathProgress& path, const Pose2& pose, const Twist2& now, const Nearby& nearby,
              const RobotModel& robot, const SteerOptions& options);
 
 }  // namespace outrider

@@ -25,7 +25,11 @@ struct Option {
   double high = 0.0;     ///< largest allowed value in `unit`; numbers only
   std::string sentence;  ///< what it is, without the unit and the default
   std::variant<double*, std::int64_t*, bool*, std::string*> value;
+  bool names_file = false;  ///< the text is the path of a file; in a scenario it is relative to that
 };
+
+/// An option whose text is the path of a file to read.
+Option file_option(std::string name, std::string sentence, std::string* path);
 
 /// A named set of options: a section of a scenario file and the prefix of its flags.
 struct OptionGroup {

@@ -15,4 +15,7 @@ bool is_printable(std::string_view text);
 /// The text with a '?' for each byte that belongs to no printable character; those in `kept` stay. O(text).
 std::string printable(std::string_view text, std::string_view kept = {});
 
+/// "1 min 21 s", "42.0 s", "0.31 s".
+std::string duration_text(double seconds);
+
 }  // namespace outrider

@@ -25,18 +25,18 @@ struct Camera {
   std::array<double, 5> distortion{};  ///< k1, k2, p1, p2, k3
 };
 
-/// Refuses a singular camera matrix, numbers that are no numbers, and a lens that folds the image.
+/// Refuses a singular camera matrix, values that are not finite, and a distortion that folds the image.
 Status check_camera(const Camera& camera);
 
-/// Where a point of the camera's frame appears; nothing when it is not in front of the camera, or so far
-/// aside that the lens model folds back. The point need not be within the image. O(1).
+/// Projects a point of the camera's frame to the image plane; nothing if it is not in front of the camera, or
+/// so far off the axis that the distortion model folds back. The result may lie outside the image. O(1).
 std::optional<Vec2> project(const Camera& camera, Vec3 point);
 
-/// The point of the plane z = 1 that appears at `image`: the inverse of project(). Newton's method, to
-/// 1e-12 where the lens is invertible. O(1).
+/// The inverse of project(): the point of the plane z = 1 that appears at `image`. Newton's method, to 1e-12
+/// where the distortion is invertible. O(1).
 Vec2 ray_through(const Camera& camera, Vec2 image);
 
-/// A camera, and where it sits on the robot.
+/// A camera and its mounting on the robot.
 struct RobotCamera {
   Camera camera;
   Pose3 robot_T_camera;

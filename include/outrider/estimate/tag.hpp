@@ -1,4 +1,4 @@
-// Tags: AprilTags of the family tag36h11, where they hang and how a camera saw them.
+// AprilTags of the family tag36h11: maps of tags, and sightings by a camera.
 //
 // Frame of a tag: origin in its middle, x to the right and y down as one reads it, z into the wall behind.
 // Its corners are those of the black square, whose side is the tag's size, in the order of libapriltag:
@@ -7,12 +7,12 @@
 // AprilTag 2 (IROS 2016).
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/estimate/belief.hpp"
 #include "outrider/geometry/pose.hpp"
 
 namespace outrider {
@@ -27,31 +27,31 @@ struct Tag {
   Pose3 world_T_tag;
 };
 
-/// Tags that hang in the world, each id once.
+/// The tags in the world, each id once.
 struct TagMap {
   std::vector<Tag> tags;
 
   [[nodiscard]] const Tag* find(int id) const;
 };
 
-/// Refuses ids outside the family or that stand twice, and sizes that are no positive number.
+/// Refuses duplicate ids, ids outside the family, and sizes that are not positive.
 Status check_tags(const TagMap& map);
 
-/// A tag that hangs upright with its middle at `position` (m) and looks towards `facing_rad`: the heading
-/// from the wall to its reader.
+/// An upright tag with its centre at `position` (m). `facing_rad` is the heading from the wall to the reader.
 Tag upright_tag(int id, Vec3 position, double facing_rad, double size_m = default_tag_size_m);
 
 /// Corners in the tag's frame, m.
 std::array<Vec3, 4> tag_corners(double size_m);
 
-/// One explanation of four corners: a pose that is a local minimum of the reprojection error.
+/// A possible pose of a tag: a local minimum of the reprojection error of its corners.
 struct TagPose {
   Pose3 camera_T_tag;
-  double error_px = 0.0;     ///< root mean square over the corners, after refinement
-  Covariance6 covariance{};  ///< of translation (m) and rotation vector (rad), both in the camera's frame
+  double error_px = 0.0;  ///< root mean square over the corners, after refinement
+  /// Of translation (m) and rotation vector (rad), both in the camera's frame.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
-/// What a camera saw of one tag.
+/// A detection of one tag in an image.
 struct TagSighting {
   int id = 0;
   std::array<Vec2, 4> corners_px;  ///< in the image, see Camera; ordered as tag_corners()

@@ -1,6 +1,11 @@
-// Poses: where a frame stands in another. Frames stand in names: world_T_robot.
+// Poses of the plane, SE(2), and of space, SE(3): the position and orientation of a frame in another.
+//
+// Frames stand in names: a_T_b is the pose of frame b in frame a, and takes points of b to points of a.
+// Headings are added and subtracted as they stand, so that a pose can count whole turns; wrap_heading()
+// brings one to (-pi, pi]. All O(1).
 #pragma once
 
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/vec.hpp"
 
 namespace outrider {
@@ -10,9 +15,29 @@ struct Pose2 {
   double heading_rad = 0.0;  ///< counter-clockwise from +x
 
   friend bool operator==(const Pose2&, const Pose2&) = default;
+  /// A point given in this frame, in the parent's frame.
+  friend Vec2 operator*(const Pose2& t, Vec2 p) { return t.position + rotated(t.heading_rad, p); }
+  /// A point of the parent's frame, in this frame.
+  [[nodiscard]] Vec2 to_local(Vec2 p) const { return unrotated(heading_rad, p - position); }
 };
 
 inline bool finite(const Pose2& pose) { return finite(pose.position) && std::isfinite(pose.heading_rad); }
+
+/// Returns the same pose with its heading in (-pi, pi].
+inline Pose2 wrap_heading(const Pose2& pose) { return {pose.position, wrap_angle(pose.heading_rad)}; }
+
+/// Returns a_T_c.
+inline Pose2 compose(const Pose2& a_T_b, const Pose2& b_T_c) {
+  return {a_T_b * b_T_c.position, a_T_b.heading_rad + b_T_c.heading_rad};
+}
+
+/// Returns b_T_c, the pose of c in the frame of b.
+inline Pose2 relative_pose(const Pose2& a_T_b, const Pose2& a_T_c) {
+  return {a_T_b.to_local(a_T_c.position), a_T_c.heading_rad - a_T_b.heading_rad};
+}
+
+/// Returns b_T_a.
+inline Pose2 inverse(const Pose2& a_T_b) { return relative_pose(a_T_b, {}); }
 
 struct Pose3 {
   Vec3 position;

@@ -1,18 +1,9 @@
-// Worlds to explore, from files of several kinds told by the end of the name, .gz after any:
+// Worlds to explore: the files of io/world_file.hpp, with slices and walls that stand in the world too.
 //
-//   .sdf .world   SDF (io/sdf.hpp); what its warnings say was left out, slices can put in
-//   .yaml .yml    a map of the ROS map_server (io/map_server.hpp)
-//   .pgm .png     an image alone: like such a map, its lowest corner at the origin
-//   .csv          slices (io/slices.hpp)
+// What the warnings of an SDF world say was left out, slices can put in. Slices and walls stand on the floor,
+// `wall_height_m` high. The bounds of the world are the box of all that stands.
 //
-// On a map every cell that is not free stands as a square block: occupied, unknown, and whatever lies beyond
-// the edge of the image, which is unknown as well. Blocks of a rectangle are one solid. Slices and walls
-// stand on the floor, `wall_height_m` high. A world without a floor of its own has it at height 0; one that
-// is named "default", or not at all, gets the name of its file. The bounds of the world are the box of all
-// that stands.
-//
-// Errors: bad_input with file and line, or the key; a map without a free cell; terrain; more than
-// 200,000 solids.
+// Errors: those of load_world(), bad_input with file and line, or the key; terrain; more than 200,000 solids.
 #pragma once
 
 #include <string>

@@ -39,8 +39,13 @@ inline Vec2 world_centre(const MapServerMap& map, Cell cell) {
 
 Outcome<MapServerMap> load_map_server(const std::string& path);
 
+/// From the text of the YAML file `name`, beside which the image is looked up.
+Outcome<MapServerMap> map_server_from_text(std::string_view text, const std::string& name);
+
 /// An image without a YAML file: its lowest corner at the origin, the thresholds those that are usual.
 Outcome<MapServerMap> load_map_image(const std::string& path, double resolution_m);
+Outcome<MapServerMap> map_image_from_bytes(std::string_view bytes, const std::string& name,
+                                           double resolution_m);
 
 /// Writes `path` (.yaml) and, beside it, the image with the same stem and .pgm: free 254, occupied 0,
 /// unknown 205. The image comes first, so a YAML file never names an image that is not there.

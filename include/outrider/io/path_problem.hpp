@@ -1,10 +1,9 @@
 // A question for the path planners from a map file: the short way from a file to a plan.
 //
-// By the name of the file, .gz after any: .map MovingAI, .yaml and .yml map_server, .sdf and .world SDF
-// become a grid that is free for the disk; .txt a polygon environment. Start and goal are in the
-// coordinates of the map, m (MovingAI: cells, y from the bottom); whether they are free is asked by the
-// planner. Faults: bad_input with file and line; on a map_server map that is turned, whose grid has axes of
-// its own: load it with load_map_server().
+// Takes every map of io/map.hpp: a polygon environment becomes polygons, any other a grid that is free for
+// the disk. Start and goal are in the coordinates of the map, m (MovingAI: cells, y from the bottom); whether
+// they are free is asked by the planner. Faults: bad_input with file and line; on a map_server map that is
+// turned, whose grid has axes of its own: load it with load_map_server().
 #pragma once
 
 #include <optional>

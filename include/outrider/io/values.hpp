@@ -17,9 +17,6 @@ namespace outrider {
 Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t count,
                                            const std::string& where, const std::string& form);
 
-/// "x,y" in m.
-Outcome<Vec2> parse_point(const std::string& text, const std::string& where);
-
 /// "x,y,heading" in m, m and degrees; the heading is not wrapped.
 Outcome<Pose2> parse_pose(const std::string& text, const std::string& where);
 

@@ -1,9 +1,9 @@
-// Chassis: how the speeds of a robot's wheels and the motion of its body belong together.
+// Chassis: forward and inverse kinematics of wheeled robots.
 //
-// A wheel that rolls without slip turns at a speed that is linear in the twist of the body, so a chassis is a
-// row of three factors a wheel. The columns of these rows are orthogonal for all three kinds, so the twist
-// that fits given wheel speeds best (least squares) is a projection on each column. Where wheels disagree,
-// as four mecanum wheels can, what no motion explains is slip.
+// A wheel that rolls without slip has a speed that is linear in the twist of the body, so a chassis is a
+// matrix with a row of three factors for each wheel. Its columns are orthogonal for all three kinds, so the
+// least-squares twist for given wheel speeds is a projection on each column. The residual, which four mecanum
+// wheels can have, is slip.
 //
 //   differential   two wheels abreast; does not move sideways
 //   mecanum        four wheels with rollers at 45 degrees, [fl fr bl br] =
@@ -48,7 +48,8 @@ Chassis mecanum_chassis(double wheel_radius_m, double half_size_m);
 /// `ring_radius_m`: from the middle to each wheel.
 Chassis holonomic_chassis(double wheel_radius_m, double ring_radius_m);
 
-/// By its kind; `reach_m` is the half track, half size or ring radius. Fault: bad_input on another kind.
+/// Makes a chassis by the name of its kind; `reach_m` is the half track, half size or ring radius. Fault:
+/// bad_input on another kind.
 Outcome<Chassis> make_chassis(std::string_view kind, double wheel_radius_m, double reach_m);
 
 /// Inverse kinematics. Sideways motion that the chassis cannot do is left out.

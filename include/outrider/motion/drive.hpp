@@ -1,12 +1,12 @@
-// Drive: how long it takes to get from one place to another, as a table entry.
+// Drive: time and end headings of a drive between two places, as an entry of a table.
 #pragma once
 
 #include <limits>
 
 namespace outrider {
 
-/// The fastest drive between two places, from rest to rest, without the first turn; an infinite time
-/// says that there is none. With time_s = 0 the places are one and the headings mean nothing.
+/// The fastest drive between two places, from rest to rest, without the first turn; an infinite time means
+/// that there is none. If `time_s` is 0, start and end are the same place and the headings are unspecified.
 struct Drive {
   double time_s = std::numeric_limits<double>::infinity();
   double departure_rad = 0.0;  ///< heading of the first leg

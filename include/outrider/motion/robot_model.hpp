@@ -26,8 +26,8 @@ struct RobotModel {
 
 std::vector<Option> describe(RobotModel& robot);
 
-/// Time and sums of following waypoints by turning in place before each straight. On terrain a straight is
-/// as long as it is on the surface, and headings and turns are as seen from above.
+/// Time, distance and turns of following waypoints, with a turn in place before each straight. On terrain the
+/// length of a straight is measured on the surface, headings and turns in the horizontal plane.
 struct DriveCost {
   double time_s = 0.0;
   double driven_m = 0.0;

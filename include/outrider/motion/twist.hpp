@@ -1,6 +1,6 @@
-// Twists of the plane: how a body moves, and where a steady motion brings it.
+// Twists of the plane: velocities of a body, and the poses they lead to.
 //
-// A steady twist moves a body along an arc. moved() is the exponential map of the group of planar motions
+// A constant twist moves a body along an arc. moved() is the exponential map of the group of planar motions
 // and twist_between() its logarithm, both exact and O(1).
 // Source: Lynch and Park, Modern Robotics, section 3.2.
 #pragma once
@@ -26,17 +26,11 @@ struct Twist2 {
 
 inline double speed_of(const Twist2& twist) { return norm(Vec2{twist.ahead_mps, twist.left_mps}); }
 
-/// Where a body is after that twist has been steady for so long; the heading is not wrapped.
+/// The pose after moving with a constant twist for `duration_s`; the heading is not wrapped.
 Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s);
 
-/// The steady twist that moves a body from one pose to another in that time > 0. It turns by the difference
-/// of the headings as they stand, which is less than a whole turn.
+/// The constant twist that moves a body from one pose to another in `duration_s` > 0. It turns by the
+/// difference of the headings, not wrapped, which must be less than a whole turn.
 Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s);
-
-/// A pose of the world as seen from a frame: frame_T_pose; the heading is wrapped.
-Pose2 seen_from(const Pose2& frame, const Pose2& pose);
-
-/// A pose given in a frame, in the world; the heading is not wrapped.
-Pose2 placed_in(const Pose2& frame, const Pose2& pose);
 
 }  // namespace outrider

@@ -1,5 +1,4 @@
-// WheelFaults and LinkFaults: what comes between the wheel speeds that are commanded and the way that is
-// driven. They are what calibration measures and what control has to live with.
+// WheelFaults and LinkFaults: models of imperfect wheels and of a lossy, delayed command link.
 #pragma once
 
 #include <vector>
@@ -9,8 +8,8 @@
 
 namespace outrider {
 
-/// Of a wheel that turns steadily: speed = gain of the wheel * gain of its sense of rotation * sag *
-/// (1 + noise) * commanded speed.
+/// In steady state: speed = gain of the wheel * gain of its direction of rotation * sag * (1 + noise) *
+/// commanded speed.
 struct WheelFaults {
   WheelSpeeds4 gains = {1.0, 1.0, 1.0, 1.0};  ///< of each wheel
   double backwards = 1.0;                     ///< gain of a wheel that turns backwards
@@ -20,11 +19,11 @@ struct WheelFaults {
   double sag_per_min = 0.0;                   ///< part of the speed lost per minute of driving
   double strafe_slip = 0.0;                   ///< part of sideways motion lost
   double noise = 0.0;                         ///< of each wheel, relative, standard deviation
-  double noise_time_s = 0.2;                  ///< after which the noise has forgotten its value
+  double noise_time_s = 0.2;                  ///< correlation time of the noise
 };
 std::vector<Option> describe(WheelFaults& faults);
 
-/// How commands travel. They keep their order.
+/// Loss and delay of commands. Commands keep their order.
 struct LinkFaults {
   std::int64_t lost = 0;  ///< messages that are lost at the beginning
   double delay_s = 0.0;

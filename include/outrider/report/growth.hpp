@@ -12,9 +12,9 @@ namespace outrider {
 
 /// Looks on while a run fills its report. Nothing of it changes what happens. Thread rule: the run calls,
 /// from one thread.
-class Onlooker {
+class RunObserver {
  public:
-  virtual ~Onlooker() = default;
+  virtual ~RunObserver() = default;
   /// Whether it wants to see the report now. A run asks after each step, and brings up to date what takes
   /// time only where it is wanted.
   virtual bool wants() = 0;
@@ -22,9 +22,9 @@ class Onlooker {
   virtual void see(const Report& so_far) = 0;
 
  protected:
-  Onlooker() = default;
-  Onlooker(const Onlooker&) = default;
-  Onlooker& operator=(const Onlooker&) = default;
+  RunObserver() = default;
+  RunObserver(const RunObserver&) = default;
+  RunObserver& operator=(const RunObserver&) = default;
 };
 
 /// Takes a report that grows apart into what came between two looks at it.
@@ -37,7 +37,7 @@ class ReportGrowth {
   /// Targets, stops of a drive and the map that is found come whole, when something of them has changed;
   /// landmarks and loops come whole each time. O(what is new + targets + size of the
   /// map).
-  Report news(const Report& so_far);
+  Report delta(const Report& so_far);
 
  private:
   struct Told {

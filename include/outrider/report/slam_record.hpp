@@ -6,6 +6,7 @@
 // Bounds: 5000 rows, 400 scans of 180 points, 2000 loops. Thread rule: one at a time.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <string>
@@ -13,7 +14,6 @@
 
 #include "outrider/report/report.hpp"
 #include "outrider/slam/laser_scan.hpp"
-#include "outrider/slam/matrix.hpp"
 
 namespace outrider {
 
@@ -21,9 +21,9 @@ namespace outrider {
 struct SlamRow {
   double time_s = 0.0;
   Pose2 pose;
-  Matrix3 covariance;       ///< of x, y and heading: m^2, m rad, rad^2
-  Pose2 odometry;           ///< where odometry alone puts the robot
-  bool recognised = false;  ///< something known told where the robot is
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of x, y and heading: m^2, m rad, rad^2
+  Pose2 odometry;                                        ///< where odometry alone puts the robot
+  bool recognised = false;                               ///< something known told where the robot is
 };
 
 /// Seconds from the first step, as its times say; a time that goes back counts as the one before. Of a log

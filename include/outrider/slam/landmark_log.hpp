@@ -1,6 +1,7 @@
-// What a robot that looks for landmarks notes down: how it moved, and where it saw what.
+// Logs of odometry and sightings of landmarks.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,14 +9,14 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/slam/matrix.hpp"
+#include "outrider/geometry/pose.hpp"
 
 namespace outrider {
 
 struct LandmarkSighting {
-  std::optional<std::int64_t> id;  ///< of the landmark, where it can be told apart
-  Vec2 position;                   ///< in the robot's frame, m
-  Matrix2 covariance;              ///< of the position, m^2
+  std::optional<std::int64_t> id;                        ///< of the landmark, where it can be told apart
+  Vec2 position;                                         ///< in the robot's frame, m
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position, m^2
   friend bool operator==(const LandmarkSighting&, const LandmarkSighting&) = default;
 };
 
@@ -25,9 +26,9 @@ LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double 
 
 struct LogStep {
   double time_s = 0.0;
-  Pose2 odometry;                           ///< of the robot in its frame at the step before
-  Matrix3 covariance;                       ///< of the odometry in that frame: m^2, m rad, rad^2
-  std::vector<LandmarkSighting> sightings;  ///< at the end of the motion
+  Pose2 odometry;                                        ///< of the robot in its frame at the step before
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the odometry in that frame: m^2, m rad, rad^2
+  std::vector<LandmarkSighting> sightings;               ///< at the end of the motion
   friend bool operator==(const LogStep&, const LogStep&) = default;
 };
 

@@ -1,18 +1,19 @@
 // Simultaneous localisation and mapping with landmarks: one interface, three engines.
 //
-//   kalman  the linear filter: the heading is that of the odometry, so that positions are all that is
-//           estimated, by equations that are linear (Kalman 1960). For comparison.
+//   kalman  the linear filter: headings are those of the odometry, so only positions are estimated and the
+//           equations are linear (Kalman 1960). For comparison.
 //   ekf     the extended Kalman filter over robot and landmarks with the full Jacobians (Smith, Self and
 //           Cheeseman 1990). Landmarks without ids are told apart by joint compatibility.
 //   graph   sparse least squares over all poses and landmarks, each step an incremental update of a block
 //           Cholesky factorisation; what moved far from where it was linearised is linearised again (Kaess et
 //           al., iSAM2, IJRR 31 (2012) 216-235). Takes known ids only. Robust kernels; covariances on demand.
 //
-// A landmark is taken into the map once it was sighted `patience` times at about one place: ghosts are not. A
-// sighting outside the gate is refused. A landmark that is refused `patience` + 2 times while others are used
-// has moved: it is taken out, and comes again like a new one. With the sensor's reach given, a landmark is
-// taken out when it was not sighted `misses` times where it had to be. When every sighting of the map is
-// refused for `lost_after` steps, the robot is lost: the map is left alone until sightings fit again.
+// Map management: a landmark enters the map after `patience` sightings at about one place, which keeps false
+// detections out. A sighting outside the gate is refused. A landmark whose sightings are refused `patience` +
+// 2 times while others are used has moved: it is removed and can enter again. If the range of the sensor is
+// given, a landmark is removed after `misses` steps in which it should have been seen and was not. If all
+// sightings of the map are refused for `lost_after` steps, the robot is lost: the map is frozen until
+// sightings fit again.
 //
 // Frames: poses are world_T_robot; covariances are of (x, y, heading) in the world. The first pose is exact.
 // Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, the part of the elimination tree
@@ -53,17 +54,17 @@ std::vector<Option> describe(LandmarkSlamOptions& options);
 struct LandmarkEstimate {
   std::int64_t id = 0;  ///< as sighted; numbered from 0 in order of finding where ids are unknown
   Vec2 position;        ///< in the world, m
-  Matrix2 covariance;   ///< m^2
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< m^2
   std::int64_t sightings = 0;
   friend bool operator==(const LandmarkEstimate&, const LandmarkEstimate&) = default;
 };
 using LandmarkMap = std::vector<LandmarkEstimate>;
 
-/// What a step did with its sightings.
+/// How many sightings of a step were used, and how the map changed.
 struct StepOutcome {
   int used = 0;
   int refused = 0;
-  int waiting = 0;  ///< of candidates that are not in the map yet
+  int waiting = 0;  ///< sightings of candidates that are not in the map yet
   std::vector<std::int64_t> added;
   std::vector<std::int64_t> removed;
   bool lost = false;
@@ -74,7 +75,7 @@ class SlamEngine;
 class LandmarkSlam {
  public:
   static Outcome<LandmarkSlam> begin(const LandmarkSlamOptions& options, const Pose2& start);
-  /// Continues from what state() gave. Refuses text that is not that.
+  /// Restores a filter or graph from the text of state(); refuses any other text.
   static Outcome<LandmarkSlam> load(std::string_view state);
 
   LandmarkSlam(LandmarkSlam&&) noexcept;
@@ -82,13 +83,13 @@ class LandmarkSlam {
   ~LandmarkSlam();
 
   Outcome<StepOutcome> advance(const LogStep& step);
-  /// Brings a graph to the minimum of its cost; a filter has nothing to do.
+  /// Optimises a graph to the minimum of its cost; does nothing for a filter.
   void settle();
 
   [[nodiscard]] Pose2 pose() const;
-  [[nodiscard]] Matrix3 pose_covariance() const;
+  [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
   [[nodiscard]] LandmarkMap landmarks() const;
-  /// The start and the pose after each step: of a graph as known now, of a filter as known then.
+  /// The start and the pose after each step: smoothed for a graph, as estimated at that step for a filter.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
   /// Sum of r^T W r over odometry and sightings at the present estimate; 0 for a filter.
   [[nodiscard]] double cost() const;

@@ -1,4 +1,4 @@
-// How far an estimate lies from the truth, as it stands and after the rigid motion that fits it best.
+// Errors of estimated positions and maps against the truth, before and after rigid alignment.
 #pragma once
 
 #include <map>

@@ -19,13 +19,14 @@
 // only before the first step: afterwards the best so far is returned. Thread rule: pure functions.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "outrider/core/budget.hpp"
 #include "outrider/core/options.hpp"
-#include "outrider/slam/matrix.hpp"
+#include "outrider/geometry/pose.hpp"
 
 namespace outrider {
 
@@ -42,8 +43,9 @@ struct GraphEdge {
   EdgeKind kind = EdgeKind::pose;
   std::uint32_t from = 0;  ///< node; a pose unless a range
   std::uint32_t to = 0;
-  Pose2 measured;       ///< of `to` in the frame of `from`; a range stands in position.x
-  Matrix3 information;  ///< 1/m^2, 1/(m rad), 1/rad^2; the upper left 2 x 2 of a point, 1 x 1 of a range
+  Pose2 measured;  ///< of `to` in the frame of `from`; a range stands in position.x
+  /// 1/m^2, 1/(m rad), 1/rad^2; the upper left 2 x 2 of a point, 1 x 1 of a range.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   friend bool operator==(const GraphEdge&, const GraphEdge&) = default;
 };
 
@@ -87,14 +89,12 @@ struct PoseGraphSolution {
 
 double cost(const PoseGraph& graph, const std::vector<Pose2>& poses);
 
-/// The poses of the chordal relaxation. Refuses graphs in which relative poses alone do not join all poses.
-Outcome<std::vector<Pose2>> chordal_start(const PoseGraph& graph);
-
 Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptions& options,
                                     const Budget& budget);
 
 /// The covariance of each node (x, y, heading in the world; a point has zeros for its heading) given the
 /// first pose, linearised at `poses`. Refused where the measurements do not determine a node.
-Outcome<std::vector<Matrix3>> marginal_covariances(const PoseGraph& graph, const std::vector<Pose2>& poses);
+Outcome<std::vector<Eigen::Matrix3d>> marginal_covariances(const PoseGraph& graph,
+                                                           const std::vector<Pose2>& poses);
 
 }  // namespace outrider

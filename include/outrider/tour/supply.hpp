@@ -13,8 +13,7 @@
 //
 // solve_supplied() is our own solver: for few goals an A* over (goals served, stop, heading, gun, water,
 // charge), which proves the optimum; for many, ruin and recreate over the order of the services, where each
-// order is worth what the best stations put in between make of it. supply_programme.hpp states the same
-// problem as a mixed-integer programme. docs/jobs/stations.md has the argument.
+// order is worth what the best stations put in between make of it. docs/jobs/stations.md has the argument.
 #pragma once
 
 #include <cstdint>

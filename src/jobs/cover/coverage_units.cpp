@@ -12,20 +12,20 @@ namespace {
 
 constexpr double same_place_m = 1e-9;
 
-void add(Variant& variant, const std::vector<PathPiece>& pieces, PieceRole role) {
-  variant.pieces.insert(variant.pieces.end(), pieces.begin(), pieces.end());
-  variant.roles.resize(variant.pieces.size(), role);
+void add(Traversal& traversal, const std::vector<PathPiece>& pieces, PieceRole role) {
+  traversal.pieces.insert(traversal.pieces.end(), pieces.begin(), pieces.end());
+  traversal.roles.resize(traversal.pieces.size(), role);
 }
 
 }  // namespace
 
-Outcome<std::vector<PathPiece>> Mover::way(Vec2 from, Vec2 to) {
+Outcome<std::vector<PathPiece>> TransitPlanner::way(Vec2 from, Vec2 to) {
   auto found = ways(from, {to});
   if (!found) return pass_on(found);
   return std::move(found->front());
 }
 
-Outcome<std::vector<std::vector<PathPiece>>> Mover::ways(Vec2 from, const std::vector<Vec2>& to) {
+Outcome<std::vector<std::vector<PathPiece>>> TransitPlanner::ways(Vec2 from, const std::vector<Vec2>& to) {
   std::vector<std::vector<PathPiece>> found(to.size());
   std::vector<std::size_t> hidden;
   std::vector<Vec2> goals;
@@ -48,7 +48,7 @@ Outcome<std::vector<std::vector<PathPiece>>> Mover::ways(Vec2 from, const std::v
   return found;
 }
 
-Job lap_job(const Lap& lap, std::size_t places) {
+CoverageUnit lap_unit(const Lap& lap, std::size_t places) {
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i < lap.size(); ++i) {
     const PathPiece& before = lap[(i + lap.size() - 1) % lap.size()];
@@ -58,65 +58,65 @@ Job lap_job(const Lap& lap, std::size_t places) {
     for (std::size_t i = 0; i < lap.size(); ++i) begins.push_back(i);
   }
   const std::size_t count = std::min(std::max<std::size_t>(1, places), begins.size());
-  Job job;
+  CoverageUnit unit;
   for (std::size_t k = 0; k < count; ++k) {
     const Lap begun = begun_at(lap, begins[k * begins.size() / count]);
     for (const Lap& way : {begun, turned_round(begun)}) {
-      job.push_back({way, std::vector<PieceRole>(way.size(), PieceRole::lap)});
+      unit.push_back({way, std::vector<PieceRole>(way.size(), PieceRole::lap)});
     }
   }
-  return job;
+  return unit;
 }
 
-Outcome<Job> cell_job(const SweepCell& cell, Mover& mover) {
-  Job job;
+Outcome<CoverageUnit> cell_unit(const SweepCell& cell, TransitPlanner& transit) {
+  CoverageUnit unit;
   for (const bool last_first : {false, true}) {
     std::vector<Segment> lanes = cell.lanes;
     if (last_first) std::reverse(lanes.begin(), lanes.end());
     for (const bool from_b : {false, true}) {
-      Variant variant;
+      Traversal traversal;
       for (std::size_t i = 0; i < lanes.size(); ++i) {
         const bool turned = (i % 2 == 1) != from_b;
         const PathPiece lane{turned ? lanes[i].b : lanes[i].a, turned ? lanes[i].a : lanes[i].b, {}, 0.0};
         if (i > 0) {
-          auto move = mover.way(variant.exit(), lane.from);
+          auto move = transit.way(traversal.exit(), lane.from);
           if (!move) return pass_on(move);
-          add(variant, *move, PieceRole::move);
+          add(traversal, *move, PieceRole::move);
         }
-        add(variant, {lane}, PieceRole::lane);
+        add(traversal, {lane}, PieceRole::lane);
       }
-      job.push_back(std::move(variant));
+      unit.push_back(std::move(traversal));
     }
     if (lanes.size() == 1) break;
   }
-  return job;
+  return unit;
 }
 
 namespace {
 
-/// A way to begin one of the jobs: a stop of the tour.
+/// A way to begin one of the units: a stop of the tour.
 struct Stop {
-  std::uint32_t job = 0;
-  const Variant* variant = nullptr;
+  std::uint32_t unit = 0;
+  const Traversal* traversal = nullptr;
   double time_s = 0.0;
 };
 
-std::vector<Stop> stops_of(const std::vector<Job>& jobs, const Pace& pace) {
+std::vector<Stop> stops_of(const std::vector<CoverageUnit>& units, const Pace& pace) {
   std::vector<Stop> stops;
-  for (std::size_t job = 0; job < jobs.size(); ++job) {
-    for (const Variant& variant : jobs[job]) {
-      const double heading = heading_in(variant.pieces.front());
+  for (std::size_t unit = 0; unit < units.size(); ++unit) {
+    for (const Traversal& traversal : units[unit]) {
+      const double heading = heading_in(traversal.pieces.front());
       stops.push_back(
-          {static_cast<std::uint32_t>(job), &variant, sums_of(heading, variant.pieces, pace).time_s});
+          {static_cast<std::uint32_t>(unit), &traversal, sums_of(heading, traversal.pieces, pace).time_s});
     }
   }
   return stops;
 }
 
-/// The time of all jobs without a move between them.
-double least_work_s(const std::vector<Stop>& stops, std::size_t jobs) {
-  std::vector<double> least(jobs, std::numeric_limits<double>::infinity());
-  for (const Stop& stop : stops) least[stop.job] = std::min(least[stop.job], stop.time_s);
+/// The time of all units without a move between them.
+double least_work_s(const std::vector<Stop>& stops, std::size_t units) {
+  std::vector<double> least(units, std::numeric_limits<double>::infinity());
+  for (const Stop& stop : stops) least[stop.unit] = std::min(least[stop.unit], stop.time_s);
   return std::accumulate(least.begin(), least.end(), 0.0);
 }
 
@@ -142,25 +142,25 @@ struct Places {
 
 /// The table of the tour: headings are known at every stop, so turns are part of the times.
 Outcome<std::vector<Drive>> drives_between(const std::vector<Stop>& stops, const std::optional<Pose2>& start,
-                                           const Pace& pace, Mover& mover) {
+                                           const Pace& pace, TransitPlanner& transit) {
   const std::size_t n = stops.size() + 1;
   std::vector<Drive> drives(n * n, Drive{0.0, 0.0, 0.0});
   Places entries;
   std::vector<std::size_t> entry;
-  for (const Stop& stop : stops) entry.push_back(entries.index_of(stop.variant->entry()));
+  for (const Stop& stop : stops) entry.push_back(entries.index_of(stop.traversal->entry()));
   Places exits;
   std::vector<std::size_t> exit{start ? exits.index_of(start->position) : 0};
-  for (const Stop& stop : stops) exit.push_back(exits.index_of(stop.variant->exit()));
+  for (const Stop& stop : stops) exit.push_back(exits.index_of(stop.traversal->exit()));
   for (std::size_t e = 0; e < exits.points.size(); ++e) {
-    auto ways = mover.ways(exits.points[e], entries.points);
+    auto ways = transit.ways(exits.points[e], entries.points);
     if (!ways) return pass_on(ways);
     for (std::size_t i = start ? 0 : 1; i < n; ++i) {
       if (exit[i] != e) continue;
-      const double heading = i == 0 ? start->heading_rad : heading_out(stops[i - 1].variant->pieces.back());
+      const double heading = i == 0 ? start->heading_rad : heading_out(stops[i - 1].traversal->pieces.back());
       for (std::size_t j = 1; j < n; ++j) {
         if (i == j) continue;
         const auto& way = (*ways)[entry[j - 1]];
-        drives[i * n + j].time_s = move_time_s(heading, way, stops[j - 1].variant->pieces.front(), pace);
+        drives[i * n + j].time_s = move_time_s(heading, way, stops[j - 1].traversal->pieces.front(), pace);
       }
     }
   }
@@ -169,36 +169,36 @@ Outcome<std::vector<Drive>> drives_between(const std::vector<Stop>& stops, const
 
 }  // namespace
 
-Outcome<OrderedJobs> ordered(const std::vector<Job>& jobs, const std::optional<Pose2>& start,
-                             const Pace& pace, const TourOptions& options, const Budget& budget,
-                             Mover& mover) {
-  const std::vector<Stop> stops = stops_of(jobs, pace);
-  auto drives = drives_between(stops, start, pace, mover);
+Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std::optional<Pose2>& start,
+                              const Pace& pace, const TourOptions& options, const Budget& budget,
+                              TransitPlanner& transit) {
+  const std::vector<Stop> stops = stops_of(units, pace);
+  auto drives = drives_between(stops, start, pace, transit);
   if (!drives) return pass_on(drives);
   TourProblem problem;
-  problem.goals = jobs.size();
+  problem.goals = units.size();
   problem.turning = {1e9, std::numeric_limits<double>::infinity()};
   problem.services.resize(1);
-  for (const Stop& stop : stops) problem.services.push_back({{stop.job, 0.0, 0.0, stop.time_s}});
+  for (const Stop& stop : stops) problem.services.push_back({{stop.unit, 0.0, 0.0, stop.time_s}});
   problem.drives = std::move(*drives);
   auto tour = solve(problem, options, budget);
   if (!tour) return pass_on(tour);
 
-  OrderedJobs result;
-  result.bound_s = std::max(tour->lower_bound_s, least_work_s(stops, jobs.size()));
-  const PathPiece& first = stops[tour->visits.front().stop - 1].variant->pieces.front();
+  OrderedUnits result;
+  result.bound_s = std::max(tour->lower_bound_s, least_work_s(stops, units.size()));
+  const PathPiece& first = stops[tour->visits.front().stop - 1].traversal->pieces.front();
   result.track.start = start ? *start : Pose2{first.from, heading_in(first)};
   Vec2 at = result.track.start.position;
   for (const Visit& visit : tour->visits) {
-    const Variant& variant = *stops[visit.stop - 1].variant;
-    auto move = mover.way(at, variant.entry());
+    const Traversal& traversal = *stops[visit.stop - 1].traversal;
+    auto move = transit.way(at, traversal.entry());
     if (!move) return pass_on(move);
     result.track.pieces.insert(result.track.pieces.end(), move->begin(), move->end());
     result.roles.resize(result.track.pieces.size(), PieceRole::move);
     result.begins.push_back(result.track.pieces.size());
-    result.track.pieces.insert(result.track.pieces.end(), variant.pieces.begin(), variant.pieces.end());
-    result.roles.insert(result.roles.end(), variant.roles.begin(), variant.roles.end());
-    at = variant.exit();
+    result.track.pieces.insert(result.track.pieces.end(), traversal.pieces.begin(), traversal.pieces.end());
+    result.roles.insert(result.roles.end(), traversal.roles.begin(), traversal.roles.end());
+    at = traversal.exit();
   }
   return result;
 }

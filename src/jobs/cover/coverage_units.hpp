@@ -9,9 +9,9 @@
 namespace outrider::cover {
 
 /// Shortest ways of the disk between points, with memory for the next ones.
-class Mover {
+class TransitPlanner {
  public:
-  Mover(std::shared_ptr<const PolygonGround> ground, const Budget& budget)
+  TransitPlanner(std::shared_ptr<const PolygonGround> ground, const Budget& budget)
       : ground_(std::move(ground)), budget_(budget) {}
 
   /// Pieces from one point to the other; none where they are the same.
@@ -25,33 +25,33 @@ class Mover {
   Workspace workspace_;
 };
 
-/// One way to do a job: at least one piece.
-struct Variant {
+/// One way to do a unit: at least one piece.
+struct Traversal {
   std::vector<PathPiece> pieces;
   std::vector<PieceRole> roles;
 
   [[nodiscard]] Vec2 entry() const { return pieces.front().from; }
   [[nodiscard]] Vec2 exit() const { return pieces.back().to; }
 };
-using Job = std::vector<Variant>;
+using CoverageUnit = std::vector<Traversal>;
 
 /// The lap from each of up to `places` of its corners, in both directions.
-Job lap_job(const Lap& lap, std::size_t places);
+CoverageUnit lap_unit(const Lap& lap, std::size_t places);
 
 /// Back and forth over the lanes, from either end of the first and of the last.
-Outcome<Job> cell_job(const SweepCell& cell, Mover& mover);
+Outcome<CoverageUnit> cell_unit(const SweepCell& cell, TransitPlanner& transit);
 
-struct OrderedJobs {
+struct OrderedUnits {
   CoverTrack track;
   std::vector<PieceRole> roles;
-  std::vector<std::size_t> begins;  ///< the first piece of each job
+  std::vector<std::size_t> begins;  ///< the first piece of each unit
   double bound_s = 0.0;
 };
 
-/// All jobs, one after another, in the order and the variants that take the least time; begun at the start,
+/// All units, one after another, in the order and the variants that take the least time; begun at the start,
 /// or without one where the first begins.
-Outcome<OrderedJobs> ordered(const std::vector<Job>& jobs, const std::optional<Pose2>& start,
-                             const Pace& pace, const TourOptions& options, const Budget& budget,
-                             Mover& mover);
+Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std::optional<Pose2>& start,
+                              const Pace& pace, const TourOptions& options, const Budget& budget,
+                              TransitPlanner& transit);
 
 }  // namespace outrider::cover

@@ -9,7 +9,7 @@ namespace {
 
 using namespace cover;
 
-constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer jobs than that
+constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer units than that
 constexpr double slack_part = 1e-3;      // of the stride: more than all rounding and chords
 
 /// The widest slab, a little less than a stride, and how much farther than half of it the core keeps from the
@@ -132,21 +132,21 @@ Outcome<CoverPlan> assembled(CoverGround ground, const std::vector<Lap>& laps, C
   plan.left_m2 = leave_out(cells, problem.leave * area_of(ground.reach));
   plan.laps = laps.size();
   plan.cells = cells.size();
-  Mover mover(ground.ground, budget);
+  TransitPlanner transit(ground.ground, budget);
   const std::size_t each = most_stops / std::max<std::size_t>(1, laps.size() + cells.size());
-  std::vector<Job> jobs;
-  for (const Lap& lap : laps) jobs.push_back(lap_job(lap, each / 2));
+  std::vector<CoverageUnit> units;
+  for (const Lap& lap : laps) units.push_back(lap_unit(lap, each / 2));
   for (const auto& choice : cells) {
-    Job job;
+    CoverageUnit unit;
     for (const SweepCell& cell : choice) {
-      if (!job.empty() && (job.size() + 4 > each || job.size() > 4)) break;
-      auto ways = cell_job(cell, mover);
+      if (!unit.empty() && (unit.size() + 4 > each || unit.size() > 4)) break;
+      auto ways = cell_unit(cell, transit);
       if (!ways) return pass_on(ways);
-      job.insert(job.end(), ways->begin(), ways->end());
+      unit.insert(unit.end(), ways->begin(), ways->end());
     }
-    jobs.push_back(std::move(job));
+    units.push_back(std::move(unit));
   }
-  auto order = ordered(jobs, problem.start, problem.pace, options.order, budget, mover);
+  auto order = ordered(units, problem.start, problem.pace, options.order, budget, transit);
   if (!order) return pass_on(order);
   plan.track = std::move(order->track);
   plan.roles = std::move(order->roles);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "outrider/core/units.hpp"
 #include "outrider/io/cover_area.hpp"
 #include "outrider/io/text.hpp"
@@ -21,10 +19,6 @@ Outcome<Units> units_of(const CoverScenario& scenario) {
 }
 
 Status check_names(const CoverScenario& scenario) {
-  if (scenario.job != "cover") {
-    return bad_input(
-        fmt::format("'{}' is not a job of this scenario; the job is cover", excerpt(scenario.job)), "job");
-  }
   if (scenario.area.empty()) return bad_input("missing; give the file of the polygon to cover", "area");
   return {};
 }
@@ -36,8 +30,7 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
   return {
       {"",
        "the area and the robot",
-       {{"job", "", 0, 0, "what the robot does; cover", &scenario.job},
-        {"area", "", 0, 0, "file of the polygon to cover", &scenario.area},
+       {file_option("area", "file of the polygon to cover", &scenario.area),
         {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units},
         {"width", "m", 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m,
          "of the robot, a disk, and of the strip it covers", &problem.width_m},
@@ -56,11 +49,6 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
       {"pace", "how fast the robot drives and turns", describe(problem.pace)},
       {"order", "in which order laps and cells are driven", describe(scenario.options)},
   };
-}
-
-void resolve_paths(CoverScenario& scenario, const std::string& scenario_path) {
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  if (!scenario.area.empty()) scenario.area = (folder / scenario.area).lexically_normal().string();
 }
 
 Outcome<CoverTask> load_task(const CoverScenario& scenario) {

@@ -11,18 +11,19 @@ namespace {
 constexpr double memory_s = 1.0;  ///< for which a drift lasts
 
 /// P -> F P F^T + Q for a step that brings the belief from one pose to another.
-void spread(Covariance3& p, Vec2 step, double turn_rad, double duration_s, const ReckoningOptions& options) {
+void propagate(Eigen::Matrix3d& p, Vec2 step, double turn_rad, double duration_s,
+               const ReckoningOptions& options) {
   const double f[2] = {-step.y, step.x};  // d position / d heading
-  const double cross[2] = {p[0][2] + f[0] * p[2][2], p[1][2] + f[1] * p[2][2]};
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < 2; ++j) p[i][j] += f[i] * p[2][j] + cross[i] * f[j];
+  const double cross[2] = {p(0, 2) + f[0] * p(2, 2), p(1, 2) + f[1] * p(2, 2)};
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) p(i, j) += f[i] * p(2, j) + cross[i] * f[j];
   }
-  for (std::size_t i = 0; i < 2; ++i) p[i][2] = p[2][i] = cross[i];
+  for (int i = 0; i < 2; ++i) p(i, 2) = p(2, i) = cross[i];
   const double lasts = memory_s / duration_s;
   const double along = options.drift * options.drift * squared_norm(step) * lasts;
-  p[0][0] += along;
-  p[1][1] += along;
-  p[2][2] += (options.drift * options.drift * turn_rad * turn_rad +
+  p(0, 0) += along;
+  p(1, 1) += along;
+  p(2, 2) += (options.drift * options.drift * turn_rad * turn_rad +
               options.drift_radpm * options.drift_radpm * squared_norm(step)) *
              lasts;
 }
@@ -38,8 +39,8 @@ void advance_steadily(Reckoning& reckoning, double until_s, const ReckoningOptio
   const Pose2 before = pose;
   pose = moved(pose, mean, duration_s);
   pose.heading_rad = wrap_angle(pose.heading_rad);
-  spread(reckoning.belief.covariance, pose.position - before.position, mean.turn_radps * duration_s,
-         duration_s, options);
+  propagate(reckoning.belief.covariance, pose.position - before.position, mean.turn_radps * duration_s,
+            duration_s, options);
   reckoning.twist = reckoning.target + left * off;
   reckoning.time_s = until_s;
 }
@@ -70,14 +71,14 @@ void advance(Reckoning& reckoning, double until_s, const ReckoningOptions& optio
 }
 
 double position_sigma_m(const PoseBelief& belief) {
-  const Covariance3& p = belief.covariance;
-  const double mean = 0.5 * (p[0][0] + p[1][1]);
-  const double half = 0.5 * (p[0][0] - p[1][1]);
-  return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + p[0][1] * p[0][1])));
+  const Eigen::Matrix3d& p = belief.covariance;
+  const double mean = 0.5 * (p(0, 0) + p(1, 1));
+  const double half = 0.5 * (p(0, 0) - p(1, 1));
+  return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + p(0, 1) * p(0, 1))));
 }
 
 double heading_sigma_rad(const PoseBelief& belief) {
-  return std::sqrt(std::max(0.0, belief.covariance[2][2]));
+  return std::sqrt(std::max(0.0, belief.covariance(2, 2)));
 }
 
 bool is_lost(const PoseBelief& belief, const ReckoningOptions& options) {

@@ -29,7 +29,7 @@ void look(DriveMission& mission, const DriveObservation& seen, const DriveTask& 
   PoseBelief& belief = mission.reckoning.belief;
   const TagFix fix = localise(seen.sightings, task.tags, robot_camera(task.eye), belief, task.localise);
   if (fix.belief) {
-    belief = fused(belief, *fix.belief);
+    belief = fuse(belief, *fix.belief);
     ++mission.used;
     mission.tag_s = seen.seen_at_s;
     mission.refused = 0;
@@ -109,7 +109,7 @@ DriveCommand step_closed(DriveMission& mission, const DriveObservation& seen, co
     arrive(mission, mission.follower.next, now_s);
     if (mission.follower.next + 1 == task.waypoints.size()) return finish(mission, DriveEnd::done, {}, task);
     mission.resting_since_s.reset();
-    go_on(mission.follower, task.waypoints);
+    advance_to_next(mission.follower, task.waypoints);
   }
   return command(mission, wanted.twist, now_s + task.rules.period_s, task);
 }
@@ -145,9 +145,9 @@ DriveMission begin(const DriveTask& task) {
   DriveMission mission;
   constexpr double start_sigma_m = 0.01, start_sigma_rad = 0.01;
   mission.reckoning.belief.world_T_robot = task.start;
-  for (std::size_t i = 0; i < 2; ++i)
-    mission.reckoning.belief.covariance[i][i] = start_sigma_m * start_sigma_m;
-  mission.reckoning.belief.covariance[2][2] = start_sigma_rad * start_sigma_rad;
+  for (Eigen::Index i = 0; i < 2; ++i)
+    mission.reckoning.belief.covariance(i, i) = start_sigma_m * start_sigma_m;
+  mission.reckoning.belief.covariance(2, 2) = start_sigma_rad * start_sigma_rad;
   mission.follower.from = task.start;
   if (!task.closed_loop) {
     std::vector<Pose2> poses;

@@ -68,7 +68,7 @@ void SimulatedDrive::act(const DriveCommand& command) {
     motion_.run_until(due ? std::min(image_s, command.until_s) : command.until_s);
     if (!kidnapped_ && motion_.time_s() >= truth_.kidnapped_at_s) {
       kidnapped_ = true;
-      motion_.put(placed_in(motion_.pose(), {{0.0, truth_.kidnapped_by_m}, truth_.kidnapped_by_rad}));
+      motion_.put(compose(motion_.pose(), {{0.0, truth_.kidnapped_by_m}, truth_.kidnapped_by_rad}));
     }
     if (due) look();
   }

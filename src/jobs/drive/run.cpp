@@ -73,10 +73,10 @@ class Recorder {
     next_s_ = time_s + belief_every_s - 1e-9;
     report_.track.push_back({time_s, truth, 0.0, 0.0});
     const PoseBelief& belief = mission.reckoning.belief;
-    const Covariance3& p = belief.covariance;
-    const double x = std::sqrt(p[0][0]), y = std::sqrt(p[1][1]);
+    const Eigen::Matrix3d& p = belief.covariance;
+    const double x = std::sqrt(p(0, 0)), y = std::sqrt(p(1, 1));
     report_.drive->beliefs.push_back({mission.reckoning.time_s, belief.world_T_robot, x, y,
-                                      x * y > 0.0 ? p[0][1] / (x * y) : 0.0, heading_sigma_rad(belief),
+                                      x * y > 0.0 ? p(0, 1) / (x * y) : 0.0, heading_sigma_rad(belief),
                                       mission.used > used_});
     used_ = mission.used;
   }
@@ -133,7 +133,7 @@ void close(Report& report, const DriveTask& task, const DriveMission& mission, c
   if (report.reason.empty() && touched) {
     report.reason = fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", -clearance_m);
   }
-  if (mission.end != DriveEnd::done) {
+  if (mission.end != DriveEnd::done && mission.end != DriveEnd::none) {
     report.events.push_back(
         {mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason});
   }
@@ -153,24 +153,25 @@ void close(Report& report, const DriveTask& task, const DriveMission& mission, c
 }  // namespace
 
 Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, std::uint64_t seed,
-                 const std::function<void(double)>& progress, Onlooker* onlooker) {
+                 const RunWatch& watch) {
   Report report = opened(task, seed);
   const Ground ground = Ground::of(task.world, task.eye.height_m);
   SimulatedDrive robot(task, truth, rendered, seed);
   DriveMission mission = begin(task);
   Recorder recorder(task, ground, report);
   recorder.note(mission, robot);
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), task)) {
     recorder.note(mission, robot);
-    if (onlooker != nullptr && onlooker->wants()) onlooker->see(report);
+    if (watch.wanted()) watch.show(report);
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
-    if (progress) {
-      progress(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
-    }
+    watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
   }
   recorder.note(mission, robot);
-  if (onlooker != nullptr) onlooker->see(report);
+  watch.show(report);
   close(report, task, mission, robot, recorder.clearance_m);
+  if (stopped) mark_cancelled(report, robot.motion().time_s());
   return report;
 }
 

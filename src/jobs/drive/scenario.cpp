@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
@@ -99,10 +97,6 @@ Status check_word(const std::string& value, const char* key, const char* one, co
 }
 
 Status check_words(const DriveScenario& scenario) {
-  if (scenario.job != "drive") {
-    return bad_input(
-        fmt::format("'{}' is not a job of this scenario; the job is drive", excerpt(scenario.job)), "job");
-  }
   if (auto ok = check_word(scenario.loop, "loop", "closed", "open"); !ok) return ok;
   if (auto ok = check_word(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
   if (scenario.goal.empty() != scenario.planner.empty()) {
@@ -151,8 +145,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
   return {
       {"",
        "the drive",
-       {{"job", "", 0, 0, "what the robot does; drive", &scenario.job},
-        {"world", "", 0, 0, "SDF file of the world; empty: open ground", &scenario.world},
+       {file_option("world", "SDF file of the world; empty: open ground", &scenario.world),
         {"bounds", "", 0, 0, "low x,low y,high x,high y of the ground, m; empty: the box of its walls",
          &scenario.bounds},
         {"start", "", 0, 0, "x,y,heading in m and degrees", &scenario.start},
@@ -173,7 +166,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
          &scenario.wheel_reach_m},
         {"radius", "m", 0.0, 100.0, "of the disk that the robot stays within", &scenario.radius_m},
         {"height", "m", 0.0, 100.0, "of the robot; obstacles above it are driven under", &scenario.height_m},
-        {"calibration", "", 0, 0, "file that 'outrider calibrate' wrote; empty: none", &scenario.calibration},
+        file_option("calibration", "file that 'outrider calibrate' wrote; empty: none",
+                    &scenario.calibration),
         {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed}}},
       {"follow", "how waypoints are followed", describe(task.follow)},
       {"pid", "gains of the follower", describe(task.pid)},
@@ -186,13 +180,6 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
        describe(scenario.truth)},
       {"link", "how commands travel to the simulated robot", describe(scenario.truth.link)},
   };
-}
-
-void resolve_paths(DriveScenario& scenario, const std::string& scenario_path) {
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  for (std::string* path : {&scenario.world, &scenario.calibration}) {
-    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
-  }
 }
 
 Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {

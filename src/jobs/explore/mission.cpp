@@ -85,7 +85,7 @@ void turn_home(ExploreMission& mission, const ExploreTask& task, const std::stri
   if (!way) return end(mission, "stuck", "there is no way home: " + way.error().sentence);
   if (mission.stage != ExploreStage::go_home) moved_on(mission);
   mission.stage = ExploreStage::go_home;
-  mission.path = Followed{std::move(*way), 0.0};
+  mission.path = PathProgress{std::move(*way), 0.0};
 }
 
 void take(ExploreMission& mission, Decision decision, const ExploreTask& task) {
@@ -106,7 +106,7 @@ void take(ExploreMission& mission, Decision decision, const ExploreTask& task) {
   mission.stage = ExploreStage::seek;
   mission.stop_reason.clear();
   mission.reason.clear();
-  mission.path = Followed{mission.decision.waypoints, 0.0};
+  mission.path = PathProgress{mission.decision.waypoints, 0.0};
 }
 
 bool spent(const ExploreMission& mission, const ExploreRules& rules) {
@@ -118,7 +118,7 @@ bool blocked(const ExploreMission& mission, const Nearby& nearby, const ExploreT
   const double wanted =
       std::min(task.robot.radius_m + task.steer.least_gap_m, nearby.clearance(mission.pose.position) - 1e-3);
   double before = 0.0;
-  const Followed& path = *mission.path;
+  const PathProgress& path = *mission.path;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const Segment leg{path.points[i - 1], path.points[i]};
     const double length = distance(leg.a, leg.b);
@@ -140,12 +140,12 @@ bool time_to_decide(const ExploreMission& mission, const Nearby& nearby, const E
   if (mission.stage == ExploreStage::seek &&
       !mission.frontiers.frontiers().contains(mission.decision.choice.frontier))
     return true;
-  return left_of(*mission.path) < arrived_m || blocked(mission, nearby, task);
+  return remaining_m(*mission.path) < arrived_m || blocked(mission, nearby, task);
 }
 
 void decide_anew(ExploreMission& mission, const ExploreTask& task) {
   const bool arrived =
-      mission.path && mission.stage == ExploreStage::seek && left_of(*mission.path) < arrived_m;
+      mission.path && mission.stage == ExploreStage::seek && remaining_m(*mission.path) < arrived_m;
   const std::uint32_t goal = mission.decision.choice.frontier;
   mission.decided_s = mission.time_s;
   ++mission.decisions;
@@ -188,7 +188,7 @@ void back_off(ExploreMission& mission, const ExploreTask& task) {
     way.push_back(pose->position);
   }
   mission.stage = ExploreStage::back_off;
-  mission.path = Followed{std::move(way), 0.0};
+  mission.path = PathProgress{std::move(way), 0.0};
   moved_on(mission);
 }
 
@@ -222,10 +222,10 @@ Nearby surroundings(const ExploreMission& mission) {
 /// Where to drive now, or nowhere.
 Twist2 drive(ExploreMission& mission, const ExploreTask& task) {
   const Nearby nearby = surroundings(mission);
-  if (mission.path) pass(*mission.path, mission.pose.position);
+  if (mission.path) advance_along(*mission.path, mission.pose.position);
   if (mission.stage == ExploreStage::back_off) {
     const bool goes_back =
-        mission.path && left_of(*mission.path) >= arrived_m && !stands_still(mission, task);
+        mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission, task);
     if (goes_back) return steer_back(mission, nearby, task);
     mission.stage = ExploreStage::seek;
     mission.path.reset();
@@ -265,7 +265,8 @@ void settle(ExploreMission& mission) {
 
 void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask& task) {
   if (mission.wants_settling) settle(mission);
-  auto step = mission.slam.advance(seen_from(mission.odometry_of_slam, mission.odometry), scan);
+  auto step =
+      mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)), scan);
   if (!step) return end(mission, "lost", step.error().sentence);
   mission.odometry_of_slam = mission.odometry;
   mission.pose = step->pose;
@@ -275,7 +276,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
   } else {
     mission.scan_s = mission.time_s;
     mission.range_m = scan.most_m;
-    mission.seen = ends_of(scan, placed_in(mission.pose, task.slam.robot_T_laser));
+    mission.seen = ends_of(scan, compose(mission.pose, task.slam.robot_T_laser));
   }
   learn(mission, std::move(step->update));
   if (step->closed_loop) {
@@ -284,7 +285,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
     moved_on(mission);
     say(mission, "loop", "a place was recognised, and the map drawn anew");
   }
-  const Matrix3 p = mission.slam.pose_covariance();
+  const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
   if (sigma_m > task.rules.lost_m) {
     end(mission, "lost",
@@ -315,12 +316,12 @@ void perceive(ExploreMission& mission, const ExplorerObservation& seen, const Ex
     mission.odometry = mission.odometry_of_slam = now;
   }
   const double passed_s = seen.time_s - mission.time_s;
-  const Pose2 motion = seen_from(mission.odometry, now);
+  const Pose2 motion = wrap_heading(relative_pose(mission.odometry, now));
   if (passed_s > 0.0) mission.twist = twist_between({}, motion, passed_s);
   mission.time_s = seen.time_s;
   mission.driven_m += norm(motion.position);
   mission.odometry = now;
-  mission.pose = placed_in(mission.slam.pose(), seen_from(mission.odometry_of_slam, now));
+  mission.pose = compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, now)));
   mission.touching = seen.touching;
   if (seen.scan) take_scan(mission, *seen.scan, task);
 }
@@ -339,7 +340,8 @@ std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTas
   mission.looked = false;
   if (mission.stage == ExploreStage::over) {
     mission.slam.settle();
-    mission.pose = placed_in(mission.slam.pose(), seen_from(mission.odometry_of_slam, mission.odometry));
+    mission.pose =
+        compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)));
     return std::nullopt;
   }
   return ExplorerCommand{twist, until_s};

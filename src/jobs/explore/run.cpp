@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/job/clock.hpp"
 #include "outrider/report/discovery.hpp"
 
 namespace outrider {
@@ -15,19 +16,6 @@ constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
 constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
 constexpr double outline_step_rad = radians(15.0);
-
-/// Processor time, where somebody measures it.
-class Stopwatch {
- public:
-  explicit Stopwatch(const std::function<double()>& clock) : clock_(clock), since_s_(now()) {}
-  [[nodiscard]] double passed_s() const { return now() - since_s_; }
-
- private:
-  [[nodiscard]] double now() const { return clock_ ? clock_() : 0.0; }
-
-  const std::function<double()>& clock_;
-  double since_s_;
-};
 
 /// What is noted while the robot explores.
 class Recorder {
@@ -50,7 +38,7 @@ class Recorder {
     }
     if (mission.time_s < next_belief_s_ && !over) return;
     next_belief_s_ = mission.time_s + belief_every_s - 1e-9;
-    const Matrix3 p = mission.slam.pose_covariance();
+    const Eigen::Matrix3d p = mission.slam.pose_covariance();
     const double x = std::sqrt(p(0, 0)), y = std::sqrt(p(1, 1));
     report_.explore->beliefs.push_back({mission.time_s, mission.pose, x, y,
                                         x * y > 0.0 ? p(0, 1) / (x * y) : 0.0, std::sqrt(p(2, 2)),
@@ -62,9 +50,9 @@ class Recorder {
     return discovery_.map(mission.slam.map().occupancy());
   }
 
-  void show(const ExploreMission& mission, Onlooker& onlooker) {
+  void show(const ExploreMission& mission, RunObserver& observer) {
     report_.explore->map = discovery_.map(mission.slam.map().occupancy(), most_shown_cells);
-    onlooker.see(report_);
+    observer.see(report_);
   }
 
  private:
@@ -187,7 +175,7 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
 }  // namespace
 
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerTruth& truth,
-                                std::uint64_t seed, const ExploreWatch& watch) {
+                                std::uint64_t seed, const RunWatch& watch, const ScanHook& scanned) {
   SimulatedExplorer robot(world, given.start, given.robot, truth, seed);
   const auto places = explore_truth(robot.laser(), robot.ground(), given.start.position);
   if (!places) return tl::unexpected<Fault>(places.error());
@@ -198,24 +186,26 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   run.report = opened(world, task, truth, seed);
   Recorder recorder(run.report);
   Thinking thinking;
+  bool stopped = false;
   while (true) {
     const ExplorerObservation seen = robot.sense();
     const std::int64_t decisions = mission->decisions;
-    const Stopwatch step(watch.processor_s);
+    const double began_s = processor_s();
     perceive(*mission, seen, task);
     recorder.note_map(*mission);
-    const Stopwatch thought(watch.processor_s);
+    const double looked_s = processor_s();
     const auto command = respond(*mission, task);
     if (command && mission->decisions > decisions)
-      thinking.decision_s = std::max(thinking.decision_s, thought.passed_s());
-    thinking.step_s = std::max(thinking.step_s, step.passed_s());
+      thinking.decision_s = std::max(thinking.decision_s, processor_s() - looked_s);
+    thinking.step_s = std::max(thinking.step_s, processor_s() - began_s);
     recorder.note(*mission, robot);
-    if (seen.scan && watch.scanned) watch.scanned(*mission, robot);
-    if (seen.scan && watch.progress && mission->scans % 25 == 0)
-      watch.progress(std::min(1.0, mapped_free_m2(mission->slam.map()) / places->seeable_m2));
-    if (watch.onlooker != nullptr && (!command || watch.onlooker->wants()))
-      recorder.show(*mission, *watch.onlooker);
-    if (!command) break;
+    if (seen.scan && scanned) scanned(*mission, robot);
+    if (seen.scan && mission->scans % 25 == 0)
+      watch.part(std::min(1.0, mapped_free_m2(mission->slam.map()) / places->seeable_m2));
+    stopped = command && watch.stopped();
+    if (watch.observer != nullptr && (!command || stopped || watch.observer->wants()))
+      recorder.show(*mission, *watch.observer);
+    if (!command || stopped) break;
     robot.act(*command);
   }
   run.map = mission->slam.map().occupancy();
@@ -224,6 +214,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   run.true_pose = robot.pose();
   run.report.explore->map = recorder.map(*mission);
   close(run, *mission, robot, *places, thinking, task);
+  if (stopped) mark_cancelled(run.report, robot.time_s());
   return run;
 }
 

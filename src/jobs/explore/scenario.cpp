@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "outrider/core/units.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
@@ -26,18 +24,19 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
   return {
       {"",
        "the world and the start",
-       {{"job", "", 0, 0, "what the robot does; explore", &scenario.job},
-        {"world", "", 0, 0, "file to explore: SDF, map_server YAML, PGM or PNG image, slices CSV",
-         &world.world},
-        {"slices", "", 0, 0,
-         "file of slices that stand in the world too, such as those of a mesh that is missing",
-         &world.slices},
+       {file_option("world", "file to explore: SDF, map_server YAML, PGM or PNG image, slices CSV",
+                    &world.world),
+        file_option("slices",
+                    "file of slices that stand in the world too, such as those of a mesh that is missing",
+                    &world.slices),
         {"walls", "", 0, 0, "walls that stand in it too, x1,y1,x2,y2 each, in m", &world.walls},
         {"resolution", "m", 1e-3, 10.0, "side of a pixel, of an image without a YAML file",
          &world.resolution_m},
         {"wall_height", "m", 0.01, 100.0, "of slices, walls and the cells of a map", &world.wall_height_m},
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
-        {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed}}},
+        {"seed", "", 0, 1e15, "seed of every random number", &scenario.seed},
+        {"perfect_pose", "", 0, 0, "wheels that count right and are believed: no SLAM",
+         &scenario.perfect_pose}}},
       {"robot", "the robot, a disk on two wheels", describe(task.robot)},
       {"laser", "its range finder", describe(scenario.truth.laser)},
       {"wheels", "its wheels and how they count wrong", describe(scenario.truth.wheels)},
@@ -49,18 +48,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
   };
 }
 
-void resolve_paths(ExploreScenario& scenario, const std::string& scenario_path) {
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  for (std::string* path : {&scenario.world.world, &scenario.world.slices}) {
-    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
-  }
-}
-
 Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
-  if (scenario.job != "explore") {
-    return bad_input(
-        fmt::format("'{}' is not a job of this scenario; the job is explore", excerpt(scenario.job)), "job");
-  }
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
   if (auto ok = check_laser(scenario.truth.laser); !ok) return pass_on(ok);

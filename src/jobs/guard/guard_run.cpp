@@ -91,23 +91,26 @@ Report guard_report(GuardDeeds deeds, const GuardMission& mission, const GuardPr
 }
 
 Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                 const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
+                 const GuardOptions& options, std::uint64_t seed, const RunWatch& watch) {
   SimulatedGuard robot(problem, site, seed);
   set_the_scene(robot.report, problem, options, seed);
   SupplyMission mission = begin_supplied(problem, plan);
   const auto show = [&] {
     list_targets(robot.report, problem, mission.guard);
-    onlooker->see(robot.report);
+    watch.show(robot.report);
   };
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), problem, site)) {
-    if (onlooker != nullptr && onlooker->wants()) show();
+    if (watch.wanted()) show();
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
-  if (onlooker != nullptr) show();
+  if (watch.observer != nullptr) show();
   Report report =
       guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission.guard, problem, plan);
   if (problem.supplies.any()) add_supply_metrics(report, mission);
   if (options.shoot_on_the_move) add_passing_metrics(report);
+  if (stopped) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 

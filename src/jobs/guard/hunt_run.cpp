@@ -67,7 +67,7 @@ void drop_repeated_waits(std::vector<ReportEvent>& events) {
 }  // namespace
 
 Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
-                std::uint64_t seed, Onlooker* onlooker) {
+                std::uint64_t seed, const RunWatch& watch) {
   const GuardProblem& problem = plan.problem;
   SimulatedGuard robot(problem, plan.site, seed);
   set_the_scene(robot.report, problem, options, seed);
@@ -81,17 +81,19 @@ Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const Guar
   };
   const auto show = [&] {
     list(robot.report, robot.report.track.back().time_s);
-    onlooker->see(robot.report);
+    watch.show(robot.report);
   };
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), plan)) {
-    if (onlooker != nullptr && onlooker->wants()) show();
+    if (watch.wanted()) show();
     if (std::holds_alternative<AimGun>(*command)) {
       tell_of_aim(robot.report, mission, problem, robot.report.track.back().time_s);
       expected_hits += mission.chance;
     }
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
-  if (onlooker != nullptr) show();
+  if (watch.observer != nullptr) show();
   Report report = std::move(robot.report);
   const double end_s = report.track.back().time_s;
   drop_repeated_waits(report.events);
@@ -118,17 +120,18 @@ Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const Guar
                     {"shots", shots},
                     {"chance", shots > 0.0 ? expected_hits / shots : 0.0},
                     {"expected_hits", expected_hits}};
+  if (stopped) mark_cancelled(report, end_s);
   return report;
 }
 
 Outcome<Report> hunt(const GuardProblem& problem, const Site& site, const std::vector<double>& weights,
                      const std::vector<Track>& history, const WanderOptions& wander,
-                     const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
+                     const GuardOptions& options, std::uint64_t seed, const RunWatch& watch) {
   auto walks = draw_walks(problem, site, weights, wander, seed, longest_s);
   if (!walks) return pass_on(walks);
   auto plan = plan_hunt(problem, site, visit_map(problem, site, history, wander), options, wander);
   if (!plan) return pass_on(plan);
-  return run_hunt(*plan, *walks, options, seed, onlooker);
+  return run_hunt(*plan, *walks, options, seed, watch);
 }
 
 }  // namespace outrider

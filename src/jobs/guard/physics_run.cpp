@@ -44,8 +44,7 @@ Status check_physics(const GuardProblem& problem) {
 }
 
 Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                                     const GuardOptions& options, std::uint64_t seed,
-                                     const std::function<void(double)>& progress, Onlooker* onlooker) {
+                                     const GuardOptions& options, std::uint64_t seed, const RunWatch& watch) {
   if (auto ok = check_physics(problem); !ok) return pass_on(ok);
   auto bodies = make_rigid_world(problem);
   if (!bodies) return pass_on(bodies);
@@ -57,15 +56,17 @@ Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& si
   yielding.robot.radius_m *= way_radius;
   const auto show = [&] {
     list_targets(robot.report, problem, mission);
-    onlooker->see(robot.report);
+    watch.show(robot.report);
   };
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), yielding, site)) {
-    if (onlooker != nullptr && onlooker->wants()) show();
+    if (watch.wanted()) show();
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
-    if (progress) progress(part_settled(mission));
+    watch.part(part_settled(mission));
   }
-  if (progress) progress(1.0);
-  if (onlooker != nullptr) show();
+  watch.part(1.0);
+  if (watch.observer != nullptr) show();
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     TargetRecord& record = mission.records[t];
     if (record.status != TargetStatus::failed || robot.misses[t].empty()) continue;
@@ -79,6 +80,7 @@ Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& si
                                                {"flight_error_max_m", robot.flight_error_m},
                                                {"shots_as_foreseen", static_cast<double>(robot.foreseen)},
                                                {"bumps", static_cast<double>(robot.bumps)}});
+  if (stopped) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "outrider/io/files.hpp"
@@ -107,16 +106,24 @@ Status need(const std::string& value, const std::string& key, const std::string&
 
 }  // namespace
 
+std::vector<Option> describe(PddlOptions& options) {
+  return {{"write", "", 0, 0, "write the problem, and our plan, to the folder of --out; no mission",
+           &options.write},
+          {"stops", "", 0, 300, "places beside those of our plan that the problem offers", &options.stops},
+          file_option("validate", "judge this plan for the problem of the same options; no mission",
+                      &options.validate),
+          {"tolerance", "s", 0, 0.1, "by which times of that plan may be off", &options.tolerance_s}};
+}
+
 std::vector<OptionGroup> describe(GuardScenario& scenario) {
   GuardProblem& problem = scenario.problem;
   return {
       {"",
        "the mission",
-       {{"job", "", 0, 0, "what the robot does; guard", &scenario.job},
-        {"world", "", 0, 0, "SDF file of the yard", &scenario.world},
-        {"terrain", "", 0, 0,
-         "heights of the ground, an ESRI ASCII grid or a grey PNG; empty: the world's floor",
-         &scenario.terrain},
+       {file_option("world", "SDF file of the yard", &scenario.world),
+        file_option("terrain",
+                    "heights of the ground, an ESRI ASCII grid or a grey PNG; empty: the world's floor",
+                    &scenario.terrain),
         {"terrain_size", "", 0, 0, "length,width,height of a PNG's terrain from black to white, m",
          &scenario.terrain_size},
         {"terrain_position", "", 0, 0, "x,y,z of the middle of a PNG's terrain at black, m; empty: 0,0,0",
@@ -126,7 +133,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
          "the world has it, degrees",
          &scenario.moved},
         {"removed", "", 0, 0, "what of the world is taken away: name; ...", &scenario.removed},
-        {"targets", "", 0, 0, "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets},
+        file_option("targets", "file of targets, one a line: type=T x= y= [z=] [rz=]", &scenario.targets),
         {"start", "", 0, 0, "x,y,heading of the robot at first, m, m and degrees", &scenario.start},
         {"bounds", "", 0, 0, "low x,low y,high x,high y of the yard, m; empty: the box of its walls",
          &scenario.bounds},
@@ -134,7 +141,9 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
         {"sim", "", 0, 0, "what carries the plan out: kinematic, or physics (rigid bodies)", &scenario.sim},
         {"targets_block", "", 0, 0, "targets stop the robot and the shots at other targets",
          &problem.targets_block},
-        {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries}}},
+        {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries},
+        {"regions", "", 0, 0, "draw firing_regions.svg, heat maps of the firing regions",
+         &scenario.regions}}},
       {"robot", "the robot", describe(problem.robot)},
       {"gun", "the water gun", describe(problem.gun)},
       {"air", "the air that the ball flies through", describe(problem.air)},
@@ -147,22 +156,11 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
       {"scout", "a yard that is not known", describe(scenario.scout)},
       {"laser", "the range finder of a robot that scouts", describe(scenario.sensors.laser)},
       {"wheels", "the wheels that it counts while it scouts", describe(scenario.sensors.wheels)},
+      {"pddl", "the decision problem as PDDL 2.1, in place of a mission", describe(scenario.pddl)},
   };
 }
 
-void resolve_paths(GuardScenario& scenario, const std::string& scenario_path) {
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  for (std::string* path : {&scenario.world, &scenario.terrain, &scenario.targets, &scenario.arrivals.list,
-                            &scenario.wander.history}) {
-    if (!path->empty()) *path = (folder / *path).lexically_normal().string();
-  }
-}
-
 Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
-  if (scenario.job != "guard") {
-    return bad_input(fmt::format("'{}' is not a job of this scenario; the job is guard", scenario.job),
-                     "job");
-  }
   if (auto ok = need(scenario.world, "world", "the SDF file of the yard"); !ok) return pass_on(ok);
   if (auto ok = need(scenario.targets, "targets", "the file of the targets"); !ok) return pass_on(ok);
   if (scenario.problem.gun.pitch_low_rad > scenario.problem.gun.pitch_high_rad) {

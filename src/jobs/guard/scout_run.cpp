@@ -26,9 +26,9 @@ class Lookout {
       const Vec2 place = xy(targets_[i].base);
       if (distance(truth.position, place) > options_.sight_m) continue;
       if (!robot.laser().sees(truth.position, place)) continue;
-      const Vec2 ahead = unrotated(truth.heading_rad, place - truth.position);
+      const Vec2 ahead = truth.to_local(place);
       const Vec2 error = options_.sight_error_m * Vec2{rng_.normal(), rng_.normal()};
-      const Vec2 believed = mission.pose.position + rotated(mission.pose.heading_rad, ahead) + error;
+      const Vec2 believed = mission.pose * ahead + error;
       if (!seen[i]) seen[i].emplace();
       seen[i]->add(believed, mission.time_s);
     }
@@ -171,20 +171,19 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
 }  // namespace
 
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           const ExploreWatch& watch) {
+                           const RunWatch& watch) {
   ExploreTask explore = task.explore;
   explore.start = truth.start;
   explore.robot = truth.robot;
   Lookout lookout(truth.targets, task.options, seed);
-  ExploreWatch watching = watch;
   std::vector<Vec2> stood;
-  watching.scanned = [&](const ExploreMission& mission, const SimulatedExplorer& robot) {
-    lookout.look(mission, robot);
-    stood.push_back(mission.pose.position);
-    if (watch.scanned) watch.scanned(mission, robot);
-  };
-  auto run = run_explore(truth.world, explore, task.sensors, seed, watching);
+  auto run = run_explore(truth.world, explore, task.sensors, seed, watch,
+                         [&](const ExploreMission& mission, const SimulatedExplorer& robot) {
+                           lookout.look(mission, robot);
+                           stood.push_back(mission.pose.position);
+                         });
   if (!run) return pass_on(run);
+  if (run->report.status == "cancelled") return ScoutedYard{std::move(*run), std::move(lookout.seen), {}};
   if (run->stop_reason == "lost" || run->stop_reason == "blind") {
     return fault(FaultCode::no_path, fmt::format("the yard could not be explored: {}", run->report.reason),
                  "scout.unknown");
@@ -196,7 +195,7 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
                                  const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                                 Onlooker* onlooker) {
+                                 const RunWatch& watch) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
@@ -212,13 +211,15 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
     list_targets(so_far, really, mission);
     delay(so_far, explore_s);
     prepend(so_far, yard.run.report, {});
-    onlooker->see(so_far);
+    watch.show(so_far);
   };
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), found, site)) {
-    if (onlooker != nullptr && onlooker->wants()) show();
+    if (watch.wanted()) show();
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
-  if (onlooker != nullptr) show();
+  if (watch.observer != nullptr) show();
 
   const double touches =
       metric(yard.run.report, "contacts") + contacts(robot.report, true_site->ground, truth.robot.radius_m);
@@ -231,6 +232,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const auto events = sightings(truth, yard);
   conclude(report, yard.run.report, touches, seen);
   prepend(report, std::move(yard.run.report), events);
+  if (stopped) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 

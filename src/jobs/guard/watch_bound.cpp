@@ -30,7 +30,7 @@ Nearest nearest(const Watch& watch, std::size_t i) {
   return least;
 }
 
-Job job_of(const Watch& watch, std::size_t i) {
+ReleasedWork job_of(const Watch& watch, std::size_t i) {
   const GuardProblem& problem = watch.problem;
   const Target& target = problem.targets[i];
   const Nearest least = nearest(watch, i);
@@ -44,9 +44,9 @@ Job job_of(const Watch& watch, std::size_t i) {
 
 }  // namespace
 
-double least_completion_sum(std::vector<Job> jobs) {
+double least_completion_sum(std::vector<ReleasedWork> jobs) {
   std::stable_sort(jobs.begin(), jobs.end(),
-                   [](const Job& a, const Job& b) { return a.release_s < b.release_s; });
+                   [](const ReleasedWork& a, const ReleasedWork& b) { return a.release_s < b.release_s; });
   std::vector<double> rests;  // of the jobs released, the shortest last
   double now = 0.0;
   double sum = 0.0;
@@ -68,7 +68,7 @@ double least_completion_sum(std::vector<Job> jobs) {
 }
 
 WatchBound watch_bound(const Watch& watch) {
-  std::vector<Job> jobs;
+  std::vector<ReleasedWork> jobs;
   double entered = 0.0;
   for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
     if (watch.site.regions[i].hits == 0) continue;
@@ -77,9 +77,9 @@ WatchBound watch_bound(const Watch& watch) {
   }
   WatchBound bound;
   bound.time_inside_s = least_completion_sum(jobs) - entered;
-  for (const Job& first : jobs) {
+  for (const ReleasedWork& first : jobs) {
     double end = first.release_s;
-    for (const Job& job : jobs) end += job.release_s >= first.release_s ? job.work_s : 0.0;
+    for (const ReleasedWork& job : jobs) end += job.release_s >= first.release_s ? job.work_s : 0.0;
     bound.makespan_s = std::max(bound.makespan_s, end);
   }
   return bound;

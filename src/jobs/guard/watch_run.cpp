@@ -72,20 +72,22 @@ std::vector<ReportTarget> entries(const Watch& watch, const GuardMission& missio
 }  // namespace
 
 Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                 const Survival& survival, Onlooker* onlooker) {
+                 const Survival& survival, const RunWatch& watch) {
   const auto& [problem, site, intruders] = plan.watch;
   SimulatedGuard robot(problem, site, seed, intruders, plan.policy.foresees, survival);
   set_the_scene(robot.report, problem, options, seed);
   WatchMission mission = begin(plan);
   const auto show = [&] {
     robot.report.targets = entries(plan.watch, mission.guard, robot, robot.report);
-    onlooker->see(robot.report);
+    watch.show(robot.report);
   };
+  bool stopped = false;
   while (const auto command = step(mission, robot.sense(), plan)) {
-    if (onlooker != nullptr && onlooker->wants()) show();
+    if (watch.wanted()) show();
+    if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
-  if (onlooker != nullptr) show();
+  if (watch.observer != nullptr) show();
 
   Report report = std::move(robot.report);
   const double end_s = report.track.back().time_s;
@@ -117,38 +119,39 @@ Report run_watch(const WatchPlan& plan, const GuardOptions& options, std::uint64
                     {"turned_rad", robot.turned_rad},
                     {"shots", static_cast<double>(report.shots.size())}};
   if (survival.leave < 1.0) report.metrics.emplace_back("survived", static_cast<double>(mission.survived));
+  if (stopped) mark_cancelled(report, end_s);
   return report;
 }
 
 Outcome<Report> keep_watch(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                            const std::vector<Intruder>& intruders, const ArrivalOptions& arrivals,
-                           const GuardOptions& options, std::uint64_t seed, Onlooker* onlooker) {
+                           const GuardOptions& options, std::uint64_t seed, const RunWatch& watch) {
   auto policy = find_watch_policy(arrivals.policy);
   if (!policy) return pass_on(policy);
   auto objective = find_objective(arrivals.objective);
   if (!objective) return pass_on(objective);
-  auto watch = watch_over(problem, site, intruders);
-  if (!watch) return pass_on(watch);
-  auto outlook = look_out(problem, site, plan, arrivals, {});
+  auto yard = watch_over(problem, site, intruders);
+  if (!yard) return pass_on(yard);
+  auto outlook = look_out(problem, site, plan, arrivals, watch.budget());
   if (!outlook) return pass_on(outlook);
-  return run_watch({*watch, *outlook, *policy, *objective, static_cast<std::size_t>(arrivals.group),
+  return run_watch({*yard, *outlook, *policy, *objective, static_cast<std::size_t>(arrivals.group),
                     static_cast<std::size_t>(arrivals.beam)},
-                   options, seed, {arrivals.leave, arrivals.walk_mps}, onlooker);
+                   options, seed, {arrivals.leave, arrivals.walk_mps}, watch);
 }
 
 Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                           const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed,
-                          Onlooker* onlooker) {
-  auto watch = watch_over(problem, site, settled_intruders(problem));
-  if (!watch) return pass_on(watch);
-  auto outlook = look_out(problem, site, plan, arrivals, {});
+                          const RunWatch& watch) {
+  auto yard = watch_over(problem, site, settled_intruders(problem));
+  if (!yard) return pass_on(yard);
+  auto outlook = look_out(problem, site, plan, arrivals, watch.budget());
   if (!outlook) return pass_on(outlook);
   ArrivalOptions quick = arrivals;
   quick.beam = std::min(arrivals.beam, played_beam);
   const auto [manner, expected] = best_manner(problem, *outlook, quick, missions_played);
-  Report report = run_watch({*watch, *outlook, manner.policy, manner.objective,
+  Report report = run_watch({*yard, *outlook, manner.policy, manner.objective,
                              static_cast<std::size_t>(arrivals.group), static_cast<std::size_t>(quick.beam)},
-                            options, seed, {arrivals.leave, arrivals.walk_mps}, onlooker);
+                            options, seed, {arrivals.leave, arrivals.walk_mps}, watch);
   report.metrics.emplace_back("expected_s", expected.mean_s);
   report.metrics.emplace_back("expected_error_s", expected.error_s);
   report.events.insert(

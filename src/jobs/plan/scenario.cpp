@@ -2,31 +2,58 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "outrider/io/text.hpp"
 
 namespace outrider {
+namespace {
+
+OptionGroup describe_question(PlanScenario& scenario) {
+  return {
+      "",
+      "the path",
+      {file_option("map",
+                   "file of a map: map_server .yaml, .sdf or .world, MovingAI .map, polygons .txt, "
+                   "an image .png or .pgm (.gz may follow)",
+                   &scenario.map),
+       {"from", "", 0, 0, "x,y of the start, m (MovingAI: cells, y from the bottom)", &scenario.from},
+       {"to", "", 0, 0, "x,y of the goal, m; several with blanks between: many goals from one start",
+        &scenario.to},
+       {"query", "", 0, 0, "instead, a query of a polygon environment: all, or a number from 1",
+        &scenario.query},
+       {"planner", "", 0, 0, "name from 'outrider list'; visibility_graph_reduced on polygons unless given",
+        &scenario.planner},
+       {"compare", "", 0, 0, "asks every planner that takes the map", &scenario.compare},
+       {"model", "", 0, 0,
+        "vertices of the paths on a grid: cells (their centres) or corners; corners on polygons unless given",
+        &scenario.model},
+       {"radius", "m", 0, 1e3, "radius of the robot; 0 on MovingAI maps and 0.18 on polygons unless given",
+        &scenario.radius_m},
+       {"height", "m", 0, 100, "height of the robot, for SDF worlds", &scenario.height_m}}};
+}
+
+std::vector<Option> describe_grid(PlanScenario& scenario) {
+  std::vector<Option> options = describe(scenario.grid);
+  for (Option& option : options) {
+    if (option.name == "resolution") option.sentence += "; 0.05 on polygons unless given";
+  }
+  options.push_back({"trace", "", 0, 0, "shows what the search expands, on grids", &scenario.trace});
+  options.push_back({"block", "", 0, 0,
+                     "cells x,y or x,y,width,height, from the bottom left, that are blocked once the map is "
+                     "read; several with blanks between",
+                     &scenario.block});
+  options.push_back({"free", "", 0, 0, "cells that are freed after that", &scenario.free});
+  return options;
+}
+
+}  // namespace
 
 PlanScenario::PlanScenario() {
   for (const PathPlanner& row : path_planners()) planners.emplace_back(row, row.configure());
 }
 
 std::vector<OptionGroup> describe(PlanScenario& scenario) {
-  OptionGroup question{
-      "",
-      "the path",
-      {{"job", "", 0, 0, "what is asked for; plan", &scenario.job},
-       {"map", "", 0, 0, "file of a map: .yaml of map_server, .sdf, .world, .map or .txt (.gz may follow)",
-        &scenario.map},
-       {"from", "", 0, 0, "x,y of the start, m (MovingAI: cells, y from the bottom)", &scenario.from},
-       {"to", "", 0, 0, "x,y of the goal, m", &scenario.to},
-       {"planner", "", 0, 0, "name from 'outrider list'", &scenario.planner},
-       {"model", "", 0, 0, "vertices of the paths on a grid: cells (their centres) or corners",
-        &scenario.model},
-       {"radius", "m", 0, 1e3, "radius of the robot", &scenario.radius_m},
-       {"height", "m", 0, 100, "height of the robot, for SDF worlds", &scenario.height_m}}};
-  for (Option& option : describe(scenario.grid)) question.options.push_back(std::move(option));
+  OptionGroup question = describe_question(scenario);
+  for (Option& option : describe_grid(scenario)) question.options.push_back(std::move(option));
   std::vector<OptionGroup> groups{std::move(question)};
   for (const auto& [planner, configured] : scenario.planners) {
     if (configured.options.empty()) continue;
@@ -36,22 +63,29 @@ std::vector<OptionGroup> describe(PlanScenario& scenario) {
   return groups;
 }
 
-void resolve_paths(PlanScenario& scenario, const std::string& scenario_path) {
-  if (scenario.map.empty()) return;
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  scenario.map = (folder / scenario.map).lexically_normal().string();
-}
-
 Status check(const PlanScenario& scenario) {
-  if (scenario.job != "plan") {
-    return bad_input(
-        fmt::format("'{}' is not a job of this scenario; the job is plan", excerpt(scenario.job)), "job");
-  }
   if (scenario.map.empty()) return bad_input("it is missing; name the file of a map", "map");
+  if (!scenario.query.empty()) {
+    if (scenario.from.empty() && scenario.to.empty()) return {};
+    return bad_input("it stands beside from or to; give one or the other", "query");
+  }
   for (const auto& [key, value] : {std::pair{"from", &scenario.from}, std::pair{"to", &scenario.to}}) {
-    if (value->empty()) return bad_input("it is missing; give x,y in m, such as 1.5,-2", key);
+    if (words(*value).empty()) {
+      return bad_input("it is missing; give x,y in m, such as 1.5,-2, or on a polygon environment a query",
+                       key);
+    }
   }
   return {};
+}
+
+PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given) {
+  if (kind == MapKind::movingai && !given.contains("radius")) scenario.radius_m = 0.0;
+  if (kind != MapKind::polygons) return scenario;
+  if (!given.contains("radius")) scenario.radius_m = 0.18;
+  if (!given.contains("planner")) scenario.planner = "visibility_graph_reduced";
+  if (!given.contains("model")) scenario.model = "corners";
+  if (!given.contains("resolution")) scenario.grid.resolution_m = 0.05;
+  return scenario;
 }
 
 }  // namespace outrider

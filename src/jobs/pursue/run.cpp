@@ -77,7 +77,7 @@ class Pursuer {
 
   Status go() {
     PursuitMission& mission = run.mission;
-    while (!is_over(mission, truth_)) {
+    while (!is_over(mission, truth_) && !rules_.budget.stop.stop_requested()) {
       if (belief_.reveal(mission.time_s, mission.robots[mission.duty])) {
         settled_ = false;
         lead_s_ = 0;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "outrider/io/pursuit_map.hpp"
 #include "outrider/io/text.hpp"
@@ -13,10 +12,6 @@ namespace outrider {
 namespace {
 
 Status check_names(const PursuitScenario& scenario) {
-  if (scenario.job != "pursue") {
-    return bad_input(
-        fmt::format("'{}' is not a job of this scenario; the job is pursue", excerpt(scenario.job)), "job");
-  }
   if (scenario.map.empty()) return bad_input("missing; give the file of the map and the target", "map");
   if (scenario.clock != "virtual" && scenario.clock != "wall") {
     return bad_input(fmt::format("'{}' is no clock; it takes virtual or wall", excerpt(scenario.clock)),
@@ -78,8 +73,7 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
   std::vector<OptionGroup> groups = {
       {"",
        "the pursuit",
-       {{"job", "", 0, 0, "what the robot does; pursue", &scenario.job},
-        {"map", "", 0, 0, "file of the costs, the robot and the target", &scenario.map},
+       {file_option("map", "file of the costs, the robot and the target", &scenario.map),
         {"clock", "", 0, 0, "virtual (planning is free) or wall (it costs the seconds it takes)",
          &scenario.clock},
         {"planner", "", 0, 0, "a pursuit planner of 'outrider list'", &scenario.planner},
@@ -97,11 +91,6 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
     }
   }
   return groups;
-}
-
-void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path) {
-  const auto folder = std::filesystem::path(scenario_path).parent_path();
-  if (!scenario.map.empty()) scenario.map = (folder / scenario.map).lexically_normal().string();
 }
 
 Outcome<PursuitTask> load_task(const PursuitScenario& scenario) {

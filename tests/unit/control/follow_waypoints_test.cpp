@@ -30,7 +30,7 @@ Driven drive(const std::vector<Waypoint>& waypoints, const FollowOptions& option
       driven.stops.push_back(pose);
       driven.all = follower.next + 1 == waypoints.size();
       if (driven.all) break;
-      go_on(follower, waypoints);
+      advance_to_next(follower, waypoints);
       continue;
     }
     pose = moved(pose, step.twist, period_s);

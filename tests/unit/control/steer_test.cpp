@@ -36,7 +36,7 @@ struct Drive {
 };
 
 /// The robot follows the path until it rests at its end, with its accelerations in steps of 10 ms.
-Drive follow_to_the_end(const Grid<std::uint8_t>& map, Followed path, Pose2 pose) {
+Drive follow_to_the_end(const Grid<std::uint8_t>& map, PathProgress path, Pose2 pose) {
   const RobotModel robot = small_robot();
   const SteerOptions options;
   Drive drive;
@@ -47,7 +47,7 @@ Drive follow_to_the_end(const Grid<std::uint8_t>& map, Followed path, Pose2 pose
   };
   for (int i = 0; i < 1200; ++i) {
     const Nearby nearby(map, pose.position, 0.9);
-    pass(path, pose.position);
+    advance_along(path, pose.position);
     const Twist2 command = steer(path, pose, twist, nearby, robot, options);
     EXPECT_LE(command.ahead_mps, robot.speed_mps + 1e-12);
     EXPECT_LE(std::abs(command.turn_radps), robot.turn_rate_radps + 1e-12);
@@ -100,17 +100,17 @@ TEST(Steer, LeavesAPlaceThatIsTooNear) {
   EXPECT_LT(distance(drive.end.position, Vec2{-1, 0}), 0.015);
 }
 
-TEST(Followed, NeverGoesBackAndEndsAtItsEnd) {
-  Followed path{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.0};
-  EXPECT_DOUBLE_EQ(left_of(path), 3.0);
-  pass(path, {0.4, 0.1});
+TEST(PathProgress, NeverGoesBackAndEndsAtItsEnd) {
+  PathProgress path{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0.0};
+  EXPECT_DOUBLE_EQ(remaining_m(path), 3.0);
+  advance_along(path, {0.4, 0.1});
   EXPECT_NEAR(path.along_m, 0.4, 1e-12);
-  pass(path, {0.1, 0.0});
+  advance_along(path, {0.1, 0.0});
   EXPECT_NEAR(path.along_m, 0.4, 1e-12);
-  pass(path, {0.4, 1.0});  // near the last leg, but that is far along the path
+  advance_along(path, {0.4, 1.0});  // near the last leg, but that is far along the path
   EXPECT_LE(path.along_m, 0.9);
-  for (int i = 0; i < 9; ++i) pass(path, {-1.0, 1.0});
-  EXPECT_LE(left_of(path), 2.6);
+  for (int i = 0; i < 9; ++i) advance_along(path, {-1.0, 1.0});
+  EXPECT_LE(remaining_m(path), 2.6);
 }
 
 }  // namespace

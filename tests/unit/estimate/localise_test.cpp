@@ -48,14 +48,38 @@ Pose2 random_robot(Rng& rng) {
   return {{rng.uniform(-0.2, 1.2), rng.uniform(-0.4, 1.2)}, rng.uniform(0.0, pi / 2)};
 }
 
-Covariance3 round(double sigma_m, double sigma_rad) {
-  const double m = sigma_m * sigma_m, r = sigma_rad * sigma_rad;
-  return {{{m, 0, 0}, {0, m, 0}, {0, 0, r}}};
+Eigen::Matrix3d round(double sigma_m, double sigma_rad) {
+  return Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal();
+}
+
+/// The rule of the report on waypoints, for comparison: the first solution of each known tag, weighed by the
+/// inverse of the distance to the tag. Nothing when no tag is known.
+std::optional<Pose2> average_by_inverse_distance(std::span<const TagSighting> sightings, const TagMap& map,
+                                                 const RobotCamera& robot_camera) {
+  Vec2 position, heading;
+  double weights = 0.0;
+  for (const TagSighting& sighting : sightings) {
+    const Tag* tag = map.find(sighting.id);
+    if (tag == nullptr || sighting.poses.empty()) continue;
+    const Pose3 robot_T_tag = robot_camera.robot_T_camera * sighting.poses.front().camera_T_tag;
+    const auto to_world = [&](Vec3 v) {
+      return tag->world_T_tag.rotation * robot_T_tag.rotation.unrotate(v);
+    };
+    const double weight = 1.0 / norm(sighting.poses.front().camera_T_tag.position);
+    const Vec2 ahead = xy(to_world({1, 0, 0}));
+    position = position + weight * xy(tag->world_T_tag.position - to_world(robot_T_tag.position));
+    heading = heading + (weight / norm(ahead)) * ahead;
+    weights += weight;
+  }
+  if (weights == 0.0) return std::nullopt;
+  return Pose2{(1.0 / weights) * position, heading_of(heading)};
 }
 
 /// Gauss by hand, for a distance that shares nothing with the library.
 double squared_distance(const Pose2& truth, const PoseBelief& belief) {
-  auto a = belief.covariance;
+  std::array<std::array<double, 3>, 3> a{};
+  for (int i = 0; i < 9; ++i)
+    a[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)] = belief.covariance(i / 3, i % 3);
   const Pose2& mean = belief.world_T_robot;
   std::array<double, 3> d{truth.position.x - mean.position.x, truth.position.y - mean.position.y,
                           wrap_angle(truth.heading_rad - mean.heading_rad)};
@@ -197,13 +221,13 @@ TEST(Localise, BlindItSaysNothing) {
 
 TEST(Localise, FusedBeliefsAreThoseOfInformation) {
   const PoseBelief a{{{1.0, 0.0}, 3.1}, round(0.1, 0.2)}, b{{{2.0, 1.0}, -3.1}, round(0.2, 0.1)};
-  const PoseBelief both = fused(a, b);
+  const PoseBelief both = fuse(a, b);
   EXPECT_NEAR(both.world_T_robot.position.x, (1.0 * 4 + 2.0 * 1) / 5, 1e-12);
   EXPECT_NEAR(both.world_T_robot.position.y, (0.0 * 4 + 1.0 * 1) / 5, 1e-12);
   const double apart = 2 * pi - 6.2;  // the short way round
   EXPECT_NEAR(wrap_angle(both.world_T_robot.heading_rad - (3.1 + 0.8 * apart)), 0.0, 1e-12);
-  EXPECT_NEAR(both.covariance[0][0], 1.0 / (100.0 + 25.0), 1e-12);
-  EXPECT_NEAR(both.covariance[2][2], 1.0 / (100.0 + 25.0), 1e-12);
+  EXPECT_NEAR(both.covariance(0, 0), 1.0 / (100.0 + 25.0), 1e-12);
+  EXPECT_NEAR(both.covariance(2, 2), 1.0 / (100.0 + 25.0), 1e-12);
 }
 
 }  // namespace

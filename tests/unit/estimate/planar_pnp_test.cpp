@@ -143,7 +143,8 @@ TEST(PlanarPnp, CovarianceIsThatOfManyTrials) {
     const Vec3 off = poses[0].camera_T_tag.position - truth.position;
     const double squared[] = {off.x * off.x, off.y * off.y, off.z * off.z};
     for (std::size_t k = 0; k < 3; ++k) spread[k] += squared[k] / trials;
-    for (std::size_t k = 0; k < 6; ++k) predicted[k] += poses[0].covariance[k][k] / trials;
+    for (std::size_t k = 0; k < 6; ++k)
+      predicted[k] += poses[0].covariance.diagonal()[static_cast<Eigen::Index>(k)] / trials;
   }
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(spread[k] / predicted[k], 1.0, 0.15) << k;
 }

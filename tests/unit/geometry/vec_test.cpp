@@ -86,7 +86,7 @@ TEST(Box2, DistanceIsToTheNearestPointOfIt) {
     const Vec2 p{rng.uniform(-4, 4), rng.uniform(-1, 8)};
     double least = box.contains(p) ? 0.0 : 1e9;
     for (int x = -100; x <= 100; ++x) {
-      for (int y = 200; y <= 500; ++y) least = std::min(least, distance(p, {0.01 * x, 0.01 * y}));
+      for (int y = 200; y <= 500; ++y) least = std::min(least, distance(p, Vec2{0.01 * x, 0.01 * y}));
     }
     EXPECT_NEAR(box.distance_to(p), least, 0.01);
   }

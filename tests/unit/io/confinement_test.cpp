@@ -11,9 +11,9 @@
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/map_server.hpp"
-#include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/jobs/guard/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/job.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -183,9 +183,9 @@ TEST_F(Confinement, NoScenarioAndNoMapLeadsOut) {
       "image: ../outside/map.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\n"
       "free_thresh: 0.2\n");
   const Seen scenario = confined([] {
-    GuardScenario guard;
-    if (auto ok = load_scenario("s.yaml", describe(guard)); !ok) return to_string(ok.error());
-    const auto loaded = load_problem(guard);
+    GuardJob guard;
+    if (auto ok = read_scenario(guard, "s.yaml"); !ok) return to_string(ok.error());
+    const auto loaded = guard.load();
     return loaded ? "loaded" : to_string(loaded.error());
   });
   EXPECT_FALSE(scenario.opened_outside);

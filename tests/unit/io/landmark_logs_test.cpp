@@ -72,7 +72,8 @@ TEST(LandmarkLogs, AChainGivesItsOwnCovariances) {
   const auto log = landmark_log_from_chain({step + "LANDMARK 1 9 2 1 0.4 0.1 0.4\n", "chain"});
   ASSERT_TRUE(log) << to_string(log.error());
   EXPECT_TRUE(log->told_apart);
-  EXPECT_EQ(log->steps[0].sightings[0], (LandmarkSighting{9, {2.0, 1.0}, {{0.4, 0.1, 0.1, 0.4}}}));
+  EXPECT_EQ(log->steps[0].sightings[0],
+            (LandmarkSighting{9, {2.0, 1.0}, Eigen::Matrix2d{{0.4, 0.1}, {0.1, 0.4}}}));
   const auto refusal = [&](const std::string& line) {
     return said(landmark_log_from_chain({step + line, "chain"}));
   };

@@ -59,16 +59,5 @@ TEST(Twist, TinyTurnsLoseNoDigits) {
   }
 }
 
-TEST(Twist, FramesUndoOneAnother) {
-  Rng rng(3);
-  for (int round = 0; round < testing::cases(100); ++round) {
-    const Pose2 frame{testing::random_point(rng, 3.0), rng.uniform(-pi, pi)};
-    const Pose2 pose{testing::random_point(rng, 3.0), rng.uniform(-pi, pi)};
-    const Pose2 back = placed_in(frame, seen_from(frame, pose));
-    EXPECT_NEAR(distance(back.position, pose.position), 0.0, 1e-12);
-    EXPECT_NEAR(wrap_angle(back.heading_rad - pose.heading_rad), 0.0, 1e-12);
-  }
-}
-
 }  // namespace
 }  // namespace outrider

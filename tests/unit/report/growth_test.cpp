@@ -125,7 +125,7 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
   Rng rng(7);
   for (int i = 0; i < testing::cases(20); ++i) {
     ReportGrowth growth;
-    Report told = growth.news(at(whole, 0.0));
+    Report told = growth.delta(at(whole, 0.0));
     EXPECT_EQ(told.job, whole.job);
     EXPECT_EQ(told.solids.size(), whole.solids.size());
     std::vector<double> parts(static_cast<std::size_t>(i % 7));
@@ -133,7 +133,7 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
     std::ranges::sort(parts);
     parts.push_back(1.0);
     for (const double part : parts) {
-      const Report news = growth.news(at(whole, part));
+      const Report news = growth.delta(at(whole, part));
       EXPECT_EQ(news.job, "");
       EXPECT_TRUE(news.solids.empty());
       join(told, news);
@@ -144,8 +144,8 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
 
 TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
   ReportGrowth growth;
-  growth.news(everything());
-  const Report nothing = growth.news(everything());
+  growth.delta(everything());
+  const Report nothing = growth.delta(everything());
   EXPECT_TRUE(nothing.track.empty() && nothing.events.empty() && nothing.shots.empty() &&
               nothing.paths.empty());
   EXPECT_TRUE(nothing.targets.empty() && nothing.drive->stops.empty() && nothing.drive->beliefs.empty());
@@ -160,9 +160,9 @@ TEST(ReportGrowth, AnotherJobBeginsAnewAndItsListsGoOn) {
   ReportGrowth growth;
   Report report = everything();
   report.job = "explore";
-  growth.news(at(report, 0.5));
+  growth.delta(at(report, 0.5));
   report.job = "guard";
-  const Report news = growth.news(report);
+  const Report news = growth.delta(report);
   EXPECT_EQ(news.job, "guard");
   EXPECT_EQ(news.solids.size(), report.solids.size());
   EXPECT_EQ(news.track.size(), report.track.size() - at(report, 0.5).track.size());

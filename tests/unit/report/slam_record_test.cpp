@@ -7,7 +7,6 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/motion/twist.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "outrider/report/scan_map.hpp"
@@ -53,7 +52,8 @@ struct Rounds {
     for (int i = 0; i < steps; ++i) {
       const double angle = 0.08 * i;
       poses.push_back({Vec2{3.0, 1.6} + 1.0 * direction(angle - 0.5 * pi), wrap_angle(angle)});
-      const Pose2 motion = i == 0 ? Pose2{} : seen_from(poses[poses.size() - 2], poses.back());
+      const Pose2 motion =
+          i == 0 ? Pose2{} : wrap_heading(relative_pose(poses[poses.size() - 2], poses.back()));
       motions.push_back({0.97 * motion.position, motion.heading_rad + 0.002});
       scans.push_back(scan_from(poses.back(), 0.5 * i));
     }
@@ -129,7 +129,8 @@ Report recorded(std::size_t steps) {
     reference.push_back(settled.back().position + Vec2{0.0, 0.01});
     const Pose2 believed{settled.back().position + Vec2{0.0, 0.001 * std::fmod(t, 7.0)},
                          settled.back().heading_rad};
-    record.note({t, believed, diagonal<3>({0.01, 0.04, 0.0001}), {{t, 0.0}, 0.0}, i % 70 == 0});
+    record.note(
+        {t, believed, Eigen::Vector3d(0.01, 0.04, 0.0001).asDiagonal(), {{t, 0.0}, 0.0}, i % 70 == 0});
     record.note_scan([] { return std::vector<Vec2>{{1.0, 0.0}, {0.0, 1.0}}; });
   }
   report.slam->loops.push_back({1.0, {0.0, 0.0}, {1.0, 1.0}});

@@ -21,7 +21,7 @@ echo '{"outrider_report":1,"job":"","robot":{"start":[0,0,0]},"targets":[],"even
 echo '{"outrider_report":1,"job":"","events":7,"explore":{"map":{"columns":2}}}' >&3
 echo '{"outrider_report":1,"job":3}' >&3
 printf '{"outrider_report":1,"job":"guard","events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5],[1,1,2,3,4,5]]}' > "$5/guard.json"
-echo '{"status":"done","report":"/x"}'
+echo '{"status":"done","files":{"report":"/x"}}'
 )sh";
 
 /// Sends what a viewer is told into a list, until it has had the message of that type.

@@ -115,7 +115,7 @@ TEST(Explorer, WithoutFaultsItsOdometryIsItsWay) {
   SimulatedExplorer it(World{}, start, burger(), faultless(), 1);
   Rng rng(3);
   for (int i = 0; i < 50; ++i) drive(it, {rng.uniform(-0.2, 0.2), 0.0, rng.uniform(-2.0, 2.0)}, 0.3);
-  const Pose2 counted = placed_in(start, it.sense().odometry);
+  const Pose2 counted = compose(start, it.sense().odometry);
   EXPECT_NEAR(distance(counted.position, it.pose().position), 0.0, 1e-9);
   EXPECT_NEAR(counted.heading_rad, it.pose().heading_rad, 1e-9);
 }

@@ -67,7 +67,7 @@ TEST(TagCamera, WhatIsRenderedIsDetectedWhereItIs) {
       for (std::size_t c = 0; c < 4; ++c) squares += squared_norm(there[c] - sighting.corners_px[c]);
       corners += 4;
     }
-    const PoseBelief prior{robot, {{{1e-2, 0, 0}, {0, 1e-2, 0}, {0, 0, 1e-2}}}};
+    const PoseBelief prior{robot, 1e-2 * Eigen::Matrix3d::Identity()};
     const TagFix fix = localise(sightings, scene.tags, mount, prior);
     if (!fix.belief || sightings.size() < 2) continue;
     ++fixes;

@@ -24,8 +24,9 @@ struct System {
   void add(std::size_t a, std::size_t b, std::size_t i, std::size_t j, double value) {
     dense[3 * a + i][3 * b + j] += value;
     const auto from = static_cast<std::uint32_t>(a), to = static_cast<std::uint32_t>(b);
-    if (a == b) sparse.diagonal(from)(i, j) += value;
-    if (a < b) sparse.between(sparse.pair(from, to))(i, j) += value;
+    const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+    if (a == b) sparse.diagonal(from)(row, column) += value;
+    if (a < b) sparse.upper_block(sparse.pair(from, to))(row, column) += value;
   }
   /// v v^T for a random v on the nodes a and b.
   void join(std::size_t a, std::size_t b, Rng& rng) {
@@ -38,6 +39,10 @@ struct System {
   }
 };
 
+double entry(const Eigen::Matrix3d& block, std::size_t row, std::size_t column) {
+  return block(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+}
+
 System random_system(std::size_t nodes, Rng& rng) {
   System system;
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -47,17 +52,17 @@ System random_system(std::size_t nodes, Rng& rng) {
   return system;
 }
 
-std::vector<Block3> random_vector(std::size_t nodes, Rng& rng) {
-  std::vector<Block3> b(nodes);
-  for (Block3& block : b) block = {rng.normal(), rng.normal(), rng.normal()};
+std::vector<Eigen::Vector3d> random_vector(std::size_t nodes, Rng& rng) {
+  std::vector<Eigen::Vector3d> b(nodes);
+  for (Eigen::Vector3d& block : b) block = {rng.normal(), rng.normal(), rng.normal()};
   return b;
 }
 
 BlockCholesky factored(const System& system) {
   BlockCholesky factor;
   factor.begin(least_fill_order(system.sparse));
-  factor.structure_of_all(system.sparse);
-  EXPECT_TRUE(factor.numbers_of_all(system.sparse));
+  factor.analyse_all(system.sparse);
+  EXPECT_TRUE(factor.factor_all(system.sparse));
   return factor;
 }
 
@@ -68,21 +73,22 @@ TEST(BlockCholesky, SolvesAndInvertsAsADenseSolverDoes) {
     const System system = random_system(nodes, rng);
     const BlockCholesky factor = factored(system);
     const testing::Dense inverse = testing::inverse(system.dense);
-    const std::vector<Block3> b = random_vector(nodes, rng);
-    const std::vector<Block3> x = factor.solve(b);
-    const std::vector<Matrix3> diagonals = factor.inverse_diagonals();
+    const std::vector<Eigen::Vector3d> b = random_vector(nodes, rng);
+    const std::vector<Eigen::Vector3d> x = factor.solve(b);
+    const std::vector<Eigen::Matrix3d> diagonals = factor.inverse_diagonals();
     const auto some = static_cast<std::uint32_t>(rng.below(nodes));
-    const std::vector<Matrix3> columns = factor.inverse_columns(some);
-    const Matrix3 own = factor.inverse_diagonal(some);
+    const std::vector<Eigen::Matrix3d> columns = factor.inverse_columns(some);
+    const Eigen::Matrix3d own = factor.inverse_diagonal(some);
     for (std::size_t k = 0; k < 9; ++k)
-      EXPECT_NEAR(own(k / 3, k % 3), inverse[3 * some + k / 3][3 * some + k % 3], 1e-6);
+      EXPECT_NEAR(entry(own, k / 3, k % 3), inverse[3 * some + k / 3][3 * some + k % 3], 1e-6);
     for (std::size_t row = 0; row < 3 * nodes; ++row) {
       double sum = 0.0;
-      for (std::size_t k = 0; k < 3 * nodes; ++k) sum += inverse[row][k] * b[k / 3][k % 3];
-      EXPECT_NEAR(x[row / 3][row % 3], sum, 1e-6 * (1.0 + std::abs(sum)));
+      for (std::size_t k = 0; k < 3 * nodes; ++k)
+        sum += inverse[row][k] * b[k / 3][static_cast<Eigen::Index>(k % 3)];
+      EXPECT_NEAR(x[row / 3][static_cast<Eigen::Index>(row % 3)], sum, 1e-6 * (1.0 + std::abs(sum)));
       for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_NEAR(diagonals[row / 3](row % 3, k), inverse[row][3 * (row / 3) + k], 1e-6);
-        EXPECT_NEAR(columns[row / 3](row % 3, k), inverse[row][3 * some + k], 1e-6);
+        EXPECT_NEAR(entry(diagonals[row / 3], row % 3, k), inverse[row][3 * (row / 3) + k], 1e-6);
+        EXPECT_NEAR(entry(columns[row / 3], row % 3, k), inverse[row][3 * some + k], 1e-6);
       }
     }
   }
@@ -95,8 +101,8 @@ TEST(BlockCholesky, AfterAChangeItHasTheVeryNumbersOfAFactorisationFromTheBeginn
     std::vector<std::uint32_t> order = least_fill_order(system.sparse);
     BlockCholesky grown;
     grown.begin(order);
-    grown.structure_of_all(system.sparse);
-    ASSERT_TRUE(grown.numbers_of_all(system.sparse));
+    grown.analyse_all(system.sparse);
+    ASSERT_TRUE(grown.factor_all(system.sparse));
     for (int step = 0; step < 10; ++step) {
       const std::size_t node = system.sparse.size();
       system.add_node();
@@ -108,14 +114,14 @@ TEST(BlockCholesky, AfterAChangeItHasTheVeryNumbersOfAFactorisationFromTheBeginn
         system.join(other, node, rng);
         changed.push_back(static_cast<std::uint32_t>(other));
       }
-      const std::vector<std::uint32_t> places = grown.structure(system.sparse, changed);
+      const std::vector<std::uint32_t> places = grown.analyse(system.sparse, changed);
       EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
-      ASSERT_TRUE(grown.numbers(system.sparse, places));
+      ASSERT_TRUE(grown.factor(system.sparse, places));
       BlockCholesky fresh;
       fresh.begin(order);
-      fresh.structure_of_all(system.sparse);
-      ASSERT_TRUE(fresh.numbers_of_all(system.sparse));
-      const std::vector<Block3> b = random_vector(system.sparse.size(), rng);
+      fresh.analyse_all(system.sparse);
+      ASSERT_TRUE(fresh.factor_all(system.sparse));
+      const std::vector<Eigen::Vector3d> b = random_vector(system.sparse.size(), rng);
       EXPECT_EQ(grown.solve(b), fresh.solve(b));
       EXPECT_EQ(grown.fill(), fresh.fill());
     }
@@ -128,8 +134,8 @@ TEST(BlockCholesky, ARefusedMatrixIsNotPositiveDefinite) {
   system.sparse.diagonal(4)(1, 1) -= 1e3;
   BlockCholesky factor;
   factor.begin(least_fill_order(system.sparse));
-  factor.structure_of_all(system.sparse);
-  EXPECT_FALSE(factor.numbers_of_all(system.sparse));
+  factor.analyse_all(system.sparse);
+  EXPECT_FALSE(factor.factor_all(system.sparse));
 }
 
 TEST(BlockCholesky, TheOrderHasEachNodeOnceAndTheLastOnesLast) {

@@ -12,7 +12,7 @@ namespace outrider {
 namespace {
 
 /// Joint distance of the chosen pairs through a dense inverse.
-double joint_distance(const std::vector<PossiblePair>& pairs, const std::vector<double>& covariance,
+double joint_distance(const std::vector<PossiblePair>& pairs, const Eigen::MatrixXd& covariance,
                       const std::vector<std::size_t>& chosen) {
   if (chosen.empty()) return 0.0;
   const std::size_t n = 2 * chosen.size();
@@ -22,7 +22,8 @@ double joint_distance(const std::vector<PossiblePair>& pairs, const std::vector<
     const std::size_t row = 2 * chosen[r / 2] + r % 2;
     v[r] = r % 2 == 0 ? pairs[chosen[r / 2]].innovation.x : pairs[chosen[r / 2]].innovation.y;
     for (std::size_t c = 0; c < n; ++c) {
-      s[r][c] = covariance[row * 2 * pairs.size() + 2 * chosen[c / 2] + c % 2];
+      const std::size_t column = 2 * chosen[c / 2] + c % 2;
+      s[r][c] = covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
     }
   }
   const testing::Dense inverse = testing::inverse(s);
@@ -35,7 +36,7 @@ double joint_distance(const std::vector<PossiblePair>& pairs, const std::vector<
 
 /// Of all subsets that pair each sighting and landmark at most once and whose beginnings are compatible.
 std::vector<std::size_t> by_brute_force(const std::vector<PossiblePair>& pairs,
-                                        const std::vector<double>& covariance, double gate) {
+                                        const Eigen::MatrixXd& covariance, double gate) {
   std::vector<std::size_t> best;
   double best_distance = 0.0;
   for (std::size_t mask = 0; mask < (std::size_t{1} << pairs.size()); ++mask) {
@@ -74,12 +75,12 @@ TEST(JointCompatibility, FindsWhatBruteForceFinds) {
     for (auto& row : root) {
       for (double& value : row) value = 0.5 * rng.normal();
     }
-    std::vector<double> covariance;
+    Eigen::MatrixXd covariance(n, n);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
         double sum = i == j ? 0.1 : 0.0;
         for (std::size_t k = 0; k <= n; ++k) sum += root[i][k] * root[j][k];
-        covariance.push_back(sum);
+        covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = sum;
       }
     }
     const auto found = joint_compatibility(pairs, covariance, 0.95);

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include <cmath>
 
 #include "dense.hpp"
 #include "outrider/slam/localiser.hpp"
 #include "outrider/slam/pose_graph.hpp"
-#include "outrider/slam/tag_course.hpp"
 #include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
+#include "tag_course.hpp"
 
 namespace outrider {
 namespace {
@@ -41,11 +44,11 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
     constexpr std::size_t steps = 6, tags = 3;
     for (std::size_t i = 0; i < steps; ++i) {
       LogStep step{0.0, {testing::random_point(rng, 1.0), rng.uniform(-1.0, 1.0)}, {}, {}};
-      step.covariance = diagonal<3>({0.1, 0.2, 0.1});
+      step.covariance = Eigen::Vector3d(0.1, 0.2, 0.1).asDiagonal();
       for (std::size_t k = 0; k < tags; ++k) {
         if (i > 0 && i + 1 < steps && rng.below(2) == 0) continue;
-        step.sightings.push_back(
-            {static_cast<std::int64_t>(k), testing::random_point(rng, 3.0), {{0.3, 0.1, 0.1, 0.2}}});
+        step.sightings.push_back({static_cast<std::int64_t>(k), testing::random_point(rng, 3.0),
+                                  Eigen::Matrix2d{{0.3, 0.1}, {0.1, 0.2}}});
       }
       log.steps.push_back(step);
     }
@@ -58,26 +61,30 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
     const std::size_t n = 2 * (steps + tags);  // positions after each step, then tags
     testing::Dense information = testing::zeros(n, n), pull = testing::zeros(n, 1);
     double heading_rad = 0.0;
-    const auto add = [&](std::size_t to, std::optional<std::size_t> from, Vec2 v, const Matrix2& local) {
-      const Matrix2 turn = rotation2(heading_rad);
-      const Matrix2 weight = *inverse_of_positive(turn * local * transposed(turn));
-      const std::array<double, 2> pulled = weight * std::array<double, 2>{v.x, v.y};
+    const auto add = [&](std::size_t to, std::optional<std::size_t> from, Vec2 v,
+                         const Eigen::Matrix2d& local) {
+      const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
+      const Eigen::Matrix2d weight = (turn * local * turn.transpose()).inverse();
+      const Eigen::Vector2d pulled = weight * Eigen::Vector2d(v.x, v.y);
       for (std::size_t i = 0; i < 2; ++i) {
-        pull[to + i][0] += pulled[i];
-        if (from) pull[*from + i][0] -= pulled[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        pull[to + i][0] += pulled[row];
+        if (from) pull[*from + i][0] -= pulled[row];
         for (std::size_t j = 0; j < 2; ++j) {
-          information[to + i][to + j] += weight(i, j);
+          const double w = weight(row, static_cast<Eigen::Index>(j));
+          information[to + i][to + j] += w;
           if (!from) continue;
-          information[*from + i][*from + j] += weight(i, j);
-          information[to + i][*from + j] -= weight(i, j);
-          information[*from + i][to + j] -= weight(i, j);
+          information[*from + i][*from + j] += w;
+          information[to + i][*from + j] -= w;
+          information[*from + i][to + j] -= w;
         }
       }
     };
     for (std::size_t i = 0; i < steps; ++i) {
       const LogStep& step = log.steps[i];
       const auto before = i == 0 ? std::nullopt : std::optional<std::size_t>(2 * (i - 1));
-      add(2 * i, before, rotated(heading_rad, step.odometry.position), {{0.1, 0.0, 0.0, 0.2}});
+      add(2 * i, before, rotated(heading_rad, step.odometry.position),
+          Eigen::Matrix2d{{0.1, 0.0}, {0.0, 0.2}});
       heading_rad += step.odometry.heading_rad;
       for (const LandmarkSighting& s : step.sightings) {
         add(2 * (steps + static_cast<std::size_t>(*s.id)), 2 * i, rotated(heading_rad, s.position),
@@ -90,7 +97,10 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
       EXPECT_NEAR(position.x, mean[at][0], 1e-9);
       EXPECT_NEAR(position.y, mean[at + 1][0], 1e-9);
       for (std::size_t i = 0; i < 2; ++i) {
-        for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(block(i, j), covariance[at + i][at + j], 1e-9);
+        for (std::size_t j = 0; j < 2; ++j) {
+          EXPECT_NEAR(block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
+                      covariance[at + i][at + j], 1e-9);
+        }
       }
     };
     same(2 * (steps - 1), slam.pose().position, slam.pose_covariance());
@@ -111,19 +121,16 @@ PoseGraph as_graph(const LandmarkLog& log) {
   for (const LogStep& step : log.steps) {
     const auto pose = static_cast<std::uint32_t>(graph.nodes.size());
     graph.nodes.push_back({std::to_string(pose), {}, false});
-    graph.edges.push_back({EdgeKind::pose, last, pose, step.odometry, *inverse_of_positive(step.covariance)});
+    graph.edges.push_back({EdgeKind::pose, last, pose, step.odometry, step.covariance.inverse()});
     last = pose;
     for (const LandmarkSighting& s : step.sightings) {
       if (!points.contains(*s.id)) {
         points[*s.id] = static_cast<std::uint32_t>(graph.nodes.size());
         graph.nodes.push_back({"tag " + std::to_string(*s.id), {}, true});
       }
-      const Matrix2 w = *inverse_of_positive(s.covariance);
-      graph.edges.push_back({EdgeKind::point,
-                             pose,
-                             points[*s.id],
-                             {s.position, 0.0},
-                             {{w(0, 0), w(0, 1), 0.0, w(1, 0), w(1, 1), 0.0, 0.0, 0.0, 0.0}}});
+      GraphEdge edge{EdgeKind::point, pose, points[*s.id], {s.position, 0.0}};
+      edge.information.topLeftCorner<2, 2>() = s.covariance.inverse();
+      graph.edges.push_back(edge);
     }
   }
   EXPECT_TRUE(place_from_edges(graph, std::vector<bool>(graph.nodes.size(), false)));
@@ -208,7 +215,7 @@ TEST(LandmarkSlam, RefusesADamagedState) {
 TEST(LandmarkSlam, AGhostIsRefused) {
   for (const std::string& engine : engines) {
     TagRun run = tag_run(8, {4, 1});
-    const Matrix2 covariance = diagonal<2>({1e-4, 1e-4});
+    const Eigen::Matrix2d covariance = 1e-4 * Eigen::Matrix2d::Identity();
     run.log.steps[20].sightings.push_back({77, {1.0, 0.2}, covariance});
     run.log.steps[50].sightings.push_back({77, {0.5, -0.2}, covariance});
     LandmarkSlamOptions options;
@@ -329,12 +336,13 @@ TEST(LandmarkSlam, TagsStandWithinFiveCentimetresAndTheirEllipsesAreHonest) {
         for (const LandmarkEstimate& tag : map) {
           const Vec2 off = tag.position - run.log.true_landmarks.at(tag.id);
           error[tag.id] = error[tag.id] + Vec2{std::abs(off.x), std::abs(off.y)};
-          tag_nees[tag.id] += quadratic_form(*inverse_of_positive(tag.covariance), {off.x, off.y});
+          const Eigen::Vector2d tag_error(off.x, off.y);
+          tag_nees[tag.id] += tag_error.dot(tag.covariance.inverse() * tag_error);
         }
         const Pose2 estimate = slam.pose(), truth = run.poses.back();
         const Vec2 off = estimate.position - truth.position;
-        pose_nees += quadratic_form(*inverse_of_positive(slam.pose_covariance()),
-                                    {off.x, off.y, wrap_angle(estimate.heading_rad - truth.heading_rad)});
+        const Eigen::Vector3d pose_error(off.x, off.y, wrap_angle(estimate.heading_rad - truth.heading_rad));
+        pose_nees += pose_error.dot(slam.pose_covariance().inverse() * pose_error);
       }
       if (!testing::in_full()) continue;
       for (const auto& [id, sum] : error) {
@@ -354,7 +362,7 @@ TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
   const LandmarkMap map = after({}, made.log).landmarks();
   for (const bool ids : {true, false}) {
     auto localiser = Localiser::begin(map, {}, {run.log.start.position + Vec2{0.05, -0.05}, 0.1},
-                                      diagonal<3>({0.01, 0.01, 0.01}));
+                                      0.01 * Eigen::Matrix3d::Identity());
     ASSERT_TRUE(localiser);
     for (std::size_t i = 0; i < run.log.steps.size(); ++i) {
       LogStep step = run.log.steps[i];
@@ -368,7 +376,7 @@ TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
     EXPECT_LT(distance(localiser->pose().position, run.poses.back().position), 0.1);
     EXPECT_EQ(localiser->map(), map);
   }
-  EXPECT_EQ(Localiser::begin({}, {}, {}, {}).error().sentence,
+  EXPECT_EQ(Localiser::begin({}, {}, {}, Eigen::Matrix3d::Zero()).error().sentence,
             "the map has no landmarks; it takes one at least");
 }
 
@@ -390,10 +398,10 @@ TEST(LandmarkSlam, RefusesInASentence) {
   step.odometry.position.x = NAN;
   EXPECT_EQ(slam.advance(step).error().sentence, "its odometry is not finite; leave the step out");
   step = {};
-  step.sightings = {{3, {1.0, 0.0}, {}}};
+  step.sightings = {{3, {1.0, 0.0}, Eigen::Matrix2d::Zero()}};
   EXPECT_EQ(slam.advance(step).error().sentence,
             "the covariance of a sighting is not positive definite; correct it");
-  step.sightings = {{std::nullopt, {1.0, 0.0}, diagonal<2>({1.0, 1.0})}};
+  step.sightings = {{std::nullopt, {1.0, 0.0}, Eigen::Matrix2d::Identity()}};
   EXPECT_EQ(slam.advance(step).error().sentence, "a sighting has no id; set unknown_ids");
   EXPECT_EQ(slam.state(), before);
 }

@@ -8,7 +8,6 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/slam/laser_scan.hpp"
-#include "outrider/slam/matrix.hpp"
 
 namespace outrider::testing {
 

@@ -13,9 +13,6 @@
 namespace outrider {
 namespace {
 
-Pose2 then(const Pose2& a, const Pose2& b) {
-  return {a.position + rotated(a.heading_rad, b.position), a.heading_rad + b.heading_rad};
-}
 /// A robot that drives along corners at 0.22 m/s and turns in place at 1.5 rad/s, sensing at 5 Hz; its wheels
 /// are off by a percent, one up and one down, and by a little noise.
 struct Drive {
@@ -28,7 +25,7 @@ Drive drive_along(const std::vector<Vec2>& corners, double heading_rad, Rng& rng
   Drive drive;
   Pose2 pose{corners.front(), heading_rad};
   const auto go = [&](double way_m, double turn_rad) {
-    pose = then(pose, {{way_m, 0.0}, turn_rad});
+    pose = compose(pose, {{way_m, 0.0}, turn_rad});
     const double right = (way_m + 0.5 * wheels_apart_m * turn_rad) * (1.01 + 0.01 * rng.normal());
     const double left = (way_m - 0.5 * wheels_apart_m * turn_rad) * (0.99 + 0.01 * rng.normal());
     drive.poses.push_back(pose);
@@ -65,7 +62,7 @@ Mapped map_along(LaserSlam& slam, const std::vector<testing::Wall>& walls, const
   Mapped result;
   Pose2 odometry = drive.poses.front();
   for (std::size_t i = 0; i < drive.poses.size(); ++i) {
-    odometry = then(odometry, drive.motions[i]);
+    odometry = compose(odometry, drive.motions[i]);
     const auto step = slam.advance(drive.motions[i], testing::scan_from(walls, drive.poses[i], finder, rng));
     EXPECT_TRUE(step);
     const double off = distance(step->pose.position, drive.poses[i].position);
@@ -100,7 +97,7 @@ TEST(LaserSlam, FollowsADriftingRobotThroughARoom) {
     EXPECT_LT(mapped.mean_m, 0.025);
     EXPECT_LT(mapped.most_m, 0.05);
     EXPECT_GE(mapped.matched, mapped.steps - 1);
-    const Matrix3 covariance = slam->pose_covariance();
+    const Eigen::Matrix3d covariance = slam->pose_covariance();
     EXPECT_GT(covariance(0, 0), 0.0);
     EXPECT_LT(covariance(0, 0), 0.01);
   }
@@ -185,11 +182,11 @@ TEST(LaserSlam, TrustedOdometryIsThePose) {
   OccupancyMap map(options.map);
   for (int i = 0; i < 5; ++i) {
     const Pose2 motion{{0.2, 0.0}, 0.1};
-    pose = then(pose, motion);
+    pose = compose(pose, motion);
     const LaserScan scan =
-        testing::scan_from(testing::furnished_room(), then(pose, options.robot_T_laser), {}, rng);
+        testing::scan_from(testing::furnished_room(), compose(pose, options.robot_T_laser), {}, rng);
     const auto step = slam->advance(motion, scan);
-    map.insert(then(pose, options.robot_T_laser), scan);
+    map.insert(compose(pose, options.robot_T_laser), scan);
     EXPECT_EQ(step->pose, pose);
     EXPECT_FALSE(step->matched);
   }

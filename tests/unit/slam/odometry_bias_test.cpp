@@ -12,10 +12,6 @@ namespace {
 
 constexpr double way_factor = 1.015, turn_factor = 0.98, bend_rad_per_m = 0.06;
 
-Pose2 after(const Pose2& pose, const Pose2& motion) {
-  return {pose.position + rotated(pose.heading_rad, motion.position), pose.heading_rad + motion.heading_rad};
-}
-
 /// What such wheels really do where they count that motion.
 Pose2 truly(const Pose2& counted) {
   const double turn_rad = turn_factor * counted.heading_rad + bend_rad_per_m * counted.position.x;
@@ -40,11 +36,13 @@ OdometryBias taught(int steps, std::uint64_t seed) {
   for (int i = 0; i < steps; ++i) {
     const Pose2 arc = counted_arc(rng);
     bias.count(arc);
-    pose = after(pose, truly(arc));
+    pose = compose(pose, truly(arc));
     if (i % 10 != 9) continue;
     const Pose2 seen{pose.position + Vec2{rng.uniform(-sigma_m, sigma_m), rng.uniform(-sigma_m, sigma_m)},
                      pose.heading_rad + rng.uniform(-sigma_rad, sigma_rad)};
-    bias.learn(seen, diagonal<3>({sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad}), 1e-6, 1e-6);
+    bias.learn(seen,
+               Eigen::Vector3d(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad).asDiagonal(),
+               1e-6, 1e-6);
   }
   return bias;
 }
@@ -55,8 +53,8 @@ Pose2 blind_error(const OdometryBias& bias, int steps, std::uint64_t seed) {
   Pose2 truth, believed;
   for (int i = 0; i < steps; ++i) {
     const Pose2 arc = counted_arc(rng);
-    truth = after(truth, truly(arc));
-    believed = after(believed, bias.corrected(arc));
+    truth = compose(truth, truly(arc));
+    believed = compose(believed, bias.corrected(arc));
   }
   return {believed.position - truth.position, believed.heading_rad - truth.heading_rad};
 }
@@ -80,17 +78,17 @@ TEST(OdometryBias, LearnsNothingFromTheBlindOrTheUnbelievable) {
   OdometryBias blind;
   Rng rng(4);
   for (int i = 0; i < 100; ++i) blind.count(counted_arc(rng));
-  blind.learn({{9.0, 9.0}, 1.0}, diagonal<3>({1e-6, 1e-6, 1e-6}), 1e-6, 1e-6);  // the first look is no way
+  blind.learn({{9.0, 9.0}, 1.0}, 1e-6 * Eigen::Matrix3d::Identity(), 1e-6, 1e-6);  // the first look is no way
   const Pose2 motion{{0.3, 0.02}, 0.1};
   EXPECT_EQ(blind.corrected(motion), motion);
 
   blind.count({{0.5, 0.0}, 0.0});
-  blind.learn({{0.0, 0.0}, -2.0}, diagonal<3>({1e-6, 1e-6, 1e-6}), 1e-6, 1e-6);  // carried away
+  blind.learn({{0.0, 0.0}, -2.0}, 1e-6 * Eigen::Matrix3d::Identity(), 1e-6, 1e-6);  // carried away
   EXPECT_EQ(blind.corrected(motion), motion);
 
   blind.count({{0.5, 0.0}, 0.0});
   blind.forget();
-  blind.learn({{0.6, 0.0}, -2.0}, diagonal<3>({1e-6, 1e-6, 1e-6}), 1e-6, 1e-6);
+  blind.learn({{0.6, 0.0}, -2.0}, 1e-6 * Eigen::Matrix3d::Identity(), 1e-6, 1e-6);
   EXPECT_EQ(blind.corrected(motion), motion);
 }
 

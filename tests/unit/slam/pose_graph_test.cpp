@@ -14,14 +14,12 @@ namespace {
 
 Pose2 random_pose(Rng& rng) { return {testing::random_point(rng, 5.0), rng.uniform(-3.0, 3.0)}; }
 
-Matrix3 random_information(EdgeKind kind, Rng& rng) {
-  const std::size_t n = kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1;
-  Matrix3 result;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Block3 v = {rng.normal(), rng.normal(), rng.normal()};
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) result(i, j) += 20.0 * v[i] * v[j];
-    }
+Eigen::Matrix3d random_information(EdgeKind kind, Rng& rng) {
+  const Eigen::Index n = kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1;
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector3d v = {rng.normal(), rng.normal(), rng.normal()};
+    result.topLeftCorner(n, n) += 20.0 * v.head(n) * v.head(n).transpose();
   }
   return result;
 }
@@ -35,9 +33,9 @@ PoseGraph random_graph(std::size_t poses, std::size_t points, double error, Rng&
     graph.nodes.push_back({fmt::format("{}", i), pose, i >= poses});
   }
   const auto join = [&](EdgeKind kind, std::size_t from, std::size_t to) {
-    GraphEdge edge{kind, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), {}, {}};
+    GraphEdge edge{kind, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to), {}};
     edge.information = random_information(kind, rng);
-    const Block3 seen = residual(edge, graph.nodes[from].pose, graph.nodes[to].pose);
+    const Eigen::Vector3d seen = residual(edge, graph.nodes[from].pose, graph.nodes[to].pose);
     edge.measured = {{seen[0] + error * rng.normal(), seen[1] + error * rng.normal()},
                      seen[2] + error * rng.normal()};
     if (kind == EdgeKind::range) edge.measured.position.y = 0.0;
@@ -75,15 +73,15 @@ TEST(PoseGraph, JacobiansAreTheFiniteDifferences) {
     const PoseGraph graph = random_graph(3, 1, 0.3, rng);
     for (const GraphEdge& edge : graph.edges) {
       const Pose2 a = graph.nodes[edge.from].pose, b = graph.nodes[edge.to].pose;
-      const LinearEdge linear = linearised(edge, a, b);
+      const LinearEdge linear = linearise(edge, a, b);
       constexpr double step = 1e-6;
-      for (std::size_t k = 0; k < (edge.kind == EdgeKind::pose ? 3U : 2U); ++k) {
-        Block3 up{}, down{};
-        up[k] = step;
-        down[k] = -step;
-        const Block3 a_up = residual(edge, moved(a, up), b), a_down = residual(edge, moved(a, down), b);
-        const Block3 b_up = residual(edge, a, moved(b, up)), b_down = residual(edge, a, moved(b, down));
-        for (std::size_t row = 0; row < 3; ++row) {
+      for (Eigen::Index k = 0; k < (edge.kind == EdgeKind::pose ? 3 : 2); ++k) {
+        const Eigen::Vector3d up = step * Eigen::Vector3d::Unit(k), down = -up;
+        const Eigen::Vector3d a_up = residual(edge, retract(a, up), b),
+                              a_down = residual(edge, retract(a, down), b);
+        const Eigen::Vector3d b_up = residual(edge, a, retract(b, up)),
+                              b_down = residual(edge, a, retract(b, down));
+        for (Eigen::Index row = 0; row < 3; ++row) {
           EXPECT_NEAR(linear.by_from(row, k), (a_up[row] - a_down[row]) / (2.0 * step), 1e-6);
           EXPECT_NEAR(linear.by_to(row, k), (b_up[row] - b_down[row]) / (2.0 * step), 1e-6);
         }
@@ -121,7 +119,8 @@ TEST(PoseGraph, TheEndIsAMinimum) {
         const std::vector<Pose2> near = shaken(solution->poses, graph, 1e-3, rng);
         double sum = 0.0;
         for (const GraphEdge& edge : graph.edges) {
-          const double s = quadratic_form(edge.information, residual(edge, near[edge.from], near[edge.to]));
+          const Eigen::Vector3d r = residual(edge, near[edge.from], near[edge.to]);
+          const double s = r.dot(edge.information * r);
           sum += robust_loss(kernel, 1.0, s).value;
         }
         EXPECT_GE(sum, solution->robust_cost - 1e-7 * (1.0 + sum));
@@ -161,17 +160,18 @@ TEST(PoseGraph, MarginalsAreTheDenseInverse) {
     }
     testing::Dense information = testing::zeros(unknowns, unknowns);
     for (const GraphEdge& edge : graph.edges) {
-      const LinearEdge linear = linearised(edge, poses[edge.from], poses[edge.to]);
+      const LinearEdge linear = linearise(edge, poses[edge.from], poses[edge.to]);
       testing::Dense jacobian = testing::zeros(3, unknowns);
       testing::Dense weight = testing::zeros(3, 3);
       for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t c = 0; c < 3; ++c) {
-          weight[r][c] = edge.information(r, c);
+          const auto row = static_cast<Eigen::Index>(r), col = static_cast<Eigen::Index>(c);
+          weight[r][c] = edge.information(row, col);
           if (edge.from != 0 && (c < 2 || !graph.nodes[edge.from].is_point)) {
-            jacobian[r][column[edge.from] + c] = linear.by_from(r, c);
+            jacobian[r][column[edge.from] + c] = linear.by_from(row, col);
           }
           if (edge.to != 0 && (c < 2 || !graph.nodes[edge.to].is_point)) {
-            jacobian[r][column[edge.to] + c] = linear.by_to(r, c);
+            jacobian[r][column[edge.to] + c] = linear.by_to(row, col);
           }
         }
       }
@@ -183,12 +183,13 @@ TEST(PoseGraph, MarginalsAreTheDenseInverse) {
     const testing::Dense covariance = testing::inverse(information);
     const auto marginals = marginal_covariances(graph, poses);
     ASSERT_TRUE(marginals);
-    EXPECT_EQ((*marginals)[0], Matrix3{});
+    EXPECT_EQ((*marginals)[0], Eigen::Matrix3d::Zero());
     for (std::size_t i = 1; i < graph.nodes.size(); ++i) {
       for (std::size_t r = 0; r < (graph.nodes[i].is_point ? 2U : 3U); ++r) {
         for (std::size_t c = 0; c < (graph.nodes[i].is_point ? 2U : 3U); ++c) {
           const double expected = covariance[column[i] + r][column[i] + c];
-          EXPECT_NEAR((*marginals)[i](r, c), expected, 1e-8 * (1.0 + std::abs(expected)));
+          EXPECT_NEAR((*marginals)[i](static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)), expected,
+                      1e-8 * (1.0 + std::abs(expected)));
         }
       }
     }
@@ -201,9 +202,10 @@ TEST(PoseGraph, TheMeasuredFrameTurnsTheErrorBack) {
   const std::vector<Pose2> poses = poses_of(graph);
   double sum = 0.0;
   for (const GraphEdge& edge : graph.edges) {
-    const Block3 r = residual(edge, poses[edge.from], poses[edge.to]);
-    const Vec2 turned = unrotated(edge.measured.heading_rad, {r[0], r[1]});
-    sum += quadratic_form(edge.information, {turned.x, turned.y, r[2]});
+    const Eigen::Vector3d r = residual(edge, poses[edge.from], poses[edge.to]);
+    const Vec2 back = unrotated(edge.measured.heading_rad, {r[0], r[1]});
+    const Eigen::Vector3d turned(back.x, back.y, r[2]);
+    sum += turned.dot(edge.information * turned);
   }
   EXPECT_NEAR(cost(in_measured_frame(graph), poses), sum, 1e-9 * sum);
 }
@@ -229,7 +231,7 @@ TEST(PoseGraph, TakesInformationThatIsSymmetricButForRounding) {
   PoseGraph graph = random_graph(4, 1, 0.1, rng);
   for (GraphEdge& edge : graph.edges) {
     if (edge.kind != EdgeKind::pose) continue;
-    edge.information = diagonal<3>({4.0, 4.0, 9.0});
+    edge.information = Eigen::Vector3d(4.0, 4.0, 9.0).asDiagonal();
     edge.information(0, 1) = 1e-13;  // what turning a diagonal by some angle leaves
     edge.information(1, 0) = -3e-13;
   }

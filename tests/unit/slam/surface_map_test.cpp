@@ -12,7 +12,7 @@ namespace {
 
 constexpr Pose2 in_the_room{{2.2, 2.0}, 0.4};
 
-Surface seen_from(const Pose2& pose, Rng& rng, double noise_m = 0.01) {
+Surface surface_at(const Pose2& pose, Rng& rng, double noise_m = 0.01) {
   testing::Finder finder;
   finder.noise_m = noise_m;
   return surface_of(testing::scan_from(testing::furnished_room(), pose, finder, rng), {}, 30.0);
@@ -21,11 +21,11 @@ Surface seen_from(const Pose2& pose, Rng& rng, double noise_m = 0.01) {
 TEST(Surface, LiesOnTheWallsAndFacesTheLaser) {
   Rng rng(1);
   const auto walls = testing::furnished_room();
-  const Surface surface = seen_from(in_the_room, rng, 0.0);
+  const Surface surface = surface_at(in_the_room, rng, 0.0);
   ASSERT_GT(surface.size(), 100U);
   std::size_t straight = 0;
   for (const SurfacePoint& p : surface) {
-    const Vec2 place = in_the_room.position + rotated(in_the_room.heading_rad, p.position);
+    const Vec2 place = in_the_room * p.position;
     double nearest = 1e9;
     for (const testing::Wall& wall : walls) {
       const Vec2 side = wall.b - wall.a;
@@ -43,18 +43,18 @@ TEST(Surface, LiesOnTheWallsAndFacesTheLaser) {
 
 TEST(SurfaceMap, FindsThePoseFromAnyOffset) {
   Rng rng(2);
-  const Surface there = seen_from(in_the_room, rng);
+  const Surface there = surface_at(in_the_room, rng);
   const SurfaceMap map(std::vector<SurfaceMap::Part>{{&there, in_the_room, 0}});
   for (int trial = 0; trial < testing::cases(10); ++trial) {
     const Pose2 truth{in_the_room.position + testing::random_point(rng, 0.3),
                       in_the_room.heading_rad + rng.uniform(-1.0, 1.0)};
-    const Surface here = seen_from(truth, rng);
+    const Surface here = surface_at(truth, rng);
     const Pose2 guess{truth.position + testing::random_point(rng, 0.45),
                       truth.heading_rad + rng.uniform(-0.35, 0.35)};
     const auto found = map.find(here, {guess, 0.5, 0.4}, 0.3);
     ASSERT_TRUE(found);
     EXPECT_LT(distance(found->pose.position, truth.position), 0.08);
-    const Fit fit = map.refine(here, found->pose, {found->pose, {}});
+    const Fit fit = map.refine(here, found->pose, {found->pose, Eigen::Matrix3d::Zero()});
     EXPECT_LT(distance(fit.pose.position, truth.position), 0.015);
     EXPECT_LT(std::abs(fit.pose.heading_rad - truth.heading_rad), 0.008);
     EXPECT_GT(fit.share, 0.8);
@@ -63,11 +63,11 @@ TEST(SurfaceMap, FindsThePoseFromAnyOffset) {
 
 TEST(SurfaceMap, TheSearchLosesNothingToAnExhaustiveOne) {
   Rng rng(3);
-  const Surface there = seen_from(in_the_room, rng);
+  const Surface there = surface_at(in_the_room, rng);
   const SurfaceMap map(std::vector<SurfaceMap::Part>{{&there, in_the_room, 0}});
   constexpr double cell_m = 0.05;
   for (int trial = 0; trial < testing::cases(2); ++trial) {
-    const Surface here = thinned(seen_from({{2.0, 2.3}, rng.uniform(-3.0, 3.0)}, rng), 60);
+    const Surface here = thinned(surface_at({{2.0, 2.3}, rng.uniform(-3.0, 3.0)}, rng), 60);
     const Pose2 guess{{rng.uniform(1.8, 2.6), rng.uniform(1.6, 2.4)}, rng.uniform(-0.5, 0.5)};
     for (const double least : {0.0, 0.2}) {
       const MatchWindow window{guess, 0.3, 0.0, 0.2, 0.1};
@@ -106,11 +106,11 @@ TEST(SurfaceMap, TheGradientIsThatOfFiniteDifferences) {
       return map.equations(here, {pose.position + Vec2{dx, dy}, pose.heading_rad + turn}).cost;
     };
     constexpr double h = 1e-5;
-    const std::array<double, 3> slope = {(cost(h, 0, 0) - cost(-h, 0, 0)) / (2 * h),
-                                         (cost(0, h, 0) - cost(0, -h, 0)) / (2 * h),
-                                         (cost(0, 0, h) - cost(0, 0, -h)) / (2 * h)};
+    const Eigen::Vector3d slope = {(cost(h, 0, 0) - cost(-h, 0, 0)) / (2 * h),
+                                   (cost(0, h, 0) - cost(0, -h, 0)) / (2 * h),
+                                   (cost(0, 0, h) - cost(0, 0, -h)) / (2 * h)};
     const MatchEquations at = map.equations(here, pose);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (Eigen::Index i = 0; i < 3; ++i)
       EXPECT_NEAR(at.gradient[i], slope[i], 0.02 * std::abs(slope[i]) + 5.0) << i;
   }
 }
@@ -122,7 +122,7 @@ TEST(SurfaceMap, ACorridorLeavesItsDirectionToThePrior) {
   const Surface here = surface_of(testing::scan_from(walls, {{0.1, 0.05}, 0.02}, {}, rng), {}, 30.0);
   const SurfaceMap map(std::vector<SurfaceMap::Part>{{&there, {}, 0}});
   const Pose2 odometry{{0.11, 0.0}, 0.0};
-  const Fit fit = map.refine(here, odometry, {odometry, diagonal<3>({1e4, 1e4, 1e4})});
+  const Fit fit = map.refine(here, odometry, {odometry, 1e4 * Eigen::Matrix3d::Identity()});
   EXPECT_NEAR(fit.pose.position.x, 0.11, 0.01);
   EXPECT_NEAR(fit.pose.position.y, 0.05, 0.01);
   EXPECT_NEAR(fit.pose.heading_rad, 0.02, 0.005);

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "outrider/tour/solve.hpp"
-#include "outrider/tour/supply_programme.hpp"
 #include "random_supply.hpp"
+#include "supply_programme.hpp"
 #include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
 

@@ -10,7 +10,6 @@
 namespace outrider {
 
 struct CoverScenario {
-  std::string job = "cover";
   std::string area;            ///< path of an area (io/cover_area.hpp)
   std::string units = "auto";  ///< of its numbers: auto, degrees or metres
   std::string method = "quickest";
@@ -23,9 +22,6 @@ struct CoverScenario {
 
 /// The top-level keys first, then the sections pace and order.
 std::vector<OptionGroup> describe(CoverScenario& scenario);
-
-/// Makes the path of the area, which is relative to the scenario's file, relative to here.
-void resolve_paths(CoverScenario& scenario, const std::string& scenario_path);
 
 /// All that a job is made of.
 struct CoverTask {

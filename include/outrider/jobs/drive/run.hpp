@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "outrider/control/calibrate.hpp"
+#include "outrider/job/watch.hpp"
 #include "outrider/jobs/drive/mission.hpp"
-#include "outrider/report/growth.hpp"
 
 namespace outrider {
 
 /// Drives the task on a simulated robot and reports. `rendered`: images are rendered and the tags detected in
 /// them (tag_camera.hpp); otherwise sightings come from a model (tag_model.hpp). status is "done" when every
-/// waypoint was reached and nothing touched. A pure function of its arguments, the onlooker left out.
+/// waypoint was reached and nothing touched. A pure function of its arguments, the observer left out.
 /// `progress` is told the part of the stops that is reached. Metrics:
 ///   driven_m, ideal_m      by the true middle of the robot; along straight legs through the waypoints
 ///   turned_rad, ideal_rad  the same of the heading
@@ -22,7 +22,7 @@ namespace outrider {
 ///   clearance_m            least distance of the robot's disk to an obstacle or the edge, at most 1
 /// and report.drive has the waypoints with their errors.
 Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, std::uint64_t seed,
-                 const std::function<void(double)>& progress = {}, Onlooker* onlooker = nullptr);
+                 const RunWatch& watch = {});
 
 /// Runs to calibrate that robot from: each direction it can go in, `repeats` times for each of 5 times, from
 /// rest to rest with a fresh battery, at the speeds of the task; the ends are measured with errors of

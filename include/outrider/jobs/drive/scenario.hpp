@@ -26,7 +26,6 @@
 namespace outrider {
 
 struct DriveScenario {
-  std::string job = "drive";
   std::string world;            ///< path of an SDF file; empty: open ground around waypoints and tags
   std::string bounds;           ///< low x, low y, high x, high y in m; empty: the box of the walls
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees
@@ -51,9 +50,6 @@ struct DriveScenario {
 
 /// Top-level keys first, then the sections.
 std::vector<OptionGroup> describe(DriveScenario& scenario);
-
-/// Makes the paths in a scenario, which are relative to its file, relative to here.
-void resolve_paths(DriveScenario& scenario, const std::string& scenario_path);
 
 /// All that a run is made of.
 struct DriveSetup {

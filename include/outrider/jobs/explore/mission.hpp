@@ -65,7 +65,7 @@ struct ExploreMission {
   Decision decision;  ///< the newest
   std::size_t goal_changes = 0;
   double decided_s = 0.0;
-  std::optional<Followed> path;
+  std::optional<PathProgress> path;
   Pose2 stood;              ///< where it was when it last moved on
   double moved_on_s = 0.0;  ///< when that was
 

@@ -4,23 +4,14 @@
 #include <cstdint>
 #include <functional>
 
+#include "outrider/job/watch.hpp"
 #include "outrider/jobs/explore/mission.hpp"
 #include "outrider/jobs/explore/reference.hpp"
-#include "outrider/report/growth.hpp"
 
 namespace outrider {
 
-/// Who looks on while the robot explores. Nothing of it changes what happens.
-struct ExploreWatch {
-  /// A clock of processor time; without one, the times of thinking are 0.
-  std::function<double()> processor_s = nullptr;
-  /// Told the mapped part of what can be seen, now and then.
-  std::function<void(double)> progress = nullptr;
-  /// Called after each scan.
-  std::function<void(const ExploreMission&, const SimulatedExplorer&)> scanned = nullptr;
-  /// Sees the report; its map has at most 40,000 cells.
-  Onlooker* onlooker = nullptr;
-};
+/// Called after each scan.
+using ScanHook = std::function<void(const ExploreMission&, const SimulatedExplorer&)>;
 
 struct ExploreRun {
   Report report;
@@ -35,7 +26,8 @@ struct ExploreRun {
 /// the robot home where it was to go there, and nothing was touched. A world that the robot can leave has no
 /// end: there it turns back, with "leak" for a reason, once its map is larger than the box of all that stands
 /// and twice the range of the laser, whatever most_extent allows. A pure function of its arguments, the
-/// clock left out. Faults: those of begin() and of explore_truth(). Metrics:
+/// machine_times left out. The map that an observer sees has at most 40,000 cells. Faults: those of begin()
+/// and of explore_truth(). Metrics:
 ///   explored_fraction, map_error_m, mapped_free_m2   of explore_truth.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end
 ///   decisions, max_decision_s        times that it thought where to go, and the longest in processor time,
@@ -47,6 +39,6 @@ struct ExploreRun {
 ///   stuck, bad_scans, loops          times that it got stuck; scans not of use; loops closed
 /// and report.explore has the map, the beliefs, the decisions and the frontiers refused.
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerTruth& truth,
-                                std::uint64_t seed, const ExploreWatch& watch = {});
+                                std::uint64_t seed, const RunWatch& watch = {}, const ScanHook& scanned = {});
 
 }  // namespace outrider

@@ -21,19 +21,16 @@
 namespace outrider {
 
 struct ExploreScenario {
-  std::string job = "explore";
   ExploreWorldFiles world;
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees
   std::int64_t seed = 1;
+  bool perfect_pose = false;  ///< wheels that count right and are believed: no SLAM
   ExplorerTruth truth;
   ExploreTask task;  ///< the rest of what is set; its start comes from the text
 };
 
 /// The top-level keys first, then the sections.
 std::vector<OptionGroup> describe(ExploreScenario& scenario);
-
-/// Makes the paths in a scenario, which are relative to its file, relative to here.
-void resolve_paths(ExploreScenario& scenario, const std::string& scenario_path);
 
 /// All that a run is made of.
 struct ExploreSetup {

@@ -2,10 +2,8 @@
 // engine says where the wheels bring the robot and what the ball touches.
 #pragma once
 
-#include <functional>
-
+#include "outrider/job/watch.hpp"
 #include "outrider/jobs/guard/plan.hpp"
-#include "outrider/report/growth.hpp"
 
 namespace outrider {
 
@@ -15,12 +13,11 @@ namespace outrider {
 ///   flight_error_max_m                          from a contact in the engine to the parabola at that time
 ///   shots_as_foreseen                           shots that touched first what the exact flight touches
 ///   bumps                                       solids that the robot touched, counted once a drive
-/// `progress` is told the part of the targets that is settled. A pure function of the arguments, the onlooker
+/// `progress` is told the part of the targets that is settled. A pure function of the arguments, the observer
 /// left out. Refused: what make_rigid_world() refuses, and flights in air.
 Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                                      const GuardOptions& options, std::uint64_t seed,
-                                     const std::function<void(double)>& progress = {},
-                                     Onlooker* onlooker = nullptr);
+                                     const RunWatch& watch = {});
 
 /// What run_guard_in_physics() would refuse of a problem, known without a plan.
 Status check_physics(const GuardProblem& problem);

@@ -14,8 +14,18 @@
 
 namespace outrider {
 
+/// The decision problem as PDDL 2.1, in place of a mission.
+struct PddlOptions {
+  bool write = false;         ///< write it, and our plan
+  std::int64_t stops = 8;     ///< places beside those of our plan that it offers
+  std::string validate;       ///< path of a plan to judge; empty: none
+  double tolerance_s = 1e-3;  ///< by which times of that plan may be off
+
+  [[nodiscard]] bool any() const { return write || !validate.empty(); }
+};
+std::vector<Option> describe(PddlOptions& options);
+
 struct GuardScenario {
-  std::string job = "guard";
   std::string world;                ///< path of an SDF file
   std::string terrain;              ///< path of a height field (terrain.hpp); empty: the ground of the world
   std::string terrain_size;         ///< of an image: length, width, height in m
@@ -36,14 +46,13 @@ struct GuardScenario {
   std::vector<Track> history;       ///< of `wander`, once loaded
   ScoutOptions scout;
   ExplorerTruth sensors;  ///< of a robot that scouts
+  bool regions = false;   ///< draw firing_regions.svg
+  PddlOptions pddl;
 };
 
 /// Top-level keys first, then the sections robot, gun, air, errors, supplies, plan, arrivals, wander,
 /// scout, laser and wheels.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
-
-/// Makes the paths in a scenario, which are relative to its file, relative to here.
-void resolve_paths(GuardScenario& scenario, const std::string& scenario_path);
 
 /// Reads the world and the targets into `scenario.problem`; returns what was repaired on the way.
 Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario);

@@ -8,6 +8,7 @@
 // (guard/scout.hpp), while robot and balls move in the true yard.
 #pragma once
 
+#include "outrider/job/watch.hpp"
 #include "outrider/jobs/explore/run.hpp"
 #include "outrider/jobs/guard/plan.hpp"
 #include "outrider/jobs/guard/scout.hpp"
@@ -27,19 +28,19 @@ struct ScoutedYard {
   FoundYard found;
 };
 
-/// Explores the yard of `truth`. Faults: those of run_explore() and found_yard(), and no_path when the robot
-/// does not know any more where it is.
+/// Explores the yard of `truth`. Of one that was stopped only `run` is there. Faults: those of run_explore()
+/// and found_yard(), and no_path when the robot does not know any more where it is.
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           const ExploreWatch& watch = {});
+                           const RunWatch& watch = {});
 
 /// Carries out a plan that was made for yard.found on `site`, the survey of it, in the true yard. The report
 /// begins with the exploring; the times of the guarding go on from there. status is "done" when every target
 /// was seen, every one that can be hit was, and the robot touched nothing. Metrics, beside those of
 /// run_guard(): seen, explored_fraction, map_error_m, explore_s, contacts; mission_s, driven_m and
 /// turned_rad are of the whole. Faults:
-/// those of survey(), for the true yard. The onlooker sees the whole, the exploring first.
+/// those of survey(), for the true yard. The observer sees the whole, the exploring first.
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
                                  const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                                 Onlooker* onlooker = nullptr);
+                                 const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -23,11 +23,11 @@ struct WatchBound {
 WatchBound watch_bound(const Watch& watch);
 
 /// A job of the relaxation.
-struct Job {
+struct ReleasedWork {
   double release_s = 0.0;
   double work_s = 0.0;
 };
 /// The least sum of completion times when jobs may be interrupted. O(jobs^2).
-double least_completion_sum(std::vector<Job> jobs);
+double least_completion_sum(std::vector<ReleasedWork> jobs);
 
 }  // namespace outrider

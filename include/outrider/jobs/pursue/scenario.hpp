@@ -11,7 +11,6 @@
 namespace outrider {
 
 struct PursuitScenario {
-  std::string job = "pursue";
   std::string map;                         ///< path of a pursuit map (io/pursuit_map.hpp)
   std::string clock = "virtual";           ///< virtual or wall
   std::string planner = "optimal";         ///< a name of the catalogue of pursuit planners
@@ -28,9 +27,6 @@ struct PursuitScenario {
 
 /// The top-level keys first, then a section for each planner that has options, under its name.
 std::vector<OptionGroup> describe(PursuitScenario& scenario);
-
-/// Makes the path of the map, which is relative to the scenario's file, relative to here.
-void resolve_paths(PursuitScenario& scenario, const std::string& scenario_path);
 
 /// All that a run is made of.
 struct PursuitTask {

@@ -22,9 +22,9 @@ namespace outrider {
 LaserSlamOptions laser_options_for_logs();
 
 struct SlamScenario {
-  std::string job = "slam";
-  std::string log;    ///< path of a file
-  std::string truth;  ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
+  std::string log;     ///< path of a file
+  std::string truth;   ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
+  std::string resume;  ///< path of the state of an earlier run to continue from; landmark logs only
   bool measured_frame = false;  ///< errors of graph poses in the frame of the measured pose, as g2o has them
   LandmarkSlamOptions landmarks;
   LogNoise noise;
@@ -35,9 +35,6 @@ struct SlamScenario {
 
 /// The top-level keys first, then the sections. They point into the scenario.
 std::vector<OptionGroup> describe(SlamScenario& scenario);
-
-/// Makes the paths in a scenario, which are relative to its file, relative to here.
-void resolve_paths(SlamScenario& scenario, const std::string& scenario_path);
 
 /// Refuses another job, and a log that is missing.
 Status check(const SlamScenario& scenario);

@@ -12,7 +12,7 @@ namespace {
 
 Reckoning at_rest() {
   Reckoning reckoning;
-  reckoning.belief.covariance = {{{1e-4, 0, 0}, {0, 1e-4, 0}, {0, 0, 1e-4}}};
+  reckoning.belief.covariance = 1e-4 * Eigen::Matrix3d::Identity();
   return reckoning;
 }
 
@@ -82,8 +82,8 @@ TEST(DeadReckoning, CarriesTheCovarianceAlong) {
       for (int j = 0; j < 3; ++j) p[i][j] += off[i] * off[j] / count;
     }
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(reckoning.belief.covariance[i][j], p[i][j], 1e-5);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(reckoning.belief.covariance(i, j), p[i][j], 1e-5);
   }
 }
 

@@ -77,9 +77,7 @@ TEST(DriveMission, LooksMakeTheBeliefSharper) {
   const DriveTask task = task_with({{{{0, 0}, 0}}});
   DriveMission mission = begin(task);
   mission.reckoning.belief.world_T_robot = {{0.02, -0.03}, 0.02};
-  for (auto& row : mission.reckoning.belief.covariance) {
-    for (double& entry : row) entry *= 25.0;
-  }
+  mission.reckoning.belief.covariance *= 25.0;
   const auto sightings = seen_from_pose(task, {});
   for (int i = 0; i < 10; ++i) (void)step(mission, {0.1 * i, 0.1 * i, sightings}, task);
   EXPECT_LT(norm(mission.arrivals.empty() ? mission.reckoning.belief.world_T_robot.position

@@ -137,7 +137,7 @@ TEST(DriveRun, SameSeedSameBytes) {
   const Report report = run_drive(waypoints(), faults(), false, 7);
   const std::string once = to_json(report);
   testing::Curious curious;
-  EXPECT_EQ(once, to_json(run_drive(waypoints(), faults(), false, 7, {}, &curious)));
+  EXPECT_EQ(once, to_json(run_drive(waypoints(), faults(), false, 7, {.observer = &curious})));
   curious.expect_to_have_seen(report);
   EXPECT_NE(once, to_json(run_drive(waypoints(), faults(), false, 8)));
   const auto read = report_from_json(once);

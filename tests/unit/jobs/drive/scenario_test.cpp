@@ -16,7 +16,7 @@ Outcome<DriveSetup> loaded(const std::string& text) {
 
 TEST(DriveScenario, WaypointsAndTags) {
   const auto setup = loaded(
-      "job: drive\nwaypoints: \"1,0,0 1,2,180! 0,0,360\"\ntags: \"1=2,1,180 7=0,2,0,0.5\"\nsight: "
+      "waypoints: \"1,0,0 1,2,180! 0,0,360\"\ntags: \"1=2,1,180 7=0,2,0,0.5\"\nsight: "
       "modelled\n");
   ASSERT_TRUE(setup) << to_string(setup.error());
   ASSERT_EQ(setup->task.waypoints.size(), 3U);
@@ -70,7 +70,6 @@ TEST(DriveScenario, Refusals) {
   refused(way + "bounds: -1,-1,1.1,1\n", "waypoint 1 at 1,0 is 0.1 m from an obstacle or the edge");
   refused(way + "calibration: none.yaml\n", "none.yaml");
   refused(way + "world: none.sdf\n", "none.sdf");
-  refused("job: guard\n", "the job is drive");
 }
 
 }  // namespace

@@ -98,8 +98,7 @@ Told explore(RobotAmongBoxes robot, const ExploreTask& task, Spoil spoil) {
   Told told{*begin(task), {}};
   while (told.commands.size() < 20000) {
     ExplorerObservation seen = robot.sense();
-    seen.odometry = {unrotated(start.heading_rad, seen.odometry.position - start.position),
-                     seen.odometry.heading_rad - start.heading_rad};
+    seen.odometry = relative_pose(start, seen.odometry);
     spoil(seen, robot);
     const auto command = step(told.mission, seen, task);
     if (!command) break;

@@ -1,9 +1,9 @@
-#include "outrider/jobs/explore/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/explore/job.hpp"
 
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
-#include "outrider/io/scenario.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -17,10 +17,9 @@ TEST(ExploreScenario, KeysAndTextsBecomeASetup) {
                    "job: explore\nworld: s.csv\nstart: \"1,2,90\"\nseed: 4\n"
                    "laser:\n  most: 5\nwheels:\n  scale_error: 0\nslam:\n  laser_x: 0.1\n"
                    "rules:\n  return_home: false\n");
-  ExploreScenario scenario;
-  ASSERT_TRUE(load_scenario(path, describe(scenario)));
-  resolve_paths(scenario, path);
-  const auto setup = load_explore(scenario);
+  ExploreJob job;
+  ASSERT_TRUE(read_scenario(job, path));
+  const auto setup = load_explore(job.scenario);
   ASSERT_TRUE(setup) << to_string(setup.error());
   EXPECT_EQ(setup->task.start, (Pose2{{1.0, 2.0}, radians(90.0)}));
   EXPECT_EQ(setup->truth.laser.most_m, 5.0);
@@ -38,8 +37,6 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
     const auto setup = load_explore(scenario);
     return setup ? "none" : to_string(setup.error());
   };
-  EXPECT_EQ(fault([](auto& s) { s.job = "guard"; }),
-            "job: 'guard' is not a job of this scenario; the job is explore");
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
   EXPECT_EQ(fault([](auto& s) { s.truth.laser.least_m = 4.0; }),
             "laser.least: '4' is no good; it takes less than laser.most, which is 3.5 m");

@@ -155,7 +155,7 @@ TEST(Hunt, HitsEverybodyAndSaysWhatHappened) {
     const Report report = run_hunt(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
     testing::Curious curious;
-    EXPECT_EQ(to_json(report), to_json(run_hunt(*plan, *walks, quick(), seed, &curious)));
+    EXPECT_EQ(to_json(report), to_json(run_hunt(*plan, *walks, quick(), seed, {.observer = &curious})));
     curious.expect_to_have_seen(report);
     const auto back = report_from_json(to_json(report));
     ASSERT_TRUE(back.has_value()) << to_string(back.error());

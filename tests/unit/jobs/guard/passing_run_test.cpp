@@ -105,7 +105,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
     testing::Curious curious;
     EXPECT_EQ(to_json(report), to_json(run_guard(p.problem, p.site, p.plan, quick(),
-                                                 static_cast<std::uint64_t>(seed), &curious)));
+                                                 static_cast<std::uint64_t>(seed), {.observer = &curious})));
     curious.expect_to_have_seen(report);
     EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
     EXPECT_EQ(curious.events().size(), report.events.size());

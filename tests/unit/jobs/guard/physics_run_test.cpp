@@ -25,17 +25,19 @@ class RunGuardInPhysics : public ::testing::Test {
     if (!ok) GTEST_SKIP() << ok.error().sentence;
   }
 
-  static Report run(const GuardProblem& problem, std::uint64_t seed, Onlooker* onlooker = nullptr) {
+  static Report run(const GuardProblem& problem, std::uint64_t seed, RunObserver* observer = nullptr) {
     const auto site = survey(problem, quick());
     EXPECT_TRUE(site.has_value()) << site.error().sentence;
     const auto plan = plan_guard(problem, *site, quick(), {});
     EXPECT_TRUE(plan.has_value());
     double last = 0.0;
-    const auto progress = [&](double part) {
-      EXPECT_GE(part, last);
-      last = part;
+    RunWatch watch;
+    watch.observer = observer;
+    watch.progress = [&](const RunStep& step) {
+      EXPECT_GE(step.part, last);
+      last = step.part;
     };
-    auto report = run_guard_in_physics(problem, *site, *plan, quick(), seed, progress, onlooker);
+    auto report = run_guard_in_physics(problem, *site, *plan, quick(), seed, watch);
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);

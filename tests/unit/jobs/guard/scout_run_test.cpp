@@ -33,21 +33,20 @@ GuardProblem yard() {
   return problem;
 }
 
-Outcome<Report> mission(std::uint64_t seed, Onlooker* onlooker = nullptr) {
+Outcome<Report> mission(std::uint64_t seed, RunObserver* observer = nullptr) {
   const GuardProblem problem = yard();
   GuardOptions options;
   options.resolution_m = 0.25;
   ScoutTask task;
   task.options.unknown = true;
-  ExploreWatch watch;
-  watch.onlooker = onlooker;
+  const RunWatch watch{.observer = observer};
   auto found = scout(problem, task, seed, watch);
   if (!found) return pass_on(found);
   const auto site = survey(found->found.problem, options);
   if (!site) return tl::unexpected<Fault>(site.error());
   const auto plan = plan_guard(found->found.problem, *site, options, {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  return run_guard_on_map(problem, std::move(*found), *site, *plan, options, seed, onlooker);
+  return run_guard_on_map(problem, std::move(*found), *site, *plan, options, seed, watch);
 }
 
 TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {

@@ -99,8 +99,8 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
-      EXPECT_EQ(text,
-                to_json(run_guard(mission->problem, mission->site, mission->plan, coarse(), seed, &curious)));
+      EXPECT_EQ(text, to_json(run_guard(mission->problem, mission->site, mission->plan, coarse(), seed,
+                                        {.observer = &curious})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;

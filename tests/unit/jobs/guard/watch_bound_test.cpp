@@ -34,7 +34,7 @@ TEST(LeastCompletionSum, IsTheOptimumOfInterruptibleJobs) {
   for (int i = 0; i < cases(100); ++i) {
     std::vector<int> releases;
     std::vector<int> works;
-    std::vector<Job> jobs;
+    std::vector<ReleasedWork> jobs;
     for (std::size_t k = 0; k < 1 + rng.below(4); ++k) {
       releases.push_back(static_cast<int>(rng.below(8)));
       works.push_back(1 + static_cast<int>(rng.below(4)));

@@ -90,7 +90,7 @@ TEST(Watch, LosesNobodyStaysAboveTheBoundAndRepeats) {
         expect_laws(watch, yard.outlook, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
         testing::Curious curious;
-        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed, {}, &curious)));
+        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed, {}, {.observer = &curious})));
         curious.expect_to_have_seen(report);
         const auto back = report_from_json(to_json(report));
         ASSERT_TRUE(back.has_value()) << to_string(back.error());

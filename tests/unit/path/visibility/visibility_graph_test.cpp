@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "outrider/path/catalog.hpp"
 #include "outrider/path/check.hpp"
 #include "polygon_worlds.hpp"
 #include "support/random_cases.hpp"
@@ -233,98 +232,6 @@ TEST(VisibilityGraph, SweepAndPairsFindTheSameLegs) {
   for (int i = 0; i < testing::cases(200); ++i) {
     const auto ground = ground_of(testing::random_world(rng));
     EXPECT_EQ(visibility_legs(*ground, true).size(), visibility_legs(*ground, false).size()) << "world " << i;
-  }
-}
-
-class PolygonContract : public ::testing::TestWithParam<std::size_t> {
- protected:
-  Outcome<Plan> plan(const Problem& problem, const Budget& budget = {}) {
-    return path_planners()[GetParam()].configure().plan(problem, budget, workspace_);
-  }
-  FaultCode code(const Problem& problem, const Budget& budget = {}) {
-    const auto answer = plan(problem, budget);
-    EXPECT_FALSE(answer.has_value());
-    return answer ? FaultCode::no_shot : answer.error().code;
-  }
-  Workspace workspace_;
-  std::shared_ptr<const PolygonGround> ground_ = ground_of(slit(1.0, 0.2));
-};
-
-std::vector<std::size_t> rows_on_polygons() {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < path_planners().size(); ++i) {
-    if (path_planners()[i].polygons) rows.push_back(i);
-  }
-  return rows;
-}
-std::string name_of(const ::testing::TestParamInfo<std::size_t>& row) {
-  return std::string(path_planners()[row.param].name);
-}
-INSTANTIATE_TEST_SUITE_P(Rows, PolygonContract, ::testing::ValuesIn(rows_on_polygons()), name_of);
-
-TEST_P(PolygonContract, StartIsGoal) {
-  const Problem problem{nullptr, {-3, 1}, {-3, 1}, ground_};
-  const auto answer = plan(problem);
-  ASSERT_TRUE(answer.has_value());
-  EXPECT_EQ(answer->waypoints, std::vector<Vec2>{problem.start});
-  EXPECT_EQ(answer->cost, 0.0);
-  EXPECT_TRUE(check(*answer, problem).has_value());
-}
-
-TEST_P(PolygonContract, BlockedOutsideOrAnotherGround) {
-  const Vec2 open{3, 1};
-  EXPECT_EQ(code({nullptr, {0, -2}, open, ground_}), FaultCode::start_blocked);
-  EXPECT_EQ(code({nullptr, open, {0, -2}, ground_}), FaultCode::goal_blocked);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const Vec2 out : {Vec2{6, 0}, Vec2{0, -1e300}, Vec2{nan, 0}}) {
-    EXPECT_EQ(code({nullptr, out, open, ground_}), FaultCode::outside_map);
-    EXPECT_EQ(code({nullptr, open, out, ground_}), FaultCode::outside_map);
-  }
-  const auto near = plan({nullptr, {-0.6, -2}, open, ground_});
-  ASSERT_FALSE(near.has_value());
-  EXPECT_EQ(near.error().code, FaultCode::start_blocked);
-  EXPECT_NE(near.error().sentence.find("is 0.1 m from"), std::string::npos) << near.error().sentence;
-  EXPECT_EQ(code({nullptr, open, open}), FaultCode::bad_input);
-}
-
-TEST_P(PolygonContract, BudgetCancellationAndRepeats) {
-  const Problem problem{nullptr, {-3, 3}, {3, -3}, ground_};
-  const auto answer = plan(problem);
-  ASSERT_TRUE(answer.has_value()) << answer.error().sentence;
-  Budget budget;
-  budget.expansions = answer->counters.expansions;
-  EXPECT_EQ(*plan(problem, budget), *answer);
-  --budget.expansions;
-  EXPECT_EQ(code(problem, budget), FaultCode::budget_exhausted);
-  budget.expansions = 0;
-  EXPECT_EQ(code(problem, budget), FaultCode::budget_exhausted);
-  std::stop_source source;
-  source.request_stop();
-  Budget stopped;
-  stopped.stop = source.get_token();
-  EXPECT_EQ(code(problem, stopped), FaultCode::cancelled);
-  Workspace fresh;
-  Trace trace;
-  fresh.trace = &trace;
-  EXPECT_EQ(*path_planners()[GetParam()].configure().plan(problem, {}, fresh), *answer);
-  if (path_planners()[GetParam()].tells == Tells::search) {
-    EXPECT_EQ(trace.expansions.size(), answer->counters.expansions);
-  }
-  const bool complete = path_planners()[GetParam()].guarantee.complete;
-  EXPECT_EQ(code({nullptr, {-3, 3}, {3, -3}, ground_of(slit(0.1, 0.2))}),
-            complete ? FaultCode::no_path : FaultCode::budget_exhausted);
-  EXPECT_EQ(*plan(problem), *answer);  // after another ground
-}
-
-TEST(PolygonGrid, PlannersOnGridsRefusePolygonsInASentence) {
-  const auto ground = ground_of(slit(1.0, 0.2));
-  for (const PathPlanner& row : path_planners()) {
-    if (row.polygons) continue;
-    Workspace workspace;
-    const auto answer = row.configure().plan({nullptr, {-3, 3}, {3, -3}, ground}, {}, workspace);
-    ASSERT_FALSE(answer.has_value()) << row.name;
-    EXPECT_EQ(answer.error().code, FaultCode::bad_input);
-    EXPECT_NE(answer.error().sentence.find("polygons"), std::string::npos);
   }
 }
 

@@ -1,0 +1,202 @@
+#include "job_command.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "flags.hpp"
+#include "live_map.hpp"
+#include "live_report.hpp"
+#include "output.hpp"
+#include "outrider/io/confinement.hpp"
+#include "outrider/io/scenario.hpp"
+#include "outrider/job/run_job.hpp"
+#include "progress.hpp"
+#include "run_output.hpp"
+#include "stop_on_signal.hpp"
+#include "terminal.hpp"
+
+namespace outrider::cli {
+namespace {
+
+/// What the verb of a job takes beside the options of the job.
+struct JobRequest {
+  std::string file;  ///< named without a flag
+  std::string scenario_path;
+  bool live = false;
+  std::int64_t threads = 0;
+  RunOutput output;
+};
+
+OptionGroup describe(JobRequest& request) {
+  return {"",
+          "output",
+          {{"json", "", 0, 0, "print one JSON object on standard output", &request.output.json},
+           {"out", "", 0, 0, "folder for the report, a moving picture and what else the job makes",
+            &request.output.folder},
+           {"html", "", 0, 0, "write a page that plays the run, in the folder", &request.output.html},
+           {"live", "", 0, 0, "draw a map that is found on the terminal as it grows", &request.live},
+           {"threads", "", 0, 1024, "threads to compute with; 0: all; the answer is the same",
+            &request.threads}}};
+}
+
+/// Both of who may look on: a program behind OUTRIDER_LIVE, and a map on the terminal.
+class Observers final : public RunObserver {
+ public:
+  explicit Observers(bool map) {
+    if (map) map_.emplace();
+  }
+  RunObserver* any() { return live_.observer() != nullptr || map_ ? this : nullptr; }
+  bool wants() override { return (live_.observer() != nullptr && live_.wants()) || (map_ && map_->wants()); }
+  void see(const Report& so_far) override {
+    if (live_.observer() != nullptr) live_.see(so_far);
+    if (map_) map_->see(so_far);
+  }
+
+ private:
+  LiveReport live_;
+  std::optional<LiveMap> map_;
+};
+
+/// Reads the scenario, then the flags, which win.
+Status read_words(const Job& job, JobTask& task, JobRequest& request, const Command& words) {
+  const bool yaml = request.file.ends_with(".yaml") || request.file.ends_with(".yml");
+  if (yaml && request.scenario_path.empty()) {
+    const auto named = scenario_job(request.file);
+    if (named && *named == job.name) request.scenario_path = std::exchange(request.file, {});
+  }
+  if (!request.scenario_path.empty()) {
+    if (auto ok = read_scenario(task, request.scenario_path); !ok) return ok;
+  }
+  if (auto ok = apply_flags(words, task.options(), &task.given); !ok) return ok;
+  for (const auto& [alias, key] : job.aliases) {
+    const std::string flag = "--" + std::string(alias);
+    if (!words.given(flag)) continue;
+    if (auto ok = change(task, {{std::string(key), words.values(flag).back()}}); !ok) {
+      ok.error().where = flag;
+      return ok;
+    }
+  }
+  if (request.file.empty()) return {};
+  return change(task, {{std::string(job.file_option), request.file}});
+}
+
+Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request, const StopOnSignal& stop) {
+  Progress progress;
+  Observers observers(request.live);
+  RunWatch watch;
+  watch.stop = stop.token();
+  watch.observer = observers.any();
+  watch.progress = [&](const RunStep& step) { progress.show(step); };
+  if (request.live) progress.end();
+  return run_task(job, task, watch);
+}
+
+int execute(const Job& job, JobRequest& request, const Command& words) {
+  const bool json = words.given("--json");
+  if (auto ok = apply_flags(words, {describe(request)}); !ok) return say(ok.error(), json);
+  if (auto ok = check(request.output, words.given("--out")); !ok) return say(ok.error(), json);
+  const auto task = job.blank();
+  if (auto ok = read_words(job, *task, request, words); !ok) return say(ok.error(), json);
+  std::optional<tbb::global_control> limit;
+  if (request.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.threads));
+  }
+  const StopOnSignal stop;
+  const auto run = run_watched(job, *task, request, stop);
+  if (!run) return say(run.error(), json);
+  const auto files = write_run(job, *run, request.output);
+  if (!files) return say(files.error(), json);
+  print_run(job, *run, *files, json);
+  return run->report.status == "done" ? job_done : job_not_done;
+}
+
+void add_alias(Command& verb, const std::vector<OptionGroup>& groups, std::string_view alias,
+               std::string_view key) {
+  for (const OptionGroup& group : groups) {
+    for (const Option& option : group.options) {
+      if ((group.name.empty() ? option.name : group.name + "." + option.name) != key) continue;
+      const std::string help = "as " + flag_of(group.name, option.name);
+      const std::string flag = "--" + std::string(alias);
+      std::holds_alternative<bool*>(option.value) ? verb.flag(flag, help) : verb.option(flag, help);
+    }
+  }
+}
+
+/// The text on standard input becomes the content of the file. There may be a file of that name, or none.
+Status supply_from_stdin(const std::string& path) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  std::string text(most_bytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), stdin));
+  if (text.size() > most_bytes) return bad_input("a scenario has at most 1 MiB", "--stdin");
+  supply_file(path, std::move(text));
+  return {};
+}
+
+}  // namespace
+
+void add_jobs(Command& tool, const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) {
+    std::string sentence(job.sentence.substr(0, job.sentence.find_last_not_of('.') + 1));
+    sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+    Command& verb = tool.add(std::string(job.name), sentence);
+    auto request = std::make_shared<JobRequest>();
+    const std::shared_ptr<JobTask> usual = job.blank();
+    if (!job.file_option.empty()) {
+      verb.positional("file", &request->file, std::string(job.file_sentence)).type("FILE");
+    }
+    verb.option("--scenario", &request->scenario_path, "scenario file to start from; flags win over it")
+        .type("FILE");
+    auto groups = usual->options();
+    std::erase_if(groups.front().options, [](const Option& option) { return option.name == "job"; });
+    groups.insert(groups.begin(), describe(*request));
+    add_flags(verb, groups);
+    for (const auto& [alias, key] : job.aliases) add_alias(verb, groups, alias, key);
+    verb.does([job, request, usual](const Command& words) { return execute(job, *request, words); });
+    if (!job.example.empty()) verb.footer(fmt::format("\nExample: outrider {}", job.example));
+  }
+}
+
+void add_run(Command& tool) {
+  Command& run = tool.add("run", "do the job in a scenario file; takes the flags of that job, which win");
+  run.positional("scenario", std::monostate(), "scenario file; 'outrider schema --as scenario' prints one")
+      .required()
+      .type("FILE");
+  run.flag("--stdin", "the text of the scenario comes from standard input; paths in it start beside FILE");
+  JobRequest request;
+  std::int64_t seed = 1;
+  auto groups = std::vector<OptionGroup>{describe(request)};
+  groups.front().options.push_back({"seed", "", 0, 1e15, "seed of every random number", &seed});
+  add_flags(run, groups);
+  run.does([](const Command&) { return job_done; });  // expand_run() leaves no words to this one
+  run.footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
+}
+
+Outcome<std::vector<std::string>> expand_run(const std::vector<Job>& jobs, std::vector<std::string> words) {
+  if (words.size() < 2 || words[0] != "run") return words;
+  const auto stands_alone = [](const std::string& word) {
+    return word == "--json" || word == "--html" || word == "--live" || word == "--stdin";
+  };
+  const auto is_scenario = [](const std::string& word) {
+    return !word.starts_with('-') && (word.ends_with(".yaml") || word.ends_with(".yml"));
+  };
+  auto file = std::find_if_not(words.begin() + 1, words.end(), stands_alone);
+  if (file != words.end() && file->starts_with('-')) file = std::find_if(file, words.end(), is_scenario);
+  if (file == words.end()) return words;
+  const std::string path = *file;
+  words.erase(file);
+  if (std::erase(words, "--stdin") > 0) {
+    if (auto ok = supply_from_stdin(path); !ok) return pass_on(ok);
+  }
+  const auto job = job_of_scenario(jobs, path);
+  if (!job) return tl::unexpected<Fault>(job.error());
+  words[0] = job->name;
+  words.insert(words.begin() + 1, {"--scenario", path});
+  return words;
+}
+
+}  // namespace outrider::cli

@@ -1,0 +1,78 @@
+#include "tool.hpp"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "commands.hpp"
+#include "job_command.hpp"
+#include "output.hpp"
+#include "outrider/io/confinement.hpp"
+
+namespace outrider::cli {
+namespace {
+
+/// Whether JSON was asked for, for faults that come before the flags are read.
+bool wants_json(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--json" || word == "--json=true") return true;
+  }
+  return false;
+}
+
+int run(const std::vector<Job>& jobs, int argc, char** argv) {
+  Command tool("outrider", "A ground robot finds its way, and does a job, in a yard or a building.",
+               OUTRIDER_VERSION);
+  tool.footer(
+      "\n'outrider COMMAND --help' shows the flags of a command.\n"
+      "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong,\n"
+      "3 an answer could not be written, as on a full disk.");
+  add_run(tool);
+  add_jobs(tool, jobs);
+  add_calibrate(tool);
+  add_detect(tool);
+  add_replay(tool, jobs);
+  add_serve(tool, jobs);
+  add_bench(tool);
+  add_list(tool, jobs);
+  add_schema(tool, jobs);
+  const auto words = expand_run(jobs, {argv + 1, argv + argc});
+  if (!words) return say(words.error(), wants_json(argc, argv));
+  const auto status = tool.run(*words);
+  return status ? *status : say(status.error(), wants_json(argc, argv));
+}
+
+/// Runs the tool; what nobody caught is said, not dumped.
+int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
+  const bool json = wants_json(argc, argv);
+  try {
+    if (const char* root = std::getenv("OUTRIDER_CONFINE"); root != nullptr) {
+      if (auto ok = confine_reading(root); !ok) return say(ok.error(), json);
+    }
+    return run(jobs, argc, argv);
+  } catch (const std::bad_alloc&) {
+    return say(
+        {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
+        json);
+  } catch (const std::exception& broken) {
+    if (std::ferror(stdout) != 0) return job_done;  // run_tool() says that nothing could be printed
+    return say({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
+  }
+}
+
+}  // namespace
+
+int run_tool(const std::vector<Job>& jobs, int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a fault with a sentence
+  const int status = guarded_run(jobs, argc, argv);
+  if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
+  return say({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}}, false);
+}
+
+}  // namespace outrider::cli

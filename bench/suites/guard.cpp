@@ -1,0 +1,194 @@
+// Every guard planner in every yard, the same missions simulated.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "guard_arrivals.hpp"
+#include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/catalog.hpp"
+#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/job.hpp"
+#include "rows.hpp"
+#include "stopwatch.hpp"
+
+namespace outrider::bench {
+namespace {
+
+/// What the time of a mission goes by with, s.
+struct Shares {
+  double drive = 0.0;
+  double turn = 0.0;
+  double aim = 0.0;
+  double flight = 0.0;
+};
+
+struct Row {
+  std::string yard;
+  std::string planner;
+  std::uint64_t seed = 1;
+  double reached = 0.0;
+  double failed = 0.0;
+  double unreachable = 0.0;
+  double shots = 0.0;
+  double planning_s = 0.0;  ///< of survey and plan, the same for all seeds
+  double planned_s = 0.0;
+  double lower_bound_s = 0.0;
+  double mission_s = 0.0;
+  Shares shares;
+  std::optional<double> ratio;  ///< of the mission to that of the first planner of the catalogue
+};
+
+/// By what changes from one instant of the track to the next.
+Shares shares_of(const Report& report) {
+  Shares shares;
+  for (std::size_t i = 1; i < report.track.size(); ++i) {
+    const TrackSample& a = report.track[i - 1];
+    const TrackSample& b = report.track[i];
+    const bool moved = a.pose.position != b.pose.position;
+    const bool turned = a.pose.heading_rad != b.pose.heading_rad;
+    const bool aimed = a.gun_yaw_rad != b.gun_yaw_rad || a.gun_pitch_rad != b.gun_pitch_rad;
+    double& share = moved ? shares.drive : turned ? shares.turn : aimed ? shares.aim : shares.flight;
+    share += b.time_s - a.time_s;
+  }
+  return shares;
+}
+
+/// The scenarios that were named, then the two worlds of the reference report in the data.
+Outcome<std::vector<GuardScenario>> load_yards(const GuardRequest& request) {
+  std::vector<GuardScenario> yards;
+  for (const std::string& path : request.scenarios) {
+    GuardScenario& yard = yards.emplace_back();
+    GuardJob job;
+    if (auto ok = read_scenario(job, path); !ok) return pass_on(ok);
+    yard = std::move(job.scenario);
+  }
+  if (!request.data.empty()) {
+    for (const char* world : {"by_small", "by_small2"}) {
+      GuardScenario& yard = yards.emplace_back();
+      yard.world = fmt::format("{}/worlds/{}.sdf", request.data, world);
+      yard.targets = request.data + "/goals_params.txt";
+    }
+  }
+  for (GuardScenario& yard : yards) {
+    if (auto ok = load_problem(yard); !ok) return pass_on(ok);
+  }
+  return yards;
+}
+
+Outcome<std::vector<GuardPlanner>> chosen_planners(const GuardRequest& request) {
+  if (request.planners.empty()) return guard_planners();
+  std::vector<GuardPlanner> planners;
+  for (const std::string& name : request.planners) {
+    auto planner = find_guard_planner(name);
+    if (!planner) return bad_input(planner.error().sentence, "--planners");
+    planners.push_back(*planner);
+  }
+  return planners;
+}
+
+Row row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report, double planning_s) {
+  return {std::filesystem::path(yard.world).stem().string(),
+          std::string(planner.name),
+          report.seed,
+          metric(report, "reached"),
+          metric(report, "failed"),
+          metric(report, "unreachable"),
+          metric(report, "shots"),
+          planning_s,
+          metric(report, "planned_s"),
+          metric(report, "lower_bound_s"),
+          metric(report, "mission_s"),
+          shares_of(report),
+          {}};
+}
+
+/// All planners in one yard: one survey, one plan each, the same seeds.
+Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
+                    const std::vector<GuardPlanner>& planners, const BenchObserver& observer,
+                    std::vector<Row>& rows) {
+  const Stopwatch watch;
+  auto site = survey(yard.problem, yard.options);
+  if (!site) return pass_on(site);
+  const double survey_s = watch.seconds();
+  const std::size_t first = rows.size();
+  for (const GuardPlanner& planner : planners) {
+    next_step(observer, fmt::format("{} in {}", planner.name, yard.problem.world.name));
+    const Stopwatch planning;
+    auto plan = planner.plan(yard.problem, *site, yard.options, {});
+    if (!plan) return pass_on(plan);
+    const double planning_s = survey_s + planning.seconds();
+    for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
+      const Report report =
+          run_guard(yard.problem, *site, *plan, yard.options, static_cast<std::uint64_t>(seed));
+      rows.push_back(row_of(yard, planner, report, planning_s));
+    }
+  }
+  for (std::size_t i = first; i < rows.size(); ++i) {
+    for (std::size_t j = first; j < rows.size(); ++j) {
+      const bool base = rows[j].planner == guard_planners().front().name && rows[j].seed == rows[i].seed;
+      if (base && rows[j].mission_s > 0.0) rows[i].ratio = rows[i].mission_s / rows[j].mission_s;
+    }
+  }
+  return {};
+}
+
+nlohmann::ordered_json row_json(const Row& row) {
+  return {{"yard", row.yard},
+          {"planner", row.planner},
+          {"seed", row.seed},
+          {"reached", static_cast<int>(row.reached)},
+          {"failed", static_cast<int>(row.failed)},
+          {"unreachable", static_cast<int>(row.unreachable)},
+          {"shots", static_cast<int>(row.shots)},
+          {"planning_s", row.planning_s},
+          {"planned_s", row.planned_s},
+          {"lower_bound_s", row.lower_bound_s},
+          {"mission_s", row.mission_s},
+          {"drive_s", row.shares.drive},
+          {"turn_s", row.shares.turn},
+          {"aim_s", row.shares.aim},
+          {"flight_s", row.shares.flight},
+          {"ratio_to_best_tour", row.ratio ? nlohmann::ordered_json(*row.ratio) : nullptr}};
+}
+
+std::string table_text(const std::vector<Row>& rows) {
+  std::string text = fmt::format(
+      "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} {:>8} {:>6}\n", "yard",
+      "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "mission s", "drive s",
+      "turn s", "aim s", "flight s", "ratio");
+  for (const Row& row : rows) {
+    text += fmt::format(
+        "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>7.1f} {:>6.1f} {:>6.1f} "
+        "{:>8.1f} {:>6}\n",
+        row.yard, row.planner, row.seed, row.reached, row.failed, row.unreachable, row.shots, row.planning_s,
+        row.mission_s, row.shares.drive, row.shares.turn, row.shares.aim, row.shares.flight,
+        row.ratio ? fmt::format("{:.2f}", *row.ratio) : std::string("-"));
+  }
+  return text;
+}
+
+Outcome<BenchResult> measure_policies(const GuardRequest& request) {
+  auto rows = measure_arrivals(request.arrivals, request.seeds);
+  if (!rows) return pass_on(rows);
+  return BenchResult{true, arrivals_json(*rows), arrivals_table(*rows), {}};
+}
+
+}  // namespace
+
+Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObserver& observer) {
+  if (!request.arrivals.empty()) return measure_policies(request);
+  auto planners = chosen_planners(request);
+  if (!planners) return pass_on(planners);
+  auto yards = load_yards(request);
+  if (!yards) return pass_on(yards);
+  begin_steps(observer, yards->size() * planners->size());
+  std::vector<Row> rows;
+  for (const auto& yard : *yards) {
+    if (auto ok = measure_yard(request, yard, *planners, observer, rows); !ok) return pass_on(ok);
+  }
+  return result_of(rows);
+}
+
+}  // namespace outrider::bench

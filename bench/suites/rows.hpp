@@ -1,0 +1,28 @@
+// What the suites share: how an observer is called and how rows become a result.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "suites.hpp"
+
+namespace outrider::bench {
+
+inline void begin_steps(const BenchObserver& observer, std::size_t steps) {
+  if (observer.begin) observer.begin(static_cast<int>(steps));
+}
+
+inline void next_step(const BenchObserver& observer, const std::string& step) {
+  if (observer.next) observer.next(step);
+}
+
+/// By the row_json() and table_text() that stand beside Row.
+template <class Row>
+BenchResult result_of(const std::vector<Row>& rows) {
+  BenchResult result;
+  for (const Row& row : rows) result.rows.push_back(row_json(row));
+  result.table = table_text(rows);
+  return result;
+}
+
+}  // namespace outrider::bench

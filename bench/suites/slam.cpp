@@ -1,0 +1,138 @@
+// Pose graphs and laser logs of a folder, graphs beside Ceres.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "laser.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/g2o.hpp"
+#include "rows.hpp"
+#include "slam_peer.hpp"
+#include "stopwatch.hpp"
+
+namespace outrider::bench {
+namespace {
+
+struct Row {
+  std::string name;
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  PoseGraphSolution solution;
+  double time_s = 0.0;
+  std::optional<PeerResult> peer;
+
+  /// The peer found less, beyond a hundredth of a percent.
+  [[nodiscard]] bool beaten() const { return peer && peer->cost < solution.cost * (1.0 - 1e-4); }
+};
+
+struct Files {
+  std::vector<std::string> graphs;
+  std::vector<std::string> logs;
+};
+
+Outcome<Files> files_in(const std::string& folder) {
+  namespace fs = std::filesystem;
+  Files files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".g2o") || name.ends_with(".g2o.gz")) files.graphs.push_back(entry.path().string());
+    if (name.ends_with(".log") || name.ends_with(".log.gz")) files.logs.push_back(entry.path().string());
+  }
+  if (files.graphs.empty() && files.logs.empty()) {
+    return bad_input("there are no .g2o and no .log files; name their folder", folder);
+  }
+  std::sort(files.graphs.begin(), files.graphs.end());
+  std::sort(files.logs.begin(), files.logs.end());
+  return files;
+}
+
+Outcome<Row> measure(const std::string& path, int repeat) {
+  const auto text = read_file(path);
+  if (!text) return tl::unexpected<Fault>(text.error());
+  const auto graph = pose_graph_from_g2o(*text, path);
+  if (!graph) return tl::unexpected<Fault>(graph.error());
+  const std::string name = std::filesystem::path(path).filename().string();
+  Row row{name.substr(0, name.find(".g2o")), graph->nodes.size(), graph->edges.size(), {}, HUGE_VAL, {}};
+  for (int i = 0; i < repeat; ++i) {
+    const Stopwatch watch;
+    auto solution = optimise(*graph, {}, {});
+    const double time_s = watch.seconds();
+    if (!solution) return bad_input(solution.error().sentence, path);
+    row.solution = std::move(*solution);
+    row.time_s = std::min(row.time_s, time_s);
+    const auto peer = solve_with_ceres(*graph);
+    if (peer && (!row.peer || peer->time_s < row.peer->time_s)) row.peer = peer;
+  }
+  return row;
+}
+
+nlohmann::ordered_json row_json(const Row& row) {
+  nlohmann::ordered_json json = {{"graph", row.name},           {"nodes", row.nodes},
+                                 {"edges", row.edges},          {"cost", row.solution.cost},
+                                 {"start", row.solution.start}, {"iterations", row.solution.iterations},
+                                 {"time_s", row.time_s}};
+  if (row.peer) {
+    json["ceres"] = {
+        {"cost", row.peer->cost}, {"iterations", row.peer->iterations}, {"time_s", row.peer->time_s}};
+  }
+  return json;
+}
+
+std::string table_text(const std::vector<Row>& rows) {
+  std::string text = fmt::format("  {:<24} {:>6} {:>6} {:>14} {:>6} {:>9} {:>14} {:>6} {:>9}\n", "graph",
+                                 "nodes", "edges", "cost", "steps", "s", "Ceres: cost", "steps", "s");
+  for (const Row& row : rows) {
+    text += fmt::format("  {:<24} {:>6} {:>6} {:>14.6f} {:>6} {:>9.4f}", row.name, row.nodes, row.edges,
+                        row.solution.cost, row.solution.iterations, row.time_s);
+    if (row.peer)
+      text +=
+          fmt::format(" {:>14.6f} {:>6} {:>9.4f}", row.peer->cost, row.peer->iterations, row.peer->time_s);
+    text += '\n';
+  }
+  return text;
+}
+
+struct Rows {
+  std::vector<Row> graphs;
+  std::vector<LaserRow> logs;
+};
+
+Outcome<Rows> measured(const Files& files, int repeat, const BenchObserver& observer) {
+  Rows rows;
+  begin_steps(observer, files.graphs.size() + files.logs.size());
+  for (const std::string& file : files.graphs) {
+    next_step(observer, file);
+    auto row = measure(file, repeat);
+    if (!row) return pass_on(row);
+    rows.graphs.push_back(std::move(*row));
+  }
+  for (const std::string& file : files.logs) {
+    next_step(observer, file);
+    auto row = measure_laser_log(file, repeat, observer.processor_s);
+    if (!row) return pass_on(row);
+    rows.logs.push_back(std::move(*row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+Outcome<BenchResult> measure_slam(const SlamRequest& request, const BenchObserver& observer) {
+  auto files = files_in(request.data);
+  if (!files) return pass_on(files);
+  auto rows = measured(*files, request.repeat, observer);
+  if (!rows) return pass_on(rows);
+  BenchResult result;
+  result.right = std::ranges::none_of(rows->graphs, [](const Row& row) { return row.beaten(); });
+  for (const Row& row : rows->graphs) result.rows.push_back(row_json(row));
+  for (const LaserRow& row : rows->logs) result.rows.push_back(row_json(row));
+  if (!rows->graphs.empty()) result.table += table_text(rows->graphs);
+  if (!rows->logs.empty()) result.table += table_text(rows->logs);
+  return result;
+}
+
+}  // namespace outrider::bench

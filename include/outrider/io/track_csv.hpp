@@ -1,0 +1,14 @@
+// The poses of a track as a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "outrider/geometry/pose.hpp"
+
+namespace outrider {
+
+/// A pose a line: number, x, y, heading (m, rad).
+std::string track_csv(const std::vector<Pose2>& poses);
+
+}  // namespace outrider

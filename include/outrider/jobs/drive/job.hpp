@@ -1,0 +1,27 @@
+// The job drive: drive to waypoints by the tags in sight, or open loop by time.
+#pragma once
+
+#include <optional>
+
+#include "outrider/job/job.hpp"
+#include "outrider/jobs/drive/scenario.hpp"
+
+namespace outrider {
+
+class DriveJob final : public JobTask {
+ public:
+  DriveJob() : JobTask("drive") {}
+  Outcome<Warnings> load() override;
+  Outcome<Run> run(const RunWatch& watch) override;
+
+  DriveScenario scenario;
+  std::optional<DriveSetup> setup;  ///< once loaded
+
+ protected:
+  std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
+};
+
+/// Its row in the catalogue.
+Job drive_job();
+
+}  // namespace outrider

@@ -1,0 +1,27 @@
+// The job explore: map an unknown world to the last reachable cell, then come home.
+#pragma once
+
+#include <optional>
+
+#include "outrider/job/job.hpp"
+#include "outrider/jobs/explore/scenario.hpp"
+
+namespace outrider {
+
+class ExploreJob final : public JobTask {
+ public:
+  ExploreJob() : JobTask("explore") {}
+  Outcome<Warnings> load() override;
+  Outcome<Run> run(const RunWatch& watch) override;
+
+  ExploreScenario scenario;
+  std::optional<ExploreSetup> setup;  ///< once loaded
+
+ protected:
+  std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
+};
+
+/// Its row in the catalogue.
+Job explore_job();
+
+}  // namespace outrider

@@ -1,0 +1,29 @@
+// The job slam: localise and map from a recorded log, or solve a pose graph.
+#pragma once
+
+#include "outrider/job/job.hpp"
+#include "outrider/jobs/slam/scenario.hpp"
+
+namespace outrider {
+
+class SlamJob final : public JobTask {
+ public:
+  SlamJob();
+  ~SlamJob() override;
+  Outcome<Warnings> load() override;
+  Outcome<Run> run(const RunWatch& watch) override;
+
+  SlamScenario scenario;
+
+ protected:
+  std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
+
+ private:
+  struct Input;
+  std::unique_ptr<Input> input_;  ///< once loaded
+};
+
+/// Its row in the catalogue.
+Job slam_job();
+
+}  // namespace outrider

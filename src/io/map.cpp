@@ -1,0 +1,143 @@
+#include "outrider/io/map.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "outrider/io/files.hpp"
+#include "outrider/io/map_server.hpp"
+#include "outrider/io/movingai.hpp"
+#include "outrider/io/sdf.hpp"
+#include "outrider/io/text.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::string_view png_signature = "\x89PNG";
+constexpr std::array<std::string_view, 7> map_server_keys = {
+    "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
+constexpr std::size_t most_looked_at = 4096;  // bytes; what comes before may be comments
+
+bool is_image(std::string_view content) {
+  if (content.starts_with(png_signature)) return true;
+  const bool grey = content.starts_with("P2") || content.starts_with("P5");
+  return grey && content.size() > 2 &&
+         (white_space.find(content[2]) != std::string_view::npos || content[2] == '#');
+}
+
+/// What a line that is no comment tells of the map around it.
+std::optional<MapKind> kind_of_line(std::string_view line) {
+  if (line.starts_with('<')) return MapKind::world;
+  if (line.starts_with('(')) return MapKind::polygons;
+  const auto parts = words(line);
+  if (parts.size() == 2 && parts[0] == "type") return MapKind::movingai;
+  const std::string_view key = line.substr(0, line.find_first_of(": \t"));
+  const bool has_value = line.find(':') != std::string_view::npos;
+  for (const std::string_view known : map_server_keys) {
+    if (has_value && key == known) return MapKind::map_server;
+  }
+  return std::nullopt;
+}
+
+/// By the first lines, comments left out.
+std::optional<MapKind> kind_of_content(std::string_view content) {
+  if (is_image(content)) return MapKind::image;
+  if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+  std::string_view rest = content.substr(0, most_looked_at);
+  while (!rest.empty()) {
+    std::string_view line = take_line(rest);
+    line.remove_prefix(std::min(line.find_first_not_of(white_space), line.size()));
+    if (line.empty() || line.starts_with('#')) continue;
+    if (const auto kind = kind_of_line(line)) return kind;
+  }
+  return std::nullopt;
+}
+
+std::optional<MapKind> kind_of_name(std::string_view name) {
+  if (name.ends_with(".gz")) name.remove_suffix(3);
+  constexpr std::array<std::pair<std::string_view, MapKind>, 8> endings = {{{".yaml", MapKind::map_server},
+                                                                            {".yml", MapKind::map_server},
+                                                                            {".sdf", MapKind::world},
+                                                                            {".world", MapKind::world},
+                                                                            {".map", MapKind::movingai},
+                                                                            {".txt", MapKind::polygons},
+                                                                            {".png", MapKind::image},
+                                                                            {".pgm", MapKind::image}}};
+  for (const auto& [ending, kind] : endings) {
+    if (name.ends_with(ending)) return kind;
+  }
+  return std::nullopt;
+}
+
+Outcome<LoadedMap> cells_of(MapKind kind, Outcome<MapServerMap> map) {
+  if (!map) return pass_on(map);
+  return LoadedMap{kind, MapCells{std::move(map->occupancy), map->yaw_rad}};
+}
+
+Outcome<LoadedMap> image_map(const std::string& content, const std::string& path, double resolution_m) {
+  auto map = cells_of(MapKind::image, map_image_from_bytes(content, path, resolution_m));
+  if (map) {
+    map->warnings.push_back(
+        fmt::format("an image alone has no scale: a pixel is taken as {:g} m", resolution_m));
+  }
+  return map;
+}
+
+Outcome<LoadedMap> map_of(MapKind kind, const std::string& content, const std::string& path,
+                          const LoadMapOptions& options) {
+  switch (kind) {
+    case MapKind::map_server: return cells_of(kind, map_server_from_text(content, path));
+    case MapKind::image: return image_map(content, path, options.image_resolution_m);
+    case MapKind::movingai: {
+      auto cells = movingai_map_from_text(content, path);
+      if (!cells) return pass_on(cells);
+      return LoadedMap{kind, MapCells{std::move(*cells), 0.0}};
+    }
+    case MapKind::polygons: {
+      auto polygons = polygon_map_from_text(content, path);
+      if (!polygons) return pass_on(polygons);
+      return LoadedMap{kind, std::move(*polygons)};
+    }
+    case MapKind::world: break;
+  }
+  auto loaded = sdf_from_text(content, path);
+  if (!loaded) return pass_on(loaded);
+  return LoadedMap{kind, std::move(loaded->world), std::move(loaded->warnings)};
+}
+
+}  // namespace
+
+std::string_view to_string(MapKind kind) {
+  constexpr std::array<std::string_view, 5> names = {"map_server", "image", "movingai", "polygons", "world"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+Outcome<MapKind> map_kind(std::string_view content, const std::string& path) {
+  if (const auto kind = kind_of_content(content)) return *kind;
+  if (const auto kind = kind_of_name(path)) return *kind;
+  return bad_input(
+      "the name does not tell what kind of map it is; maps end in .yaml, .yml, .sdf, .world, .map, .txt, "
+      ".png or .pgm (.gz may follow)",
+      path);
+}
+
+Outcome<LoadedMap> load_map(const std::string& path, const LoadMapOptions& options) {
+  auto content = read_file(path);
+  if (!content) return pass_on(content);
+  const auto kind = map_kind(*content, path);
+  if (!kind) return bad_input(kind.error().sentence, kind.error().where);
+  auto map = map_of(*kind, *content, path, options);
+  if (!map) return map;
+  const auto* cells = std::get_if<MapCells>(&map->shape);
+  if (cells != nullptr && cells->occupancy.cells.size() > options.most_cells) {
+    const GridFrame& frame = cells->occupancy.frame;
+    return bad_input(fmt::format("a map of {} x {} cells is too large; at most {} cells are taken",
+                                 frame.width, frame.height, options.most_cells),
+                     path);
+  }
+  return map;
+}
+
+}  // namespace outrider

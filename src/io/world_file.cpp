@@ -1,0 +1,152 @@
+#include "outrider/io/world_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "outrider/io/files.hpp"
+#include "outrider/io/map.hpp"
+#include "outrider/io/map_server.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/world/blocks.hpp"
+#include "world_pieces.hpp"
+
+namespace outrider {
+namespace {
+
+enum class WorldKind { sdf, map_server, image, slices };
+
+/// The map with a ring of unknown cells around it.
+Grid<std::uint8_t> ringed(const Grid<std::uint8_t>& occupancy) {
+  GridFrame frame = occupancy.frame;
+  frame.origin = frame.corner({-1, -1});
+  frame.width += 2;
+  frame.height += 2;
+  Grid<std::uint8_t> ringed(frame, unknown_cell);
+  for (std::size_t i = 0; i < occupancy.cells.size(); ++i) {
+    const Cell c = occupancy.frame.cell(i);
+    ringed[{c.x + 1, c.y + 1}] = occupancy.cells[i];
+  }
+  return ringed;
+}
+
+Outcome<World> world_of(const MapServerMap& map, const std::string& path, double height_m) {
+  if (std::ranges::find(map.occupancy.cells, free_cell) == map.occupancy.cells.end()) {
+    return bad_input("the map has no free cell; check its thresholds and whether it is negated", path);
+  }
+  const Vec2 origin = map.occupancy.frame.origin;
+  const Vec2 along = direction(map.yaw_rad);
+  World world;
+  for (Solid& block : blocks(ringed(map.occupancy), 0.0, height_m)) {
+    Vec3& place = block.world_T_solid.position;
+    const Vec2 from_origin = xy(place) - origin;
+    const Vec2 turned = origin + from_origin.x * along + from_origin.y * perpendicular(along);
+    place = {turned.x, turned.y, place.z};
+    block.world_T_solid.rotation = Rotation::from_rpy(0.0, 0.0, map.yaw_rad);
+    if (auto ok = add_solid(world, std::move(block), path); !ok) return pass_on(ok);
+  }
+  return world;
+}
+
+bool begins_with_a_slice(std::string_view content) {
+  for (std::string_view rest = content; !rest.empty();) {
+    const std::string_view line = take_line(rest);
+    const std::size_t first = line.find_first_not_of(white_space);
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    return line[first] != '(' && std::ranges::count(line, ',') >= 3;
+  }
+  return false;
+}
+
+/// Of maps the two that are worlds as well.
+std::optional<WorldKind> kind_of_map(MapKind kind) {
+  if (kind == MapKind::world) return WorldKind::sdf;
+  if (kind == MapKind::map_server) return WorldKind::map_server;
+  if (kind == MapKind::image) return WorldKind::image;
+  return std::nullopt;
+}
+
+Outcome<WorldKind> world_kind(std::string_view content, const std::string& path) {
+  for (const std::string& name : {std::string(), path}) {
+    if (const auto map = map_kind(content, name)) {
+      if (const auto kind = kind_of_map(*map)) return *kind;
+    }
+    const std::string_view stem =
+        std::string_view(name).substr(0, name.size() - (name.ends_with(".gz") ? 3 : 0));
+    if (stem.ends_with(".csv") || (name.empty() && begins_with_a_slice(content))) return WorldKind::slices;
+  }
+  return bad_input(
+      "the name does not tell what kind of world it is; worlds end in .sdf, .world, .yaml, .yml, .pgm, .png "
+      "or .csv (.gz may follow)",
+      path);
+}
+
+/// The name of the file without its folder and ending.
+std::string name_of(const std::string& path) {
+  const std::string name = excerpt(std::filesystem::path(path).filename().string());
+  return name.substr(0, name.find('.', 1));
+}
+
+/// The solids of a world that is no SDF, without its floor.
+Outcome<World> world_from(WorldKind kind, const std::string& content, const std::string& path,
+                          const WorldFileOptions& options) {
+  if (kind == WorldKind::slices) {
+    auto slices = slices_from_text(content, path);
+    if (!slices) return pass_on(slices);
+    World world;
+    if (auto ok = add_slices(world, *slices, options.wall_height_m, path); !ok) return pass_on(ok);
+    return world;
+  }
+  auto map = kind == WorldKind::map_server ? map_server_from_text(content, path)
+                                           : map_image_from_bytes(content, path, options.resolution_m);
+  if (!map) return pass_on(map);
+  return world_of(*map, path, options.wall_height_m);
+}
+
+Outcome<LoadedWorld> load_kind(WorldKind kind, const std::string& content, const std::string& path,
+                               const WorldFileOptions& options) {
+  if (kind == WorldKind::sdf) return sdf_from_text(content, path);
+  auto world = world_from(kind, content, path, options);
+  if (!world) return pass_on(world);
+  world->solids.insert(world->solids.begin(), Solid{"floor", {}, HalfSpaceShape{}});
+  return LoadedWorld{std::move(*world), {}};
+}
+
+}  // namespace
+
+Status add_solid(World& world, Solid solid, const std::string& where) {
+  constexpr std::size_t most_solids = 200'000;
+  if (world.solids.size() >= most_solids) {
+    return bad_input(
+        fmt::format("the world has more than {} pieces; take a part of it, or larger cells", most_solids),
+        where);
+  }
+  world.solids.push_back(std::move(solid));
+  return {};
+}
+
+Status add_slices(World& world, const std::vector<WorldSlice>& slices, double height_m,
+                  const std::string& where) {
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const std::string name = fmt::format("{}/{}", slices[i].name.empty() ? "slice" : slices[i].name, i + 1);
+    auto ok = add_solid(world, upright(slices[i], name, world.floor_z_m, world.floor_z_m + height_m), where);
+    if (!ok) return ok;
+  }
+  return {};
+}
+
+Outcome<LoadedWorld> load_world(const std::string& path, const WorldFileOptions& options) {
+  const auto content = read_file(path);
+  if (!content) return tl::unexpected<Fault>(content.error());
+  const auto kind = world_kind(*content, path);
+  if (!kind) return tl::unexpected<Fault>(kind.error());
+  auto loaded = load_kind(*kind, *content, path, options);
+  if (!loaded) return loaded;
+  World& world = loaded->world;
+  if (world.name.empty() || world.name == "default") world.name = name_of(path);
+  return loaded;
+}
+
+}  // namespace outrider

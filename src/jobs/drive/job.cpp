@@ -1,0 +1,37 @@
+#include "outrider/jobs/drive/job.hpp"
+
+#include "outrider/jobs/drive/run.hpp"
+#include "summary.hpp"
+
+namespace outrider {
+
+Outcome<Warnings> DriveJob::load() {
+  auto loaded = load_drive(scenario);
+  if (!loaded) return pass_on(loaded);
+  setup = std::move(*loaded);
+  return std::exchange(setup->warnings, {});
+}
+
+Outcome<Run> DriveJob::run(const RunWatch& watch) {
+  RunSteps steps(watch, 1);
+  if (auto ok = steps.next("driving"); !ok) return pass_on(ok);
+  Report report = run_drive(setup->task, setup->truth, setup->rendered,
+                            static_cast<std::uint64_t>(scenario.seed), steps.inner());
+  if (setup->plan) {
+    report.metrics.emplace_back("path_m", length_of(*setup->plan));
+    report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);
+  }
+  return Run{std::move(report)};
+}
+
+Job drive_job() {
+  return {.name = "drive",
+          .sentence = "Drive to waypoints by the tags in sight, or open loop by time.",
+          .example = "drive --scenario scenarios/waypoints/closed_loop.yaml --loop open",
+          .blank = [] { return std::make_unique<DriveJob>(); },
+          .picture_s = 12.0,
+          .summary = drive_summary,
+          .tables = drive_tables};
+}
+
+}  // namespace outrider

@@ -1,0 +1,56 @@
+#include "outrider/jobs/explore/job.hpp"
+
+#include "outrider/io/map_server.hpp"
+#include "outrider/io/track_csv.hpp"
+#include "outrider/jobs/explore/run.hpp"
+#include "summary.hpp"
+
+namespace outrider {
+namespace {
+
+/// Wheels that count right, and are believed.
+void make_pose_perfect(ExploreSetup& setup) {
+  setup.task.slam.trust_odometry = true;
+  setup.truth.wheels.scale_error = 0.0;
+  setup.truth.wheels.noise_m = 0.0;
+}
+
+}  // namespace
+
+Outcome<Warnings> ExploreJob::load() {
+  auto loaded = load_explore(scenario);
+  if (!loaded) return pass_on(loaded);
+  setup = std::move(*loaded);
+  if (scenario.perfect_pose) make_pose_perfect(*setup);
+  return std::exchange(setup->warnings, {});
+}
+
+Outcome<Run> ExploreJob::run(const RunWatch& watch) {
+  RunSteps steps(watch, 1);
+  if (auto ok = steps.next("exploring"); !ok) return pass_on(ok);
+  auto explored = run_explore(setup->world, setup->task, setup->truth,
+                              static_cast<std::uint64_t>(scenario.seed), steps.inner());
+  if (!explored) return pass_on(explored);
+  auto map = map_server_text({explored->map, 0.0}, "map.pgm");
+  if (!map) return pass_on(map);
+  return Run{std::move(explored->report),
+             {{"track.csv", track_csv(explored->track)},
+              {"map.pgm", std::move(map->image)},
+              {"map.yaml", std::move(map->yaml)}}};
+}
+
+Job explore_job() {
+  return {
+      .name = "explore",
+      .sentence = "Map an unknown world to the last reachable cell, then come home.",
+      .example = "explore scenarios/explore/office.yaml --out out",
+      .blank = [] { return std::make_unique<ExploreJob>(); },
+      .file_option = "world",
+      .file_sentence = "world to explore: SDF, map_server YAML, PGM or PNG image, slices CSV; or a scenario",
+      .aliases = {{"planner", "explore.strategy"}},
+      .picture_s = 20.0,
+      .summary = explore_summary,
+      .tables = explore_tables};
+}
+
+}  // namespace outrider

@@ -1,0 +1,142 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "outrider/core/text.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+bool has_metric(const Report& report, std::string_view name) { return !std::isnan(metric(report, name)); }
+
+std::string watch_summary(const Report& report) {
+  return fmt::format(
+      "\n  drove {:.1f} m, fired {:.0f} shots, planned {:.0f} times\n"
+      "  intruders were inside for {:.1f} s in all, {:.1f} s at most; no policy makes it less than {:.1f} s\n"
+      "  the last was hit after {}; no policy makes it less than {}\n",
+      metric(report, "driven_m"), metric(report, "shots"), metric(report, "plans"),
+      metric(report, "intruder_seconds"), metric(report, "longest_s"),
+      metric(report, "intruder_seconds_bound"), duration_text(metric(report, "makespan_s")),
+      duration_text(metric(report, "makespan_bound_s")));
+}
+
+std::string hunt_summary(const Report& report) {
+  return fmt::format(
+      "\n  drove {:.1f} m, fired {:.0f} shots, of which {:.1f} were expected to hit\n"
+      "  intruders were inside for {:.1f} s in all; the last was hit after {}\n",
+      metric(report, "driven_m"), metric(report, "shots"), metric(report, "expected_hits"),
+      metric(report, "intruder_seconds"), duration_text(metric(report, "makespan_s")));
+}
+
+std::string supply_line(const Report& report) {
+  std::string text = fmt::format("  filled up {:.0f} times, {:.0f} of them not as planned",
+                                 metric(report, "fills"), metric(report, "unplanned_fills"));
+  if (has_metric(report, "least_water"))
+    text += fmt::format("; water at least {:g}", metric(report, "least_water"));
+  if (has_metric(report, "least_charge_j")) {
+    text += fmt::format("; charge at least {:.0f} J", metric(report, "least_charge_j"));
+  }
+  return text + "\n";
+}
+
+std::string passing_lines(const Report& report) {
+  std::string text = fmt::format("  {:.0f} of the shots left while the robot drove, {:.0f} of these hit\n",
+                                 metric(report, "shots_in_passing"), metric(report, "hits_in_passing"));
+  const double bound_s = metric(report, "lower_bound_s");
+  if (bound_s > 0.0) {
+    text += fmt::format("  no mission, shooting from rest or on the move, takes less than {}\n",
+                        duration_text(bound_s));
+  }
+  return text;
+}
+
+std::string target_row(const ReportTarget& target, std::size_t width) {
+  if (target.shots == 0) {
+    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(target.name), width, printable(target.status),
+                       printable(target.reason));
+  }
+  return fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6.1f}  {:>15}  {:>6.1f}  {:>6.1f}  {:>7.2f}\n",
+                     printable(target.name), width, target.status, target.shots, target.done_s,
+                     fmt::format("({:.2f}, {:.2f})", target.pose.position.x, target.pose.position.y),
+                     degrees(target.pitch_rad), target.speed_mps, target.clearance_m);
+}
+
+/// How far the plan may be from the best, among the stops offered and from anywhere.
+std::string bounds_lines(const Report& report) {
+  return fmt::format(
+      "  no tour of the {:.0f} stops offered takes less than {}: a gap of {:.1f} %{}\n"
+      "  no mission from any place of the grid takes less than {}: a gap of {:.1f} %\n",
+      metric(report, "stops_offered"), duration_text(metric(report, "lower_bound_s")),
+      100.0 * metric(report, "gap"), metric(report, "tour_proven") > 0.0 ? ", the tour is the best" : "",
+      duration_text(metric(report, "anywhere_lower_bound_s")), 100.0 * metric(report, "anywhere_gap"));
+}
+
+std::string planning_line(const Report& report) {
+  if (!has_metric(report, "planning_s")) return {};
+  std::string text = fmt::format("  planning took {}\n", duration_text(metric(report, "planning_s")));
+  const double physics_s = metric(report, "physics_s"), mission_s = metric(report, "mission_s");
+  if (!(physics_s > 0.0)) return text;
+  return text + fmt::format("  physics: {:.1f} s of the mission in {:.1f} s, {:.1f} times real time\n",
+                            mission_s, physics_s, mission_s / physics_s);
+}
+
+/// Of a problem that was written as PDDL, or a plan that was judged, in place of a mission.
+std::string pddl_summary(const Report& report) {
+  const double makespan_s = metric(report, "makespan_s");
+  if (has_metric(report, "our_makespan_s")) {
+    if (report.status != "done") return fmt::format("invalid: {}\n", printable(report.reason));
+    return fmt::format("valid: {:.0f} actions, makespan {:.6f} s; ours takes {:.6f} s\n",
+                       metric(report, "actions"), makespan_s, metric(report, "our_makespan_s"));
+  }
+  return fmt::format(
+      "{}: {:.0f} targets, {:.0f} stops, {:.0f} poses, {:.0f} stations\n"
+      "  our plan takes {:.6f} s; no plan takes less than {:.6f} s\n",
+      printable(report.world_name), metric(report, "targets"), metric(report, "stops"),
+      metric(report, "poses"), metric(report, "stations"), makespan_s, metric(report, "lower_bound_s"));
+}
+
+}  // namespace
+
+std::string guard_summary(const Report& report) {
+  if (!has_metric(report, "mission_s")) return pddl_summary(report);
+  std::string text = fmt::format("{}: {:.0f} of {:.0f} targets reached in {}\n\n",
+                                 printable(report.world_name), metric(report, "reached"),
+                                 metric(report, "targets"), duration_text(metric(report, "mission_s")));
+  std::size_t width = 6;
+  for (const ReportTarget& target : report.targets) width = std::max(width, target.name.size());
+  text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,
+                      "status", "shots", "at s", "from m", "pitch", "m/s", "clear m");
+  for (const ReportTarget& target : report.targets) text += target_row(target, width);
+  if (has_metric(report, "expected_hits")) return text + hunt_summary(report) + planning_line(report);
+  if (has_metric(report, "intruder_seconds")) return text + watch_summary(report) + planning_line(report);
+  text += fmt::format(
+      "\n  drove {:.1f} m, turned {:.0f} degrees, fired {:.0f} shots from {:.0f} stops\n"
+      "  planned {}\n",
+      metric(report, "driven_m"), degrees(metric(report, "turned_rad")), metric(report, "shots"),
+      metric(report, "stops"), duration_text(metric(report, "planned_s")));
+  if (has_metric(report, "stops_offered") && metric(report, "stops_offered") > 0.0)
+    text += bounds_lines(report);
+  if (has_metric(report, "fills")) text += supply_line(report);
+  if (has_metric(report, "shots_in_passing")) text += passing_lines(report);
+  return text + planning_line(report);
+}
+
+std::vector<Table> guard_tables(const Report& report) {
+  Table table{"targets",
+              {"name", "status", "reason", "shots", "done_s", "x", "y", "heading_rad", "pitch_rad", "yaw_rad",
+               "speed_mps", "clearance_m"},
+              {}};
+  for (const ReportTarget& t : report.targets) {
+    const auto if_shot = [&](double value) { return t.shots == 0 ? std::nan("") : value; };
+    table.rows.push_back({t.name, t.status, t.reason, static_cast<double>(t.shots), t.done_s,
+                          if_shot(t.pose.position.x), if_shot(t.pose.position.y), if_shot(t.pose.heading_rad),
+                          if_shot(t.pitch_rad), if_shot(t.shot_yaw_rad), if_shot(t.speed_mps),
+                          if_shot(t.clearance_m)});
+  }
+  return {std::move(table)};
+}
+
+}  // namespace outrider

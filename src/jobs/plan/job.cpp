@@ -1,0 +1,84 @@
+#include "outrider/jobs/plan/job.hpp"
+
+#include <fmt/format.h>
+
+#include "files.hpp"
+#include "outrider/job/run_job.hpp"
+#include "report.hpp"
+#include "summary.hpp"
+
+namespace outrider {
+namespace {
+
+/// What a fault of a single question names: the end at which the robot cannot stand, or the planner.
+std::string place_of(const PlanRow& row) {
+  const auto& [number, from, to] = row.query;
+  if (row.fault->code == FaultCode::start_blocked) return fmt::format("from {},{}", from.x, from.y);
+  if (row.fault->code == FaultCode::goal_blocked) return fmt::format("to {},{}", to.x, to.y);
+  return "planner " + row.planner;
+}
+
+/// That there is no path is an answer to a single question, as it is to several; a question that cannot be
+/// asked is a fault.
+Status check_single(const PlanAnswer& answer) {
+  if (answer.rows.size() != 1 || answer.rows.front().found()) return {};
+  Fault refusal = *answer.rows.front().fault;
+  if (refusal.code == FaultCode::no_path || refusal.code == FaultCode::budget_exhausted) return {};
+  if (refusal.where.empty()) refusal.where = place_of(answer.rows.front());
+  return tl::unexpected<Fault>(std::move(refusal));
+}
+
+std::vector<std::pair<std::string, std::string>> settled_settings(const PlanScenario& settled) {
+  PlanJob job;
+  job.scenario = settled;
+  return settings_of(job.options());
+}
+
+}  // namespace
+
+Outcome<Warnings> PlanJob::load() {
+  auto loaded = load_plan(scenario, given);
+  if (!loaded) return pass_on(loaded);
+  task = std::move(*loaded);
+  return task->map.warnings;
+}
+
+Outcome<Run> PlanJob::run(const RunWatch& watch) {
+  RunSteps steps(watch, 1 + static_cast<int>(task->planners.size()));
+  if (auto ok = steps.next("preparing the map"); !ok) return pass_on(ok);
+  const auto question = question_of(*task);
+  if (!question) return tl::unexpected<Fault>(question.error());
+  if (question->queries.size() == 1) {
+    if (auto ok = check_query(question->ground, question->queries.front()); !ok) return pass_on(ok);
+  }
+  Trace trace;
+  const bool traces = task->settled.trace;
+  const auto found =
+      answer(*question,
+             {.trace = traces ? &trace : nullptr,
+              .before = [&](std::string_view planner) { return steps.next(std::string(planner)); }},
+             watch.budget());
+  if (!found) return tl::unexpected<Fault>(found.error());
+  if (auto ok = check_single(*found); !ok) return pass_on(ok);
+  Run run{plan_report(*task, *question, *found), plan_pictures(*question, *found, traces ? &trace : nullptr)};
+  run.tables = {table_of(*found)};
+  run.report.settings = settled_settings(task->settled);
+  if (traces) run.files.push_back({"trace.json", trace_json(trace, *question->ground.grid)});
+  watch.show(run.report);
+  return run;
+}
+
+Job plan_job() {
+  return {.name = "plan",
+          .sentence = "Find a collision-free path for a disk robot.",
+          .example = "plan scenarios/yard/yard.sdf --from 0,-6 --to 4,4 --compare --out out",
+          .blank = [] { return std::make_unique<PlanJob>(); },
+          .file_option = "map",
+          .file_sentence =
+              "map: map_server YAML, SDF world, MovingAI .map, polygons .txt, PGM or PNG image; may "
+              "be gzip-compressed",
+          .summary = plan_summary,
+          .run_summary = plan_run_summary};
+}
+
+}  // namespace outrider

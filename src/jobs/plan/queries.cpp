@@ -1,0 +1,105 @@
+#include "queries.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/io/text.hpp"
+#include "outrider/io/values.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::size_t most_items = 10'000;
+
+/// The parts between blanks; those beside a comma do not part.
+Outcome<std::vector<std::string>> items_of(std::string_view text, const std::string& key) {
+  std::vector<std::string> items;
+  bool open = false;
+  for (const std::string_view word : words(text)) {
+    if (items.empty() || !(open || word.starts_with(','))) {
+      items.emplace_back(word);
+    } else {
+      items.back() += word;
+    }
+    open = word.ends_with(',');
+  }
+  if (items.size() <= most_items) return items;
+  return bad_input(fmt::format("{} are too many; it takes {}", items.size(), most_items), key);
+}
+
+Outcome<Vec2> point_of(const std::string& text, const std::string& key) {
+  auto numbers = parse_numbers(text, 2, key, "x,y in m, such as 1.5,-2");
+  if (!numbers) return pass_on(numbers);
+  return Vec2{(*numbers)[0], (*numbers)[1]};
+}
+
+Outcome<std::vector<PlanQuery>> queries_to_goals(const PlanScenario& scenario) {
+  auto from = point_of(scenario.from, "from");
+  if (!from) return pass_on(from);
+  auto goals = items_of(scenario.to, "to");
+  if (!goals) return pass_on(goals);
+  std::vector<PlanQuery> queries;
+  for (const std::string& goal : *goals) {
+    auto to = point_of(goal, "to");
+    if (!to) return pass_on(to);
+    queries.push_back({{}, *from, *to});
+    if (goals->size() > 1) queries.back().number = queries.size();
+  }
+  return queries;
+}
+
+Outcome<CellChange> change_of(const std::string& text, const std::string& where, bool blocked) {
+  const std::string form = "x,y or x,y,width,height in whole cells, such as 3,4 or 3,4,10,1";
+  const bool one_cell = std::count(text.begin(), text.end(), ',') == 1;
+  auto numbers = parse_numbers(text, one_cell ? 2 : 4, where, form);
+  if (!numbers) return pass_on(numbers);
+  for (const double number : *numbers) {
+    if (number != std::floor(number) || std::abs(number) > most_grid_side) {
+      return bad_input(fmt::format("{} is no good; it takes {}", number, form), where);
+    }
+  }
+  const auto whole = [&](std::size_t i) { return static_cast<int>((*numbers)[i]); };
+  return CellChange{{whole(0), whole(1)}, one_cell ? 1 : whole(2), one_cell ? 1 : whole(3), blocked};
+}
+
+}  // namespace
+
+Outcome<std::vector<PlanQuery>> queries_of(const PlanScenario& scenario, const LoadedMap& map) {
+  if (scenario.query.empty()) return queries_to_goals(scenario);
+  const auto* polygons = std::get_if<PolygonMap>(&map.shape);
+  if (polygons == nullptr)
+    return bad_input("it works with a polygon environment only; leave it out, and give from and to", "query");
+  std::vector<PlanQuery> queries;
+  for (const PointQuery& query : polygons->queries) {
+    queries.push_back({queries.size() + 1, query.start, query.goal});
+  }
+  if (scenario.query == "all" && !queries.empty()) return queries;
+  const auto asked = number<std::size_t>(scenario.query);
+  if (!asked || *asked < 1 || *asked > queries.size()) {
+    return bad_input(
+        fmt::format("'{}' is no query of this map, which has {}; it takes all or a number from 1",
+                    excerpt(scenario.query), queries.size()),
+        "query");
+  }
+  return std::vector<PlanQuery>{queries[*asked - 1]};
+}
+
+Outcome<std::vector<PlanCellChange>> cell_changes(const PlanScenario& scenario) {
+  std::vector<PlanCellChange> changes;
+  for (const bool blocked : {true, false}) {
+    const std::string key = blocked ? "block" : "free";
+    auto items = items_of(blocked ? scenario.block : scenario.free, key);
+    if (!items) return pass_on(items);
+    for (const std::string& item : *items) {
+      std::string where = key + " " + excerpt(item);
+      auto change = change_of(item, where, blocked);
+      if (!change) return pass_on(change);
+      changes.push_back({*change, std::move(where)});
+    }
+  }
+  return changes;
+}
+
+}  // namespace outrider

@@ -1,0 +1,100 @@
+#include "outrider/jobs/plan/task.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "outrider/io/text.hpp"
+#include "queries.hpp"
+
+namespace outrider {
+namespace {
+
+Outcome<GridModel> model_of(const PlanScenario& scenario) {
+  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
+    if (to_string(model) == scenario.model) return model;
+  }
+  return bad_input(fmt::format("'{}' is no good; it takes cells or corners", excerpt(scenario.model)),
+                   "model");
+}
+
+/// The planner that is named, or all that take such a ground.
+Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const PlanGroundOptions& ground) {
+  const auto fits = [&](const PathPlanner& planner) {
+    return planner.takes(ground.model) || (ground.as_polygons && planner.polygons);
+  };
+  std::vector<ChosenPlanner> planners = scenario.planners;
+  if (scenario.compare) {
+    std::erase_if(planners, [&](const ChosenPlanner& planner) { return !fits(planner.first); });
+    return planners;
+  }
+  auto named = find_path_planner(scenario.planner);
+  if (!named) return bad_input(named.error().sentence, "planner");
+  if (!fits(*named)) {
+    return bad_input(
+        fmt::format("{} takes {} a grid of {}; 'outrider list' says what each planner takes", named->name,
+                    ground.as_polygons ? "neither polygons nor" : "polygons, not", to_string(ground.model)),
+        "planner");
+  }
+  std::erase_if(planners, [&](const ChosenPlanner& planner) { return planner.first.name != named->name; });
+  return planners;
+}
+
+/// True for a polygon environment, and a world of solids that is asked of a planner on polygons.
+bool takes_polygons(const PlanScenario& scenario, MapKind kind) {
+  if (kind == MapKind::polygons) return true;
+  const auto planner = find_path_planner(scenario.planner);
+  return !scenario.compare && kind == MapKind::world && planner && planner->polygons;
+}
+
+/// What a trace needs to be shown.
+Status check_trace(const PlanTask& task) {
+  if (!task.settled.trace) return {};
+  if (task.ground.as_polygons)
+    return bad_input("it shows searches on grids; leave it out, or take a grid", "trace");
+  if (task.planners.size() > 1 || task.queries.size() > 1)
+    return bad_input("it shows one search; leave out compare, and give one goal", "trace");
+  return {};
+}
+
+Status set_ground_options(PlanTask& task) {
+  const PlanScenario& scenario = task.settled;
+  auto model = model_of(scenario);
+  if (!model) return pass_on(model);
+  auto changes = cell_changes(scenario);
+  if (!changes) return pass_on(changes);
+  PlanGroundOptions& ground = task.ground;
+  ground = {scenario.radius_m, scenario.height_m, *model, scenario.grid};
+  ground.as_polygons = takes_polygons(scenario, task.map.kind);
+  ground.changes = std::move(*changes);
+  return {};
+}
+
+}  // namespace
+
+Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::string>& given) {
+  if (auto ok = check(scenario); !ok) return pass_on(ok);
+  auto map = load_map(scenario.map);
+  if (!map) return pass_on(map);
+  PlanTask task{settle(scenario, map->kind, given), std::move(*map), {}, {}, {}};
+  if (auto ok = set_ground_options(task); !ok) return pass_on(ok);
+  auto planners = chosen(task.settled, task.ground);
+  if (!planners) return pass_on(planners);
+  task.planners = std::move(*planners);
+  task.ground.needs_grid =
+      !task.ground.as_polygons || !std::all_of(task.planners.begin(), task.planners.end(),
+                                               [](const ChosenPlanner& p) { return p.first.polygons; });
+  auto queries = queries_of(task.settled, task.map);
+  if (!queries) return pass_on(queries);
+  task.queries = std::move(*queries);
+  if (auto ok = check_trace(task); !ok) return pass_on(ok);
+  return task;
+}
+
+Outcome<PlanQuestion> question_of(const PlanTask& task) {
+  auto ground = plan_ground(task.map, task.ground);
+  if (!ground) return pass_on(ground);
+  return PlanQuestion{std::move(*ground), task.planners, task.queries};
+}
+
+}  // namespace outrider

@@ -1,0 +1,110 @@
+#include "outrider/jobs/pursue/job.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+#include "outrider/job/clock.hpp"
+#include "outrider/jobs/pursue/report.hpp"
+#include "outrider/pursuit/optimal.hpp"
+#include "summary.hpp"
+
+namespace outrider {
+namespace {
+
+class WallWatch : public StopWatch {
+ public:
+  double lap_s() override {
+    const double now_s = wall_s();
+    return now_s - std::exchange(last_s_, now_s);
+  }
+
+ private:
+  double last_s_ = wall_s();
+};
+
+double peak_mib() {
+  struct rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// The bound that somebody who knew the whole future could prove, where the run proved none itself.
+void look_back(PursuitRun& run, const PursuitTask& task, const Budget& budget) {
+  const bool certain = task.rules.known_s >= task.problem.last_s();
+  if (certain && !task.rules.ask) return;
+  run.lower_bound = 0;
+  for (const Cell robot : task.robots) {
+    PursuitProblem problem = task.problem;
+    problem.start = robot;
+    Workspace workspace;
+    const auto plan = optimal_pursuit(problem, {}, budget, workspace);
+    if (!plan) continue;
+    run.lower_bound = run.lower_bound == 0 ? plan->lower_bound : std::min(run.lower_bound, plan->lower_bound);
+    const int earliest = plan->earliest_catch_s;
+    run.earliest_catch_s = run.earliest_catch_s < 0 ? earliest : std::min(run.earliest_catch_s, earliest);
+  }
+}
+
+/// What the answer is, whatever it says: that it cannot be caught is one.
+bool is_proven_impossible(const Fault& fault) {
+  return fault.code == FaultCode::no_path || fault.code == FaultCode::budget_exhausted;
+}
+
+}  // namespace
+
+Outcome<Warnings> PursueJob::load() {
+  auto loaded = load_task(scenario);
+  if (!loaded) return pass_on(loaded);
+  task = std::move(*loaded);
+  return Warnings{};
+}
+
+Outcome<Run> PursueJob::run(const RunWatch& watch) {
+  RunSteps steps(watch, 2);
+  if (auto ok = steps.next("planning and going"); !ok) return pass_on(ok);
+  const std::string name = std::filesystem::path(scenario.map).filename().string();
+  WallWatch laps;
+  task->rules.budget.stop = watch.stop;
+  const auto look = [&](const PursuitRun& so_far) {
+    if (watch.wanted()) watch.show(pursuit_report(task->problem, so_far, name));
+  };
+  auto pursued = pursue(task->problem, task->robots, task->rules, laps, look);
+  if (!pursued && !is_proven_impossible(pursued.error())) return pass_on(pursued);
+  Report report;
+  if (pursued) {
+    const double first_s = pursued->first_feasible_s < 0.0 ? std::numeric_limits<double>::quiet_NaN()
+                                                           : pursued->first_feasible_s;
+    const bool stopped = watch.stopped();
+    if (!stopped) (void)steps.next("looking back with the whole future known");
+    if (!stopped) look_back(*pursued, *task, watch.budget());
+    report = pursuit_report(task->problem, *pursued, name);
+    report.machine_times = {
+        {"first_feasible_s", first_s}, {"planning_s", pursued->planning_s}, {"peak_mib", peak_mib()}};
+    if (stopped) mark_cancelled(report, static_cast<double>(pursued->mission.time_s));
+  } else {
+    report = pursuit_report(task->problem, pursued.error(), name);
+    report.machine_times = {{"first_feasible_s", std::numeric_limits<double>::quiet_NaN()},
+                            {"planning_s", laps.lap_s()},
+                            {"peak_mib", peak_mib()}};
+  }
+  watch.show(report);
+  report.seed = static_cast<std::uint64_t>(scenario.seed);
+  return Run{std::move(report)};
+}
+
+Job pursue_job() {
+  return {.name = "pursue",
+          .sentence = "Catch a moving target on a grid of costs, at the least cost.",
+          .example = "pursue scenarios/pursuit/park.txt --out out",
+          .blank = [] { return std::make_unique<PursueJob>(); },
+          .file_option = "map",
+          .file_sentence = "map of costs with the robot and the target; may be gzip-compressed",
+          .picture_s = 12.0,
+          .summary = pursuit_summary};
+}
+
+}  // namespace outrider

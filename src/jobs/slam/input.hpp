@@ -1,0 +1,25 @@
+// What the job slam reads: told by what stands in the file, and completed by the files beside it.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "outrider/io/carmen_log.hpp"
+#include "outrider/io/pyfg.hpp"
+
+namespace outrider {
+
+struct GraphInput {
+  PoseGraph graph;
+  std::vector<Pose2> truth;  ///< by node; empty where unknown
+};
+
+using SlamInput = std::variant<GraphInput, LandmarkLog, LaserLog>;
+
+/// A g2o or PyFG graph, or a landmark log: a Freiburg log with the map `truth` or "world.dat" beside it; an
+/// MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks beside it; a chain; a
+/// laser log of CARMEN.
+Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
+                                   const CarmenOptions& carmen);
+
+}  // namespace outrider

@@ -1,0 +1,286 @@
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "opened.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/track_csv.hpp"
+#include "outrider/job/clock.hpp"
+#include "outrider/report/slam_record.hpp"
+#include "outrider/slam/map_error.hpp"
+#include "slam_picture.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double reach_m = 0.5;  // of a true place, to a landmark whose id means nothing
+
+std::vector<Vec2> places(const std::vector<Pose2>& poses) {
+  std::vector<Vec2> result;
+  for (const Pose2& pose : poses) result.push_back(pose.position);
+  return result;
+}
+
+std::string landmarks_csv(const LandmarkMap& map) {
+  std::string text = "id,x,y,xx,xy,yy,sightings\n";
+  for (const LandmarkEstimate& l : map) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", l.id, l.position.x, l.position.y,
+                   l.covariance(0, 0), l.covariance(0, 1), l.covariance(1, 1), l.sightings);
+  }
+  return text;
+}
+
+/// The true places in the frame of the map.
+std::map<std::int64_t, Vec2> truth_in_map(const LandmarkLog& log, const MapError& error) {
+  std::map<std::int64_t, Vec2> result;
+  if (error.landmarks == 0) return result;
+  const Pose2& motion = error.alignment;
+  for (const auto& [id, place] : log.true_landmarks) result.emplace(id, motion.to_local(place));
+  return result;
+}
+
+std::vector<double> times_of(const LandmarkLog& log) {
+  std::vector<double> recorded_s;
+  for (const LogStep& step : log.steps) recorded_s.push_back(log.timed ? step.time_s : 0.0);
+  return run_times(recorded_s);
+}
+
+double way_of(const LandmarkLog& log) {
+  double way_m = 0.0;
+  for (const LogStep& step : log.steps) way_m += scan_way_m(step.odometry);
+  return way_m;
+}
+
+/// What is noted while the log is mapped, for the report and for who looks on.
+class Recorder {
+ public:
+  Recorder(const SlamScenario& scenario, const LandmarkLog& log, RunObserver* observer)
+      : log_(log),
+        observer_(observer),
+        report_(opened(scenario)),
+        record_(report_, scenario.landmarks.engine, way_of(log)),
+        times_s_(times_of(log)) {
+    report_.start = log.start;
+  }
+
+  void note(const LandmarkSlam& slam, std::size_t step, const StepOutcome& outcome, const Pose2& odometry) {
+    const double time_s = times_s_[step];
+    record_.note({time_s, slam.pose(), slam.pose_covariance(), odometry, outcome.used > 0});
+    record_.note_scan([&] { return places_of(log_.steps[step].sightings); });
+    for (const std::int64_t id : outcome.added) {
+      first_s_[id] = time_s;
+      tell(time_s, "landmark", fmt::format("landmark {} is in the map", id));
+    }
+    for (const std::int64_t id : outcome.removed)
+      tell(time_s, "removed", fmt::format("landmark {} is taken out of the map", id));
+    if (outcome.lost != lost_)
+      tell(time_s, outcome.lost ? "lost" : "found",
+           outcome.lost ? "the robot is lost" : "the robot knows again where it is");
+    lost_ = outcome.lost;
+    if (observer_ != nullptr && observer_->wants()) show(slam);
+  }
+
+  /// The report as it stands once all is settled. Of landmarks that go by their ids, `truth` has true places.
+  Report settled(const LandmarkSlam& slam, const LandmarkMap& map, const std::map<std::int64_t, Vec2>& truth,
+                 bool by_id) {
+    if (observer_ != nullptr) show(slam);
+    note_landmarks(map);
+    for (ReportLandmark& landmark : report_.slam->landmarks) {
+      if (by_id && truth.contains(landmark.id)) landmark.truth = truth.at(landmark.id);
+      if (!by_id) landmark.truth = nearest(truth, landmark.position);
+    }
+    std::vector<Pose2> poses = slam.trajectory();  // with those of a run before, and where this one began
+    poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(log_.steps.size()));
+    record_.settle(poses, {});
+    return std::move(report_);
+  }
+
+ private:
+  static std::vector<Vec2> places_of(const std::vector<LandmarkSighting>& sightings) {
+    std::vector<Vec2> result;
+    for (const LandmarkSighting& sighting : sightings) result.push_back(sighting.position);
+    return result;
+  }
+
+  static std::optional<Vec2> nearest(const std::map<std::int64_t, Vec2>& truth, Vec2 place) {
+    std::optional<Vec2> found;
+    for (const auto& [id, there] : truth) {
+      if (distance(there, place) <= (found ? distance(*found, place) : reach_m)) found = there;
+    }
+    return found;
+  }
+
+  void tell(double time_s, const char* kind, std::string text) {
+    report_.events.push_back({time_s, kind, std::move(text)});
+  }
+
+  void note_landmarks(const LandmarkMap& map) {
+    std::vector<ReportLandmark>& landmarks = report_.slam->landmarks;
+    landmarks.clear();
+    for (const LandmarkEstimate& one : map) {
+      const ReportSigmas sigmas = sigmas_of(one.covariance(0, 0), one.covariance(0, 1), one.covariance(1, 1));
+      const auto first = first_s_.find(one.id);
+      landmarks.push_back({one.id,
+                           first == first_s_.end() ? 0.0 : first->second,
+                           one.position,
+                           sigmas.x_m,
+                           sigmas.y_m,
+                           sigmas.correlation,
+                           static_cast<int>(one.sightings),
+                           {}});
+    }
+  }
+
+  void show(const LandmarkSlam& slam) {
+    note_landmarks(slam.landmarks());
+    observer_->see(report_);
+  }
+
+  const LandmarkLog& log_;
+  RunObserver* observer_;
+  Report report_;
+  SlamRecord record_;
+  std::vector<double> times_s_;
+  std::map<std::int64_t, double> first_s_;
+  bool lost_ = false;
+};
+
+struct Mapped {
+  LandmarkSlam slam;
+  std::vector<double> times_s;
+  std::vector<Pose2> odometry;
+  int used = 0;
+  int refused = 0;
+  int removed = 0;
+  int lost = 0;
+};
+
+Outcome<LandmarkSlam> begin(const SlamJob& job, const LandmarkSlamOptions& options, const Pose2& start) {
+  if (job.scenario.resume.empty()) return LandmarkSlam::begin(options, start);
+  if (auto ok = LandmarkSlam::begin(options, start); !ok) return ok;
+  const auto state = read_file(job.scenario.resume);
+  if (!state) return tl::unexpected<Fault>(state.error());
+  auto begun = LandmarkSlam::load(*state);
+  if (!begun) return bad_input(begun.error().sentence, job.scenario.resume);
+  return begun;
+}
+
+Outcome<Mapped> run_log(const SlamJob& job, const LandmarkSlamOptions& options, LandmarkLog& log,
+                        Recorder& recorder, const RunWatch& watch) {
+  auto begun = begin(job, options, log.start);
+  if (!begun) return pass_on(begun);
+  Mapped run{std::move(*begun), {}, {}, 0, 0, 0, 0};
+  run.odometry.push_back(run.slam.pose());
+  RunSteps steps(watch, 1);
+  if (auto ok = steps.next("mapping"); !ok) return pass_on(ok);
+  const RunWatch inner = steps.inner();
+  for (std::size_t i = 0; i < log.steps.size(); ++i) {
+    if (watch.stopped()) {
+      if (i == 0) return fault(FaultCode::cancelled, "it was cancelled before the first step");
+      log.steps.resize(i);
+      break;
+    }
+    LogStep& step = log.steps[i];
+    run.odometry.push_back(compose(run.odometry.back(), step.odometry));
+    if (options.unknown_ids) {
+      for (LandmarkSighting& sighting : step.sightings) sighting.id.reset();
+    }
+    const double since_s = wall_s();
+    const auto outcome = run.slam.advance(step);
+    run.times_s.push_back(wall_s() - since_s);
+    if (!outcome)
+      return bad_input(fmt::format("step {}: {}", i + 1, outcome.error().sentence), job.scenario.log);
+    run.used += outcome->used;
+    run.refused += outcome->refused;
+    run.removed += static_cast<int>(outcome->removed.size());
+    run.lost += outcome->lost ? 1 : 0;
+    recorder.note(run.slam, i, *outcome, run.odometry.back());
+    inner.part(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
+  }
+  const double since_s = wall_s();
+  run.slam.settle();
+  run.times_s.push_back(wall_s() - since_s);
+  return run;
+}
+
+/// What a log that vouches for its ids needs: no gate and no patience, where nobody chose them.
+LandmarkSlamOptions options_of(const SlamJob& job, const LandmarkLog& log) {
+  LandmarkSlamOptions options = job.scenario.landmarks;
+  if (!log.told_apart || options.unknown_ids) return options;
+  if (!job.given.contains("slam.gate")) options.gate = 1.0;
+  if (!job.given.contains("slam.patience")) options.patience = 1;
+  return options;
+}
+
+/// A truth with two ids exchanged is set right.
+std::string undo_exchange(LandmarkLog& log, const LandmarkMap& map) {
+  const auto exchanged = exchanged_ids(map, log.true_landmarks);
+  if (!exchanged) return {};
+  std::swap(log.true_landmarks[exchanged->first], log.true_landmarks[exchanged->second]);
+  return fmt::format("the truth has landmarks {} and {} exchanged; they are taken for each other",
+                     exchanged->first, exchanged->second);
+}
+
+Metrics metrics_of(const LandmarkSlamOptions& options, const Mapped& run, std::size_t landmarks,
+                   const MapError& error) {
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  return {{"landmark_rmse_m", known(error.rmse_m)},
+          {"landmark_rmse_aligned_m", known(error.aligned_rmse_m)},
+          {"ate_m", known(std::nullopt)},
+          {"cost", options.engine == "graph" ? run.slam.cost() : known(std::nullopt)},
+          {"steps", number(run.times_s.size() - 1)},
+          {"landmarks", number(landmarks)},
+          {"landmarks_compared", number(error.landmarks)},
+          {"sightings_used", number(run.used)},
+          {"sightings_refused", number(run.refused)},
+          {"landmarks_removed", number(run.removed)},
+          {"steps_lost", number(run.lost)}};
+}
+
+Metrics times_of(const Mapped& run) {
+  std::vector<double> sorted = run.times_s;
+  std::ranges::sort(sorted);
+  double time_s = 0.0;
+  for (const double step_s : sorted) time_s += step_s;
+  return {{"time_s", time_s}, {"max_step_s", sorted.back()}, {"median_step_s", sorted[sorted.size() / 2]}};
+}
+
+std::vector<NamedContent> files_of(const Mapped& run, const LandmarkMap& map,
+                                   const std::map<std::int64_t, Vec2>& truth) {
+  const std::vector<Pose2> track = run.slam.trajectory();
+  std::vector<Vec2> true_places;
+  for (const auto& [id, place] : truth) true_places.push_back(place);
+  const SlamPicture picture{{places(track)}, {places(run.odometry)}, {}, map, true_places};
+  return {{"track.csv", track_csv(track)},
+          {"landmarks.csv", landmarks_csv(map)},
+          {"state.txt", run.slam.state()},
+          {"slam.svg", to_svg(picture)}};
+}
+
+}  // namespace
+
+Outcome<Run> map_landmark_log(const SlamJob& job, LandmarkLog log, const RunWatch& watch) {
+  const LandmarkSlamOptions options = options_of(job, log);
+  const std::size_t logged = log.steps.size();
+  Recorder recorder(job.scenario, log, watch.observer);
+  const auto run = run_log(job, options, log, recorder, watch);
+  if (!run) return tl::unexpected<Fault>(run.error());
+  const LandmarkMap map = run->slam.landmarks();
+  const std::string warning = options.unknown_ids ? std::string() : undo_exchange(log, map);
+  const MapError error = options.unknown_ids ? map_error_by_place(map, log.true_landmarks, reach_m)
+                                             : map_error(map, log.true_landmarks);
+  const auto truth = truth_in_map(log, error);
+  Report report = recorder.settled(run->slam, map, truth, !options.unknown_ids);
+  if (!warning.empty()) report.warnings.push_back(warning);
+  conclude(report, metrics_of(options, *run, map.size(), error));
+  report.machine_times = times_of(*run);
+  if (log.steps.size() < logged)
+    mark_cancelled(report, report.track.empty() ? 0.0 : report.track.back().time_s);
+  return Run{std::move(report), files_of(*run, map, truth)};
+}
+
+}  // namespace outrider

@@ -1,0 +1,31 @@
+// What the kinds of input of the job slam share: how each is mapped, and how their reports begin.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "input.hpp"
+#include "outrider/job/job.hpp"
+#include "outrider/jobs/slam/job.hpp"
+
+namespace outrider {
+
+/// Maps what was recorded. Each reports the numbers that docs/jobs/slam.md lists.
+Outcome<Run> solve_graph(const SlamJob& job, GraphInput input, const RunWatch& watch);
+Outcome<Run> map_landmark_log(const SlamJob& job, LandmarkLog log, const RunWatch& watch);
+Outcome<Run> map_laser_log(const SlamJob& job, const LaserLog& log, const RunWatch& watch);
+
+/// A report of the job before anything has happened.
+Report opened(const SlamScenario& scenario);
+
+using Metrics = std::vector<std::pair<std::string, double>>;
+
+/// The value, or NaN.
+double known(const std::optional<double>& value);
+
+/// Puts the metrics before those that the report has; fills its bounds.
+void conclude(Report& report, Metrics metrics);
+
+}  // namespace outrider

@@ -1,0 +1,12 @@
+// A mapping from a log in words for people, from its report alone.
+#pragma once
+
+#include <string>
+
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+std::string slam_summary(const Report& report);
+
+}  // namespace outrider

@@ -1,0 +1,100 @@
+#include "keyframe_graph.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include "covariances.hpp"
+
+namespace outrider {
+
+Eigen::Matrix3d in_frame(const Eigen::Matrix3d& of_parent, double heading_rad) {
+  const Eigen::Matrix3d turn = rotation_by(heading_rad);
+  return turn.transpose() * of_parent * turn;
+}
+
+void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const Pose2& world_T_to,
+                                   const Eigen::Matrix3d& information) {
+  const Pose2& start = keyframes[from].pose;
+  const Eigen::Matrix3d local = in_frame(information, start.heading_rad);
+  edges_.push_back({EdgeKind::pose, from, to, relative_pose(start, world_T_to), local});
+  const Eigen::LLT<Eigen::Matrix3d> factor(information);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  if (factor.info() == Eigen::Success) covariance = factor.solve(Eigen::Matrix3d::Identity());
+  constexpr double lever_m = 2.0;  // a turn moves points at this distance
+  const double variance = covariance(0, 0) + covariance(1, 1) + lever_m * lever_m * covariance(2, 2);
+  links_.resize(keyframes.size());
+  links_[from].push_back({to, variance});
+  links_[to].push_back({from, variance});
+  propagate_covariance(from, to, covariance);
+}
+
+/// The covariance of `to` by way of `from`, where it is smaller than the one known.
+void KeyframeGraph::propagate_covariance(std::uint32_t from, std::uint32_t to,
+                                         const Eigen::Matrix3d& covariance) {
+  const Vec2 arm = keyframes[to].pose.position - keyframes[from].pose.position;
+  const Eigen::Matrix3d by_from = lever_of(arm);
+  const Eigen::Matrix3d sum = by_from * keyframes[from].covariance * by_from.transpose() + covariance;
+  const auto size = [](const Eigen::Matrix3d& c) { return c(0, 0) + c(1, 1); };
+  Eigen::Matrix3d& known = keyframes[to].covariance;
+  covariance_before_ = known;
+  if (size(known) == 0.0 || size(sum) < size(known)) known = sum;
+}
+
+void KeyframeGraph::remove_last_constraint(const std::vector<Pose2>& before) {
+  for (std::size_t i = 0; i < before.size(); ++i) keyframes[i].pose = before[i];
+  links_[edges_.back().from].pop_back();
+  links_[edges_.back().to].pop_back();
+  keyframes[edges_.back().to].covariance = covariance_before_;
+  edges_.pop_back();
+}
+
+double KeyframeGraph::chi2() const {
+  const GraphEdge& edge = edges_.back();
+  const Eigen::Vector3d r = residual(edge, keyframes[edge.from].pose, keyframes[edge.to].pose);
+  return r.dot(edge.information * r);
+}
+
+bool KeyframeGraph::optimise() {
+  PoseGraph graph;
+  for (const Keyframe& key : keyframes) graph.nodes.push_back({{}, key.pose, false});
+  graph.edges = edges_;
+  PoseGraphOptions options;
+  options.start = "given";
+  options.kernel = "huber";
+  options.iterations = 20;
+  options.tolerance = 1e-5;
+  const auto solution = outrider::optimise(graph, options, {});
+  if (!solution) return false;
+  for (std::size_t i = 0; i < keyframes.size(); ++i) keyframes[i].pose = solution->poses[i];
+  return true;
+}
+
+std::vector<Pose2> KeyframeGraph::poses() const {
+  std::vector<Pose2> result;
+  for (const Keyframe& key : keyframes) result.push_back(key.pose);
+  return result;
+}
+
+std::vector<double> KeyframeGraph::variances_from(std::uint32_t keyframe, double bound) const {
+  std::vector<double> variance(keyframes.size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, std::uint32_t>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
+  variance[keyframe] = 0.0;
+  open.push({0.0, keyframe});
+  while (!open.empty()) {
+    const auto [so_far, at] = open.top();
+    open.pop();
+    if (so_far > variance[at] || at >= links_.size()) continue;
+    for (const Link& link : links_[at]) {
+      const double next = so_far + link.variance;
+      if (next > bound || next >= variance[link.to]) continue;
+      variance[link.to] = next;
+      open.push({next, link.to});
+    }
+  }
+  return variance;
+}
+
+}  // namespace outrider
