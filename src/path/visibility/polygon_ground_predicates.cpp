@@ -25,7 +25,7 @@ Exact product(double a, double b) {
 }
 
 /// An exact sum of up to 16 doubles, in parts of growing magnitude.
-struct Expansion {
+struct ExactSum {
   std::array<double, 16> parts{};
   std::size_t count = 0;
 
@@ -67,7 +67,7 @@ int turn_of(Vec2 a, Vec2 b, Vec2 c) {
   const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
   const double rounded = left - right;
   if (std::abs(rounded) > 4e-16 * (std::abs(left) + std::abs(right))) return rounded > 0.0 ? 1 : -1;
-  Expansion exact;
+  ExactSum exact;
   exact.add_product(sum(a.x, -c.x), sum(b.y, -c.y), 1.0);
   exact.add_product(sum(a.y, -c.y), sum(b.x, -c.x), -1.0);
   return exact.sign();

@@ -33,7 +33,7 @@ std::vector<Vec2> sampled(const std::vector<TableArc>& pieces) {
   return points;
 }
 
-double length_of(const std::vector<Vec2>& points) {
+double sampled_length(const std::vector<Vec2>& points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) length += norm(points[i] - points[i - 1]);
   return length;
@@ -72,7 +72,7 @@ TEST_F(PlanAnswerTest, RowsAgreeWithWhatSamplingSaysOfThePath) {
     ASSERT_EQ(text_of(*run, i, "status"), "done");
     const auto pieces = value<std::vector<TableArc>>(*run, i, "pieces");
     const auto points = pieces.empty() ? waypoints_of(*run, i) : sampled(pieces);
-    EXPECT_NEAR(number_of(*run, i, "length_m"), length_of(points), 1e-4);
+    EXPECT_NEAR(number_of(*run, i, "length_m"), sampled_length(points), 1e-4);
     EXPECT_GE(clearance_of(points), 0.5 - 1e-6);
     if (!pieces.empty()) {
       EXPECT_NEAR(number_of(*run, i, "clearance_m"), clearance_of(points), 1e-3);
