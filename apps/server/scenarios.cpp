@@ -119,6 +119,18 @@ Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
   return files;
 }
 
+/// A scenario of a job that the page can change.
+Outcome<Json> shown_job(const fs::path& file, const std::string& path, const Folder& folder) {
+  auto job = scenario_job(file.string());
+  if (!job) return pass_on(job);
+  if (*job == "plan") return shown_question(file, folder);
+  if (*job == "guard") return shown_yard(file);
+  if (job->empty()) return bad_input("the key 'job' is missing; give job: plan or job: guard", path);
+  return bad_input(fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}",
+                               job->substr(0, 60)),
+                   path);
+}
+
 }  // namespace
 
 Outcome<Json> with_kept_map(Json shown, MapStore& maps) {
@@ -131,19 +143,7 @@ Outcome<Json> with_kept_map(Json shown, MapStore& maps) {
 Outcome<Json> shown_scenario(const std::string& path, const Folder& folder) {
   const auto file = folder.resolve(path);
   if (!file) return tl::unexpected(file.error());
-  auto job = scenario_job(file->string());
-  Outcome<Json> shown = bad_input("");
-  if (!job) {
-    shown = pass_on(job);
-  } else if (*job == "plan") {
-    shown = shown_question(*file, folder);
-  } else if (*job == "guard" || job->empty()) {
-    shown = shown_yard(*file);
-  } else {
-    shown = bad_input(fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}",
-                                  job->substr(0, 60)),
-                      path);
-  }
+  auto shown = shown_job(*file, path, folder);
   if (!shown) return tl::unexpected(without_folder(std::move(shown.error()), folder.root()));
   (*shown)["path"] = path;
   return shown;
