@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "clocks.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "outrider/job/clock.hpp"
 #include "progress.hpp"
 #include "suites/suites.hpp"
 #include "terminal.hpp"

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "outrider/job/run_job.hpp"
+
 namespace outrider::cli {
 namespace {
 
@@ -62,7 +64,7 @@ Status apply_flags(const Command& command, const std::vector<OptionGroup>& group
         ok.error().where = flag;
         return ok;
       }
-      if (given != nullptr) given->insert(group.name.empty() ? option.name : group.name + "." + option.name);
+      if (given != nullptr) given->insert(key_of(group, option));
     }
   }
   return {};

@@ -119,7 +119,7 @@ void add_alias(Command& verb, const std::vector<OptionGroup>& groups, std::strin
                std::string_view key) {
   for (const OptionGroup& group : groups) {
     for (const Option& option : group.options) {
-      if ((group.name.empty() ? option.name : group.name + "." + option.name) != key) continue;
+      if (key_of(group, option) != key) continue;
       const std::string help = "as " + flag_of(group.name, option.name);
       const std::string flag = "--" + std::string(alias);
       std::holds_alternative<bool*>(option.value) ? verb.flag(flag, help) : verb.option(flag, help);

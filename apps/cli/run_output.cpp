@@ -86,6 +86,13 @@ std::string answer_text(const Run& run, const std::vector<Table>& tables) {
 /// A run that was cancelled at once has none.
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
+/// Those that its report tells of, then those of the run itself.
+std::vector<Table> all_tables(const Job& job, const Run& run) {
+  auto tables = tables_of(job, run.report);
+  tables.insert(tables.end(), run.tables.begin(), run.tables.end());
+  return tables;
+}
+
 }  // namespace
 
 std::vector<Table> tables_of(const Job& job, const Report& report) {
@@ -104,13 +111,6 @@ Status check(const RunOutput& output, bool folder_given) {
     if (auto ok = check_page("--html"); !ok) return ok;
   }
   return folder_given ? check_folder(output.folder) : Status{};
-}
-
-/// Those that its report tells of, then those of the run itself.
-std::vector<Table> all_tables(const Job& job, const Run& run) {
-  auto tables = tables_of(job, run.report);
-  tables.insert(tables.end(), run.tables.begin(), run.tables.end());
-  return tables;
 }
 
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output) {
@@ -132,8 +132,10 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput&
     if (output.html) add("page", name + ".html", to_html(*stored, page::viewer()));
   }
   for (const Report& part : run.parts) {
-    add(part.job + "_picture", part.job + ".svg", to_animated_svg(part, job.picture_s));
-    if (output.html) add(part.job + "_page", part.job + ".html", to_html(part, page::viewer()));
+    auto stored = report_from_json(to_json(part));
+    if (!stored) return pass_on(stored);
+    add(part.job + "_picture", part.job + ".svg", to_animated_svg(*stored, job.picture_s));
+    if (output.html) add(part.job + "_page", part.job + ".html", to_html(*stored, page::viewer()));
   }
   for (const NamedContent& file : run.files) add(file.path, file.path, file.content);
   if (auto ok = write_files(output.folder, texts); !ok) return pass_on(ok);

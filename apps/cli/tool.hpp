@@ -1,5 +1,5 @@
 // The command line of Outrider over a catalogue of jobs: main() of the tool, and of programs with jobs of
-// their own (examples/10_own_job).
+// their own.
 #pragma once
 
 #include <vector>

@@ -10,10 +10,6 @@
 namespace outrider {
 namespace {
 
-std::string key_of(const OptionGroup& group, const Option& option) {
-  return group.name.empty() ? option.name : group.name + "." + option.name;
-}
-
 /// Makes paths that are relative to the file of a scenario relative to the folder of the process.
 void resolve_files(JobTask& task, const std::set<std::string>& keys, const std::string& scenario_path) {
   const auto folder = std::filesystem::path(scenario_path).parent_path();
@@ -42,6 +38,10 @@ std::vector<OptionGroup> JobTask::options() {
   auto& top = groups.front().options;
   top.insert(top.begin(), {"job", "", 0, 0, "what the robot does; " + job, &job});
   return groups;
+}
+
+std::string key_of(const OptionGroup& group, const Option& option) {
+  return group.name.empty() ? option.name : group.name + "." + option.name;
 }
 
 std::vector<std::pair<std::string, std::string>> settings_of(const std::vector<OptionGroup>& groups) {

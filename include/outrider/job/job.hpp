@@ -4,7 +4,8 @@
 //   const Job patrol{.name = "patrol", .sentence = "...", .blank = [] { return std::make_unique<Patrol>();
 //   }};
 //
-// jobs/catalog.hpp lists the jobs of Outrider, job/run_job.hpp runs one; examples/10_own_job adds one.
+// jobs/catalog.hpp lists the jobs of Outrider, job/run_job.hpp runs one; tests/unit/job/run_job_test.cpp
+// has one of its own.
 #pragma once
 
 #include <functional>

@@ -40,6 +40,9 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch = {})
 Outcome<Run> run_job(const std::vector<Job>& jobs, const std::string& scenario_path,
                      const Changes& changes = {}, const RunWatch& watch = {});
 
+/// The key of an option as it stands in changes and reports: "seed", or "robot.radius" of a section.
+std::string key_of(const OptionGroup& group, const Option& option);
+
 /// Each option and its value with the unit, as reports keep them.
 std::vector<std::pair<std::string, std::string>> settings_of(const std::vector<OptionGroup>& groups);
 

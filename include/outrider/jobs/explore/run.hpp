@@ -28,7 +28,7 @@ struct ExploreRun {
 /// and twice the range of the laser, whatever most_extent allows. A pure function of its arguments, the
 /// machine_times left out. The map that an observer sees has at most 40,000 cells. Faults: those of begin()
 /// and of explore_truth(). Metrics:
-///   explored_fraction, map_error_m, mapped_free_m2   of explore_truth.hpp; seeable_m2 and reachable_m2, too
+///   explored_fraction, map_error_m, mapped_free_m2   of reference.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end
 ///   decisions, max_decision_s        times that it thought where to go, and the longest in processor time,
 ///                                    from the changes of the map to the twist
