@@ -40,7 +40,7 @@ GuardPlan begin_plan(const GuardProblem& problem, const Site& site, const GuardO
 double mission_time(const GuardProblem& problem, const Site& site, const GuardPlan& plan) {
   double time = 0.0;
   double heading = problem.start.heading_rad;
-  GunRest rest;
+  GunState rest;
   for (const PlannedStop& stop : plan.stops) {
     const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, site.ground.terrain());
     time += std::max(drive.time_s, last_landing_s(stop.passing));

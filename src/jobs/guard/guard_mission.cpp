@@ -79,7 +79,7 @@ void look_elsewhere(GuardMission& mission, const Observation& seen, const GuardP
   if (mission.errands.front().targets.size() < left) return;  // it was the last try
   drop_target(mission);
   const auto place =
-      another_place(problem, site, target_of(mission, target), seen.pose.position, problem.errors.position_m);
+      another_place(problem, site, target_of(mission, target), seen.odometry.position, problem.errors.position_m);
   // Behind the rest of this stop, before the next one.
   mission.errands.insert(mission.errands.begin() + 1, Errand{place.value_or(mission.last_place), {target}});
 }
@@ -99,7 +99,7 @@ std::vector<FireInPassing> shots_in_passing(GuardMission& mission, const std::ve
   std::vector<FireInPassing> shots;
   if (targets.empty()) return shots;
   PassingShots solver(problem, site);
-  const auto hits = solver.along(seen.pose.heading_rad, way, {seen.gun_yaw_rad, seen.gun_pitch_rad}, targets);
+  const auto hits = solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
   for (const PassingHit& hit : hits) {
     const Vec2 from = way[hit.leg - 1];
     const Vec2 to = way[hit.leg];
@@ -121,8 +121,8 @@ void note_passing(GuardMission& mission, const Observation& seen, const GuardPro
                   const Site& site) {
   for (const std::size_t target : std::exchange(mission.passing, {})) {
     TargetRecord& record = mission.records[target];
-    const auto result = std::ranges::find(seen.passed, target, &PassingResult::target);
-    if (result != seen.passed.end() && result->hit) {
+    const ShotResult* const result = result_of(seen, target);
+    if (result != nullptr && result->hit) {
       settle(record, TargetStatus::reached,
              fmt::format("hit by shot {} in passing from ({:.2f}, {:.2f})", record.shots,
                          record.pose.position.x, record.pose.position.y),
@@ -167,10 +167,10 @@ Fill fill(GuardMission& mission) {
 /// Waypoints from where the robot stands to the place of the present errand.
 std::vector<Vec2> way_to(const GuardMission& mission, const Observation& seen, const GuardProblem& problem,
                          const Site& site) {
-  const Vec2 here = seen.pose.position;
+  const Vec2 here = seen.odometry.position;
   const Vec2 place = mission.errands.front().place;
   if (mission.routes) {
-    if (auto route = mission.routes->route(seen.pose, place)) return std::move(route->waypoints);
+    if (auto route = mission.routes->route(seen.odometry, place)) return std::move(route->waypoints);
   }
   // No corner of an obstacle is seen from here or from there: along the grid.
   if (const auto routes = site_routes(problem, site, {here, place}, {})) {
@@ -187,7 +187,7 @@ std::optional<FollowWaypoints> set_off(GuardMission& mission, const Observation&
   auto shots = shots_in_passing(mission, way, seen, problem, site);
   mission.arrived = true;
   mission.last_place = place;
-  if (distance(seen.pose.position, place) <= there_m) return std::nullopt;
+  if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
   return FollowWaypoints{std::move(way), false, std::move(shots)};
 }
 
@@ -199,10 +199,10 @@ std::optional<AimGun> take_aim(GuardMission& mission, const Observation& seen, c
   const std::size_t at = target_of(mission, target);
   ShotRules rules = site.rules;
   if (mission.second_pass) rules.margin_m = 0.0;
-  const double pitch = errand.pitches.empty() ? seen.gun_pitch_rad : errand.pitches.front();
+  const double pitch = errand.pitches.empty() ? seen.gun->pitch_rad : errand.pitches.front();
   TargetRecord& record = mission.records[target];
-  record.pose = seen.pose;
-  const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.pose.position, pitch);
+  record.pose = seen.odometry;
+  const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.odometry.position, pitch);
   if (!shot) return std::nullopt;
   record.shot = shot;
   mission.aimed = true;
@@ -249,7 +249,9 @@ GuardMission begin(const GuardProblem& problem, const GuardPlan& plan) {
 }
 
 void hear(GuardMission& mission, const Observation& seen, const GuardProblem& problem) {
-  if (std::exchange(mission.fired, false)) note_result(mission, seen.hit.value_or(false), seen, problem);
+  if (!std::exchange(mission.fired, false)) return;
+  const ShotResult* const result = result_of(seen, mission.errands.front().targets.front());
+  note_result(mission, result != nullptr && result->hit, seen, problem);
 }
 
 std::optional<Command> step(GuardMission& mission, const Observation& seen, const GuardProblem& problem,
@@ -273,7 +275,7 @@ std::optional<Command> step(GuardMission& mission, const Observation& seen, cons
       continue;
     }
     if (errand.call) {
-      if (!std::exchange(mission.aimed, true)) return AimGun{seen.pose.heading_rad, 0.0};
+      if (!std::exchange(mission.aimed, true)) return AimGun{seen.odometry.heading_rad, 0.0};
       return fill(mission);
     }
     if (!mission.aimed) {

@@ -23,7 +23,7 @@ std::string name_of_contact(const Impact& impact, const FlightSpace& space, cons
 }
 
 /// The gun on its way to an aim, both axes at once, each at its own rate.
-GunRest turned(const GunModel& gun, GunRest from, GunRest to, double after_s) {
+GunState turned(const GunModel& gun, GunState from, GunState to, double after_s) {
   const double yaw = gun.yaw_rate_radps * after_s;
   const double pitch = gun.pitch_rate_radps * after_s;
   return {wrap_angle(from.yaw_rad + std::clamp(wrap_angle(to.yaw_rad - from.yaw_rad), -yaw, yaw)),
@@ -59,18 +59,18 @@ bool SimulatedGuard::news() const {
 }
 
 Observation SimulatedGuard::sense() {
-  Observation seen{time_s_, pose_, gun_yaw_rad_, gun_pitch_rad_, hit_};
-  hit_.reset();
+  Observation seen{time_s_, pose_};
+  seen.gun = {gun_yaw_rad_, gun_pitch_rad_};
+  seen.shots = std::exchange(landed_, {});
+  seen.stores = {gauge_.water(), gauge_.charge_j()};
+  seen.targets.emplace();
   for (; news(); ++seen_) {
-    seen.entered.push_back({seen_, intruders_[seen_].settles_s, intruders_[seen_].place});
+    seen.targets->arrivals.push_back({seen_, intruders_[seen_].settles_s, intruders_[seen_].place});
   }
-  seen.entered.insert(seen.entered.end(), survived_.begin(), survived_.end());
+  seen.targets->arrivals.insert(seen.targets->arrivals.end(), survived_.begin(), survived_.end());
   survived_.clear();
-  seen.passed = std::exchange(passed_, {});
-  seen.water = gauge_.water();
-  seen.charge_j = gauge_.charge_j();
-  seen.nobody_comes = seen_ == intruders_.size();
-  if (!walks_.empty()) look(seen);
+  seen.targets->more_to_come = seen_ < intruders_.size();
+  if (!walks_.empty()) look(*seen.targets);
   return seen;
 }
 
@@ -81,12 +81,12 @@ void SimulatedGuard::let_walk(std::vector<Walk> walks, double look_s, double sig
   sight_m_ = sight_m;
 }
 
-void SimulatedGuard::look(Observation& seen) {
+void SimulatedGuard::look(TargetReport& told) {
   for (; static_cast<double>(looks_) * look_s_ <= time_s_; ++looks_) {
     const double when_s = static_cast<double>(looks_) * look_s_;
     for (std::size_t who = 0; who < walks_.size(); ++who) {
       const Vec2 off = in_disk(sight_rng_, sight_m_);
-      if (gone_[who] == 0) seen.glimpses.push_back({who, when_s, walks_[who].at(when_s) + off});
+      if (gone_[who] == 0) told.seen.push_back({who, when_s, walks_[who].at(when_s) + off});
     }
   }
 }
@@ -94,7 +94,8 @@ void SimulatedGuard::look(Observation& seen) {
 void SimulatedGuard::act(const Command& command) {
   std::visit(Overload{[this](const FollowWaypoints& c) { follow(c); }, [this](const AimGun& c) { aim(c); },
                       [this](const Fire& c) { fire(c); }, [this](const Wait& c) { wait(c); },
-                      [this](const Fill& c) { fill(c); }},
+                      [this](const Fill& c) { fill(c); },
+                      [](const auto&) {}},
              command);
   gauge();
 }
@@ -163,11 +164,11 @@ void SimulatedGuard::drive_to(Vec2 goal, std::span<const FireInPassing> shots) {
   int samples = 1;
   double last_shot = 0.0;
   for (const FireInPassing& shot : shots) {
-    const GunRest rest{gun_yaw_rad_, gun_pitch_rad_};
-    const GunRest aim{shot.shot.yaw_rad - pose_.heading_rad, shot.shot.pitch_rad};
+    const GunState rest{gun_yaw_rad_, gun_pitch_rad_};
+    const GunState aim{shot.shot.yaw_rad - pose_.heading_rad, shot.shot.pitch_rad};
     const auto point = [&](double t) {
       be_at(t);
-      const GunRest now = turned(problem_.gun, rest, aim, t - last_shot);
+      const GunState now = turned(problem_.gun, rest, aim, t - last_shot);
       gun_yaw_rad_ = now.yaw_rad;
       gun_pitch_rad_ = now.pitch_rad;
       sample();
@@ -212,7 +213,7 @@ void SimulatedGuard::follow(const FollowWaypoints& command) {
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const auto on_leg = std::ranges::equal_range(command.shots, i, {}, &FireInPassing::leg);
     drive_to(waypoints[i], on_leg);
-    if (command.until_news && news()) {
+    if (command.until_arrival && news()) {
       path.waypoints.resize(i + 1);
       break;
     }
@@ -220,7 +221,7 @@ void SimulatedGuard::follow(const FollowWaypoints& command) {
   pose_.heading_rad = wrap_angle(pose_.heading_rad + heading_error);
   path.end_s = time_s_;
   report.paths.push_back(std::move(path));
-  if (!passed_.empty()) await_balls();
+  if (!landed_.empty()) await_balls();
 }
 
 void SimulatedGuard::aim(const AimGun& command) {
@@ -287,7 +288,7 @@ Impact SimulatedGuard::shoot(const Fire& command, Vec2 velocity_mps) {
 void SimulatedGuard::fire(const Fire& command) {
   const Impact impact = shoot(command, {});
   time_s_ += impact.time_s;
-  hit_ = impact.hit;
+  landed_.push_back({command.target, impact.hit, time_s_});
   sample();
   if (impact.hit && command.target < intruders_.size()) leave_or_go_on(command.target);
 }
@@ -296,12 +297,12 @@ void SimulatedGuard::fire(const Fire& command) {
 void SimulatedGuard::fire_in_passing(const FireInPassing& command, Vec2 velocity_mps) {
   const Shot shot{wrap_angle(pose_.heading_rad + gun_yaw_rad_), gun_pitch_rad_, command.shot.speed_mps};
   const Impact impact = shoot({command.target, shot}, velocity_mps);
-  passed_.push_back({command.target, impact.hit, time_s_ + impact.time_s});
+  landed_.push_back({command.target, impact.hit, time_s_ + impact.time_s});
 }
 
 /// Stands until the balls of the shots in passing have landed, and puts the events in their order.
 void SimulatedGuard::await_balls() {
-  for (const PassingResult& shot : passed_) time_s_ = std::max(time_s_, shot.landed_s);
+  for (const ShotResult& shot : landed_) time_s_ = std::max(time_s_, shot.landed_s);
   sample();
   std::stable_sort(report.events.begin(), report.events.end(),
                    [](const ReportEvent& a, const ReportEvent& b) { return a.time_s < b.time_s; });

@@ -23,7 +23,7 @@ bool hunted(const HuntMission& mission, std::size_t who) {
 }
 
 void look(HuntMission& mission, const Observation& seen, const WanderOptions& options) {
-  for (const Glimpsed& glimpse : seen.glimpses) {
+  for (const TargetObservation& glimpse : seen.targets->seen) {
     mission.tracks[glimpse.target].push_back({glimpse.time_s, glimpse.position});
   }
   if (!options.learn) return;
@@ -40,7 +40,8 @@ void look(HuntMission& mission, const Observation& seen, const WanderOptions& op
 void hear(HuntMission& mission, const Observation& seen) {
   if (!std::exchange(mission.fired, false)) return;
   TargetRecord& record = mission.records[mission.prey];
-  if (!seen.hit.value_or(false)) return;
+  const ShotResult* const result = result_of(seen, mission.prey);
+  if (result == nullptr || !result->hit) return;
   record.status = TargetStatus::reached;
   record.done_s = mission.last_hit_s = seen.time_s;
   record.reason = fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
@@ -73,15 +74,15 @@ double chance_of(const HuntMission& mission, const HuntPlan& plan, std::size_t w
 std::optional<LedShot> likely_shot(HuntMission& mission, const Observation& seen, const HuntPlan& plan,
                                    const Rng& rng) {
   std::optional<LedShot> best;
-  const double yaw_rad = wrap_angle(seen.pose.heading_rad + seen.gun_yaw_rad);
+  const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
   for (std::size_t who = 0; who < mission.tracks.size(); ++who) {
     if (!hunted(mission, who)) continue;
     const Walk walk =
         straight_on(stride_of(mission.tracks[who], plan.options), seen.time_s + flight_horizon_s);
     const auto led = led_shot(plan.site.rules, plan.site.space(who), plan.problem.targets[who], walk,
-                              seen.pose.position, yaw_rad, seen.gun_pitch_rad, seen.time_s);
+                              seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
     if (!led || (best && best->meets_s <= led->meets_s)) continue;
-    const double chance = chance_of(mission, plan, who, *led, seen.pose.position, rng.child(who));
+    const double chance = chance_of(mission, plan, who, *led, seen.odometry.position, rng.child(who));
     if (chance < plan.options.chance) continue;
     best = led;
     mission.prey = who;
@@ -162,7 +163,7 @@ std::size_t best_stop(const HuntMission& mission, const Observation& seen, const
       const Drive drive = outlook.routes.between(mission.stop, stop);
       if (!std::isfinite(drive.time_s)) continue;
       there_s = seen.time_s + drive.time_s +
-                duration(std::abs(wrap_angle(drive.departure_rad - seen.pose.heading_rad)),
+                duration(std::abs(wrap_angle(drive.departure_rad - seen.odometry.heading_rad)),
                          plan.problem.robot.turning());
     }
     const double wait = expected_wait(hit_from_here, all, there_s, seen.time_s);
@@ -233,7 +234,7 @@ std::optional<Command> step(HuntMission& mission, const Observation& seen, const
   if (const auto led = likely_shot(mission, seen, plan, rng.child("shot"))) {
     TargetRecord& record = mission.records[mission.prey];
     record.shot = led->planned;
-    record.pose = seen.pose;
+    record.pose = seen.odometry;
     mission.aimed = true;
     return AimGun{led->planned.shot.yaw_rad, led->planned.shot.pitch_rad};
   }
@@ -241,7 +242,7 @@ std::optional<Command> step(HuntMission& mission, const Observation& seen, const
   if (stop != mission.stop) {
     auto way = plan.outlook.routes.waypoints(mission.stop, stop);
     if (way.size() > 1) {
-      way.front() = seen.pose.position;
+      way.front() = seen.odometry.position;
       mission.stop = stop;
       return FollowWaypoints{std::move(way)};
     }

@@ -144,8 +144,8 @@ double last_landing_s(const std::vector<PassingHit>& passing) {
   return last;
 }
 
-GunRest gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
-                  GunRest before) {
+GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
+                  GunState before) {
   if (passing.empty()) return before;
   const PassingHit& last = passing.back();
   const double heading = heading_of(waypoints[last.leg] - waypoints[last.leg - 1]);
@@ -195,7 +195,7 @@ std::vector<std::vector<PassingHit>> PassingShots::offers(const std::vector<Stra
 }
 
 std::vector<PassingHit> PassingShots::along(double heading_rad, const std::vector<Vec2>& waypoints,
-                                            GunRest gun, const std::vector<std::size_t>& targets) {
+                                            GunState gun, const std::vector<std::size_t>& targets) {
   const auto way = straights(problem_.robot, heading_rad, waypoints);
   auto offered = offers(way, targets);
   std::vector<PassingHit> chosen;

@@ -60,7 +60,7 @@ class Assembly {
     result.stops.clear();
     Pose2 pose = problem_.start;
     std::size_t place = 0;  // of the routes
-    GunRest rest;
+    GunState rest;
     std::vector<std::size_t> left = choice.passing;
     for (std::size_t s = 0; s < choice.standing.size(); ++s) {
       if (choice.standing[s].empty()) continue;

@@ -6,7 +6,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/io/text.hpp"
-#include "outrider/jobs/guard/supplies.hpp"
+#include "outrider/robot/supplies.hpp"
 #include "pddl_names.hpp"
 
 namespace outrider {

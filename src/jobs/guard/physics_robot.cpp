@@ -45,8 +45,9 @@ PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const Site& site, RigidW
 }
 
 Observation PhysicsGuard::sense() {
-  Observation seen{now_s(), pose(), gun_yaw_rad_, gun_pitch_rad_, hit_};
-  hit_.reset();
+  Observation seen{now_s(), pose()};
+  seen.gun = {gun_yaw_rad_, gun_pitch_rad_};
+  seen.shots = std::exchange(landed_, {});
   return seen;
 }
 
@@ -252,7 +253,7 @@ void PhysicsGuard::fire(const Fire& command) {
   if (impact.hit == expected.hit && same_solid) ++foreseen;
   flight_error_m = std::max(flight_error_m, norm(impact.position - flight.position(impact.time_s)));
   report.shots.push_back(std::move(shot));
-  hit_ = impact.hit;
+  landed_.push_back({command.target, impact.hit, now_s()});
   sample();
 }
 

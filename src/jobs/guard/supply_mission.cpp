@@ -65,11 +65,11 @@ std::optional<Store> lacking(const Command& command, const SupplyMission& missio
                              const GuardProblem& problem, const Site& site) {
   const Supplies& supplies = problem.supplies;
   const bool at_station = !mission.guard.errands.empty() && mission.guard.errands.front().call;
-  Way way{0.0, 0.0, seen.pose};
+  Way way{0.0, 0.0, seen.odometry};
   double shot_j = supplies.charge_of(longest_shot_s(problem), 0.0) + supplies.shot_j;
   const bool known =
       std::visit(Overload{[&](const FollowWaypoints& c) {
-                            way = way_along(c.waypoints, seen.pose.heading_rad, problem, site);
+                            way = way_along(c.waypoints, seen.odometry.heading_rad, problem, site);
                             return true;
                           },
                           [&](const Fire& c) {
@@ -84,12 +84,12 @@ std::optional<Store> lacking(const Command& command, const SupplyMission& missio
   if (at_station) {
     const Store store = mission.guard.errands.front().call->store;
     const double home = store == Store::charge ? 0.0 : charge_home(way.end, mission, problem, site);
-    return seen.charge_j < way.charge_j + home ? std::optional(Store::charge) : std::nullopt;
+    return seen.stores->charge_j < way.charge_j + home ? std::optional(Store::charge) : std::nullopt;
   }
-  if (seen.water < supplies.shot_water - rounding * supplies.tank) return Store::water;
+  if (seen.stores->water < supplies.shot_water - rounding * supplies.tank) return Store::water;
   if (!supplies.ends(Store::charge)) return std::nullopt;
   const double home = charge_home(way.end, mission, problem, site);
-  return seen.charge_j < way.charge_j + shot_j + home ? std::optional(Store::charge) : std::nullopt;
+  return seen.stores->charge_j < way.charge_j + shot_j + home ? std::optional(Store::charge) : std::nullopt;
 }
 
 /// The nearest station that gives the store and that the robot can still get to.
@@ -100,10 +100,10 @@ std::optional<std::size_t> nearest_station(Store store, const SupplyMission& mis
   for (std::size_t s = 0; s < problem.supplies.stations.size(); ++s) {
     const Station& station = problem.supplies.stations[s];
     if (!station.gives(store)) continue;
-    const auto way = way_to(station.position, seen.pose, mission, problem, site);
+    const auto way = way_to(station.position, seen.odometry, mission, problem, site);
     if (!way || way->time_s >= least) continue;
     const double onward = store == Store::charge ? 0.0 : charge_home(way->end, mission, problem, site);
-    if (seen.charge_j < way->charge_j + onward) continue;
+    if (seen.stores->charge_j < way->charge_j + onward) continue;
     least = way->time_s;
     best = s;
   }
@@ -111,7 +111,7 @@ std::optional<std::size_t> nearest_station(Store store, const SupplyMission& mis
 }
 
 bool is_full(Store store, const Observation& seen, const Supplies& supplies) {
-  const double level = store == Store::water ? seen.water : seen.charge_j;
+  const double level = store == Store::water ? seen.stores->water : seen.stores->charge_j;
   return level >= (1.0 - rounding) * supplies.full(store);
 }
 

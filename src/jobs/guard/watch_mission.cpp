@@ -14,17 +14,17 @@ constexpr std::size_t most_planned = 64;
 constexpr double never_s = std::numeric_limits<double>::infinity();
 
 void forget_the_done(WatchMission& mission) {
-  std::erase_if(mission.inside, [&](const Sighting& s) {
+  std::erase_if(mission.inside, [&](const TargetArrival& s) {
     return mission.guard.records[s.target].status != TargetStatus::waiting;
   });
 }
 
 /// Somebody was hit and goes elsewhere: all begins again for it, with the shots it has had.
-void go_on(WatchMission& mission, const Sighting& sighting, const Watch& watch) {
+void go_on(WatchMission& mission, const TargetArrival& sighting, const Watch& watch) {
   GuardMission& guard = mission.guard;
   for (std::size_t i = guard.at.size(); i < guard.records.size(); ++i) guard.at.push_back(i);
   ++mission.survived;
-  std::erase_if(mission.inside, [&](const Sighting& s) { return s.target == sighting.target; });
+  std::erase_if(mission.inside, [&](const TargetArrival& s) { return s.target == sighting.target; });
   guard.at[sighting.target] = watch.at_place(sighting.place);
   TargetRecord& record = guard.records[sighting.target];
   record = {TargetStatus::waiting, {}, record.shots, 0, record.shot, record.pose, 0.0};
@@ -34,7 +34,7 @@ void go_on(WatchMission& mission, const Sighting& sighting, const Watch& watch) 
 
 /// Those who have just entered are inside now; those who are done are not.
 void look_around(WatchMission& mission, const Observation& seen, const WatchPlan& plan) {
-  for (const Sighting& sighting : seen.entered) {
+  for (const TargetArrival& sighting : seen.targets->arrivals) {
     TargetRecord& record = mission.guard.records[sighting.target];
     if (record.status == TargetStatus::reached) go_on(mission, sighting, plan.watch);
     if (plan.outlook.reachable[sighting.place] != 0) {
@@ -55,8 +55,8 @@ void look_around(WatchMission& mission, const Observation& seen, const WatchPlan
   }
   // A drive that ended before its goal, because of the news, goes on.
   const double off = plan.watch.problem.errors.position_m + there_m;
-  if (plan.policy.interrupts && !seen.entered.empty() && !errands.empty() &&
-      distance(seen.pose.position, errands.front().place) > off) {
+  if (plan.policy.interrupts && !seen.targets->arrivals.empty() && !errands.empty() &&
+      distance(seen.odometry.position, errands.front().place) > off) {
     guard.arrived = false;
   }
 }
@@ -67,7 +67,7 @@ std::optional<std::size_t> stop_here(const WatchMission& mission, const Observat
   const auto& stops = plan.outlook.stops;
   const auto sent = std::find(stops.begin(), stops.end(), mission.guard.last_place);
   const double off = plan.watch.problem.errors.position_m + there_m;
-  if (sent == stops.end() || distance(*sent, seen.pose.position) > off) return std::nullopt;
+  if (sent == stops.end() || distance(*sent, seen.odometry.position) > off) return std::nullopt;
   return static_cast<std::size_t>(sent - stops.begin());
 }
 
@@ -91,7 +91,7 @@ Drive drive_from(const Pose2& pose, std::size_t stop, const Watch& watch, const 
 Standing standing(const WatchMission& mission, const Observation& seen, const WatchPlan& plan,
                   const std::vector<Wanted>& wanted) {
   const Outlook& outlook = plan.outlook;
-  Standing from{seen.time_s, seen.pose.heading_rad, seen.gun_yaw_rad, seen.gun_pitch_rad, {}};
+  Standing from{seen.time_s, seen.odometry.heading_rad, seen.gun->yaw_rad, seen.gun->pitch_rad, {}};
   const auto here = stop_here(mission, seen, plan);
   for (std::size_t stop = 0; stop < outlook.stops.size(); ++stop) {
     const auto& services = outlook.table.services[stop];
@@ -104,7 +104,7 @@ Standing standing(const WatchMission& mission, const Observation& seen, const Wa
       drive = outlook.routes.between(*here, stop);
       if (*here == stop) drive.time_s = 0.0;
     } else if (useful) {
-      drive = drive_from(seen.pose, stop, plan.watch, outlook);
+      drive = drive_from(seen.odometry, stop, plan.watch, outlook);
     }
     from.drives.push_back(drive);
   }
@@ -125,7 +125,7 @@ void plan_anew(WatchMission& mission, const Observation& seen, const WatchPlan& 
   std::vector<Wanted> wanted;
   count = std::min({count, mission.inside.size(), most_planned});
   for (std::size_t i = 0; i < count; ++i) {
-    const Sighting& sighting = mission.inside[i];
+    const TargetArrival& sighting = mission.inside[i];
     wanted.push_back({static_cast<std::uint32_t>(sighting.place), sighting.settles_s});
   }
   const TourProblem& table = plan.outlook.table;
@@ -136,7 +136,7 @@ void plan_anew(WatchMission& mission, const Observation& seen, const WatchPlan& 
   GuardMission& guard = mission.guard;
   if (best.visits.empty()) {
     TargetRecord& record = guard.records[mission.inside.front().target];
-    record = {TargetStatus::failed, "no way to a place with a shot", 0, 0, {}, seen.pose, seen.time_s};
+    record = {TargetStatus::failed, "no way to a place with a shot", 0, 0, {}, seen.odometry, seen.time_s};
   }
   guard.errands.clear();
   for (const Visit& visit : best.visits) {
@@ -158,9 +158,9 @@ void plan_anew(WatchMission& mission, const Observation& seen, const WatchPlan& 
 std::optional<double> to_wait_for(const WatchMission& mission, const Observation& seen) {
   if (mission.guard.errands.empty()) return std::nullopt;
   const Errand& errand = mission.guard.errands.front();
-  if (!mission.guard.arrived && distance(seen.pose.position, errand.place) > there_m) return std::nullopt;
+  if (!mission.guard.arrived && distance(seen.odometry.position, errand.place) > there_m) return std::nullopt;
   const auto next = std::find_if(mission.inside.begin(), mission.inside.end(),
-                                 [&](const Sighting& s) { return s.target == errand.targets.front(); });
+                                 [&](const TargetArrival& s) { return s.target == errand.targets.front(); });
   if (next == mission.inside.end() || next->settles_s <= seen.time_s) return std::nullopt;
   return next->settles_s;
 }
@@ -190,13 +190,13 @@ std::optional<Command> step(WatchMission& mission, const Observation& seen, cons
     if (const auto until = to_wait_for(mission, seen)) return Wait{*until};
     if (auto command = step(guard, seen, problem, site)) {
       if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
-        follow->until_news = plan.policy.interrupts;
+        follow->until_arrival = plan.policy.interrupts;
       }
       return command;
     }
     forget_the_done(mission);  // those that were just given up
     if (!mission.inside.empty()) continue;
-    if (!seen.nobody_comes) return Wait{never_s};
+    if (seen.targets->more_to_come) return Wait{never_s};
     guard.keeps_watch = false;
   }
   return step(guard, seen, problem, site);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "outrider/jobs/guard/plan.hpp"
-#include "outrider/jobs/guard/robot.hpp"
+#include "outrider/robot/mission.hpp"
 
 namespace outrider {
 

@@ -11,7 +11,7 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/arrivals.hpp"
-#include "outrider/jobs/guard/robot.hpp"
+#include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
 #include "outrider/jobs/guard/supply_gauge.hpp"
 #include "outrider/report/report.hpp"
@@ -57,7 +57,7 @@ class SimulatedGuard final : public Robot {
   void sample();
   [[nodiscard]] Stance stance() const;
   void leave_or_go_on(std::size_t who);
-  void look(Observation& seen);
+  void look(TargetReport& told);
   [[nodiscard]] bool news() const;
   void log(std::string kind, std::string text);
 
@@ -69,8 +69,7 @@ class SimulatedGuard final : public Robot {
   Pose2 pose_;
   double gun_yaw_rad_ = 0.0;  // relative to the body
   double gun_pitch_rad_ = 0.0;
-  std::optional<bool> hit_;
-  std::vector<PassingResult> passed_;  // not yet told of
+  std::vector<ShotResult> landed_;  // not yet told of
   Rng timing_rng_;
   SupplyGauge gauge_;
   std::vector<int> attempts_;  // by target
@@ -80,7 +79,7 @@ class SimulatedGuard final : public Robot {
   Survival survival_;
   Rng survival_rng_;
   std::vector<std::size_t> at_;     // by intruder: the target that stands for it now
-  std::vector<Sighting> survived_;  // not yet told of
+  std::vector<TargetArrival> survived_;  // not yet told of
   std::vector<Walk> walks_;         // by target, where they walk
   std::vector<char> gone_;          // by target, of those who walk
   double look_s_ = 0.5;

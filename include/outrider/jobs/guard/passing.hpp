@@ -15,6 +15,7 @@
 
 #include "outrider/jobs/guard/problem.hpp"
 #include "outrider/jobs/guard/site.hpp"
+#include "outrider/robot/observation.hpp"
 
 namespace outrider {
 
@@ -46,14 +47,8 @@ struct PassingHit {
 /// When the last ball of a way has landed, from its beginning; 0 without any.
 double last_landing_s(const std::vector<PassingHit>& passing);
 
-/// How the gun stands against the body.
-struct GunRest {
-  double yaw_rad = 0.0;
-  double pitch_rad = 0.0;
-};
-
 /// After the last of these shots, which are on that way; `before` without any.
-GunRest gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing, GunRest before);
+GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing, GunState before);
 
 /// Finds shots in passing. Remembers those it has solved; not for two threads at once.
 class PassingShots {
@@ -64,7 +59,7 @@ class PassingShots {
   /// At each moment of the way, 0.2 s apart, one of the targets that can be hit then and that the gun gets to
   /// in time is shot at: the one whose last moment on the way comes first. Each target once at most; in the
   /// order of shooting. O(moments x targets) shots.
-  std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunRest gun,
+  std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunState gun,
                                 const std::vector<std::size_t>& targets);
 
  private:

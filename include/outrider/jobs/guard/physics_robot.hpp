@@ -12,7 +12,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
-#include "outrider/jobs/guard/robot.hpp"
+#include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
 #include "outrider/report/report.hpp"
 
@@ -63,7 +63,7 @@ class PhysicsGuard final : public Robot {
   std::int64_t ticks_ = 0;
   double gun_yaw_rad_ = 0.0;  // relative to the body
   double gun_pitch_rad_ = 0.0;
-  std::optional<bool> hit_;
+  std::vector<ShotResult> landed_;  // not yet told of
   std::vector<int> attempts_;        // by target
   std::vector<std::size_t> bumped_;  // in this drive
 };

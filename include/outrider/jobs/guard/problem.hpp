@@ -7,7 +7,7 @@
 #include "outrider/ballistics/shot.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/jobs/guard/supplies.hpp"
+#include "outrider/robot/supplies.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/world/world.hpp"
 

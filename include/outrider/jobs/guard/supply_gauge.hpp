@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "outrider/jobs/guard/supplies.hpp"
+#include "outrider/robot/supplies.hpp"
 
 namespace outrider {
 

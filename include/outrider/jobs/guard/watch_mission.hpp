@@ -29,7 +29,7 @@ struct WatchPlan {
 
 struct WatchMission {
   GuardMission guard;            ///< one record an intruder
-  std::vector<Sighting> inside;  ///< seen and not done, in the order of entering
+  std::vector<TargetArrival> inside;  ///< seen and not done, in the order of entering
   std::size_t entered = 0;       ///< of these, since the last plan
   std::int64_t plans = 0;        ///< made so far
   std::int64_t survived = 0;     ///< hits after which somebody went elsewhere

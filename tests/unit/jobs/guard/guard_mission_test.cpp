@@ -18,7 +18,7 @@ using testing::random_guard_problem;
 
 /// A robot that does what it is told, as far as a script lets it.
 struct Scripted final : Robot {
-  explicit Scripted(const GuardProblem& problem) : seen{0.0, problem.start, 0.0, 0.0, {}} {}
+  explicit Scripted(const GuardProblem& problem) : seen{.odometry = problem.start, .gun = GunState{}} {}
 
   std::function<Vec2(Vec2 goal, int drive)> arrive = [](Vec2 goal, int) { return goal; };
   std::function<std::optional<bool>(std::size_t target, int shot)> hits = [](std::size_t, int) {
@@ -27,25 +27,25 @@ struct Scripted final : Robot {
 
   Observation sense() override {
     Observation now = seen;
-    seen.hit.reset();
+    seen.shots.clear();
     return now;
   }
   void act(const Command& command) override {
     seen.time_s += 1.0;
     if (const auto* follow = std::get_if<FollowWaypoints>(&command)) {
-      EXPECT_LT(distance(follow->waypoints.front(), seen.pose.position), 1e-9)
+      EXPECT_LT(distance(follow->waypoints.front(), seen.odometry.position), 1e-9)
           << "a way starts where one stands";
-      seen.pose.position = arrive(follow->waypoints.back(), drives++);
+      seen.odometry.position = arrive(follow->waypoints.back(), drives++);
       ways.push_back(follow->waypoints);
     } else if (const auto* aim = std::get_if<AimGun>(&command)) {
       aimed = *aim;
-      seen.gun_yaw_rad = wrap_angle(aim->yaw_rad - seen.pose.heading_rad);
-      seen.gun_pitch_rad = aim->pitch_rad;
+      seen.gun->yaw_rad = wrap_angle(aim->yaw_rad - seen.odometry.heading_rad);
+      seen.gun->pitch_rad = aim->pitch_rad;
     } else {
       const auto& fire = std::get<Fire>(command);
       EXPECT_EQ(fire.shot.yaw_rad, aimed.yaw_rad) << "shot along another line than aimed";
       EXPECT_EQ(fire.shot.pitch_rad, aimed.pitch_rad);
-      seen.hit = hits(fire.target, shots++);
+      if (const auto hit = hits(fire.target, shots++)) seen.shots = {{fire.target, *hit, seen.time_s}};
       fired.push_back(fire.target);
     }
   }
@@ -174,7 +174,7 @@ TEST(GuardMission, AShotOfWhichNothingIsHeardIsAMiss) {
 
   // A hit that nobody shot for is not counted either.
   GuardMission fresh = begin(yard.problem, yard.plan);
-  Observation seen{0.0, yard.problem.start, 0.0, 0.0, true};
+  Observation seen{.odometry = yard.problem.start, .gun = GunState{}, .shots = {{0, true, 0.0}}};
   EXPECT_TRUE(step(fresh, seen, yard.problem, yard.site).has_value());
   EXPECT_EQ(fresh.records[0].status, TargetStatus::waiting);
   EXPECT_EQ(fresh.records[1].status, TargetStatus::waiting);

@@ -42,10 +42,10 @@ TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
   double heading_sum = 0.0;
   double heading_most = 0.0;
   for (int i = 0; i < drives; ++i) {
-    const Vec2 from = robot.sense().pose.position;
+    const Vec2 from = robot.sense().odometry.position;
     const Vec2 goal{i % 2 == 0 ? 2.0 : -2.0, 0.0};
     robot.act(FollowWaypoints{{from, goal}});
-    const Pose2 pose = robot.sense().pose;
+    const Pose2 pose = robot.sense().odometry;
     const Vec2 error = pose.position - goal;
     ASSERT_LE(norm(error), problem.errors.position_m + 1e-12);
     const double off = wrap_angle(pose.heading_rad - heading_of(pose.position - from));
@@ -72,11 +72,11 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
     for (int k = 0; k < 300; ++k) {
       const std::size_t cell = rng.below(site.frame.size());
       const Vec2 goal = site.frame.centre(site.frame.cell(cell));
-      const Vec2 here = robot.sense().pose.position;
+      const Vec2 here = robot.sense().odometry.position;
       if (site.reachable[cell] == 0 || !site.ground.segment_free({here, goal}, problem.robot.radius_m))
         continue;
       robot.act(FollowWaypoints{{here, goal}});
-      EXPECT_GE(site.ground.clearance(robot.sense().pose.position, 1.0), problem.robot.radius_m - 2e-9);
+      EXPECT_GE(site.ground.clearance(robot.sense().odometry.position, 1.0), problem.robot.radius_m - 2e-9);
     }
     for (const TrackSample& sample : robot.report.track) {
       EXPECT_GE(site.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
@@ -106,7 +106,7 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
   EXPECT_NEAR(robot.sense().time_s, time, 1e-9);
   EXPECT_NEAR(robot.driven_m, driven, 1e-9);
   EXPECT_NEAR(robot.turned_rad, turned, 1e-9);
-  EXPECT_EQ(robot.sense().pose.position, way.back());
+  EXPECT_EQ(robot.sense().odometry.position, way.back());
   ASSERT_EQ(robot.report.paths.size(), 1U);
   EXPECT_NEAR(robot.report.paths[0].end_s, time, 1e-9);
 
@@ -132,11 +132,11 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
   SimulatedGuard robot(problem, site, 1);
   robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
   const double begin = robot.sense().time_s;
-  const double heading = robot.sense().pose.heading_rad;
+  const double heading = robot.sense().odometry.heading_rad;
   robot.act(AimGun{-2.5, 0.4});
   const Observation seen = robot.sense();
-  EXPECT_NEAR(testing::own_angle(seen.pose.heading_rad + seen.gun_yaw_rad + 2.5), 0.0, 1e-12);
-  EXPECT_NEAR(seen.gun_pitch_rad, 0.4, 1e-12);
+  EXPECT_NEAR(testing::own_angle(seen.odometry.heading_rad + seen.gun->yaw_rad + 2.5), 0.0, 1e-12);
+  EXPECT_NEAR(seen.gun->pitch_rad, 0.4, 1e-12);
   EXPECT_NEAR(seen.time_s - begin, std::max(testing::own_angle(-2.5 - heading) / pi, 0.4 / (pi / 6)), 1e-9);
   robot.act(AimGun{-2.5, 0.4});
   EXPECT_EQ(robot.sense().time_s, seen.time_s);
@@ -154,10 +154,10 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
     const double before = robot.sense().time_s;
     robot.act(Fire{0, shot});
     const Observation seen = robot.sense();
-    ASSERT_TRUE(seen.hit.has_value());
-    EXPECT_FALSE(robot.sense().hit.has_value()) << "told once";
+    ASSERT_EQ(seen.shots.size(), 1U);
+    EXPECT_TRUE(robot.sense().shots.empty()) << "told once";
     const ReportShot& fired = robot.report.shots.back();
-    EXPECT_EQ(*seen.hit, fired.hit);
+    EXPECT_EQ(seen.shots[0].hit, fired.hit);
     EXPECT_EQ(fired.attempt, i + 1);
     EXPECT_DOUBLE_EQ(fired.time_s, before);
     EXPECT_DOUBLE_EQ(seen.time_s, before + fired.flight_s);

@@ -146,13 +146,13 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   const Planned p = planned(street());
   GuardMission mission = begin(p.problem, p.plan);
-  Observation seen{0.0, p.problem.start, 0.0, 0.0, {}};
+  Observation seen{.odometry = p.problem.start, .gun = GunState{}};
   int commands = 0;
   while (const auto command = step(mission, seen, p.problem, p.site)) {
     ASSERT_LT(++commands, 500);
     seen.time_s += 1.0;
     if (const auto* follow = std::get_if<FollowWaypoints>(&*command)) {
-      seen.pose.position = follow->waypoints.back();
+      seen.odometry.position = follow->waypoints.back();
     }
   }
   for (const TargetRecord& record : mission.records) EXPECT_EQ(record.status, TargetStatus::failed);

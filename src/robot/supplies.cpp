@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/supplies.hpp"
+#include "outrider/robot/supplies.hpp"
 
 #include <limits>
 

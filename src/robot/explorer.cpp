@@ -1,1 +1,0 @@
-#include "outrider/robot/explorer.hpp"  // to see that it stands alone
