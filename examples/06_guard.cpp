@@ -1,7 +1,7 @@
 // A whole mission without a file: a yard, two cats, a plan, its execution, and the report.
 #include <fmt/format.h>
 
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
 
 using namespace outrider;
@@ -20,7 +20,9 @@ int main() {
   if (!site) return 1;
   const auto plan = plan_guard(problem, *site, options, {});
   if (!plan) return 1;
-  const Report report = run_guard(problem, *site, *plan, options, /*seed=*/1);
+  const auto run = run_guard({.problem = problem, .site = *site, .plan = *plan, .options = options, .seed = 1});
+  if (!run) return 1;
+  const Report& report = *run;
 
   fmt::print("{}: {} stops\n", report.status, plan->stops.size());
   for (const ReportTarget& target : report.targets) {

@@ -8,7 +8,7 @@
 #include "guard_arrivals.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
@@ -121,7 +121,7 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
     const double planning_s = survey_s + planning.seconds();
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
       const Report report =
-          run_guard(yard.problem, *site, *plan, yard.options, static_cast<std::uint64_t>(seed));
+          run_guard({yard.problem, *site, *plan, yard.options, static_cast<std::uint64_t>(seed)}).value();
       rows.push_back(row_of(yard, planner, report, planning_s));
     }
   }

@@ -11,7 +11,7 @@
 #include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/watch_bound.hpp"
-#include "outrider/jobs/guard/watch_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -60,10 +60,11 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
 Sample sample_of(const Yard& yard, std::size_t i, const WatchPolicy& policy, WatchObjective objective) {
   const Watch& watch = yard.watches[i];
   const ArrivalOptions& arrivals = yard.scenario.arrivals;
+  const ArrivalPlan plan{watch, yard.outlook, policy, objective, static_cast<std::size_t>(arrivals.group),
+                         static_cast<std::size_t>(arrivals.beam)};
+  const GuardPlan none;
   const Report report =
-      run_watch({watch, yard.outlook, policy, objective, static_cast<std::size_t>(arrivals.group),
-                 static_cast<std::size_t>(arrivals.beam)},
-                yard.scenario.options, i + 1);
+      run_guard({watch.problem, watch.site, none, yard.scenario.options, i + 1, plan}).value();
   const double inside = metric(report, "intruder_seconds");
   const double makespan = metric(report, "makespan_s");
   const double count = metric(report, "targets") - metric(report, "unreachable");

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/ballistics/aim.hpp"
+
 namespace outrider {
 namespace {
 
-constexpr double exact_s = 1e-12;
 constexpr int most_rounds = 300;
 
 /// The first touch while the target goes straight, between `from_s` and `until_s` of the flight.
@@ -21,7 +22,7 @@ std::optional<double> touch_on_piece(const Flight& flight, double ball_radius_m,
     const double gap = distance(flight.position(t), box) - ball_radius_m;
     if (gap <= contact_tolerance_m) return t;
     const double speed = norm(flight.velocity(t) - Vec3{velocity.x, velocity.y, 0.0});
-    t += 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * flight.gravity_mps2 * gap));
+    t += 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * flight.most_acceleration() * gap));
     if (t > until_s) return std::nullopt;
   }
 }
@@ -45,20 +46,34 @@ struct Meeting {
   double flight_s = 0.0;
 };
 
+/// A shot at a pitch through a place at the height of the target's centre, and how long it flies there.
+std::optional<Aimed> shot_through(const ShotRules& rules, const Target& target, Vec2 place, Vec2 position,
+                                  double pitch_rad, const std::optional<Aimed>& last) {
+  const double height_m = target.centre().z;
+  if (!rules.air.none()) {
+    return aim_through(rules, {position, {}}, pitch_rad, {place.x, place.y, height_m}, last ? &*last : nullptr);
+  }
+  const Vec2 sight = place - position;
+  const double range_m = norm(sight);
+  const auto speed =
+      speed_through(rules.gun, pitch_rad, range_m, height_m - rules.floor_z_m, rules.gravity_mps2);
+  if (!speed) return std::nullopt;
+  const double tip_m = muzzle(rules.gun, pitch_rad).x;
+  return Aimed{{heading_of(sight), pitch_rad, *speed}, (range_m - tip_m) / (*speed * std::cos(pitch_rad)), {}};
+}
+
 std::optional<Meeting> meeting(const ShotRules& rules, const Target& target, const Walk& walk, Vec2 position,
                                double yaw_rad, double pitch_rad, double now_s, double at_pitch_rad) {
-  const double tip_m = muzzle(rules.gun, at_pitch_rad).x;
+  const double exact_s = rules.air.none() ? 1e-12 : 1e-7;  // in air shots are aimed to a micrometre
   Meeting found;
+  std::optional<Aimed> aimed;
   for (int round = 0; round < most_rounds; ++round) {
     const double lead_s = found.aiming_s + found.flight_s;
-    const Vec2 sight = walk.at(now_s + lead_s) - position;
-    const double range_m = norm(sight);
-    const auto speed = speed_through(rules.gun, at_pitch_rad, range_m, target.centre().z - rules.floor_z_m,
-                                     rules.gravity_mps2);
-    if (!speed) return std::nullopt;
-    found.shot = {heading_of(sight), at_pitch_rad, *speed};
+    aimed = shot_through(rules, target, walk.at(now_s + lead_s), position, at_pitch_rad, aimed);
+    if (!aimed) return std::nullopt;
+    found.shot = aimed->shot;
     found.aiming_s = aim_time(rules.gun, wrap_angle(found.shot.yaw_rad - yaw_rad), at_pitch_rad - pitch_rad);
-    found.flight_s = (range_m - tip_m) / (*speed * std::cos(at_pitch_rad));
+    found.flight_s = aimed->flight_s;
     if (std::abs(found.aiming_s + found.flight_s - lead_s) <= exact_s) return found;
   }
   return std::nullopt;
@@ -124,7 +139,7 @@ std::optional<LedShot> led_shot(const ShotRules& rules, const FlightSpace& space
     led.meets_s = led.fires_s + met->flight_s;
     lead_s = led.meets_s - now_s;
   }
-  const Flight flight = launch(rules.gun, position, rules.floor_z_m, led.planned.shot, rules.gravity_mps2);
+  const Flight flight = launch(rules, {position, {}}, target, led.planned.shot);
   const Impact impact =
       fly_at(flight, rules.gun.ball_radius_m, space, target, walk, led.fires_s, rules.floor_z_m);
   if (!impact.hit) return std::nullopt;

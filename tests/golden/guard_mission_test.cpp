@@ -7,9 +7,10 @@
 #include <filesystem>
 
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
 
@@ -22,7 +23,7 @@ struct Mission {
   GuardPlan plan;
 
   [[nodiscard]] Report run(std::uint64_t seed) const {
-    return run_guard(scenario.problem, *site, plan, scenario.options, seed);
+    return testing::run_still(scenario.problem, *site, plan, scenario.options, seed);
   }
 };
 

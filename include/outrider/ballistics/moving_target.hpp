@@ -40,9 +40,9 @@ struct LedShot {
 /// The shot that leads: the barrel is brought from where it is, beginning at `now_s`, the ball leaves at
 /// once, and passes the target's centre where the walk has it then. The pitch is that of best_shot() at the
 /// place of the meeting; at that pitch the time of the meeting T = aiming(T) + flight(T) is solved by fixed
-/// point iteration to 1e-12 s, which converges when the target is slower than the ball and is not close by.
-/// At a target that rests it is best_shot(). Nothing when that finds none, when there is no fixed point, or
-/// when the shot does not hit the walk. Without air and on level ground only.
+/// point iteration to 1e-12 s (1e-7 s in air), which converges when the target is slower than the ball and is
+/// not close by. At a target that rests it is best_shot(). Nothing when that finds none, when there is no
+/// fixed point, or when the shot does not hit the walk. On level ground only.
 std::optional<LedShot> led_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                 const Walk& walk, Vec2 position, double yaw_rad, double pitch_rad,
                                 double now_s);

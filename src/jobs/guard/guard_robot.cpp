@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "errors.hpp"
-#include "guard_scene.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/jobs/guard/passing.hpp"
 #include "outrider/sim/profile.hpp"
@@ -16,6 +15,7 @@ namespace outrider {
 namespace {
 
 constexpr double sample_period_s = 0.1;
+constexpr double at_station_m = 1e-6;  // beside the error of a drive that ends there
 
 std::string name_of_contact(const Impact& impact, const FlightSpace& space, const Target& target) {
   if (impact.hit) return target.name;
@@ -33,29 +33,27 @@ GunState turned(const GunModel& gun, GunState from, GunState to, double after_s)
 }  // namespace
 
 SimulatedGuard::SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed,
-                               std::vector<Intruder> intruders, bool foreseen, const Survival& survival)
+                               GuardSimParams params)
     : problem_(problem),
       site_(site),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
       pose_(problem.start),
       timing_rng_(Rng(seed).child("timing")),
-      gauge_(problem.supplies),
+      gauge_(problem.supplies, params.levels),
       attempts_(problem.targets.size(), 0),
-      intruders_(std::move(intruders)),
-      foreseen_(foreseen),
-      survival_(survival),
+      params_(std::move(params)),
       survival_rng_(Rng(seed).child("survival")),
+      gone_(params_.walks.size(), 0),
       sight_rng_(Rng(seed).child("sight")) {
-  moves.resize(intruders_.size());
+  record.moves.resize(params_.intruders.size());
   for (std::size_t i = 0; i < problem.targets.size(); ++i) at_.push_back(i);
-  if (problem.supplies.any()) report.supplies = supplies_entry(problem.supplies);
   gauge();
   sample();
 }
 
 bool SimulatedGuard::news() const {
-  return seen_ < intruders_.size() && (foreseen_ || intruders_[seen_].enters_s <= time_s_);
+  return seen_ < params_.intruders.size() && (params_.foreseen || params_.intruders[seen_].enters_s <= time_s_);
 }
 
 Observation SimulatedGuard::sense() {
@@ -65,28 +63,21 @@ Observation SimulatedGuard::sense() {
   seen.stores = {gauge_.water(), gauge_.charge_j()};
   seen.targets.emplace();
   for (; news(); ++seen_) {
-    seen.targets->arrivals.push_back({seen_, intruders_[seen_].settles_s, intruders_[seen_].place});
+    seen.targets->arrivals.push_back({seen_, params_.intruders[seen_].settles_s, params_.intruders[seen_].place});
   }
   seen.targets->arrivals.insert(seen.targets->arrivals.end(), survived_.begin(), survived_.end());
   survived_.clear();
-  seen.targets->more_to_come = seen_ < intruders_.size();
-  if (!walks_.empty()) look(*seen.targets);
+  seen.targets->more_to_come = seen_ < params_.intruders.size();
+  if (!params_.walks.empty()) look(*seen.targets);
   return seen;
 }
 
-void SimulatedGuard::let_walk(std::vector<Walk> walks, double look_s, double sight_m) {
-  walks_ = std::move(walks);
-  gone_.assign(walks_.size(), 0);
-  look_s_ = look_s;
-  sight_m_ = sight_m;
-}
-
 void SimulatedGuard::look(TargetReport& told) {
-  for (; static_cast<double>(looks_) * look_s_ <= time_s_; ++looks_) {
-    const double when_s = static_cast<double>(looks_) * look_s_;
-    for (std::size_t who = 0; who < walks_.size(); ++who) {
-      const Vec2 off = in_disk(sight_rng_, sight_m_);
-      if (gone_[who] == 0) told.seen.push_back({who, when_s, walks_[who].at(when_s) + off});
+  for (; static_cast<double>(looks_) * params_.look_s <= time_s_; ++looks_) {
+    const double when_s = static_cast<double>(looks_) * params_.look_s;
+    for (std::size_t who = 0; who < params_.walks.size(); ++who) {
+      const Vec2 off = in_disk(sight_rng_, params_.sight_m);
+      if (gone_[who] == 0) told.seen.push_back({who, when_s, params_.walks[who].at(when_s) + off});
     }
   }
 }
@@ -102,15 +93,20 @@ void SimulatedGuard::act(const Command& command) {
 
 /// Takes what has been used until now out of the stores.
 void SimulatedGuard::gauge() {
-  gauge_.note(time_s_, driven_m, report.shots.size());
-  if (report.supplies) report.supplies->levels.push_back({time_s_, gauge_.water(), gauge_.charge_j()});
+  gauge_.note(time_s_, record.driven_m, record.shots.size());
+  if (problem_.supplies.any()) record.levels.push_back({time_s_, gauge_.water(), gauge_.charge_j()});
 }
 
 void SimulatedGuard::fill(const Fill& command) {
   gauge();
   const StationCall& call = command.call;
+  const Station& station = problem_.supplies.stations[call.station];
+  if (distance(pose_.position, station.position) > problem_.errors.position_m + at_station_m) {
+    log("no_fill", fmt::format("is too far from {} to take in {}", station.name, to_string(call.store)));
+    return;
+  }
   log("fill",
-      fmt::format("takes in {} at {}", to_string(call.store), problem_.supplies.stations[call.station].name));
+      fmt::format("takes in {} at {}", to_string(call.store), station.name));
   sample();
   time_s_ += gauge_.fill(call.store);
   sample();
@@ -122,11 +118,11 @@ void SimulatedGuard::sample() {
   const Stance here = stance();
   const double yaw = wrap_angle(heading_on(here, pose_.heading_rad) + gun_yaw_rad_);
   const Shot barrel = shot_of(here, {yaw, gun_pitch_rad_}, 0.0);
-  report.track.push_back({time_s_, pose_, barrel.yaw_rad, barrel.pitch_rad});
+  record.track.push_back({time_s_, pose_, barrel.yaw_rad, barrel.pitch_rad});
 }
 
 void SimulatedGuard::log(std::string kind, std::string text) {
-  report.events.push_back({time_s_, std::move(kind), std::move(text)});
+  record.events.push_back({time_s_, std::move(kind), std::move(text)});
 }
 
 void SimulatedGuard::turn_to(double heading_rad) {
@@ -143,7 +139,7 @@ void SimulatedGuard::turn_to(double heading_rad) {
   }
   time_s_ = begin + total;
   pose_.heading_rad = heading_rad;
-  turned_rad += std::abs(turn);
+  record.turned_rad += std::abs(turn);
   if (total > 0.0) sample();
 }
 
@@ -186,13 +182,13 @@ void SimulatedGuard::drive_to(Vec2 goal, std::span<const FireInPassing> shots) {
   }
   time_s_ = begin + total;
   pose_.position = goal;
-  driven_m += length;
+  record.driven_m += length;
   sample();
 }
 
 void SimulatedGuard::wait(const Wait& command) {
   double until_s = command.until_s;
-  if (seen_ < intruders_.size()) until_s = std::min(until_s, intruders_[seen_].enters_s);
+  if (seen_ < params_.intruders.size()) until_s = std::min(until_s, params_.intruders[seen_].enters_s);
   if (!std::isfinite(until_s) || until_s <= time_s_) return;
   log("wait", fmt::format("waits until {:.1f} s", until_s));
   sample();
@@ -220,7 +216,7 @@ void SimulatedGuard::follow(const FollowWaypoints& command) {
   }
   pose_.heading_rad = wrap_angle(pose_.heading_rad + heading_error);
   path.end_s = time_s_;
-  report.paths.push_back(std::move(path));
+  record.paths.push_back(std::move(path));
   if (!landed_.empty()) await_balls();
 }
 
@@ -233,7 +229,7 @@ void SimulatedGuard::aim(const AimGun& command) {
   const double pitch_turn = to.pitch_rad - pitch_from;
   const double total = aim_time(problem_.gun, yaw_turn, pitch_turn);
   sample();
-  // Each axis moves at its own rate, so the path bends once, where the faster one arrives.
+  // Each axis record.moves at its own rate, so the path bends once, where the faster one arrives.
   const double yaw_s = std::abs(yaw_turn) / problem_.gun.yaw_rate_radps;
   const double pitch_s = std::abs(pitch_turn) / problem_.gun.pitch_rate_radps;
   const double begin = time_s_;
@@ -254,10 +250,10 @@ Impact SimulatedGuard::shoot(const Fire& command, Vec2 velocity_mps) {
   const Flight flight = launch(site_.rules, {pose_.position, velocity_mps}, target, actual);
   const FlightSpace& space = site_.space(at_[command.target]);
   const double radius = problem_.gun.ball_radius_m;
-  const bool walks = !walks_.empty();
-  const Impact impact = walks ? fly_at(flight, radius, space, target, walks_[command.target], time_s_, floor)
+  const bool walks = !params_.walks.empty();
+  const Impact impact = walks ? fly_at(flight, radius, space, target, params_.walks[command.target], time_s_, floor)
                               : fly(flight, radius, space, target, floor);
-  if (walks) target = moved_to(target, walks_[command.target].at(time_s_ + impact.time_s));
+  if (walks) target = moved_to(target, params_.walks[command.target].at(time_s_ + impact.time_s));
 
   ReportShot shot;
   shot.target = target.name;
@@ -277,10 +273,10 @@ Impact SimulatedGuard::shoot(const Fire& command, Vec2 velocity_mps) {
   if (speed > 0.0) shot.platform_velocity_mps = velocity_mps;
   log("shot", fmt::format("shoots at {} with {:.2f} m/s{}", target.name, actual.speed_mps,
                           speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
-  report.events.push_back({time_s_ + impact.time_s, impact.hit ? "hit" : "miss",
+  record.events.push_back({time_s_ + impact.time_s, impact.hit ? "hit" : "miss",
                            impact.hit ? fmt::format("hits {}", target.name)
                                       : fmt::format("misses {}: touches {}", target.name, shot.contact)});
-  report.shots.push_back(std::move(shot));
+  record.shots.push_back(std::move(shot));
   if (walks && impact.hit) gone_[command.target] = 1;
   return impact;
 }
@@ -290,7 +286,7 @@ void SimulatedGuard::fire(const Fire& command) {
   time_s_ += impact.time_s;
   landed_.push_back({command.target, impact.hit, time_s_});
   sample();
-  if (impact.hit && command.target < intruders_.size()) leave_or_go_on(command.target);
+  if (impact.hit && command.target < params_.intruders.size()) leave_or_go_on(command.target);
 }
 
 /// The barrel shoots where it is by now.
@@ -304,25 +300,25 @@ void SimulatedGuard::fire_in_passing(const FireInPassing& command, Vec2 velocity
 void SimulatedGuard::await_balls() {
   for (const ShotResult& shot : landed_) time_s_ = std::max(time_s_, shot.landed_s);
   sample();
-  std::stable_sort(report.events.begin(), report.events.end(),
+  std::stable_sort(record.events.begin(), record.events.end(),
                    [](const ReportEvent& a, const ReportEvent& b) { return a.time_s < b.time_s; });
 }
 
 void SimulatedGuard::leave_or_go_on(std::size_t who) {
-  if (survival_.leave >= 1.0 || survival_rng_.uniform() < survival_.leave) return;
-  const std::size_t first = intruders_.size();
-  const std::size_t place = at_[who] < first ? intruders_[who].place : at_[who] - first;
+  if (params_.survival.leave >= 1.0 || survival_rng_.uniform() < params_.survival.leave) return;
+  const std::size_t first = params_.intruders.size();
+  const std::size_t place = at_[who] < first ? params_.intruders[who].place : at_[who] - first;
   const std::size_t next = elsewhere(place, problem_.targets.size() - first, survival_rng_);
   at_[who] = first + next;
   const Vec2 from = xy(problem_.targets[first + place].base);
   const Vec2 to = xy(problem_.targets[first + next].base);
-  const double walk_s = survival_.walk_mps > 0.0 ? distance(from, to) / survival_.walk_mps : 0.0;
+  const double walk_s = params_.survival.walk_mps > 0.0 ? distance(from, to) / params_.survival.walk_mps : 0.0;
   survived_.push_back({who, time_s_ + walk_s, next});
-  log("survive", fmt::format("{} does not leave: it goes to the place of {}", intruders_[who].name,
+  log("survive", fmt::format("{} does not leave: it goes to the place of {}", params_.intruders[who].name,
                              problem_.targets[first + next].name));
-  if (moves[who].empty()) moves[who].push_back({intruders_[who].settles_s, from, from});
-  moves[who].push_back({time_s_, from, from});
-  moves[who].push_back({time_s_ + walk_s, to, to});
+  if (record.moves[who].empty()) record.moves[who].push_back({params_.intruders[who].settles_s, from, from});
+  record.moves[who].push_back({time_s_, from, from});
+  record.moves[who].push_back({time_s_ + walk_s, to, to});
 }
 
 }  // namespace outrider

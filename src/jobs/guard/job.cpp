@@ -6,13 +6,11 @@
 
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
-#include "outrider/jobs/guard/hunt_run.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
-#include "outrider/jobs/guard/physics_run.hpp"
+#include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/jobs/guard/scout_run.hpp"
+#include "outrider/jobs/guard/simulate.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
-#include "outrider/jobs/guard/watch_run.hpp"
 #include "pddl_task.hpp"
 #include "regions_picture.hpp"
 #include "summary.hpp"
@@ -20,39 +18,30 @@
 namespace outrider {
 namespace {
 
-/// Whether the simulator that the scenario names is one that can carry it out.
-Status check_sim(const GuardScenario& scenario) {
-  if (scenario.sim == "kinematic") return {};
-  if (scenario.sim != "physics") {
-    return bad_input(fmt::format("'{}' is no good; it takes kinematic or physics", scenario.sim), "sim");
-  }
-  if (scenario.arrivals.any() || scenario.arrivals.leave < 1.0 || scenario.wander.any()) {
-    return bad_input("physics guards a still yard; take kinematic where intruders come, walk or survive",
-                     "sim");
-  }
-  return check_physics(scenario.problem);
-}
-
 /// The yard is still, or intruders come, or walk about, or those who are hit may survive.
 Outcome<Report> carry_out(const GuardScenario& scenario, const Site& site, const GuardPlan& plan,
                           const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const GuardProblem& problem = scenario.problem;
-  if (scenario.sim == "physics") {
-    return run_guard_in_physics(problem, site, plan, scenario.options, seed, watch);
-  }
-  if (scenario.wander.any()) {
-    return hunt(problem, site, scenario.preferences, scenario.history, scenario.wander, scenario.options,
-                seed, watch);
-  }
   const ArrivalOptions& arrivals = scenario.arrivals;
+  if (scenario.wander.any()) {
+    return simulate_moving_targets(problem, site, scenario.preferences, scenario.history, scenario.wander,
+                                   scenario.options, seed, watch);
+  }
   if (arrivals.any()) {
-    return keep_watch(problem, site, plan, scenario.intruders, arrivals, scenario.options, seed, watch);
+    return simulate_arriving_targets(problem, site, plan, scenario.intruders, arrivals, scenario.options,
+                                     seed, watch);
   }
   if (arrivals.leave < 1.0) {
-    return wear_down(problem, site, plan, arrivals, scenario.options, seed, watch);
+    return simulate_surviving_targets(problem, site, plan, arrivals, scenario.options, seed, watch);
   }
-  return run_guard(problem, site, plan, scenario.options, seed, watch);
+  return run_guard({.problem = problem,
+                    .site = site,
+                    .plan = plan,
+                    .options = scenario.options,
+                    .seed = seed,
+                    .rigid = scenario.sim == "physics"},
+                   watch);
 }
 
 /// The exploring alone, which has pictures of its own.
@@ -75,6 +64,19 @@ Run finished(Report report, double planning_s, const GuardScenario& scenario, co
   return run;
 }
 
+/// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
+/// from the start and leaves when hit; else the mission goes to them as it must. Walkers need no plan of it.
+Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardProblem& problem,
+                                   const Site& site, const GuardPlanner& planner, const RunWatch& watch) {
+  if (auto ok = check_supplies(problem, site); !ok) return pass_on(ok);
+  if (scenario.wander.any()) return GuardPlan{};
+  auto plan = planner.plan(problem, site, scenario.options, watch.budget());
+  if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
+  plan = supply_plan(problem, site, std::move(*plan), watch.budget());
+  if (plan && scenario.options.shoot_on_the_move) plan = shoot_in_passing(problem, site, *plan);
+  return plan;
+}
+
 Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner& planner,
                               const RunWatch& watch) {
   RunSteps steps(watch, 3);
@@ -83,11 +85,8 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   auto site = survey(scenario.problem, scenario.options);
   if (!site) return pass_on(site);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
-  auto plan = scenario.wander.any() ? Outcome<GuardPlan>(GuardPlan{})
-                                    : planner.plan(scenario.problem, *site, scenario.options, watch.budget());
-  if (plan) plan = supply_plan(scenario.problem, *site, std::move(*plan), watch.budget());
+  auto plan = plan_still_yard(scenario, scenario.problem, *site, planner, watch);
   if (!plan) return pass_on(plan);
-  if (scenario.options.shoot_on_the_move) plan = shoot_in_passing(scenario.problem, *site, *plan);
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
   auto report = carry_out(scenario, *site, *plan, steps.inner());
@@ -110,10 +109,11 @@ Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanne
   }
   if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
   const double began_s = wall_s();
-  const GuardProblem found = yard->found.problem;
-  const auto site = survey(found, scenario.options);
+  const auto site = survey(yard->found.problem, scenario.options);
   if (!site) return tl::unexpected<Fault>(site.error());
-  const auto plan = planner.plan(found, *site, scenario.options, watch.budget());
+  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *site);
+  const GuardProblem found = yard->found.problem;
+  const auto plan = plan_still_yard(scenario, found, *site, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
   if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
@@ -135,7 +135,9 @@ Outcome<Warnings> GuardJob::load() {
   auto warnings = load_problem(scenario);
   if (!warnings) return warnings;
   if (auto planner = find_guard_planner(scenario.options.planner); !planner) return pass_on(planner);
-  if (auto ok = check_sim(scenario); !ok) return pass_on(ok);
+  if (scenario.sim == "physics") {
+    if (auto bodies = make_rigid_world(scenario.problem); !bodies) return pass_on(bodies);
+  }
   return warnings;
 }
 

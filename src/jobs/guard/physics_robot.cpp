@@ -32,14 +32,15 @@ double covered_rate(double distance, const Limits& limits, double time_s) {
 
 PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const Site& site, RigidWorld& bodies,
                            std::uint64_t seed)
-    : misses(problem.targets.size()),
-      problem_(problem),
+    : problem_(problem),
       site_(site),
       bodies_(bodies),
       wheels_(wheel_base(problem.robot)),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
       attempts_(problem.targets.size(), 0) {
+  record.rigid.emplace();
+  record.rigid->misses.resize(problem.targets.size());
   for (double t = 0.0; t < let_down_s; t += roll_s) bodies_.step(roll_s);
   sample();
 }
@@ -67,11 +68,11 @@ Pose2 PhysicsGuard::pose() const {
 
 void PhysicsGuard::sample() {
   const Pose2 here = pose();
-  report.track.push_back({now_s(), here, wrap_angle(here.heading_rad + gun_yaw_rad_), gun_pitch_rad_});
+  record.track.push_back({now_s(), here, wrap_angle(here.heading_rad + gun_yaw_rad_), gun_pitch_rad_});
 }
 
 void PhysicsGuard::log(std::string kind, std::string text) {
-  report.events.push_back({now_s(), std::move(kind), std::move(text)});
+  record.events.push_back({now_s(), std::move(kind), std::move(text)});
 }
 
 std::string PhysicsGuard::name_of(std::size_t body) const {
@@ -87,13 +88,13 @@ void PhysicsGuard::roll() {
   const std::int64_t samples = ticks_ / ticks_per_sample;
   ticks_ += ticks_per_roll;
   const Pose2 after = pose();
-  driven_m += distance(before.position, after.position);
-  turned_rad += std::abs(wrap_angle(after.heading_rad - before.heading_rad));
+  record.driven_m += distance(before.position, after.position);
+  record.turned_rad += std::abs(wrap_angle(after.heading_rad - before.heading_rad));
   if (ticks_ / ticks_per_sample > samples) sample();
   for (const std::size_t body : bodies_.touched_by_robot()) {
     if (std::ranges::find(bumped_, body) != bumped_.end()) continue;
     bumped_.push_back(body);
-    ++bumps;
+    ++record.rigid->bumps;
     log("bump",
         fmt::format("touches {} at ({:.2f}, {:.2f})", name_of(body), after.position.x, after.position.y));
   }
@@ -154,9 +155,9 @@ void PhysicsGuard::follow(const FollowWaypoints& command) {
   log("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
   bumped_.clear();
   for (std::size_t i = 1; i < waypoints.size(); ++i) drive_to(waypoints[i]);
-  arrival_errors_m.push_back(distance(pose().position, goal));
+  record.rigid->arrival_errors_m.push_back(distance(pose().position, goal));
   path.end_s = now_s();
-  report.paths.push_back(std::move(path));
+  record.paths.push_back(std::move(path));
   sample();
 }
 
@@ -243,16 +244,16 @@ void PhysicsGuard::fire(const Fire& command) {
     log("hit", fmt::format("hits {}", target.name));
   } else {
     const Vec3 at = impact.position;
-    misses[command.target] =
+    record.rigid->misses[command.target] =
         fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", shot.contact, at.x, at.y,
                     at.z, std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
-    log("miss", fmt::format("misses {}: {}", target.name, misses[command.target]));
+    log("miss", fmt::format("misses {}: {}", target.name, record.rigid->misses[command.target]));
   }
   const bool same_solid = impact.solid.has_value() == expected.solid.has_value() &&
                           (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
-  if (impact.hit == expected.hit && same_solid) ++foreseen;
-  flight_error_m = std::max(flight_error_m, norm(impact.position - flight.position(impact.time_s)));
-  report.shots.push_back(std::move(shot));
+  if (impact.hit == expected.hit && same_solid) ++record.rigid->as_foreseen;
+  record.rigid->flight_error_m = std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
+  record.shots.push_back(std::move(shot));
   landed_.push_back({command.target, impact.hit, now_s()});
   sample();
 }

@@ -11,6 +11,7 @@
 #include "outrider/io/values.hpp"
 #include "outrider/io/world_changes.hpp"
 #include "outrider/jobs/guard/arrivals_file.hpp"
+#include "outrider/jobs/guard/capabilities.hpp"
 #include "outrider/jobs/guard/sightings_file.hpp"
 #include "outrider/jobs/guard/stations_file.hpp"
 
@@ -29,32 +30,11 @@ Outcome<World> with_terrain(World world, const Box2& bounds, const GuardScenario
   return world.on(std::make_shared<const HeightField>(std::move(*field)));
 }
 
-/// Hunting goes with a level yard without air, in which nobody comes and stores do not end.
-Status check_hunt(const GuardScenario& scenario) {
-  const GuardProblem& problem = scenario.problem;
-  const char* other = !problem.air.none()             ? "air.drag"
-                      : problem.world.terrain         ? "terrain"
-                      : problem.supplies.any()        ? "supplies"
-                      : problem.targets_block         ? "targets_block"
-                      : scenario.arrivals.any()       ? "arrivals"
-                      : scenario.arrivals.leave < 1.0 ? "arrivals.leave"
-                      : scenario.sim != "kinematic"   ? "sim"
-                      : problem.targets.empty()       ? "targets"
-                                                      : nullptr;
-  if (other == nullptr) return {};
-  return bad_input(
-      fmt::format("intruders that walk about do not go together with this; leave wander.speed at "
-                  "0, or {}",
-                  problem.targets.empty() ? "list a target" : "leave it out"),
-      other);
-}
-
-Status load_hunt(GuardScenario& scenario) {
+Status load_walkers(GuardScenario& scenario) {
   auto weights = preferences_from_text(scenario.wander.prefers, scenario.problem.targets);
   if (!weights) return pass_on(weights);
   scenario.preferences = std::move(*weights);
   if (!scenario.wander.any()) return {};
-  if (auto ok = check_hunt(scenario); !ok) return ok;
   if (scenario.wander.history.empty()) return {};
   auto text = read_file(scenario.wander.history);
   if (!text) return pass_on(text);
@@ -64,39 +44,15 @@ Status load_hunt(GuardScenario& scenario) {
   return {};
 }
 
-/// Shooting in passing goes with a level yard in which everybody is from the start, and stores do not end.
-Status check_passing(const GuardScenario& scenario) {
-  if (!scenario.options.shoot_on_the_move) return {};
-  const char* other = scenario.problem.world.terrain    ? "terrain"
-                      : scenario.problem.supplies.any() ? "supplies"
-                      : scenario.arrivals.any()         ? "arrivals"
-                      : scenario.arrivals.leave < 1.0   ? "arrivals.leave"
-                      : scenario.wander.any()           ? "wander.speed"
-                      : scenario.sim != "kinematic"     ? "sim"
-                                                        : nullptr;
-  if (other == nullptr) return {};
-  return bad_input(
-      "shooting on the move does not go together with this; leave it out, or "
-      "plan.shoot_on_the_move",
-      other);
-}
-
-/// Scouting goes with a level yard without things that only a known one has.
-Status check_scouting(const GuardScenario& scenario) {
-  if (!scenario.scout.unknown) return {};
-  const GuardProblem& problem = scenario.problem;
-  const char* other = problem.world.terrain                ? "terrain"
-                      : problem.supplies.any()             ? "supplies"
-                      : problem.targets_block              ? "targets_block"
-                      : scenario.arrivals.any()            ? "arrivals"
-                      : scenario.arrivals.leave < 1.0      ? "arrivals.leave"
-                      : scenario.wander.any()              ? "wander.speed"
-                      : scenario.options.shoot_on_the_move ? "plan.shoot_on_the_move"
-                      : scenario.sim != "kinematic"        ? "sim"
-                                                           : nullptr;
-  if (other == nullptr) return {};
-  return bad_input("a yard that is not known does not go together with this; leave it out, or scout.unknown",
-                   other);
+/// The simulator by its name, and what of the rest combines.
+Status check_combination(const GuardScenario& scenario) {
+  if (scenario.sim != "kinematic" && scenario.sim != "physics") {
+    return bad_input(fmt::format("'{}' is no good; it takes kinematic or physics", scenario.sim), "sim");
+  }
+  if (scenario.wander.any() && scenario.problem.targets.empty()) {
+    return bad_input("intruders that walk about need at least one target; list one", "targets");
+  }
+  return check_capabilities(asked_of(scenario));
 }
 
 Status need(const std::string& value, const std::string& key, const std::string& what) {
@@ -185,25 +141,12 @@ Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario) {
   scenario.problem.world = std::move(*world);
   scenario.problem.targets = std::move(*targets);
   if (auto ok = load_stations(scenario.problem); !ok) return pass_on(ok);
-  if (scenario.problem.supplies.any() && scenario.sim != "kinematic") {
-    return bad_input(
-        "stores that end are known to the kinematic simulation only; give sim: kinematic, or leave out "
-        "supplies.tank and supplies.battery",
-        "sim");
-  }
-  if (scenario.problem.supplies.any() && (scenario.arrivals.any() || scenario.arrivals.leave < 1.0)) {
-    return bad_input(
-        "stores that end are for a yard where everybody is there from the start and leaves when hit; "
-        "leave out supplies.tank and supplies.battery, or the arrivals",
-        "supplies");
-  }
+  if (auto ok = check_combination(scenario); !ok) return pass_on(ok);
   auto intruders =
       load_arrivals(scenario.problem, scenario.arrivals, static_cast<std::uint64_t>(scenario.seed));
   if (!intruders) return pass_on(intruders);
   scenario.intruders = std::move(*intruders);
-  if (auto ok = load_hunt(scenario); !ok) return pass_on(ok);
-  if (auto ok = check_passing(scenario); !ok) return pass_on(ok);
-  if (auto ok = check_scouting(scenario); !ok) return pass_on(ok);
+  if (auto ok = load_walkers(scenario); !ok) return pass_on(ok);
   return std::move(loaded->warnings);
 }
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "guard_scene.hpp"
+#include "guard_report.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/guard/guard_robot.hpp"
 
 namespace outrider {
 namespace {
@@ -15,9 +14,9 @@ namespace {
 constexpr double coarse_m = 1.0;  // of the true site, on which nobody plans
 
 /// Sees targets while the robot explores.
-class Lookout {
+class TargetDetector {
  public:
-  Lookout(const std::vector<Target>& targets, const ScoutOptions& options, std::uint64_t seed)
+  TargetDetector(const std::vector<Target>& targets, const ScoutOptions& options, std::uint64_t seed)
       : seen(targets.size()), targets_(targets), options_(options), rng_(Rng(seed).child("lookout")) {}
 
   void look(const ExploreMission& mission, const SimulatedExplorer& robot) {
@@ -46,6 +45,7 @@ class Lookout {
 GuardProblem true_yard(const GuardProblem& truth, const FoundYard& found, const Pose2& start) {
   GuardProblem yard = truth;
   yard.start = start;
+  yard.supplies.stations = found.problem.supplies.stations;
   yard.targets.clear();
   for (const std::size_t i : found.targets) yard.targets.push_back(truth.targets[i]);
   return yard;
@@ -105,6 +105,10 @@ void delay(Report& report, double by_s) {
   for (ReportShot& shot : report.shots) shot.time_s += by_s;
   for (ReportEvent& event : report.events) event.time_s += by_s;
   for (TrackSample& sample : report.track) sample.time_s += by_s;
+  if (!report.supplies) return;
+  for (ReportLevel& level : report.supplies->levels) level.time_s += by_s;
+  report.supplies->levels.insert(report.supplies->levels.begin(),
+                                 {0.0, report.supplies->tank, report.supplies->battery_j});
 }
 
 std::vector<ReportEvent> sightings(const GuardProblem& truth, const ScoutedYard& yard) {
@@ -157,8 +161,10 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
   report.metrics.emplace_back("map_error_m", metric(explored, "map_error_m"));
   report.metrics.emplace_back("explore_s", metric(explored, "time_s"));
   report.metrics.emplace_back("contacts", touches);
-  report.status = failed == 0.0 && touches == 0.0 ? "done" : "not_done";
-  report.reason.clear();
+  const std::string dry = ran_dry(report);
+  report.status = failed == 0.0 && touches == 0.0 && dry.empty() ? "done" : "not_done";
+  report.reason = dry;
+  if (!dry.empty()) return;
   if (reached < targets) {
     report.reason =
         fmt::format("{} of {} targets seen, {} reached, {} failed, {} proven to be out of reach on the map",
@@ -168,6 +174,32 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
   }
 }
 
+/// What the exploring leaves in the stores: no shot was fired, but time and way took charge.
+StoreLevels levels_after(const Report& explored, const Supplies& supplies) {
+  const double used_j = supplies.charge_of(metric(explored, "time_s"), metric(explored, "distance_m"));
+  return {supplies.full(Store::water), supplies.full(Store::charge) - used_j};
+}
+
+/// Shows the guarding with the exploring before it.
+class WholeMission final : public RunObserver {
+ public:
+  WholeMission(const Report& explored, double explore_s, RunObserver* inner)
+      : explored_(explored), explore_s_(explore_s), inner_(inner) {}
+
+  bool wants() override { return inner_->wants(); }
+  void see(const Report& guarding) override {
+    Report so_far = guarding;
+    delay(so_far, explore_s_);
+    prepend(so_far, explored_, {});
+    inner_->see(so_far);
+  }
+
+ private:
+  const Report& explored_;
+  double explore_s_;
+  RunObserver* inner_;
+};
+
 }  // namespace
 
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
@@ -175,22 +207,22 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   ExploreTask explore = task.explore;
   explore.start = truth.start;
   explore.robot = truth.robot;
-  Lookout lookout(truth.targets, task.options, seed);
+  TargetDetector detector(truth.targets, task.options, seed);
   std::vector<Vec2> stood;
   auto run = run_explore(truth.world, explore, task.sensors, seed, watch,
                          [&](const ExploreMission& mission, const SimulatedExplorer& robot) {
-                           lookout.look(mission, robot);
+                           detector.look(mission, robot);
                            stood.push_back(mission.pose.position);
                          });
   if (!run) return pass_on(run);
-  if (run->report.status == "cancelled") return ScoutedYard{std::move(*run), std::move(lookout.seen), {}};
+  if (run->report.status == "cancelled") return ScoutedYard{std::move(*run), std::move(detector.seen), {}};
   if (run->stop_reason == "lost" || run->stop_reason == "blind") {
     return fault(FaultCode::no_path, fmt::format("the yard could not be explored: {}", run->report.reason),
                  "scout.unknown");
   }
-  auto found = found_yard(truth, task.options, run->map, stood, lookout.seen, run->true_pose);
+  auto found = found_yard(truth, task.options, run->map, stood, detector.seen, run->true_pose);
   if (!found) return pass_on(found);
-  return ScoutedYard{std::move(*run), std::move(lookout.seen), std::move(*found)};
+  return ScoutedYard{std::move(*run), std::move(detector.seen), std::move(*found)};
 }
 
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
@@ -202,29 +234,22 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   coarse.resolution_m = coarse_m;
   const auto true_site = survey(really, coarse);
   if (!true_site) return tl::unexpected<Fault>(true_site.error());
-  SimulatedGuard robot(really, *true_site, seed);
-  set_the_scene(robot.report, really, options, seed);
-  GuardMission mission = begin(found, plan);
   const double explore_s = metric(yard.run.report, "time_s");
-  const auto show = [&] {
-    Report so_far = robot.report;
-    list_targets(so_far, really, mission);
-    delay(so_far, explore_s);
-    prepend(so_far, yard.run.report, {});
-    watch.show(so_far);
-  };
-  bool stopped = false;
-  while (const auto command = step(mission, robot.sense(), found, site)) {
-    if (watch.wanted()) show();
-    if ((stopped = watch.stopped())) break;
-    robot.act(*command);
-  }
-  if (watch.observer != nullptr) show();
-
+  WholeMission whole(yard.run.report, explore_s, watch.observer);
+  RunWatch guarding = watch;
+  if (watch.observer != nullptr) guarding.observer = &whole;
+  auto guarded = run_guard({.problem = found,
+                            .site = site,
+                            .plan = plan,
+                            .options = options,
+                            .seed = seed,
+                            .truth = TrueYard{really, *true_site, levels_after(yard.run.report, truth.supplies)}},
+                           guarding);
+  if (!guarded) return guarded;
+  Report report = std::move(*guarded);
   const double touches =
-      metric(yard.run.report, "contacts") + contacts(robot.report, true_site->ground, truth.robot.radius_m);
-  Report report =
-      guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission, really, plan);
+      metric(yard.run.report, "contacts") + contacts(report, true_site->ground, truth.robot.radius_m);
+  const bool cancelled = report.status == "cancelled";
   delay(report, explore_s);
   add_other_targets(report, truth, yard, explore_s);
   const auto seen = static_cast<std::size_t>(
@@ -232,7 +257,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const auto events = sightings(truth, yard);
   conclude(report, yard.run.report, touches, seen);
   prepend(report, std::move(yard.run.report), events);
-  if (stopped) mark_cancelled(report, report.track.back().time_s);
+  if (cancelled) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 

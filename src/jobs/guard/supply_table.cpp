@@ -81,14 +81,25 @@ void take_services(const Outlook& outlook, SupplyTable& table) {
 
 }  // namespace
 
+Status check_supplies(const GuardProblem& problem, const Site& site) {
+  if (!problem.supplies.any()) return {};
+  if (auto ok = check_amounts(problem.supplies); !ok) return ok;
+  for (const Station& station : problem.supplies.stations) {
+    if (auto ok = check_station(problem, site, station); !ok) return ok;
+  }
+  return {};
+}
+
+std::vector<Station> stations_in_reach(const GuardProblem& problem, const Site& site) {
+  std::vector<Station> stations = problem.supplies.stations;
+  std::erase_if(stations, [&](const Station& station) { return !check_station(problem, site, station); });
+  return stations;
+}
+
 Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                                   std::size_t stops, const Budget& budget) {
+  if (auto ok = check_supplies(problem, site); !ok) return pass_on(ok);
   const Supplies& supplies = problem.supplies;
-  if (auto ok = check_amounts(supplies); !ok) return pass_on(ok);
-  for (const Station& station : supplies.stations) {
-    if (!supplies.any()) break;
-    if (auto ok = check_station(problem, site, station); !ok) return pass_on(ok);
-  }
   ArrivalOptions few;
   few.stops = static_cast<std::int64_t>(stops);
   SupplyTable table;

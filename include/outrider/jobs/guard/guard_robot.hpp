@@ -2,7 +2,7 @@
 //
 // Drives and turns follow trapezoidal profiles exactly, then end a little off: the errors of the
 // problem, drawn from named streams of the seed. A shot leaves with the errors of the gun and flies
-// exactly until its first contact. Everything that happens goes into a report.
+// exactly until its first contact. Everything that happens goes into a record.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@
 #include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
 #include "outrider/jobs/guard/supply_gauge.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/sim/record.hpp"
 
 namespace outrider {
 
@@ -24,23 +24,29 @@ struct Survival {
   double walk_mps = 1.0;  ///< 0: it is there at once
 };
 
+/// What the simulation is told of the intruders and the stores.
+struct GuardSimParams {
+  /// Where intruders come, they are the targets, in the order of entering, and the places where survivors go
+  /// follow them.
+  std::vector<Intruder> intruders = {};
+  bool foreseen = false;  ///< all are seen at the start
+  Survival survival = {};
+  std::vector<Walk> walks = {};  ///< of targets that walk; each is seen until it is hit
+  double look_s = 0.5;           ///< between two looks
+  double sight_m = 0.0;          ///< largest error of a position seen
+  StoreLevels levels = {};       ///< at the start; a store that holds less is full
+};
+
 class SimulatedGuard final : public Robot {
  public:
-  /// The references must outlive the robot. Where intruders come, they are the targets, in the order of
-  /// entering, and the places where survivors go follow them; `foreseen`: all are seen at the start.
+  /// The references must outlive the robot.
   SimulatedGuard(const GuardProblem& problem, const Site& site, std::uint64_t seed,
-                 std::vector<Intruder> intruders = {}, bool foreseen = false, const Survival& survival = {});
-
-  /// From now on the targets walk, and are seen every `look_s` with errors of at most `sight_m`, until hit.
-  void let_walk(std::vector<Walk> walks, double look_s, double sight_m);
+                 GuardSimParams params = {});
 
   Observation sense() override;
   void act(const Command& command) override;
 
-  Report report;  ///< its track, paths, shots and events, so far
-  double driven_m = 0.0;
-  double turned_rad = 0.0;
-  std::vector<std::vector<ReportMove>> moves;  ///< by intruder: where it was when, once it has survived a hit
+  SimRecord record;  ///< so far
 
  private:
   void follow(const FollowWaypoints& command);
@@ -73,17 +79,12 @@ class SimulatedGuard final : public Robot {
   Rng timing_rng_;
   SupplyGauge gauge_;
   std::vector<int> attempts_;  // by target
-  std::vector<Intruder> intruders_;
-  bool foreseen_ = false;
+  GuardSimParams params_;
   std::size_t seen_ = 0;  // intruders that have been told of
-  Survival survival_;
   Rng survival_rng_;
   std::vector<std::size_t> at_;     // by intruder: the target that stands for it now
   std::vector<TargetArrival> survived_;  // not yet told of
-  std::vector<Walk> walks_;         // by target, where they walk
-  std::vector<char> gone_;          // by target, of those who walk
-  double look_s_ = 0.5;
-  double sight_m_ = 0.0;
+  std::vector<char> gone_;  // by target, of those who walk
   std::uint64_t looks_ = 0;  // so far
   Rng sight_rng_;
 };

@@ -14,7 +14,7 @@
 #include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/sim/record.hpp"
 
 namespace outrider {
 
@@ -26,14 +26,7 @@ class PhysicsGuard final : public Robot {
   Observation sense() override;
   void act(const Command& command) override;
 
-  Report report;  ///< its track, paths, shots and events, so far
-  double driven_m = 0.0;
-  double turned_rad = 0.0;
-  std::vector<double> arrival_errors_m;  ///< by drive: from where the wheels were sent to where they came
-  double flight_error_m = 0.0;           ///< most, from a contact to the parabola at that time
-  int foreseen = 0;                      ///< shots that touched first what fly() says they do
-  int bumps = 0;                         ///< solids touched by the robot, counted once a drive
-  std::vector<std::string> misses;       ///< by target: how the last shot missed; empty before
+  SimRecord record;  ///< so far, with what rigid bodies tell
 
  private:
   void follow(const FollowWaypoints& command);

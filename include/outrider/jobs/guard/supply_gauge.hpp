@@ -2,17 +2,21 @@
 // shots.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
+#include "outrider/robot/observation.hpp"
 #include "outrider/robot/supplies.hpp"
 
 namespace outrider {
 
 class SupplyGauge {
  public:
-  /// Both stores are full. The supplies must outlive the gauge.
-  explicit SupplyGauge(const Supplies& supplies)
-      : supplies_(supplies), water_(supplies.full(Store::water)), charge_j_(supplies.full(Store::charge)) {}
+  /// A store is full where `levels` has more than it holds. The supplies must outlive the gauge.
+  explicit SupplyGauge(const Supplies& supplies, const StoreLevels& levels = {})
+      : supplies_(supplies),
+        water_(std::min(levels.water, supplies.full(Store::water))),
+        charge_j_(std::min(levels.charge_j, supplies.full(Store::charge))) {}
 
   /// Takes out what was used since the last call: totals since the start.
   void note(double time_s, double driven_m, std::size_t shots) {

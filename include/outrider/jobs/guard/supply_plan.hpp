@@ -16,10 +16,15 @@ struct SupplyTable {
   std::vector<StationCall> calls;    ///< by filler
 };
 
+/// Refuses a tank or a battery that is too small for any shot, and a station that the robot cannot get to
+/// (bad_input with the key). O(stations) routes; nothing where no store is limited.
+Status check_supplies(const GuardProblem& problem, const Site& site);
+
+/// The stations that the robot can get to: of a yard that was explored, those that lie on its map.
+std::vector<Station> stations_in_reach(const GuardProblem& problem, const Site& site);
+
 /// Makes the table from the plan for supplies without end, and at most `stops` other places. Where nothing
-/// ends there are no stations in it. Refused: a tank or a battery that is too small for any shot, a tank or a
-/// battery that ends without the rest making sense, a station that the robot cannot get to (bad_input with
-/// the key), and as look_out().
+/// ends there are no stations in it. Refused as check_supplies() and look_out().
 Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
                                   std::size_t stops, const Budget& budget);
 

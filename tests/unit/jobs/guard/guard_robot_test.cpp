@@ -78,7 +78,7 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
       robot.act(FollowWaypoints{{here, goal}});
       EXPECT_GE(site.ground.clearance(robot.sense().odometry.position, 1.0), problem.robot.radius_m - 2e-9);
     }
-    for (const TrackSample& sample : robot.report.track) {
+    for (const TrackSample& sample : robot.record.track) {
       EXPECT_GE(site.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
     }
   }
@@ -104,14 +104,14 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
     heading = std::atan2(leg.y, leg.x);
   }
   EXPECT_NEAR(robot.sense().time_s, time, 1e-9);
-  EXPECT_NEAR(robot.driven_m, driven, 1e-9);
-  EXPECT_NEAR(robot.turned_rad, turned, 1e-9);
+  EXPECT_NEAR(robot.record.driven_m, driven, 1e-9);
+  EXPECT_NEAR(robot.record.turned_rad, turned, 1e-9);
   EXPECT_EQ(robot.sense().odometry.position, way.back());
-  ASSERT_EQ(robot.report.paths.size(), 1U);
-  EXPECT_NEAR(robot.report.paths[0].end_s, time, 1e-9);
+  ASSERT_EQ(robot.record.paths.size(), 1U);
+  EXPECT_NEAR(robot.record.paths[0].end_s, time, 1e-9);
 
   // Between samples: time goes on, speeds and accelerations stay within the limits.
-  const auto& track = robot.report.track;
+  const auto& track = robot.record.track;
   double before = 0.0;
   for (std::size_t i = 1; i < track.size(); ++i) {
     const double dt = track[i].time_s - track[i - 1].time_s;
@@ -156,7 +156,7 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
     const Observation seen = robot.sense();
     ASSERT_EQ(seen.shots.size(), 1U);
     EXPECT_TRUE(robot.sense().shots.empty()) << "told once";
-    const ReportShot& fired = robot.report.shots.back();
+    const ReportShot& fired = robot.record.shots.back();
     EXPECT_EQ(seen.shots[0].hit, fired.hit);
     EXPECT_EQ(fired.attempt, i + 1);
     EXPECT_DOUBLE_EQ(fired.time_s, before);
@@ -192,7 +192,7 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
     const Site site = site_of(problem);
     SimulatedGuard robot(problem, site, static_cast<std::uint64_t>(i));
     robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
-    const ReportShot& fired = robot.report.shots.back();
+    const ReportShot& fired = robot.record.shots.back();
     double nearest = 1e9;
     for (int k = 0; k <= 20000; ++k) {
       const double t = fired.flight_s * k / 20000.0;
@@ -214,7 +214,7 @@ TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
     SimulatedGuard robot(problem, site, seed);
     robot.act(FollowWaypoints{{{0, 0}, {1, 0}}});
     robot.act(Fire{0, {0.0, 0.1, 6.0}});
-    return robot.report.shots.back().contact_point;
+    return robot.record.shots.back().contact_point;
   };
   EXPECT_EQ(end(3), end(3));
   EXPECT_FALSE(end(3) == end(4));

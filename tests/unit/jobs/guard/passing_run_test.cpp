@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/guard_mission.hpp"
+#include "outrider/jobs/guard/mission.hpp"
 #include "outrider/jobs/guard/guard_robot.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
@@ -58,7 +59,7 @@ TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
   const Planned p = planned(problem);
-  const Report report = run_guard(p.problem, p.site, p.plan, quick(), 1);
+  const Report report = testing::run_still(p.problem, p.site, p.plan, quick(), 1);
   EXPECT_NEAR(metric(report, "mission_s"), p.plan.cost_s, 1e-6);
   EXPECT_EQ(metric(report, "reached"), 5.0);
   EXPECT_EQ(metric(report, "shots"), 5.0);
@@ -82,7 +83,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   const Planned p = planned(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
-    const Report report = run_guard(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
+    const Report report = testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
     EXPECT_EQ(metric(report, "reached"), 5.0);
     for (const ReportShot& shot : report.shots) {
       const Platform seen = seen_at(report, shot.time_s);
@@ -104,7 +105,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
     EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
     testing::Curious curious;
-    EXPECT_EQ(to_json(report), to_json(run_guard(p.problem, p.site, p.plan, quick(),
+    EXPECT_EQ(to_json(report), to_json(testing::run_still(p.problem, p.site, p.plan, quick(),
                                                  static_cast<std::uint64_t>(seed), {.observer = &curious})));
     curious.expect_to_have_seen(report);
     EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
@@ -123,13 +124,13 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
   int missed = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SimulatedGuard robot(shaky, p.site, seed);
-    GuardMission mission = begin(p.problem, p.plan);
-    while (const auto command = step(mission, robot.sense(), p.problem, p.site)) robot.act(*command);
-    for (std::size_t t = 0; t < mission.records.size(); ++t) {
-      const TargetRecord& record = mission.records[t];
+    GuardMission mission(p.problem, p.site, p.plan);
+    while (const auto command = mission.step(robot.sense())) robot.act(*command);
+    for (std::size_t t = 0; t < mission.tasks.records.size(); ++t) {
+      const TargetRecord& record = mission.tasks.records[t];
       EXPECT_NE(record.status, TargetStatus::waiting);
       std::vector<const ReportShot*> shots;
-      for (const ReportShot& shot : robot.report.shots) {
+      for (const ReportShot& shot : robot.record.shots) {
         if (shot.target == p.problem.targets[t].name) shots.push_back(&shot);
       }
       EXPECT_EQ(shots.size(), static_cast<std::size_t>(record.shots));
@@ -145,17 +146,17 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
 /// A robot that carries nothing out and tells nothing.
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   const Planned p = planned(street());
-  GuardMission mission = begin(p.problem, p.plan);
+  GuardMission mission(p.problem, p.site, p.plan);
   Observation seen{.odometry = p.problem.start, .gun = GunState{}};
   int commands = 0;
-  while (const auto command = step(mission, seen, p.problem, p.site)) {
+  while (const auto command = mission.step(seen)) {
     ASSERT_LT(++commands, 500);
     seen.time_s += 1.0;
     if (const auto* follow = std::get_if<FollowWaypoints>(&*command)) {
       seen.odometry.position = follow->waypoints.back();
     }
   }
-  for (const TargetRecord& record : mission.records) EXPECT_EQ(record.status, TargetStatus::failed);
+  for (const TargetRecord& record : mission.tasks.records) EXPECT_EQ(record.status, TargetStatus::failed);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-#include "outrider/jobs/guard/physics_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
 #include "support/guard_yard.hpp"
@@ -21,7 +22,7 @@ class RunGuardInPhysics : public ::testing::Test {
  protected:
   void SetUp() override {
     Rng rng(620);
-    const auto ok = check_physics(testing::random_guard_problem(rng, 0, 1, 2.5));
+    const auto ok = make_rigid_world(testing::random_guard_problem(rng, 0, 1, 2.5));
     if (!ok) GTEST_SKIP() << ok.error().sentence;
   }
 
@@ -37,7 +38,8 @@ class RunGuardInPhysics : public ::testing::Test {
       EXPECT_GE(step.part, last);
       last = step.part;
     };
-    auto report = run_guard_in_physics(problem, *site, *plan, quick(), seed, watch);
+    auto report = run_guard(
+        {.problem = problem, .site = *site, .plan = *plan, .options = quick(), .seed = seed, .rigid = true}, watch);
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);

@@ -5,10 +5,11 @@
 #include <functional>
 #include <set>
 
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/sequence.hpp"
-#include "outrider/jobs/guard/watch_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -51,7 +52,7 @@ Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
 Report mission(const Yard& yard, std::uint64_t seed) {
   const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
   const WatchPolicy policy = watch_policies()[seed % 3];
-  return run_watch({*watch, yard.outlook, policy, WatchObjective::makespan, 3, 10}, quick(), seed,
+  return testing::run_arrivals({*watch, yard.outlook, policy, WatchObjective::makespan, 3, 10}, quick(), seed,
                    {yard.options.leave, yard.options.walk_mps});
 }
 
@@ -175,11 +176,11 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     yard.options.leave = 0.6;
     const BestManner best = best_manner(yard.problem, yard.outlook, yard.options, 100);
     const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
-    const WatchPlan plan{*watch, yard.outlook, best.manner.policy, best.manner.objective, 3, 10};
+    const ArrivalPlan plan{*watch, yard.outlook, best.manner.policy, best.manner.objective, 3, 10};
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
-      const Report report = run_watch(plan, quick(), seed, {0.6, yard.options.walk_mps});
+      const Report report = testing::run_arrivals(plan, quick(), seed, {0.6, yard.options.walk_mps});
       EXPECT_EQ(report.status, "done");
       const double time = metric(report, "makespan_s");
       sum += time;
@@ -213,9 +214,9 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
     Yard yard = open_yard(rng, 5, true);
     const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
     const auto policy = find_watch_policy("each_arrival");
-    const WatchPlan plan{*watch, yard.outlook, *policy, WatchObjective::makespan, 3, 30};
-    Report report = run_watch(plan, quick(), 7, {1.0, 1.0});
-    Report still = run_guard(yard.problem, yard.site, yard.plan, quick(), 7);
+    const ArrivalPlan plan{*watch, yard.outlook, *policy, WatchObjective::makespan, 3, 30};
+    Report report = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
+    Report still = testing::run_still(yard.problem, yard.site, yard.plan, quick(), 7);
     report.metrics = still.metrics;
     report.reason = still.reason;
     EXPECT_EQ(to_json(report), to_json(still));

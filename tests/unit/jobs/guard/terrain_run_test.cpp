@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "outrider/ballistics/stance.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
@@ -33,7 +34,7 @@ Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
   EXPECT_TRUE(site) << site.error().sentence;
   auto plan = plan_guard(problem, *site, quick(), {});
   EXPECT_TRUE(plan);
-  Report report = run_guard(problem, *site, *plan, quick(), seed);
+  Report report = testing::run_still(problem, *site, *plan, quick(), seed);
   return {std::move(*site), std::move(*plan), std::move(report)};
 }
 

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/guard_mission.hpp"
+#include "outrider/jobs/guard/mission.hpp"
 
 #include <gtest/gtest.h>
 
@@ -94,9 +94,9 @@ GuardProblem open_yard() {
 
 /// Runs the mission; the number of commands is bounded.
 GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 2000) {
-  GuardMission mission = begin(yard.problem, yard.plan);
+  GuardMission mission(yard.problem, yard.site, yard.plan);
   std::size_t commands = 0;
-  while (const auto command = step(mission, robot.sense(), yard.problem, yard.site)) {
+  while (const auto command = mission.step(robot.sense())) {
     robot.act(*command);
     if (++commands > most_commands) {
       ADD_FAILURE() << "the mission does not end";
@@ -106,34 +106,34 @@ GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 200
   return mission;
 }
 
-TEST(GuardMission, ReachesWhatItHits) {
+TEST(StopTasks, ReachesWhatItHits) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.records[1].status, TargetStatus::reached);
-  EXPECT_EQ(mission.records[2].status, TargetStatus::unreachable);
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[2].status, TargetStatus::unreachable);
   EXPECT_EQ(robot.fired.size(), 2U);
-  EXPECT_EQ(mission.records[0].shots, 1);
-  EXPECT_NE(mission.records[0].reason.find("hit by shot 1 from"), std::string::npos);
-  EXPECT_FALSE(mission.records[2].reason.empty());
+  EXPECT_EQ(mission.tasks.records[0].shots, 1);
+  EXPECT_NE(mission.tasks.records[0].reason.find("hit by shot 1 from"), std::string::npos);
+  EXPECT_FALSE(mission.tasks.records[2].reason.empty());
   Scripted idle(yard.problem);
   GuardMission over = mission;
-  EXPECT_FALSE(step(over, idle.sense(), yard.problem, yard.site).has_value()) << "over is over";
+  EXPECT_FALSE(over.step(idle.sense()).has_value()) << "over is over";
 }
 
-TEST(GuardMission, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
+TEST(StopTasks, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
   Yard yard = make_yard(open_yard());
   for (const std::int64_t tries : {1, 3, 5}) {
     yard.problem.tries = tries;
     Scripted robot(yard.problem);
     robot.hits = [](std::size_t target, int) { return target != 0; };
     const GuardMission mission = run(yard, robot);
-    EXPECT_EQ(mission.records[0].status, TargetStatus::failed);
-    EXPECT_EQ(mission.records[0].shots, 2 * tries);
-    EXPECT_NE(mission.records[0].reason.find(fmt::format("missed {} times", tries)), std::string::npos)
-        << mission.records[0].reason;
-    EXPECT_EQ(mission.records[1].status, TargetStatus::reached);
+    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::failed);
+    EXPECT_EQ(mission.tasks.records[0].shots, 2 * tries);
+    EXPECT_NE(mission.tasks.records[0].reason.find(fmt::format("missed {} times", tries)), std::string::npos)
+        << mission.tasks.records[0].reason;
+    EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
     // The second pass comes last and from another place.
     EXPECT_EQ(robot.fired.back(), 0U);
     ASSERT_GE(robot.ways.size(), 1U);
@@ -142,46 +142,46 @@ TEST(GuardMission, TriesAsOftenAsAskedAndOnceMoreFromElsewhere) {
   }
 }
 
-TEST(GuardMission, ASecondPassCanStillReach) {
+TEST(StopTasks, ASecondPassCanStillReach) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   std::vector<int> shots(3, 0);
   robot.hits = [&](std::size_t target, int) { return ++shots[target] > 3; };
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.records[1].status, TargetStatus::reached);
-  EXPECT_EQ(mission.records[0].shots, 4);
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[0].shots, 4);
 }
 
-TEST(GuardMission, AMissIsAimedAnewFromTheSamePlace) {
+TEST(StopTasks, AMissIsAimedAnewFromTheSamePlace) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int shot) { return shot >= 2; };
   const GuardMission mission = run(yard, robot);
   EXPECT_EQ(robot.fired[0], robot.fired[1]);
   EXPECT_EQ(robot.fired[1], robot.fired[2]);
-  EXPECT_EQ(mission.records[robot.fired[0]].shots, 3);
+  EXPECT_EQ(mission.tasks.records[robot.fired[0]].shots, 3);
 }
 
-TEST(GuardMission, AShotOfWhichNothingIsHeardIsAMiss) {
+TEST(StopTasks, AShotOfWhichNothingIsHeardIsAMiss) {
   const Yard yard = make_yard(open_yard());
   Scripted robot(yard.problem);
   robot.hits = [](std::size_t, int) { return std::optional<bool>{}; };
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.records[0].status, TargetStatus::failed);
-  EXPECT_EQ(mission.records[1].status, TargetStatus::failed);
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::failed);
   EXPECT_EQ(robot.fired.size(), 4U * static_cast<std::size_t>(yard.problem.tries));
 
   // A hit that nobody shot for is not counted either.
-  GuardMission fresh = begin(yard.problem, yard.plan);
+  GuardMission fresh(yard.problem, yard.site, yard.plan);
   Observation seen{.odometry = yard.problem.start, .gun = GunState{}, .shots = {{0, true, 0.0}}};
-  EXPECT_TRUE(step(fresh, seen, yard.problem, yard.site).has_value());
-  EXPECT_EQ(fresh.records[0].status, TargetStatus::waiting);
-  EXPECT_EQ(fresh.records[1].status, TargetStatus::waiting);
+  EXPECT_TRUE(fresh.step(seen).has_value());
+  EXPECT_EQ(fresh.tasks.records[0].status, TargetStatus::waiting);
+  EXPECT_EQ(fresh.tasks.records[1].status, TargetStatus::waiting);
 }
 
 /// A screen hides the target from the place where the robot ends up; it goes and finds another.
-TEST(GuardMission, GoesElsewhereWhenThePlaceReachedHasNoShot) {
+TEST(StopTasks, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   GuardProblem problem = open_yard();
   problem.targets.resize(1);
   problem.targets[0].base = {0, 1.5, 0};
@@ -196,23 +196,23 @@ TEST(GuardMission, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   Yard moved = yard;
   moved.plan.stops[0].position = {-1.0, -1.9};
   const GuardMission mission = run(moved, robot);
-  EXPECT_EQ(mission.records[0].status, TargetStatus::reached);
-  EXPECT_EQ(mission.records[0].shots, 1);
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[0].shots, 1);
   EXPECT_GE(robot.drives, 2);
-  EXPECT_GT(distance(mission.records[0].pose.position, behind), problem.errors.position_m);
+  EXPECT_GT(distance(mission.tasks.records[0].pose.position, behind), problem.errors.position_m);
 
   // And gives up when it always ends up there.
   Scripted lost(yard.problem);
   lost.arrive = [&](Vec2, int) { return behind; };
   const GuardMission nowhere = run(moved, lost);
-  EXPECT_EQ(nowhere.records[0].status, TargetStatus::failed);
-  EXPECT_EQ(nowhere.records[0].shots, 0);
-  EXPECT_NE(nowhere.records[0].reason.find("no shot from the places"), std::string::npos);
-  EXPECT_EQ(nowhere.records[0].pose.position, behind);
+  EXPECT_EQ(nowhere.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_EQ(nowhere.tasks.records[0].shots, 0);
+  EXPECT_NE(nowhere.tasks.records[0].reason.find("no shot from the places"), std::string::npos);
+  EXPECT_EQ(nowhere.tasks.records[0].pose.position, behind);
 }
 
 /// What has no shot with the margin is tried without it in the second pass.
-TEST(GuardMission, GivesTheMarginUpInTheSecondPass) {
+TEST(StopTasks, GivesTheMarginUpInTheSecondPass) {
   GuardProblem problem = open_yard();
   problem.targets = {{"slit", {0, 1.5, 0}, {0.4, 0.2, 0.4}, 0.0}};
   for (const double side : {-1.0, 1.0}) {
@@ -225,16 +225,16 @@ TEST(GuardMission, GivesTheMarginUpInTheSecondPass) {
   ASSERT_EQ(yard.plan.unreachable.size(), 1U);
   Scripted robot(yard.problem);
   const GuardMission mission = run(yard, robot);
-  EXPECT_EQ(mission.records[0].status, TargetStatus::reached);
-  ASSERT_TRUE(mission.records[0].shot.has_value());
-  EXPECT_LT(mission.records[0].shot->clearance_m, 0.03);
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  ASSERT_TRUE(mission.tasks.records[0].shot.has_value());
+  EXPECT_LT(mission.tasks.records[0].shot->clearance_m, 0.03);
   Scripted unlucky(yard.problem);
   unlucky.hits = [](std::size_t, int) { return false; };
-  EXPECT_EQ(run(yard, unlucky).records[0].status, TargetStatus::failed);
+  EXPECT_EQ(run(yard, unlucky).tasks.records[0].status, TargetStatus::failed);
 }
 
 /// Whatever happens, the mission ends, each target gets one last status, and none is shot at too often.
-TEST(GuardMission, AlwaysEndsAndLosesNoTarget) {
+TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
   Rng rng(91);
   for (int y = 0; y < cases(6); ++y) {
     auto problem = random_guard_problem(rng, 8, 5, 2.0);
@@ -257,7 +257,7 @@ TEST(GuardMission, AlwaysEndsAndLosesNoTarget) {
       };
       const GuardMission mission = run(yard, robot, 500);
       std::size_t shots = 0;
-      for (const TargetRecord& record : mission.records) {
+      for (const TargetRecord& record : mission.tasks.records) {
         EXPECT_NE(record.status, TargetStatus::waiting);
         EXPECT_FALSE(record.reason.empty());
         EXPECT_LE(record.shots, 2 * yard.problem.tries);
@@ -265,12 +265,12 @@ TEST(GuardMission, AlwaysEndsAndLosesNoTarget) {
         shots += static_cast<std::size_t>(record.shots);
       }
       EXPECT_EQ(shots, robot.fired.size());
-      EXPECT_TRUE(mission.errands.empty());
+      EXPECT_TRUE(mission.tasks.queue.empty());
     }
   }
 }
 
-TEST(GuardMission, NamesEveryStatus) {
+TEST(StopTasks, NamesEveryStatus) {
   EXPECT_EQ(to_string(TargetStatus::waiting), "waiting");
   EXPECT_EQ(to_string(TargetStatus::reached), "reached");
   EXPECT_EQ(to_string(TargetStatus::failed), "failed");

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/hunt_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "outrider/jobs/guard/guard_robot.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"
@@ -141,7 +142,7 @@ TEST(VisitMap, TellsAWalkFromARest) {
 
 /// Every shot of a report, flown again in small steps at the true walk; all that was promised; the same
 /// twice.
-TEST(Hunt, HitsEverybodyAndSaysWhatHappened) {
+TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
   WanderOptions wander;
   wander.speed_mps = 0.5;
   wander.rest_s = 10.0;
@@ -150,12 +151,12 @@ TEST(Hunt, HitsEverybodyAndSaysWhatHappened) {
     const auto site = survey(problem, quick());
     const auto history = past(problem, *site, wander);
     const auto walks = draw_walks(problem, *site, often_at_the_pond, wander, seed, 7200.0);
-    const auto plan = plan_hunt(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+    const auto plan = plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    const Report report = run_hunt(*plan, *walks, quick(), seed);
+    const Report report = testing::run_walkers(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
     testing::Curious curious;
-    EXPECT_EQ(to_json(report), to_json(run_hunt(*plan, *walks, quick(), seed, {.observer = &curious})));
+    EXPECT_EQ(to_json(report), to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.observer = &curious})));
     curious.expect_to_have_seen(report);
     const auto back = report_from_json(to_json(report));
     ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -183,7 +184,7 @@ TEST(Hunt, HitsEverybodyAndSaysWhatHappened) {
 }
 
 /// Without errors a straight walker is hit by the first shot.
-TEST(Hunt, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
+TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
   Rng rng(74);
   int hunted = 0;
   for (int i = 0; i < cases(6); ++i) {
@@ -198,24 +199,23 @@ TEST(Hunt, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const Vec2 from{rng.uniform(-3.0, 3.0), -2.0};
     const Vec2 velocity = 0.4 * direction(rng.uniform(0.0, 6.28));
     const std::vector<Walk> walks = {{{{0.0, from}, {60.0, from + 60.0 * velocity}}}};
-    const auto plan = plan_hunt(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
+    const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value());
-    SimulatedGuard robot(problem, *site, 1);
-    robot.let_walk(walks, wander.look_s, 0.0);
+    SimulatedGuard robot(problem, *site, 1, {.walks = walks, .look_s = wander.look_s});
     robot.act(Wait{0.75});  // two looks: the way is known
-    HuntMission mission = begin(*plan);
-    const auto command = step(mission, robot.sense(), *plan);
+    GuardMission mission(*plan);
+    const auto command = mission.step(robot.sense());
     if (!command || !std::holds_alternative<AimGun>(*command)) continue;
     ++hunted;
     robot.act(*command);
-    robot.act(*step(mission, robot.sense(), *plan));
-    EXPECT_TRUE(robot.report.shots.back().hit);
+    robot.act(*mission.step(robot.sense()));
+    EXPECT_TRUE(robot.record.shots.back().hit);
   }
   EXPECT_GT(hunted, 0);
 }
 
 /// One who never moves is hit as a still one is: by the best shot from where the robot stands.
-TEST(Hunt, OfThoseWhoStayIsTheStillYard) {
+TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   GuardProblem problem = yard(false);
   problem.world.solids.resize(1);
   problem.targets.resize(1);
@@ -224,9 +224,9 @@ TEST(Hunt, OfThoseWhoStayIsTheStillYard) {
   WanderOptions wander;
   wander.sight_m = 0.0;
   const std::vector<Walk> walks = {{{{0.0, {1.0, -2.0}}}}};
-  const auto plan = plan_hunt(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
+  const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
   ASSERT_TRUE(plan.has_value());
-  const Report report = run_hunt(*plan, walks, quick(), 1);
+  const Report report = testing::run_walkers(*plan, walks, quick(), 1);
   ASSERT_EQ(report.shots.size(), 1U);
   const auto still = best_shot(site->rules, site->space(0), problem.targets[0], problem.start.position, 0.0);
   ASSERT_TRUE(still.has_value());
@@ -236,23 +236,23 @@ TEST(Hunt, OfThoseWhoStayIsTheStillYard) {
 }
 
 /// Knowing where they like to be shortens their stay, on average.
-TEST(Hunt, IsShorterOnAverageWithTheLearnedMap) {
+TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   const GuardProblem problem = yard(true);
   const auto site = survey(problem, quick());
   WanderOptions wander;
   wander.speed_mps = 0.8;
   wander.rest_s = 4.0;
   const auto history = past(problem, *site, wander);
-  const auto learned = plan_hunt(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+  const auto learned = plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
   WanderOptions blank = wander;
   blank.learn = false;
-  const auto unlearned = plan_hunt(problem, *site, visit_map(problem, *site, history, blank), quick(), blank);
+  const auto unlearned = plan_moving(problem, *site, visit_map(problem, *site, history, blank), quick(), blank);
   ASSERT_TRUE(learned && unlearned);
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {
     const auto walks = draw_walks(problem, *site, often_at_the_pond, wander, seed, 7200.0);
-    const Report a = run_hunt(*learned, *walks, quick(), seed);
-    const Report b = run_hunt(*unlearned, *walks, quick(), seed);
+    const Report a = testing::run_walkers(*learned, *walks, quick(), seed);
+    const Report b = testing::run_walkers(*unlearned, *walks, quick(), seed);
     with_map += metric(a, "intruder_seconds");
     without += metric(b, "intruder_seconds");
     expected += metric(a, "expected_hits");

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
@@ -74,7 +75,7 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
     const auto mission = planned(std::move(problem));
     if (!mission) continue;  // a station stands in an obstacle
-    const Report report = run_guard(mission->problem, mission->site, mission->plan, coarse(), 1);
+    const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
     expect_sound_levels(report);
     EXPECT_NEAR(metric(report, "mission_s"), mission->plan.cost_s, 1e-6) << i;
     EXPECT_EQ(metric(report, "unplanned_fills"), 0.0) << i;
@@ -95,11 +96,11 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const Report report = run_guard(mission->problem, mission->site, mission->plan, coarse(), seed);
+      const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
-      EXPECT_EQ(text, to_json(run_guard(mission->problem, mission->site, mission->plan, coarse(), seed,
+      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed,
                                         {.observer = &curious})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
@@ -119,7 +120,7 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
   EXPECT_NE(mission->plan.unsupplied[0].reason.find("no station gives water"), std::string::npos);
-  const Report report = run_guard(mission->problem, mission->site, mission->plan, coarse(), 1);
+  const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
   EXPECT_EQ(report.status, "not_done");
   expect_sound_levels(report);
 }

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/hunt_mission.hpp"
+#include "outrider/jobs/guard/moving_targets.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 namespace outrider {
 namespace {
 
+constexpr double coarse = 5e-5;      // accuracy of a flight in air: 1 mm after 1.5 s
 constexpr std::size_t flown = 32;    // futures that a shot is flown at
 constexpr std::size_t futures = 24;  // that a stop is judged by
 constexpr double horizon_s = 60.0;   // of these
@@ -18,49 +19,38 @@ constexpr double worth_moving_s = 1.0;
 constexpr double region_m = 1.1;  // a rest within this distance of a region is taken for one there
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
-bool hunted(const HuntMission& mission, std::size_t who) {
-  return mission.records[who].status == TargetStatus::waiting && !mission.tracks[who].empty();
+bool is_wanted(const MovingTargets& targets, const StopTasks& tasks, std::size_t who) {
+  return tasks.records[who].status == TargetStatus::waiting && !targets.tracks[who].empty();
 }
 
-void look(HuntMission& mission, const Observation& seen, const WanderOptions& options) {
-  for (const TargetObservation& glimpse : seen.targets->seen) {
-    mission.tracks[glimpse.target].push_back({glimpse.time_s, glimpse.position});
+void note_seen(MovingTargets& targets, const Observation& seen, const WanderOptions& options) {
+  for (const TargetObservation& one : seen.targets->seen) {
+    targets.tracks[one.target].push_back({one.time_s, one.position});
   }
   if (!options.learn) return;
   // In pieces of a few looks, so that a rest is told from a step.
   constexpr std::size_t piece = 20;
-  for (std::size_t who = 0; who < mission.tracks.size(); ++who) {
-    const Track& track = mission.tracks[who];
-    if (track.size() < mission.learned[who] + piece) continue;
-    learn(mission.map, track, options, mission.learned[who]);
-    mission.learned[who] = track.size() - 1;
+  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
+    const Track& track = targets.tracks[who];
+    if (track.size() < targets.learned[who] + piece) continue;
+    learn(targets.map, track, options, targets.learned[who]);
+    targets.learned[who] = track.size() - 1;
   }
 }
 
-void hear(HuntMission& mission, const Observation& seen) {
-  if (!std::exchange(mission.fired, false)) return;
-  TargetRecord& record = mission.records[mission.prey];
-  const ShotResult* const result = result_of(seen, mission.prey);
-  if (result == nullptr || !result->hit) return;
-  record.status = TargetStatus::reached;
-  record.done_s = mission.last_hit_s = seen.time_s;
-  record.reason = fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
-                              record.pose.position.y);
-}
-
 /// The part of the possible futures, under the errors of the gun, in which the shot hits.
-double chance_of(const HuntMission& mission, const HuntPlan& plan, std::size_t who, const LedShot& led,
+double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size_t who, const LedShot& led,
                  Vec2 position, Rng rng) {
   const ShotRules& rules = plan.site.rules;
-  const Stride stride = stride_of(mission.tracks[who], plan.options);
+  const Stride stride = stride_of(targets.tracks[who], plan.options);
   std::size_t hits = 0;
   for (std::size_t i = 0; i < flown; ++i) {
-    const Walk walk = possible_future(mission.map, stride, led.meets_s + 1.0, rng);
+    const Walk walk = possible_future(targets.map, stride, led.meets_s + 1.0, rng);
     Shot shot = led.planned.shot;
     shot.yaw_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
     shot.pitch_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
     shot.speed_mps *= 1.0 + rules.errors.speed_ratio * rng.uniform(-1.0, 1.0);
-    const Flight flight = launch(rules.gun, position, rules.floor_z_m, shot, rules.gravity_mps2);
+    const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse);
     hits += fly_at(flight, rules.gun.ball_radius_m, plan.site.space(who), plan.problem.targets[who], walk,
                    led.fires_s, rules.floor_z_m)
                     .hit
@@ -71,23 +61,23 @@ double chance_of(const HuntMission& mission, const HuntPlan& plan, std::size_t w
 }
 
 /// The soonest shot that is likely enough, if there is one.
-std::optional<LedShot> likely_shot(HuntMission& mission, const Observation& seen, const HuntPlan& plan,
+std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& tasks, const Observation& seen, const MovingPlan& plan,
                                    const Rng& rng) {
   std::optional<LedShot> best;
   const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
-  for (std::size_t who = 0; who < mission.tracks.size(); ++who) {
-    if (!hunted(mission, who)) continue;
+  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
+    if (!is_wanted(targets, tasks, who)) continue;
     const Walk walk =
-        straight_on(stride_of(mission.tracks[who], plan.options), seen.time_s + flight_horizon_s);
+        straight_on(stride_of(targets.tracks[who], plan.options), seen.time_s + flight_horizon_s);
     const auto led = led_shot(plan.site.rules, plan.site.space(who), plan.problem.targets[who], walk,
                               seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
     if (!led || (best && best->meets_s <= led->meets_s)) continue;
-    const double chance = chance_of(mission, plan, who, *led, seen.odometry.position, rng.child(who));
+    const double chance = chance_of(targets, plan, who, *led, seen.odometry.position, rng.child(who));
     if (chance < plan.options.chance) continue;
     best = led;
-    mission.prey = who;
-    mission.chance = chance;
-    mission.expected_at = walk.at(led->meets_s);
+    targets.aimed_at = who;
+    targets.chance = chance;
+    targets.expected_at = walk.at(led->meets_s);
   }
   return best;
 }
@@ -114,16 +104,16 @@ std::vector<Rest> rests_of(const Walk& walk, const std::vector<Vec2>& regions) {
 }
 
 /// By future, the rests of all.
-std::vector<std::vector<Rest>> imagine(const HuntMission& mission, double now_s, const HuntPlan& plan,
+std::vector<std::vector<Rest>> imagine(const MovingTargets& targets, const StopTasks& tasks, double now_s, const MovingPlan& plan,
                                        const Rng& rng) {
   std::vector<std::vector<Rest>> all(futures);
-  for (std::size_t who = 0; who < mission.tracks.size(); ++who) {
-    if (!hunted(mission, who)) continue;
-    const Stride stride = stride_of(mission.tracks[who], plan.options);
+  for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
+    if (!is_wanted(targets, tasks, who)) continue;
+    const Stride stride = stride_of(targets.tracks[who], plan.options);
     Rng draws = rng.child(who);
     for (std::vector<Rest>& rests : all) {
       const auto own =
-          rests_of(possible_future(mission.map, stride, now_s + horizon_s, draws), mission.map.regions);
+          rests_of(possible_future(targets.map, stride, now_s + horizon_s, draws), targets.map.regions);
       rests.insert(rests.end(), own.begin(), own.end());
     }
   }
@@ -148,26 +138,26 @@ double expected_wait(const std::vector<char>& hit_from_here, const std::vector<s
 
 /// The stop with the least expected time to a shot. Where the robot is nobody can be shot at now, or it would
 /// be.
-std::size_t best_stop(const HuntMission& mission, const Observation& seen, const HuntPlan& plan,
+std::size_t best_stop(const MovingTargets& targets, const StopTasks& tasks, const Observation& seen, const MovingPlan& plan,
                       const Rng& rng) {
-  const auto all = imagine(mission, seen.time_s, plan, rng);
-  const Outlook& outlook = plan.outlook;
-  std::size_t best = mission.stop;
+  const auto all = imagine(targets, tasks, seen.time_s, plan, rng);
+  const Outlook& outlook = plan.stops;
+  std::size_t best = targets.stop;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outlook.stops.size(); ++i) {
-    const std::size_t stop = i == 0 ? mission.stop : i == mission.stop ? 0 : i;  // this one first
-    std::vector<char> hit_from_here(mission.map.regions.size(), 0);
+    const std::size_t stop = i == 0 ? targets.stop : i == targets.stop ? 0 : i;  // this one first
+    std::vector<char> hit_from_here(targets.map.regions.size(), 0);
     for (const Service& service : outlook.table.services[stop]) hit_from_here[service.goal] = 1;
     double there_s = seen.time_s + plan.options.look_s;
-    if (stop != mission.stop) {
-      const Drive drive = outlook.routes.between(mission.stop, stop);
+    if (stop != targets.stop) {
+      const Drive drive = outlook.routes.between(targets.stop, stop);
       if (!std::isfinite(drive.time_s)) continue;
       there_s = seen.time_s + drive.time_s +
                 duration(std::abs(wrap_angle(drive.departure_rad - seen.odometry.heading_rad)),
                          plan.problem.robot.turning());
     }
     const double wait = expected_wait(hit_from_here, all, there_s, seen.time_s);
-    if (wait < least - (best == mission.stop && i > 0 ? worth_moving_s : 0.0)) {
+    if (wait < least - (best == targets.stop && i > 0 ? worth_moving_s : 0.0)) {
       least = wait;
       best = stop;
     }
@@ -175,18 +165,16 @@ std::size_t best_stop(const HuntMission& mission, const Observation& seen, const
   return best;
 }
 
-void give_up(HuntMission& mission, double now_s, const WanderOptions& options) {
-  for (TargetRecord& record : mission.records) {
+void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
+  for (TargetRecord& record : tasks.records) {
     if (record.status != TargetStatus::waiting) continue;
-    record.status = TargetStatus::failed;
-    record.reason = fmt::format("nobody was hit for {:g} s", options.patience_s);
-    record.done_s = now_s;
+    settle(record, TargetStatus::failed, fmt::format("nobody was hit for {:g} s", options.patience_s), now_s);
   }
 }
 
 }  // namespace
 
-Outcome<HuntPlan> plan_hunt(const GuardProblem& problem, const Site& site, const VisitMap& map,
+Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
                             const GuardOptions& options, const WanderOptions& wander) {
   GuardProblem regions = problem;
   regions.targets.clear();
@@ -202,48 +190,58 @@ Outcome<HuntPlan> plan_hunt(const GuardProblem& problem, const Site& site, const
   if (!surveyed) return pass_on(surveyed);
   auto outlook = look_out(regions, *surveyed, {}, {}, {});
   if (!outlook) return pass_on(outlook);
-  return HuntPlan{problem, site, map, std::move(*outlook), wander};
+  return MovingPlan{problem, site, map, std::move(*outlook), wander};
 }
 
-HuntMission begin(const HuntPlan& plan) {
-  HuntMission mission;
-  mission.records.resize(plan.problem.targets.size());
-  mission.tracks.resize(plan.problem.targets.size());
-  mission.learned.assign(plan.problem.targets.size(), 0);
-  mission.map = plan.map;
-  return mission;
+MovingTargets begin_moving(const MovingPlan& plan) {
+  MovingTargets targets;
+  targets.tracks.resize(plan.problem.targets.size());
+  targets.learned.assign(plan.problem.targets.size(), 0);
+  targets.map = plan.map;
+  return targets;
 }
 
-std::optional<Command> step(HuntMission& mission, const Observation& seen, const HuntPlan& plan) {
-  look(mission, seen, plan.options);
-  hear(mission, seen);
-  const bool over = std::none_of(mission.records.begin(), mission.records.end(),
-                                 [](const TargetRecord& r) { return r.status == TargetStatus::waiting; });
-  if (over) return std::nullopt;
-  if (std::exchange(mission.aimed, false)) {
-    mission.fired = true;
-    TargetRecord& record = mission.records[mission.prey];
+void note_moving(MovingTargets& targets, StopTasks& tasks, const Observation& seen, const MovingPlan& plan) {
+  note_seen(targets, seen, plan.options);
+  if (!std::exchange(tasks.fired, false)) return;
+  const ShotResult* const result = result_of(seen, targets.aimed_at);
+  if (result == nullptr || !result->hit) return;
+  TargetRecord& record = tasks.records[targets.aimed_at];
+  targets.last_hit_s = seen.time_s;
+  settle(record, TargetStatus::reached,
+         fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
+                     record.pose.position.y),
+         seen.time_s);
+}
+
+std::optional<Command> next_command(MovingTargets& targets, StopTasks& tasks, const Observation& seen,
+                                    const MovingPlan& plan) {
+  const auto waits = [](const TargetRecord& record) { return record.status == TargetStatus::waiting; };
+  if (std::ranges::none_of(tasks.records, waits)) return std::nullopt;
+  if (std::exchange(tasks.aimed, false)) {
+    tasks.fired = true;
+    TargetRecord& record = tasks.records[targets.aimed_at];
     ++record.shots;
-    return Fire{mission.prey, record.shot->shot};
+    return Fire{targets.aimed_at, record.shot->shot};
   }
-  if (seen.time_s - mission.last_hit_s > plan.options.patience_s) {
-    give_up(mission, seen.time_s, plan.options);
+  if (seen.time_s - targets.last_hit_s > plan.options.patience_s) {
+    give_up(tasks, seen.time_s, plan.options);
     return std::nullopt;
   }
-  const Rng rng = Rng(0).child("futures").child(mission.steps++);
-  if (const auto led = likely_shot(mission, seen, plan, rng.child("shot"))) {
-    TargetRecord& record = mission.records[mission.prey];
+  const Rng rng = Rng(0).child("futures").child(targets.steps++);
+  if (const auto led = likely_shot(targets, tasks, seen, plan, rng.child("shot"))) {
+    TargetRecord& record = tasks.records[targets.aimed_at];
     record.shot = led->planned;
     record.pose = seen.odometry;
-    mission.aimed = true;
+    tasks.aimed = true;
     return AimGun{led->planned.shot.yaw_rad, led->planned.shot.pitch_rad};
   }
-  const std::size_t stop = best_stop(mission, seen, plan, rng.child("stop"));
-  if (stop != mission.stop) {
-    auto way = plan.outlook.routes.waypoints(mission.stop, stop);
+  const std::size_t stop = best_stop(targets, tasks, seen, plan, rng.child("stop"));
+  if (stop != targets.stop) {
+    auto way = plan.stops.routes.waypoints(targets.stop, stop);
     if (way.size() > 1) {
       way.front() = seen.odometry.position;
-      mission.stop = stop;
+      targets.stop = stop;
       return FollowWaypoints{std::move(way)};
     }
   }

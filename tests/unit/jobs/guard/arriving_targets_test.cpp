@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/watch_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,9 @@
 #include <map>
 
 #include "outrider/jobs/guard/guard_robot.hpp"
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
@@ -77,7 +78,7 @@ void expect_laws(const Watch& watch, const Outlook& outlook, const WatchPolicy& 
   EXPECT_GE(metric(report, "makespan_s"), metric(report, "makespan_bound_s")) << policy.name;
 }
 
-TEST(Watch, LosesNobodyStaysAboveTheBoundAndRepeats) {
+TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
   Rng rng(51);
   for (int y = 0; y < cases(4); ++y) {
     const Yard yard = random_yard(rng, true);
@@ -85,12 +86,12 @@ TEST(Watch, LosesNobodyStaysAboveTheBoundAndRepeats) {
       const Watch watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
       for (const WatchPolicy& policy : watch_policies()) {
         const auto objective = seed % 2 == 0 ? WatchObjective::makespan : WatchObjective::time_inside;
-        const WatchPlan plan{watch, yard.outlook, policy, objective, 3, 50};
-        const Report report = run_watch(plan, quick(), seed);
+        const ArrivalPlan plan{watch, yard.outlook, policy, objective, 3, 50};
+        const Report report = testing::run_arrivals(plan, quick(), seed);
         expect_laws(watch, yard.outlook, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
         testing::Curious curious;
-        EXPECT_EQ(to_json(report), to_json(run_watch(plan, quick(), seed, {}, {.observer = &curious})));
+        EXPECT_EQ(to_json(report), to_json(testing::run_arrivals(plan, quick(), seed, {}, {.observer = &curious})));
         curious.expect_to_have_seen(report);
         const auto back = report_from_json(to_json(report));
         ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -121,7 +122,7 @@ Yard yard_with_corners() {
 }
 
 /// Once the gun is aimed the shot follows, and a drive ends at a waypoint, whoever enters meanwhile.
-TEST(Watch, FinishesWhatIsInHand) {
+TEST(ArrivingTargets, FinishesWhatIsInHand) {
   const Yard yard = yard_with_corners();
   int shortened = 0;
   for (double enters = 0.1; enters < 20.0; enters += 0.7) {
@@ -130,34 +131,34 @@ TEST(Watch, FinishesWhatIsInHand) {
     const auto watch = watch_over(yard.problem, yard.site, two);
     ASSERT_TRUE(watch.has_value());
     const auto policy = find_watch_policy("each_arrival");
-    const WatchPlan plan{*watch, yard.outlook, *policy};
-    SimulatedGuard robot(watch->problem, watch->site, 1, watch->intruders);
-    WatchMission mission = begin(plan);
+    const ArrivalPlan plan{*watch, yard.outlook, *policy};
+    SimulatedGuard robot(watch->problem, watch->site, 1, {.intruders = watch->intruders});
+    GuardMission mission(plan);
     bool aimed = false;
-    while (const auto command = step(mission, robot.sense(), plan)) {
+    while (const auto command = mission.step(robot.sense())) {
       EXPECT_FALSE(aimed && !std::holds_alternative<Fire>(*command)) << "an aimed shot was dropped";
       aimed = std::holds_alternative<AimGun>(*command);
       robot.act(*command);
       const auto* follow = std::get_if<FollowWaypoints>(&*command);
       if (follow == nullptr) continue;
-      const auto& driven = robot.report.paths.back().waypoints;
+      const auto& driven = robot.record.paths.back().waypoints;
       ASSERT_LE(driven.size(), follow->waypoints.size());
       if (driven.size() == follow->waypoints.size()) continue;
       ++shortened;
       EXPECT_EQ(driven.back(), follow->waypoints[driven.size() - 1]);
     }
-    EXPECT_EQ(mission.guard.records[0].status, TargetStatus::reached);
-    EXPECT_EQ(mission.guard.records[1].status, TargetStatus::reached);
+    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+    EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
   }
   EXPECT_GT(shortened, 0) << "no drive was ever cut short: the test shows nothing";
 }
 
 /// When all are there from the start and the makespan counts, it is the still yard, to the last byte.
-TEST(Watch, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
+TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   Rng rng(53);
   for (int y = 0; y < cases(5); ++y) {
     const Yard yard = random_yard(rng, y % 2 == 0);
-    Report still = run_guard(yard.problem, yard.site, yard.plan, quick(), 1);
+    Report still = testing::run_still(yard.problem, yard.site, yard.plan, quick(), 1);
     std::vector<Intruder> all;
     for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
       all.push_back({"", t, "gate", {}, 0.0, 0.0});
@@ -165,8 +166,8 @@ TEST(Watch, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
     const auto watch = watch_over(yard.problem, yard.site, all);
     ASSERT_TRUE(watch.has_value());
     for (const WatchPolicy& policy : watch_policies()) {
-      const WatchPlan plan{*watch, yard.outlook, policy, WatchObjective::makespan, 3, 50};
-      Report report = run_watch(plan, quick(), 1);
+      const ArrivalPlan plan{*watch, yard.outlook, policy, WatchObjective::makespan, 3, 50};
+      Report report = testing::run_arrivals(plan, quick(), 1);
       expect_laws(*watch, yard.outlook, policy, report);
       EXPECT_EQ(metric(report, "unreachable"), metric(still, "unreachable"));
       if (policy.name == "groups") continue;
@@ -183,12 +184,12 @@ TEST(Watch, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   }
 }
 
-TEST(Watch, OfNobodyIsOverAtOnce) {
+TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   Rng rng(54);
   const Yard yard = random_yard(rng, true);
   const auto watch = watch_over(yard.problem, yard.site, {});
   ASSERT_TRUE(watch.has_value());
-  const Report report = run_watch({*watch, yard.outlook, watch_policies().front()}, quick(), 1);
+  const Report report = testing::run_arrivals({*watch, yard.outlook, watch_policies().front()}, quick(), 1);
   EXPECT_EQ(report.status, "done");
   EXPECT_EQ(metric(report, "mission_s"), 0.0);
   EXPECT_TRUE(report.shots.empty());
@@ -198,7 +199,7 @@ TEST(Watch, OfNobodyIsOverAtOnce) {
 }
 
 /// Looking up from the plan helps, on average, by time inside.
-TEST(Watch, IsShorterOnAverageForThoseWhoPlanAnew) {
+TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   Rng rng(55);
   const Yard yard = random_yard(rng, true);
   std::map<std::string, double> sums;
@@ -206,7 +207,7 @@ TEST(Watch, IsShorterOnAverageForThoseWhoPlanAnew) {
     const Watch watch = crowd(yard, 12, 0.2, seed);
     for (const WatchPolicy& policy : watch_policies()) {
       const Report report =
-          run_watch({watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
+          testing::run_arrivals({watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
       sums[std::string(policy.name)] += metric(report, "intruder_seconds");
     }
   }

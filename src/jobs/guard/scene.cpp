@@ -1,4 +1,4 @@
-#include "guard_scene.hpp"
+#include "guard_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,31 +61,6 @@ ReportTerrain terrain_entry(const HeightField& field, const RobotModel& robot) {
   return entry;
 }
 
-}  // namespace
-
-ReportTarget target_entry(const Target& target, const TargetRecord& record, const Report& report) {
-  ReportTarget entry;
-  entry.name = target.name;
-  entry.status = to_string(record.status);
-  entry.reason = record.reason;
-  entry.centre = target.centre();
-  entry.size = target.size;
-  entry.yaw_rad = target.yaw_rad;
-  entry.done_s = record.done_s;
-  entry.shots = record.shots;
-  entry.pose = record.pose;
-  if (record.shot) {
-    entry.pitch_rad = record.shot->shot.pitch_rad;
-    entry.shot_yaw_rad = record.shot->shot.yaw_rad;
-    entry.speed_mps = record.shot->shot.speed_mps;
-    entry.clearance_m = record.shot->clearance_m;
-  }
-  for (const ReportShot& shot : report.shots) {
-    if (shot.target == target.name && shot.hit) entry.clearance_m = shot.clearance_m;
-  }
-  return entry;
-}
-
 ReportSupplies supplies_entry(const Supplies& supplies) {
   ReportSupplies entry{supplies.full(Store::water), supplies.full(Store::charge), {}, {}};
   for (const Station& station : supplies.stations) {
@@ -94,29 +69,48 @@ ReportSupplies supplies_entry(const Supplies& supplies) {
   return entry;
 }
 
-void list_targets(Report& report, const GuardProblem& problem, const GuardMission& mission) {
-  report.targets.clear();
-  for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    report.targets.push_back(target_entry(problem.targets[t], mission.records[t], report));
+}  // namespace
+
+const GuardProblem& true_problem(const GuardRun& run) { return run.truth ? run.truth->problem : run.problem; }
+
+const Site& true_site(const GuardRun& run) { return run.truth ? run.truth->site : run.site; }
+
+GuardSimParams sim_params(const GuardRun& run) {
+  GuardSimParams params;
+  params.survival = run.survival;
+  if (run.arrivals) {
+    params.intruders = run.arrivals->yard.intruders;
+    params.foreseen = run.arrivals->policy.foresees;
   }
+  if (run.walkers) {
+    params.walks = run.walkers->walks;
+    params.look_s = run.walkers->plan.options.look_s;
+    params.sight_m = run.walkers->plan.options.sight_m;
+  }
+  if (run.truth) params.levels = run.truth->levels;
+  return params;
 }
 
-void set_the_scene(Report& report, const GuardProblem& problem, const GuardOptions& options,
-                   std::uint64_t seed) {
+Report opened_report(const GuardRun& run) {
+  const GuardProblem& problem = true_problem(run);
+  Report report;
   report.job = "guard";
-  report.seed = seed;
+  report.seed = run.seed;
+  if (run.rigid) report.sim = "physics";
   report.world_name = problem.world.name;
   report.bounds = problem.world.bounds;
   report.gravity_mps2 = problem.world.gravity_mps2;
   report.robot_radius_m = problem.robot.radius_m;
   report.gun_length_m = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
   report.ball_radius_m = problem.gun.ball_radius_m;
-  report.margin_m = options.margin_m;
+  report.margin_m = run.options.margin_m;
   report.start = problem.start;
   for (const Solid& solid : problem.world.solids) {
     report.solids.push_back(solid_entry(solid, problem.world, problem.robot));
   }
   if (problem.world.terrain) report.terrain = terrain_entry(*problem.world.terrain, problem.robot);
+  if (problem.supplies.any()) report.supplies = supplies_entry(problem.supplies);
+  return report;
 }
 
 }  // namespace outrider

@@ -1,10 +1,11 @@
-#include "outrider/jobs/guard/guard_run.hpp"
+#include "outrider/jobs/guard/run.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "outrider/report/json.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -26,7 +27,7 @@ Mission carried_out(GuardProblem problem, std::uint64_t seed) {
   EXPECT_TRUE(site.has_value()) << site.error().sentence;
   auto plan = plan_guard(problem, *site, quick(), {});
   EXPECT_TRUE(plan.has_value());
-  Report report = run_guard(problem, *site, *plan, quick(), seed);
+  Report report = testing::run_still(problem, *site, *plan, quick(), seed);
   return {std::move(problem), std::move(*plan), std::move(report)};
 }
 

@@ -1,0 +1,203 @@
+#include "outrider/jobs/guard/arriving_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "outrider/jobs/guard/sequence.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double there_m = 1e-6;
+constexpr std::size_t most_planned = 64;
+constexpr double never_s = std::numeric_limits<double>::infinity();
+
+void forget_the_done(ArrivingTargets& targets, const StopTasks& tasks) {
+  std::erase_if(targets.inside, [&](const TargetArrival& s) {
+    return tasks.records[s.target].status != TargetStatus::waiting;
+  });
+}
+
+/// Somebody was hit and goes elsewhere: all begins again for it, with the shots it has had.
+void go_on(ArrivingTargets& targets, StopTasks& tasks, const TargetArrival& arrival, const Watch& yard) {
+  for (std::size_t i = tasks.stands_at.size(); i < tasks.records.size(); ++i) tasks.stands_at.push_back(i);
+  ++targets.survived;
+  std::erase_if(targets.inside, [&](const TargetArrival& s) { return s.target == arrival.target; });
+  tasks.stands_at[arrival.target] = yard.at_place(arrival.place);
+  TargetRecord& record = tasks.records[arrival.target];
+  record = {TargetStatus::waiting, {}, record.shots, 0, record.shot, record.pose, 0.0};
+  tasks.more_to_come = true;
+  tasks.second_pass = false;  // there will be another, for all who have failed
+}
+
+/// The stop at which the robot stands, or nothing.
+std::optional<std::size_t> stop_here(const StopTasks& tasks, const Observation& seen,
+                                     const ArrivalPlan& plan) {
+  const auto& stops = plan.stops.stops;
+  const auto sent = std::find(stops.begin(), stops.end(), tasks.last_place);
+  const double off = plan.yard.problem.errors.position_m + there_m;
+  if (sent == stops.end() || distance(*sent, seen.odometry.position) > off) return std::nullopt;
+  return static_cast<std::size_t>(sent - stops.begin());
+}
+
+/// From where the robot is; from the nearest stop where no corner is seen from there.
+Drive drive_from(const Pose2& pose, std::size_t stop, const Watch& watch, const Outlook& outlook) {
+  const auto& stops = outlook.stops;
+  const auto route = outlook.routes.route(pose, stops[stop]);
+  if (!route) {
+    const auto nearest = std::min_element(stops.begin(), stops.end(), [&](Vec2 a, Vec2 b) {
+      return distance(a, pose.position) < distance(b, pose.position);
+    });
+    return outlook.routes.between(static_cast<std::size_t>(nearest - stops.begin()), stop);
+  }
+  if (route->waypoints.size() < 2) return {0.0, pose.heading_rad, pose.heading_rad};
+  const auto& way = route->waypoints;
+  const double departure = heading_of(way[1] - way[0]);
+  const DriveCost cost = drive_cost(watch.problem.robot, departure, way, watch.site.ground.terrain());
+  return {cost.time_s, departure, cost.heading_rad};
+}
+
+Standing standing(const StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
+                  const std::vector<Wanted>& wanted) {
+  const Outlook& outlook = plan.stops;
+  Standing from{seen.time_s, seen.odometry.heading_rad, seen.gun->yaw_rad, seen.gun->pitch_rad, {}};
+  const auto here = stop_here(tasks, seen, plan);
+  for (std::size_t stop = 0; stop < outlook.stops.size(); ++stop) {
+    const auto& services = outlook.table.services[stop];
+    const bool useful = std::any_of(services.begin(), services.end(), [&](const Service& service) {
+      return std::any_of(wanted.begin(), wanted.end(),
+                         [&](const Wanted& w) { return w.goal == service.goal; });
+    });
+    Drive drive;
+    if (useful && here) {
+      drive = outlook.routes.between(*here, stop);
+      if (*here == stop) drive.time_s = 0.0;
+    } else if (useful) {
+      drive = drive_from(seen.odometry, stop, plan.yard, outlook);
+    }
+    from.drives.push_back(drive);
+  }
+  return from;
+}
+
+/// The tour answers this very question: all its targets there at the start, and the makespan.
+bool is_the_still_yard(const ArrivingTargets& targets, const ArrivalPlan& plan, const std::vector<Wanted>& wanted,
+                       double time_s) {
+  std::size_t toured = 0;
+  for (const Visit& visit : plan.stops.tour) toured += visit.goals.size();
+  return plan.objective == WatchObjective::makespan && targets.plans == 0 && wanted.size() == toured &&
+         std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.settles_s <= time_s; });
+}
+
+/// Plans for the first `count` of those inside and sets the tasks.
+void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
+               std::size_t count) {
+  std::vector<Wanted> wanted;
+  count = std::min({count, targets.inside.size(), most_planned});
+  for (std::size_t i = 0; i < count; ++i) {
+    const TargetArrival& arrival = targets.inside[i];
+    wanted.push_back({static_cast<std::uint32_t>(arrival.place), arrival.settles_s});
+  }
+  const TourProblem& table = plan.stops.table;
+  const Standing from = standing(tasks, seen, plan, wanted);
+  const Sequence best = sequence_beside(plan.stops.tour, table, wanted, from, plan.objective, plan.beam,
+                                        is_the_still_yard(targets, plan, wanted, seen.time_s));
+  if (best.visits.empty()) {
+    TargetRecord& record = tasks.records[targets.inside.front().target];
+    record = {TargetStatus::failed, "no way to a place with a shot", 0, 0, {}, seen.odometry, seen.time_s};
+  }
+  tasks.queue.clear();
+  for (const Visit& visit : best.visits) {
+    StopTask task{plan.stops.stops[visit.stop]};
+    for (const std::uint32_t who : visit.goals) {
+      const auto service = std::ranges::find(table.services[visit.stop], wanted[who].goal, &Service::goal);
+      task.targets.push_back(targets.inside[who].target);
+      task.pitches.push_back(service->pitch_rad);
+    }
+    tasks.queue.push_back(std::move(task));
+  }
+  tasks.arrived = !best.visits.empty() && stop_here(tasks, seen, plan) == best.visits.front().stop;
+  tasks.aimed = false;
+  targets.entered = 0;
+  ++targets.plans;
+}
+
+/// When the one who is next to be shot at from here is in its place, if that is still to come.
+std::optional<double> to_wait_for(const ArrivingTargets& targets, const StopTasks& tasks,
+                                  const Observation& seen) {
+  if (tasks.queue.empty() || tasks.queue.front().call) return std::nullopt;
+  const StopTask& task = tasks.queue.front();
+  if (!tasks.arrived && distance(seen.odometry.position, task.place) > there_m) return std::nullopt;
+  const auto next = std::ranges::find(targets.inside, task.targets.front(), &TargetArrival::target);
+  if (next == targets.inside.end() || next->settles_s <= seen.time_s) return std::nullopt;
+  return next->settles_s;
+}
+
+/// Whether something is under way that no plan drops: an aimed gun, or a visit to a station.
+bool is_busy(const StopTasks& tasks) {
+  return tasks.aimed || (!tasks.queue.empty() && tasks.queue.front().call);
+}
+
+}  // namespace
+
+StopTasks tasks_of(const ArrivalPlan& plan) {
+  StopTasks tasks;
+  tasks.records.resize(plan.yard.intruders.size());
+  tasks.last_place = plan.yard.problem.start.position;
+  tasks.routes = plan.stops.routes;
+  tasks.more_to_come = true;
+  return tasks;
+}
+
+void note_arrivals(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen,
+                   const ArrivalPlan& plan) {
+  for (const TargetArrival& arrival : seen.targets->arrivals) {
+    TargetRecord& record = tasks.records[arrival.target];
+    if (record.status == TargetStatus::reached) go_on(targets, tasks, arrival, plan.yard);
+    if (plan.stops.reachable[arrival.place] != 0) {
+      targets.inside.push_back(arrival);
+      ++targets.entered;
+    } else {
+      settle(record, TargetStatus::unreachable, "its place cannot be hit from anywhere", seen.time_s);
+    }
+  }
+  forget_the_done(targets, tasks);
+  auto& queue = tasks.queue;
+  while (!queue.empty() && queue.front().targets.empty() && !queue.front().call) {
+    queue.pop_front();
+    tasks.arrived = false;
+  }
+  // A drive that ended before its goal, because somebody entered, goes on.
+  const double off = plan.yard.problem.errors.position_m + there_m;
+  if (plan.policy.interrupts && !seen.targets->arrivals.empty() && !queue.empty() &&
+      distance(seen.odometry.position, queue.front().place) > off) {
+    tasks.arrived = false;
+  }
+}
+
+std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen,
+                                    const ArrivalPlan& plan) {
+  const auto& [problem, site, intruders] = plan.yard;
+  while (tasks.more_to_come) {
+    if (!is_busy(tasks)) {
+      const std::size_t count =
+          plan.policy.take({targets.inside.size(), targets.entered, tasks.queue.empty(), plan.group});
+      if (count > 0) plan_anew(targets, tasks, seen, plan, count);
+    }
+    if (const auto until_s = to_wait_for(targets, tasks, seen)) return Wait{*until_s};
+    if (auto command = next_command(tasks, seen, problem, site)) {
+      if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
+        follow->until_arrival = plan.policy.interrupts;
+      }
+      return command;
+    }
+    forget_the_done(targets, tasks);  // those that were just given up
+    if (!targets.inside.empty()) continue;
+    if (seen.targets->more_to_come) return Wait{never_s};
+    tasks.more_to_come = false;
+  }
+  return next_command(tasks, seen, problem, site);
+}
+
+}  // namespace outrider

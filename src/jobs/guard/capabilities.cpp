@@ -1,0 +1,107 @@
+#include "outrider/jobs/guard/capabilities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "outrider/jobs/guard/scenario.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr std::string_view still_bodies = "the physics engine holds targets that stand still and leave when hit";
+constexpr std::string_view planned_once = "shots on the move are planned once, for targets that stand still";
+constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
+constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";
+
+const CapabilityRow& row_of(Capability capability) {
+  return capabilities()[static_cast<std::size_t>(capability)];
+}
+
+}  // namespace
+
+const std::vector<CapabilityRow>& capabilities() {
+  using enum Capability;
+  static const std::vector<CapabilityRow> rows = {
+      {arrivals, "intruders that keep coming", "arrivals"},
+      {survivors, "intruders that may survive a hit", "arrivals.leave"},
+      {walkers, "intruders that walk about", "wander.speed"},
+      {supplies, "limited supplies", "supplies"},
+      {terrain, "terrain", "terrain"},
+      {air, "air", "air.drag"},
+      {on_the_move, "shots on the move", "plan.shoot_on_the_move"},
+      {unknown, "an unknown yard", "scout.unknown"},
+      {rigid, "rigid bodies", "sim"},
+      {blocking, "targets that block", "targets_block"},
+  };
+  return rows;
+}
+
+const std::vector<Clash>& clashes() {
+  using enum Capability;
+  static const std::vector<Clash> table = {
+      {arrivals, walkers, "who enters goes to one place and stays there"},
+      {arrivals, on_the_move, planned_once},
+      {arrivals, unknown, unseen},
+      {arrivals, rigid, still_bodies},
+      {arrivals, blocking, who_is_inside},
+      {survivors, walkers, "who walks about leaves when hit"},
+      {survivors, on_the_move, planned_once},
+      {survivors, unknown, unseen},
+      {survivors, rigid, still_bodies},
+      {survivors, blocking, who_is_inside},
+      {walkers, supplies, "the stops against walkers are chosen without stations"},
+      {walkers, terrain, "walks and the shots that lead them are for level ground"},
+      {walkers, on_the_move, planned_once},
+      {walkers, unknown, unseen},
+      {walkers, rigid, still_bodies},
+      {walkers, blocking, who_is_inside},
+      {supplies, on_the_move, "plans with stations shoot from a standstill"},
+      {supplies, rigid, "the rigid robot has no tank and no battery"},
+      {terrain, on_the_move, "shots from a robot that drives are solved for level ground"},
+      {terrain, unknown, "the map of a range finder is level"},
+      {terrain, rigid, "the rigid robot rolls on a level floor"},
+      {air, rigid, "the physics engine knows no drag"},
+      {on_the_move, unknown, "shots on the move need the true walls"},
+      {on_the_move, rigid, "the rigid robot shoots from a standstill"},
+      {unknown, rigid, "the rigid robot has no range finder"},
+      {unknown, blocking, "targets that block would be walls on the map"},
+  };
+  return table;
+}
+
+std::vector<Capability> asked_of(const GuardScenario& scenario) {
+  using enum Capability;
+  const GuardProblem& problem = scenario.problem;
+  const std::pair<Capability, bool> all[] = {
+      {arrivals, scenario.arrivals.any()},
+      {survivors, scenario.arrivals.leave < 1.0},
+      {walkers, scenario.wander.any()},
+      {supplies, problem.supplies.any()},
+      {terrain, problem.world.terrain != nullptr},
+      {air, !problem.air.none()},
+      {on_the_move, scenario.options.shoot_on_the_move},
+      {unknown, scenario.scout.unknown},
+      {rigid, scenario.sim != "kinematic"},
+      {blocking, problem.targets_block},
+  };
+  std::vector<Capability> asked;
+  for (const auto& [capability, is_asked] : all) {
+    if (is_asked) asked.push_back(capability);
+  }
+  return asked;
+}
+
+Status check_capabilities(const std::vector<Capability>& asked) {
+  for (const Clash& clash : clashes()) {
+    if (std::ranges::count(asked, clash.one) == 0 || std::ranges::count(asked, clash.other) == 0) continue;
+    const CapabilityRow& one = row_of(clash.one);
+    const CapabilityRow& other = row_of(clash.other);
+    return bad_input(fmt::format("{} and {} do not go together, because {}; leave out {} or {}", one.noun,
+                                 other.noun, clash.why, one.key, other.key),
+                     std::string(other.key));
+  }
+  return {};
+}
+
+}  // namespace outrider

@@ -1,0 +1,27 @@
+// The report of a guard mission: its scene, an entry for each target, status and metrics, by capability.
+#pragma once
+
+#include "outrider/jobs/guard/run.hpp"
+
+namespace outrider {
+
+/// The yard as it really is.
+const GuardProblem& true_problem(const GuardRun& run);
+const Site& true_site(const GuardRun& run);
+/// What the simulated robot is told of the intruders and of its stores.
+GuardSimParams sim_params(const GuardRun& run);
+
+/// Job, seed, world, robot, start and stations: what is known before anything happens.
+Report opened_report(const GuardRun& run);
+
+/// An entry for each target or intruder, as it is by now; the report holds the shots already.
+void list_targets(Report& report, const GuardRun& run, const GuardMission& mission, const SimRecord& record);
+
+/// The first store that ran empty, in a sentence; empty when none did.
+std::string ran_dry(const Report& report);
+
+/// Moves the record into the report and concludes: targets, status, reason and metrics.
+void close_report(Report& report, const GuardRun& run, const GuardMission& mission, SimRecord& record,
+                  double expected_hits);
+
+}  // namespace outrider

@@ -1,0 +1,51 @@
+#include "outrider/jobs/guard/mission.hpp"
+
+#include <utility>
+
+namespace outrider {
+
+GuardMission::GuardMission(const GuardProblem& problem, const Site& site, const GuardPlan& plan)
+    : tasks(tasks_of(problem, plan)), problem_(&problem), site_(&site) {}
+
+GuardMission::GuardMission(const ArrivalPlan& plan)
+    : tasks(tasks_of(plan)), problem_(&plan.yard.problem), site_(&plan.yard.site), arrivals_(&plan) {}
+
+GuardMission::GuardMission(const MovingPlan& plan)
+    : moving(begin_moving(plan)), problem_(&plan.problem), site_(&plan.site), walkers_(&plan) {
+  tasks.records.resize(plan.problem.targets.size());
+}
+
+void GuardMission::note(const Observation& seen) {
+  if (walkers_ != nullptr) {
+    note_moving(moving, tasks, seen, *walkers_);
+    return;
+  }
+  note_shots(tasks, seen, *problem_, *site_);
+  if (arrivals_ != nullptr) note_arrivals(arriving, tasks, seen, *arrivals_);
+}
+
+std::optional<Command> GuardMission::propose(const Observation& seen) {
+  if (walkers_ != nullptr) return next_command(moving, tasks, seen, *walkers_);
+  if (arrivals_ != nullptr) return next_command(arriving, tasks, seen, *arrivals_);
+  return next_command(tasks, seen, *problem_, *site_);
+}
+
+std::optional<Command> GuardMission::step(const Observation& seen) {
+  note(seen);
+  if (!problem_->supplies.any()) return propose(seen);
+  while (!stores.stranded) {
+    GuardMission tried = *this;
+    auto command = tried.propose(seen);
+    const auto store = command ? lacking(*command, tried.tasks, seen, *problem_, *site_) : std::nullopt;
+    const bool shot = command && std::holds_alternative<Fire>(*command);
+    if (!store || !shot) *this = std::move(tried);  // a shot that is put off was not fired
+    if (!store) {
+      if (command) note_command(stores, *command);
+      return command;
+    }
+    provide(stores, tasks, *store, seen, *problem_, *site_);
+  }
+  return std::nullopt;
+}
+
+}  // namespace outrider

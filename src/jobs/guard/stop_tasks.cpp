@@ -1,0 +1,293 @@
+#include "outrider/jobs/guard/stop_tasks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "outrider/jobs/guard/stops.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double there_m = 1e-6;
+
+/// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
+std::optional<Vec2> another_place(const GuardProblem& problem, const Site& site, std::size_t target,
+                                  Vec2 here, double apart_m) {
+  const SureHits sure = sure_hits(problem, site);
+  std::optional<Vec2> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < site.frame.size(); ++i) {
+    if (!sure.has(i, target)) continue;
+    const Vec2 place = site.frame.centre(site.frame.cell(i));
+    const double away = distance(here, place);
+    if (away < apart_m || away >= least) continue;
+    least = away;
+    best = place;
+  }
+  return best;
+}
+
+/// Takes the first target off the present task.
+void drop_target(StopTasks& tasks) {
+  auto& targets = tasks.queue.front().targets;
+  targets.erase(targets.begin());
+  auto& pitches = tasks.queue.front().pitches;
+  if (!pitches.empty()) pitches.erase(pitches.begin());
+  tasks.aimed = false;
+}
+
+/// One more try at a target went wrong.
+void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
+                  const std::string& what, double time_s) {
+  TargetRecord& record = tasks.records[target];
+  ++record.tries;
+  tasks.aimed = false;
+  if (record.tries < problem.tries) return;
+  settle(record, TargetStatus::failed, what, time_s);
+  drop_target(tasks);
+}
+
+void note_result(StopTasks& tasks, bool hit, const Observation& seen, const GuardProblem& problem) {
+  const std::size_t target = tasks.queue.front().targets.front();
+  TargetRecord& record = tasks.records[target];
+  if (hit) {
+    settle(record, TargetStatus::reached,
+           fmt::format("hit by shot {} from ({:.2f}, {:.2f})", record.shots, record.pose.position.x,
+                       record.pose.position.y),
+           seen.time_s);
+    drop_target(tasks);
+    return;
+  }
+  note_failure(tasks, target, problem, fmt::format("missed {} times", record.tries + 1), seen.time_s);
+}
+
+/// What to do when the pose actually reached has no shot: go somewhere else, or give up.
+void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                    const Site& site) {
+  const std::size_t target = tasks.queue.front().targets.front();
+  const std::size_t left = tasks.queue.front().targets.size();
+  note_failure(tasks, target, problem, "no shot from the places that the robot got to", seen.time_s);
+  if (tasks.queue.front().targets.size() < left) return;  // it was the last try
+  drop_target(tasks);
+  const auto place =
+      another_place(problem, site, target_of(tasks, target), seen.odometry.position, problem.errors.position_m);
+  // Behind the rest of this stop, before the next one.
+  tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(tasks.last_place), {target}});
+}
+
+/// Goes to the nearest place to shoot at a target from, after the present task.
+void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem, const Site& site) {
+  const Vec2 end = tasks.queue.front().place;
+  const auto place = another_place(problem, site, target, end, 0.0);
+  tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(end), {target}});
+}
+
+/// The shots of the present task in passing on that way. Who cannot be hit from it gets a stop.
+std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
+                                            const Observation& seen, const GuardProblem& problem,
+                                            const Site& site) {
+  const auto targets = std::exchange(tasks.queue.front().passing, {});
+  std::vector<FireInPassing> shots;
+  if (targets.empty()) return shots;
+  PassingShots solver(problem, site);
+  const auto hits = solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
+  for (const PassingHit& hit : hits) {
+    const Vec2 from = way[hit.leg - 1];
+    const Vec2 to = way[hit.leg];
+    TargetRecord& record = tasks.records[hit.target];
+    ++record.shots;
+    record.shot = hit.shot;
+    record.pose = {platform_on(problem.robot, from, to, hit.after_s).position, heading_of(to - from)};
+    tasks.passing.push_back(hit.target);
+    shots.push_back({hit.target, hit.leg, hit.after_s, hit.shot.shot});
+  }
+  for (const std::size_t target : targets) {
+    if (std::ranges::count(tasks.passing, target) == 0) stop_for(tasks, target, problem, site);
+  }
+  return shots;
+}
+
+/// What has become of the shots in passing.
+void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                  const Site& site) {
+  for (const std::size_t target : std::exchange(tasks.passing, {})) {
+    TargetRecord& record = tasks.records[target];
+    const ShotResult* const result = result_of(seen, target);
+    if (result != nullptr && result->hit) {
+      settle(record, TargetStatus::reached,
+             fmt::format("hit by shot {} in passing from ({:.2f}, {:.2f})", record.shots,
+                         record.pose.position.x, record.pose.position.y),
+             result->landed_s);
+    } else if (++record.tries < problem.tries) {
+      stop_for(tasks, target, problem, site);
+    } else {
+      settle(record, TargetStatus::failed, fmt::format("missed {} times", record.tries), seen.time_s);
+    }
+  }
+}
+
+/// The second pass: what failed is tried from another place, what had no shot without the margin.
+void plan_second_pass(StopTasks& tasks, const GuardProblem& problem, const Site& site) {
+  tasks.second_pass = true;
+  ShotRules bold = site.rules;
+  bold.margin_m = 0.0;
+  for (std::size_t t = 0; t < tasks.records.size(); ++t) {
+    TargetRecord& record = tasks.records[t];
+    const std::size_t at = target_of(tasks, t);
+    record.tries = 0;
+    if (record.status == TargetStatus::failed) {
+      const auto place = another_place(problem, site, at, record.pose.position, problem.errors.position_m);
+      tasks.queue.push_back({place.value_or(record.pose.position), {t}});
+    } else if (record.status == TargetStatus::unreachable && site.rules.margin_m > 0.0) {
+      const Exhausted tried = exhaust(bold, site.space(at), problem.targets[at], site.frame, site.reachable);
+      if (!tried.found) continue;
+      tasks.queue.push_back({site.frame.centre(site.frame.cell(*tried.found)), {t}});
+    }
+  }
+}
+
+/// The end of an task to a station, where the gun is at rest.
+Fill fill(StopTasks& tasks) {
+  const StationCall call = *tasks.queue.front().call;
+  tasks.queue.pop_front();
+  tasks.arrived = false;
+  tasks.aimed = false;
+  return {call};
+}
+
+/// Waypoints from where the robot stands to the place of the present task.
+std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                         const Site& site) {
+  const Vec2 here = seen.odometry.position;
+  const Vec2 place = tasks.queue.front().place;
+  if (tasks.routes) {
+    if (auto route = tasks.routes->route(seen.odometry, place)) return std::move(route->waypoints);
+  }
+  // No corner of an obstacle is seen from here or from there: along the grid.
+  if (const auto routes = site_routes(problem, site, {here, place}, {})) {
+    if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
+  }
+  return {here};
+}
+
+/// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
+std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen,
+                                       const GuardProblem& problem, const Site& site) {
+  const Vec2 place = tasks.queue.front().place;
+  auto way = way_to(tasks, seen, problem, site);
+  auto shots = shots_in_passing(tasks, way, seen, problem, site);
+  tasks.arrived = true;
+  tasks.last_place = place;
+  if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
+  return FollowWaypoints{std::move(way), false, std::move(shots)};
+}
+
+/// Aims at the first target of the present task from the pose really reached; nothing when it has no shot.
+std::optional<AimGun> take_aim(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                               const Site& site) {
+  const StopTask& task = tasks.queue.front();
+  const std::size_t target = task.targets.front();
+  const std::size_t at = target_of(tasks, target);
+  ShotRules rules = site.rules;
+  if (tasks.second_pass) rules.margin_m = 0.0;
+  const double pitch = task.pitches.empty() ? seen.gun->pitch_rad : task.pitches.front();
+  TargetRecord& record = tasks.records[target];
+  record.pose = seen.odometry;
+  const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.odometry.position, pitch);
+  if (!shot) return std::nullopt;
+  record.shot = shot;
+  tasks.aimed = true;
+  return AimGun{shot->shot.yaw_rad, shot->shot.pitch_rad};
+}
+
+}  // namespace
+
+void settle(TargetRecord& record, TargetStatus status, std::string reason, double time_s) {
+  record.status = status;
+  record.reason = std::move(reason);
+  record.done_s = time_s;
+}
+
+std::string_view to_string(TargetStatus status) {
+  switch (status) {
+    case TargetStatus::waiting: return "waiting";
+    case TargetStatus::reached: return "reached";
+    case TargetStatus::failed: return "failed";
+    case TargetStatus::unreachable: return "unreachable";
+  }
+  return "unknown";
+}
+
+std::size_t target_of(const StopTasks& tasks, std::size_t record) {
+  return tasks.stands_at.empty() ? record : tasks.stands_at[record];
+}
+
+StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan) {
+  StopTasks tasks;
+  tasks.records.resize(problem.targets.size());
+  tasks.last_place = problem.start.position;
+  tasks.routes = plan.routes;
+  for (const Unreachable& lost : plan.unreachable) {
+    settle(tasks.records[lost.target], TargetStatus::unreachable, lost.reason, 0.0);
+  }
+  for (const Unreachable& lost : plan.unsupplied) {
+    settle(tasks.records[lost.target], TargetStatus::failed, lost.reason, 0.0);
+  }
+  for (const PlannedStop& stop : plan.stops) {
+    StopTask task{stop.position, {}, stop.call};
+    for (const PassingHit& hit : stop.passing) task.passing.push_back(hit.target);
+    for (const PlannedHit& hit : stop.hits) {
+      task.targets.push_back(hit.target);
+      task.pitches.push_back(hit.shot.gun.pitch_rad);
+    }
+    tasks.queue.push_back(std::move(task));
+  }
+  return tasks;
+}
+
+void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site) {
+  note_passing(tasks, seen, problem, site);
+  if (!std::exchange(tasks.fired, false)) return;
+  const ShotResult* const result = result_of(seen, tasks.queue.front().targets.front());
+  note_result(tasks, result != nullptr && result->hit, seen, problem);
+}
+
+std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                                    const Site& site) {
+  for (;;) {
+    if (tasks.queue.empty()) {
+      if (tasks.second_pass || tasks.more_to_come) return std::nullopt;
+      plan_second_pass(tasks, problem, site);
+      continue;
+    }
+    const StopTask& task = tasks.queue.front();
+    if (task.targets.empty() && task.passing.empty() && !task.call) {
+      tasks.queue.pop_front();
+      tasks.arrived = false;
+      continue;
+    }
+    if (!tasks.arrived) {
+      if (auto drive = set_off(tasks, seen, problem, site)) return std::move(*drive);
+      continue;
+    }
+    if (task.call) {
+      if (!std::exchange(tasks.aimed, true)) return AimGun{seen.odometry.heading_rad, 0.0};
+      return fill(tasks);
+    }
+    if (!tasks.aimed) {
+      if (const auto aim = take_aim(tasks, seen, problem, site)) return *aim;
+      look_elsewhere(tasks, seen, problem, site);
+      continue;
+    }
+    const std::size_t target = task.targets.front();
+    TargetRecord& record = tasks.records[target];
+    ++record.shots;
+    tasks.fired = true;
+    return Fire{target, record.shot->shot};
+  }
+}
+
+}  // namespace outrider
