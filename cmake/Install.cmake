@@ -1,26 +1,101 @@
 # What `cmake --install` leaves: the headers, one static library a layer, the tool, and a package that
-# find_package(outrider) finds. A stranger links outrider::outrider, or just the layers they want
-# (outrider::path); tests/consumer does so.
+# find_package(outrider) finds. A stranger links outrider::outrider, or just the layers they want:
+#
+#   find_package(outrider REQUIRED COMPONENTS path)    # outrider::path, and the layers it uses
+#
+# Each layer is a component with an export set of its own, so that the targets of other components, and of the
+# packages that only those need, need not exist. What a component needs is read from what its target links.
+# tests/consumer is such a stranger.
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY OUTRIDER_LAYERS)
 
+# The libraries of others that layers link, and what find_package() is asked for to have them.
+set(package_of_tl::expected "tl-expected")
+set(package_of_fmt::fmt "fmt")
+set(package_of_Threads::Threads "Threads")
+set(package_of_TBB::tbb "TBB")
+set(package_of_Eigen3::Eigen "Eigen3 NO_MODULE")
+set(package_of_apriltag::apriltag "apriltag")
+set(package_of_nlohmann_json::nlohmann_json "nlohmann_json")
+set(package_of_yaml-cpp "yaml-cpp")
+set(package_of_sdformat12::sdformat12 "sdformat12")
+set(package_of_tinyxml2::tinyxml2 "tinyxml2")
+set(package_of_PNG::PNG "PNG")
+set(package_of_ZLIB::ZLIB "ZLIB")
+set(package_of_ignition-physics5::mesh "ignition-physics5 COMPONENTS mesh")
+set(package_of_ignition-physics5::sdf "ignition-physics5 COMPONENTS sdf")
+set(package_of_ignition-plugin1::loader "ignition-plugin1 COMPONENTS loader")
+
+# Sets `uses` to the layers that a target links, as components, and `needs` to what find_package() is asked for.
+# Files of libraries, and names that only the linker knows, need no package.
+function(outrider_read_links target uses needs)
+  set(layers_used "")
+  set(packages "")
+  get_target_property(links ${target} INTERFACE_LINK_LIBRARIES)
+  foreach(library IN LISTS links)
+    if(library MATCHES "BUILD_INTERFACE:" OR NOT library)
+      continue()
+    endif()
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" library "${library}")
+    if(library MATCHES "^outrider(_|::)(.+)$")
+      list(APPEND layers_used ${CMAKE_MATCH_2})
+    elseif(DEFINED package_of_${library})
+      list(APPEND packages "${package_of_${library}}")
+    elseif(TARGET ${library} OR library MATCHES "::")
+      message(FATAL_ERROR "${target} links ${library}: say in cmake/Install.cmake which package has it")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES packages)
+  set(${uses} "${layers_used}" PARENT_SCOPE)
+  set(${needs} "${packages}" PARENT_SCOPE)
+endfunction()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/outrider)
+
+# The layers come from left to right, so what a layer uses has been read before it.
+set(components "")
+set(component_facts "")
+foreach(layer IN LISTS layers)
+  get_target_property(name ${layer} EXPORT_NAME)
+  outrider_read_links(${layer} uses needs)
+  set(layers_of_${name} "")
+  set(packages_of_${name} "")
+  foreach(used IN LISTS uses)
+    list(APPEND layers_of_${name} ${layers_of_${used}})
+    list(APPEND packages_of_${name} ${packages_of_${used}})
+  endforeach()
+  list(APPEND layers_of_${name} ${name})
+  list(APPEND packages_of_${name} ${needs})
+  list(REMOVE_DUPLICATES layers_of_${name})
+  list(REMOVE_DUPLICATES packages_of_${name})
+  list(APPEND components ${name})
+  string(APPEND component_facts "set(outrider_layers_of_${name} \"${layers_of_${name}}\")\n"
+    "set(outrider_packages_of_${name} \"${packages_of_${name}}\")\n")
+
+  install(TARGETS ${layer} EXPORT outrider-${name})
+  install(EXPORT outrider-${name} FILE outriderTargets-${name}.cmake NAMESPACE outrider:: DESTINATION ${package_dir})
+endforeach()
+
+# All layers together; it is there when find_package(outrider) is called without components.
 add_library(outrider_everything INTERFACE)
 add_library(outrider::outrider ALIAS outrider_everything)
 target_link_libraries(outrider_everything INTERFACE ${layers})
 # Within the build it sees the whole tree, and so outrider.hpp; layers see only what they may.
 target_include_directories(outrider_everything INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 set_target_properties(outrider_everything PROPERTIES EXPORT_NAME outrider)
+install(TARGETS outrider_everything EXPORT outrider-everything)
+install(EXPORT outrider-everything FILE outriderTargets.cmake NAMESPACE outrider:: DESTINATION ${package_dir})
 
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/outrider)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/outriderComponents.cmake @ONLY CONTENT
+  "# The components, from left to right, and of each the layers it links and the packages these need.
+set(outrider_components \"@components@\")
+@component_facts@")
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/outriderConfig.cmake.in
   ${PROJECT_BINARY_DIR}/outriderConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/outriderConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
-
-install(TARGETS outrider_everything ${layers} EXPORT outriderTargets)
-install(EXPORT outriderTargets NAMESPACE outrider:: DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/outriderConfig.cmake ${PROJECT_BINARY_DIR}/outriderConfigVersion.cmake
-  DESTINATION ${package_dir})
+  ${PROJECT_BINARY_DIR}/outriderComponents.cmake DESTINATION ${package_dir})
 install(DIRECTORY include/outrider DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.hpp)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -6,6 +6,10 @@
 #
 #   outrider_layer(NAME world SOURCES solid.cpp ... USES geometry core PRIVATE fmt::fmt)
 #
+# PUBLIC names the libraries of others whose headers the layer's own headers include; PRIVATE those that only its
+# source files see. Each layer is a component of the installed package, which learns from these lists what the
+# component needs (Install.cmake).
+#
 # CHECKED: its containers are checked in a release too (Harden.cmake).
 
 function(outrider_layer)
@@ -32,7 +36,15 @@ function(outrider_layer)
     POSITION_INDEPENDENT_CODE ON)
   list(TRANSFORM LAYER_USES REPLACE / _)
   list(TRANSFORM LAYER_USES PREPEND outrider_)
-  target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC} PRIVATE ${LAYER_PRIVATE})
+  target_link_libraries(${target} PUBLIC ${LAYER_USES} ${LAYER_PUBLIC})
+  foreach(library IN LISTS LAYER_PRIVATE)
+    outrider_has_only_headers(headers_only ${library})
+    if(headers_only)
+      target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${library}>)
+    else()
+      target_link_libraries(${target} PRIVATE ${library})
+    endif()
+  endforeach()
   if(LAYER_CHECKED)
     outrider_check_containers(${target})
     outrider_precompile(${target} checked_layers)
@@ -40,6 +52,19 @@ function(outrider_layer)
     outrider_precompile(${target} layers)
   endif()
   set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
+endfunction()
+
+# Whether nothing of a library is left to link once our source files are compiled: who uses the installed layer does
+# without it. The threads library counts as one to link, because what it adds depends on the system.
+function(outrider_has_only_headers result library)
+  set(${result} FALSE PARENT_SCOPE)
+  if(TARGET ${library} AND NOT library STREQUAL "Threads::Threads")
+    get_target_property(type ${library} TYPE)
+    get_target_property(links ${library} INTERFACE_LINK_LIBRARIES)
+    if(type STREQUAL "INTERFACE_LIBRARY" AND NOT links)
+      set(${result} TRUE PARENT_SCOPE)
+    endif()
+  endif()
 endfunction()
 
 set(OUTRIDER_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)

@@ -1,0 +1,15 @@
+include(${CMAKE_CURRENT_LIST_DIR}/steps.cmake)
+file(REMOVE_RECURSE ${TRIAL})
+step("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${TRIAL}/prefix)
+
+# How we compile our own files is nothing that who links them gets.
+file(GLOB_RECURSE exported ${TRIAL}/prefix/outriderTargets*.cmake)
+if(NOT exported)
+  message(FATAL_ERROR "the package has no outriderTargets.cmake")
+endif()
+foreach(file IN LISTS exported)
+  file(STRINGS ${file} ours REGEX "fstack-|FORTIFY_SOURCE|GLIBCXX_ASSERTIONS|fcf-|relro")
+  if(ours)
+    message(FATAL_ERROR "the package tells its users to compile with ${ours} (${file})")
+  endif()
+endforeach()
