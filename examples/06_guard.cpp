@@ -20,7 +20,8 @@ int main() {
   if (!site) return 1;
   const auto plan = plan_guard(problem, *site, options, {});
   if (!plan) return 1;
-  const auto run = run_guard({.problem = problem, .site = *site, .plan = *plan, .options = options, .seed = 1});
+  const auto run =
+      run_guard({.problem = problem, .site = *site, .plan = *plan, .options = options, .seed = 1});
   if (!run) return 1;
   const Report& report = *run;
 

@@ -8,8 +8,8 @@
 #include "guard_arrivals.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
-#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/job.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 

@@ -10,8 +10,8 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/watch_bound.hpp"
 #include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/watch_bound.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -60,7 +60,11 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
 Sample sample_of(const Yard& yard, std::size_t i, const WatchPolicy& policy, WatchObjective objective) {
   const Watch& watch = yard.watches[i];
   const ArrivalOptions& arrivals = yard.scenario.arrivals;
-  const ArrivalPlan plan{watch, yard.outlook, policy, objective, static_cast<std::size_t>(arrivals.group),
+  const ArrivalPlan plan{watch,
+                         yard.outlook,
+                         policy,
+                         objective,
+                         static_cast<std::size_t>(arrivals.group),
                          static_cast<std::size_t>(arrivals.beam)};
   const GuardPlan none;
   const Report report =

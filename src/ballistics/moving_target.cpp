@@ -51,7 +51,8 @@ std::optional<Aimed> shot_through(const ShotRules& rules, const Target& target, 
                                   double pitch_rad, const std::optional<Aimed>& last) {
   const double height_m = target.centre().z;
   if (!rules.air.none()) {
-    return aim_through(rules, {position, {}}, pitch_rad, {place.x, place.y, height_m}, last ? &*last : nullptr);
+    return aim_through(rules, {position, {}}, pitch_rad, {place.x, place.y, height_m},
+                       last ? &*last : nullptr);
   }
   const Vec2 sight = place - position;
   const double range_m = norm(sight);
@@ -59,7 +60,8 @@ std::optional<Aimed> shot_through(const ShotRules& rules, const Target& target, 
       speed_through(rules.gun, pitch_rad, range_m, height_m - rules.floor_z_m, rules.gravity_mps2);
   if (!speed) return std::nullopt;
   const double tip_m = muzzle(rules.gun, pitch_rad).x;
-  return Aimed{{heading_of(sight), pitch_rad, *speed}, (range_m - tip_m) / (*speed * std::cos(pitch_rad)), {}};
+  return Aimed{
+      {heading_of(sight), pitch_rad, *speed}, (range_m - tip_m) / (*speed * std::cos(pitch_rad)), {}};
 }
 
 std::optional<Meeting> meeting(const ShotRules& rules, const Target& target, const Walk& walk, Vec2 position,

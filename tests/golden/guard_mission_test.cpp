@@ -7,12 +7,12 @@
 #include <filesystem>
 
 #include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/job.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
-#include "support/guard_runs.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
+#include "support/guard_runs.hpp"
 
 namespace outrider {
 namespace {

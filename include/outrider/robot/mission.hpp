@@ -15,10 +15,10 @@ concept Mission = requires(M& mission, const Observation& seen) {
   { mission.step(seen) } -> std::same_as<std::optional<Command>>;
 };
 
-/// Runs a mission on a robot: sense, step, note, act, until the mission gives no command. `note(seen, command)`
-/// is called after each step, also after the last one, with a null pointer for its command; it records and
-/// shows, and changes nothing. Returns false when the stop token ended the run: then the command of the last
-/// step was not carried out.
+/// Runs a mission on a robot: sense, step, note, act, until the mission gives no command. `note(seen,
+/// command)` is called after each step, also after the last one, with a null pointer for its command; it
+/// records and shows, and changes nothing. Returns false when the stop token ended the run: then the command
+/// of the last step was not carried out.
 template <Mission M, class Note>
 bool run_mission(M& mission, Robot& robot, const std::stop_token& stop, const Note& note) {
   for (;;) {

@@ -11,11 +11,12 @@ namespace outrider {
 
 /// What only a robot of rigid bodies can tell.
 struct RigidRecord {
-  std::vector<double> arrival_errors_m = {};  ///< by drive: from where the wheels were sent to where they came
-  double flight_error_m = 0.0;                ///< most, from a contact to the parabola at that time
-  int as_foreseen = 0;                        ///< shots that touched first what the exact flight touches
-  int bumps = 0;                              ///< solids touched by the robot, counted once a drive
-  std::vector<std::string> misses = {};       ///< by target: how the last shot missed; empty before
+  std::vector<double> arrival_errors_m =
+      {};                                ///< by drive: from where the wheels were sent to where they came
+  double flight_error_m = 0.0;           ///< most, from a contact to the parabola at that time
+  int as_foreseen = 0;                   ///< shots that touched first what the exact flight touches
+  int bumps = 0;                         ///< solids touched by the robot, counted once a drive
+  std::vector<std::string> misses = {};  ///< by target: how the last shot missed; empty before
 };
 
 struct SimRecord {
@@ -23,8 +24,9 @@ struct SimRecord {
   std::vector<ReportPath> paths = {};
   std::vector<ReportShot> shots = {};
   std::vector<ReportEvent> events = {};
-  std::vector<ReportLevel> levels = {};             ///< of the stores, where they are limited
-  std::vector<std::vector<ReportMove>> moves = {};  ///< by intruder: where it was when, once it survived a hit
+  std::vector<ReportLevel> levels = {};  ///< of the stores, where they are limited
+  std::vector<std::vector<ReportMove>> moves =
+      {};  ///< by intruder: where it was when, once it survived a hit
   std::optional<RigidRecord> rigid = {};
   double driven_m = 0.0;
   double turned_rad = 0.0;

@@ -82,8 +82,8 @@ Standing standing(const StopTasks& tasks, const Observation& seen, const Arrival
 }
 
 /// The tour answers this very question: all its targets there at the start, and the makespan.
-bool is_the_still_yard(const ArrivingTargets& targets, const ArrivalPlan& plan, const std::vector<Wanted>& wanted,
-                       double time_s) {
+bool is_the_still_yard(const ArrivingTargets& targets, const ArrivalPlan& plan,
+                       const std::vector<Wanted>& wanted, double time_s) {
   std::size_t toured = 0;
   for (const Visit& visit : plan.stops.tour) toured += visit.goals.size();
   return plan.objective == WatchObjective::makespan && targets.plans == 0 && wanted.size() == toured &&

@@ -9,7 +9,8 @@
 namespace outrider {
 namespace {
 
-constexpr std::string_view still_bodies = "the physics engine holds targets that stand still and leave when hit";
+constexpr std::string_view still_bodies =
+    "the physics engine holds targets that stand still and leave when hit";
 constexpr std::string_view planned_once = "shots on the move are planned once, for targets that stand still";
 constexpr std::string_view who_is_inside = "what stands in the way would change with who is inside";
 constexpr std::string_view unseen = "while the yard is explored nobody may come, move or be missed";

@@ -53,7 +53,8 @@ SimulatedGuard::SimulatedGuard(const GuardProblem& problem, const Site& site, st
 }
 
 bool SimulatedGuard::news() const {
-  return seen_ < params_.intruders.size() && (params_.foreseen || params_.intruders[seen_].enters_s <= time_s_);
+  return seen_ < params_.intruders.size() &&
+         (params_.foreseen || params_.intruders[seen_].enters_s <= time_s_);
 }
 
 Observation SimulatedGuard::sense() {
@@ -63,7 +64,8 @@ Observation SimulatedGuard::sense() {
   seen.stores = {gauge_.water(), gauge_.charge_j()};
   seen.targets.emplace();
   for (; news(); ++seen_) {
-    seen.targets->arrivals.push_back({seen_, params_.intruders[seen_].settles_s, params_.intruders[seen_].place});
+    seen.targets->arrivals.push_back(
+        {seen_, params_.intruders[seen_].settles_s, params_.intruders[seen_].place});
   }
   seen.targets->arrivals.insert(seen.targets->arrivals.end(), survived_.begin(), survived_.end());
   survived_.clear();
@@ -85,8 +87,7 @@ void SimulatedGuard::look(TargetReport& told) {
 void SimulatedGuard::act(const Command& command) {
   std::visit(Overload{[this](const FollowWaypoints& c) { follow(c); }, [this](const AimGun& c) { aim(c); },
                       [this](const Fire& c) { fire(c); }, [this](const Wait& c) { wait(c); },
-                      [this](const Fill& c) { fill(c); },
-                      [](const auto&) {}},
+                      [this](const Fill& c) { fill(c); }, [](const auto&) {}},
              command);
   gauge();
 }
@@ -105,8 +106,7 @@ void SimulatedGuard::fill(const Fill& command) {
     log("no_fill", fmt::format("is too far from {} to take in {}", station.name, to_string(call.store)));
     return;
   }
-  log("fill",
-      fmt::format("takes in {} at {}", to_string(call.store), station.name));
+  log("fill", fmt::format("takes in {} at {}", to_string(call.store), station.name));
   sample();
   time_s_ += gauge_.fill(call.store);
   sample();
@@ -251,8 +251,9 @@ Impact SimulatedGuard::shoot(const Fire& command, Vec2 velocity_mps) {
   const FlightSpace& space = site_.space(at_[command.target]);
   const double radius = problem_.gun.ball_radius_m;
   const bool walks = !params_.walks.empty();
-  const Impact impact = walks ? fly_at(flight, radius, space, target, params_.walks[command.target], time_s_, floor)
-                              : fly(flight, radius, space, target, floor);
+  const Impact impact =
+      walks ? fly_at(flight, radius, space, target, params_.walks[command.target], time_s_, floor)
+            : fly(flight, radius, space, target, floor);
   if (walks) target = moved_to(target, params_.walks[command.target].at(time_s_ + impact.time_s));
 
   ReportShot shot;
@@ -312,7 +313,8 @@ void SimulatedGuard::leave_or_go_on(std::size_t who) {
   at_[who] = first + next;
   const Vec2 from = xy(problem_.targets[first + place].base);
   const Vec2 to = xy(problem_.targets[first + next].base);
-  const double walk_s = params_.survival.walk_mps > 0.0 ? distance(from, to) / params_.survival.walk_mps : 0.0;
+  const double walk_s =
+      params_.survival.walk_mps > 0.0 ? distance(from, to) / params_.survival.walk_mps : 0.0;
   survived_.push_back({who, time_s_ + walk_s, next});
   log("survive", fmt::format("{} does not leave: it goes to the place of {}", params_.intruders[who].name,
                              problem_.targets[first + next].name));

@@ -61,8 +61,8 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
 }
 
 /// The soonest shot that is likely enough, if there is one.
-std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& tasks, const Observation& seen, const MovingPlan& plan,
-                                   const Rng& rng) {
+std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& tasks, const Observation& seen,
+                                   const MovingPlan& plan, const Rng& rng) {
   std::optional<LedShot> best;
   const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
   for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
@@ -104,8 +104,8 @@ std::vector<Rest> rests_of(const Walk& walk, const std::vector<Vec2>& regions) {
 }
 
 /// By future, the rests of all.
-std::vector<std::vector<Rest>> imagine(const MovingTargets& targets, const StopTasks& tasks, double now_s, const MovingPlan& plan,
-                                       const Rng& rng) {
+std::vector<std::vector<Rest>> imagine(const MovingTargets& targets, const StopTasks& tasks, double now_s,
+                                       const MovingPlan& plan, const Rng& rng) {
   std::vector<std::vector<Rest>> all(futures);
   for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
     if (!is_wanted(targets, tasks, who)) continue;
@@ -138,8 +138,8 @@ double expected_wait(const std::vector<char>& hit_from_here, const std::vector<s
 
 /// The stop with the least expected time to a shot. Where the robot is nobody can be shot at now, or it would
 /// be.
-std::size_t best_stop(const MovingTargets& targets, const StopTasks& tasks, const Observation& seen, const MovingPlan& plan,
-                      const Rng& rng) {
+std::size_t best_stop(const MovingTargets& targets, const StopTasks& tasks, const Observation& seen,
+                      const MovingPlan& plan, const Rng& rng) {
   const auto all = imagine(targets, tasks, seen.time_s, plan, rng);
   const Outlook& outlook = plan.stops;
   std::size_t best = targets.stop;
@@ -175,7 +175,7 @@ void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
 }  // namespace
 
 Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
-                            const GuardOptions& options, const WanderOptions& wander) {
+                                const GuardOptions& options, const WanderOptions& wander) {
   GuardProblem regions = problem;
   regions.targets.clear();
   for (const Vec2 region : map.regions) {

@@ -145,7 +145,7 @@ double last_landing_s(const std::vector<PassingHit>& passing) {
 }
 
 GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
-                  GunState before) {
+                   GunState before) {
   if (passing.empty()) return before;
   const PassingHit& last = passing.back();
   const double heading = heading_of(waypoints[last.leg] - waypoints[last.leg - 1]);

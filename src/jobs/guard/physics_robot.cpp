@@ -252,7 +252,8 @@ void PhysicsGuard::fire(const Fire& command) {
   const bool same_solid = impact.solid.has_value() == expected.solid.has_value() &&
                           (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
   if (impact.hit == expected.hit && same_solid) ++record.rigid->as_foreseen;
-  record.rigid->flight_error_m = std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
+  record.rigid->flight_error_m =
+      std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
   record.shots.push_back(std::move(shot));
   landed_.push_back({command.target, impact.hit, now_s()});
   sample();

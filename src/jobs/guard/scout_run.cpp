@@ -238,13 +238,14 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   WholeMission whole(yard.run.report, explore_s, watch.observer);
   RunWatch guarding = watch;
   if (watch.observer != nullptr) guarding.observer = &whole;
-  auto guarded = run_guard({.problem = found,
-                            .site = site,
-                            .plan = plan,
-                            .options = options,
-                            .seed = seed,
-                            .truth = TrueYard{really, *true_site, levels_after(yard.run.report, truth.supplies)}},
-                           guarding);
+  auto guarded =
+      run_guard({.problem = found,
+                 .site = site,
+                 .plan = plan,
+                 .options = options,
+                 .seed = seed,
+                 .truth = TrueYard{really, *true_site, levels_after(yard.run.report, truth.supplies)}},
+                guarding);
   if (!guarded) return guarded;
   Report report = std::move(*guarded);
   const double touches =

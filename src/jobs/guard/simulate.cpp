@@ -7,15 +7,19 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t missions_played = 40;   // of each policy
-constexpr std::int64_t played_beam = 4;       // of their plans, and of those that are carried out
-constexpr double longest_walk_s = 7200.0;     // walkers stay at their last place then
+constexpr std::size_t missions_played = 40;  // of each policy
+constexpr std::int64_t played_beam = 4;      // of their plans, and of those that are carried out
+constexpr double longest_walk_s = 7200.0;    // walkers stay at their last place then
 
 Outcome<Report> run_arrivals(const Watch& yard, const Outlook& stops, const Manner& policy, std::int64_t beam,
                              const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed,
                              const RunWatch& watch) {
-  const ArrivalPlan plan{yard, stops, policy.policy, policy.objective,
-                         static_cast<std::size_t>(arrivals.group), static_cast<std::size_t>(beam)};
+  const ArrivalPlan plan{yard,
+                         stops,
+                         policy.policy,
+                         policy.objective,
+                         static_cast<std::size_t>(arrivals.group),
+                         static_cast<std::size_t>(beam)};
   const GuardPlan none;
   return run_guard({.problem = yard.problem,
                     .site = yard.site,
@@ -29,8 +33,8 @@ Outcome<Report> run_arrivals(const Watch& yard, const Outlook& stops, const Mann
 
 }  // namespace
 
-Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                                          const std::vector<Intruder>& intruders,
+Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Site& site,
+                                          const GuardPlan& plan, const std::vector<Intruder>& intruders,
                                           const ArrivalOptions& arrivals, const GuardOptions& options,
                                           std::uint64_t seed, const RunWatch& watch) {
   const auto policy = find_watch_policy(arrivals.policy);

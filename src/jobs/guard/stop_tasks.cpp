@@ -40,8 +40,8 @@ void drop_target(StopTasks& tasks) {
 }
 
 /// One more try at a target went wrong.
-void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
-                  const std::string& what, double time_s) {
+void note_failure(StopTasks& tasks, std::size_t target, const GuardProblem& problem, const std::string& what,
+                  double time_s) {
   TargetRecord& record = tasks.records[target];
   ++record.tries;
   tasks.aimed = false;
@@ -72,8 +72,8 @@ void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProble
   note_failure(tasks, target, problem, "no shot from the places that the robot got to", seen.time_s);
   if (tasks.queue.front().targets.size() < left) return;  // it was the last try
   drop_target(tasks);
-  const auto place =
-      another_place(problem, site, target_of(tasks, target), seen.odometry.position, problem.errors.position_m);
+  const auto place = another_place(problem, site, target_of(tasks, target), seen.odometry.position,
+                                   problem.errors.position_m);
   // Behind the rest of this stop, before the next one.
   tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(tasks.last_place), {target}});
 }
@@ -93,7 +93,8 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
   std::vector<FireInPassing> shots;
   if (targets.empty()) return shots;
   PassingShots solver(problem, site);
-  const auto hits = solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
+  const auto hits =
+      solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
   for (const PassingHit& hit : hits) {
     const Vec2 from = way[hit.leg - 1];
     const Vec2 to = way[hit.leg];
@@ -111,8 +112,7 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
 }
 
 /// What has become of the shots in passing.
-void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                  const Site& site) {
+void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site) {
   for (const std::size_t target : std::exchange(tasks.passing, {})) {
     TargetRecord& record = tasks.records[target];
     const ShotResult* const result = result_of(seen, target);
@@ -174,8 +174,8 @@ std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const 
 }
 
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
-std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen,
-                                       const GuardProblem& problem, const Site& site) {
+std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                                       const Site& site) {
   const Vec2 place = tasks.queue.front().place;
   auto way = way_to(tasks, seen, problem, site);
   auto shots = shots_in_passing(tasks, way, seen, problem, site);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-
 namespace outrider {
 namespace {
 
@@ -27,8 +26,8 @@ Way way_along(const std::vector<Vec2>& waypoints, double heading_rad, const Guar
           {waypoints.back(), cost.heading_rad}};
 }
 
-std::optional<Way> way_to(Vec2 place, const Pose2& from, const StopTasks& tasks,
-                          const GuardProblem& problem, const Site& site) {
+std::optional<Way> way_to(Vec2 place, const Pose2& from, const StopTasks& tasks, const GuardProblem& problem,
+                          const Site& site) {
   if (tasks.routes) {
     if (const auto route = tasks.routes->route(from, place)) {
       return way_along(route->waypoints, from.heading_rad, problem, site);
@@ -42,8 +41,7 @@ std::optional<Way> way_to(Vec2 place, const Pose2& from, const StopTasks& tasks,
 }
 
 /// Least charge from a pose to a station that gives charge; 0 where there is none to get to.
-double charge_home(const Pose2& from, const StopTasks& tasks, const GuardProblem& problem,
-                   const Site& site) {
+double charge_home(const Pose2& from, const StopTasks& tasks, const GuardProblem& problem, const Site& site) {
   std::optional<double> least;
   for (const Station& station : problem.supplies.stations) {
     if (!station.gives(Store::charge)) continue;
@@ -155,7 +153,11 @@ void provide(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observati
              const GuardProblem& problem, const Site& site) {
   tasks.arrived = false;
   tasks.aimed = false;
-  const auto station = nearest_station(store, tasks, seen, problem, site);
+  auto station = nearest_station(store, tasks, seen, problem, site);
+  if (!station && store == Store::water && !is_full(Store::charge, seen, problem.supplies)) {
+    store = Store::charge;  // the way to the water may take more than is left
+    station = nearest_station(store, tasks, seen, problem, site);
+  }
   const bool full = keeper.fills >= most_fills || is_full(store, seen, problem.supplies);
   if (!station || (full && tasks.queue.empty())) {
     give_up(keeper, tasks, store, seen);

@@ -13,16 +13,16 @@ namespace outrider {
 struct GuardScenario;
 
 enum class Capability : std::uint8_t {
-  arrivals,    ///< intruders come one after another
-  survivors,   ///< who is hit may go elsewhere
-  walkers,     ///< intruders walk about
-  supplies,    ///< limited water and battery
-  terrain,     ///< height fields and slopes
-  air,         ///< drag and wind
-  on_the_move, ///< shots from a robot that drives
-  unknown,     ///< a yard that is explored first
-  rigid,       ///< a robot and balls of rigid bodies
-  blocking,    ///< targets that block robot and shots
+  arrivals,     ///< intruders come one after another
+  survivors,    ///< who is hit may go elsewhere
+  walkers,      ///< intruders walk about
+  supplies,     ///< limited water and battery
+  terrain,      ///< height fields and slopes
+  air,          ///< drag and wind
+  on_the_move,  ///< shots from a robot that drives
+  unknown,      ///< a yard that is explored first
+  rigid,        ///< a robot and balls of rigid bodies
+  blocking,     ///< targets that block robot and shots
 };
 
 struct CapabilityRow {

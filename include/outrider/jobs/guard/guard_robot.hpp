@@ -11,9 +11,9 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/arrivals.hpp"
-#include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
 #include "outrider/jobs/guard/supply_gauge.hpp"
+#include "outrider/robot/mission.hpp"
 #include "outrider/sim/record.hpp"
 
 namespace outrider {
@@ -82,10 +82,10 @@ class SimulatedGuard final : public Robot {
   GuardSimParams params_;
   std::size_t seen_ = 0;  // intruders that have been told of
   Rng survival_rng_;
-  std::vector<std::size_t> at_;     // by intruder: the target that stands for it now
+  std::vector<std::size_t> at_;          // by intruder: the target that stands for it now
   std::vector<TargetArrival> survived_;  // not yet told of
-  std::vector<char> gone_;  // by target, of those who walk
-  std::uint64_t looks_ = 0;  // so far
+  std::vector<char> gone_;               // by target, of those who walk
+  std::uint64_t looks_ = 0;              // so far
   Rng sight_rng_;
 };
 

@@ -17,9 +17,9 @@
 
 namespace outrider {
 
-/// A Mission (robot/mission.hpp). Everything that it was made of must outlive it. Deterministic. It ends, when
-/// the intruders do: each target is shot at at most twice `tries` times for each of its lives, and between
-/// two shots or waits there are at most six fills.
+/// A Mission (robot/mission.hpp). Everything that it was made of must outlive it. Deterministic. It ends,
+/// when the intruders do: each target is shot at at most twice `tries` times for each of its lives, and
+/// between two shots or waits there are at most six fills.
 class GuardMission {
  public:
   /// All targets stand still from the start.
@@ -33,10 +33,10 @@ class GuardMission {
   /// observation has to tell their levels; where intruders come or walk, what the detector sees.
   std::optional<Command> step(const Observation& seen);
 
-  StopTasks tasks;             ///< with the record of each target
-  ArrivingTargets arriving;    ///< where they come or survive
-  MovingTargets moving;        ///< where they walk about
-  StoreKeeper stores;          ///< where stores are limited
+  StopTasks tasks;           ///< with the record of each target
+  ArrivingTargets arriving;  ///< where they come or survive
+  MovingTargets moving;      ///< where they walk about
+  StoreKeeper stores;        ///< where stores are limited
 
  private:
   void note(const Observation& seen);

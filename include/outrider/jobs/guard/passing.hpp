@@ -48,7 +48,8 @@ struct PassingHit {
 double last_landing_s(const std::vector<PassingHit>& passing);
 
 /// After the last of these shots, which are on that way; `before` without any.
-GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing, GunState before);
+GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
+                   GunState before);
 
 /// Finds shots in passing. Remembers those it has solved; not for two threads at once.
 class PassingShots {

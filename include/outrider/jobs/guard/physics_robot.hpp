@@ -12,8 +12,8 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
-#include "outrider/robot/mission.hpp"
 #include "outrider/jobs/guard/site.hpp"
+#include "outrider/robot/mission.hpp"
 #include "outrider/sim/record.hpp"
 
 namespace outrider {
@@ -56,7 +56,7 @@ class PhysicsGuard final : public Robot {
   std::int64_t ticks_ = 0;
   double gun_yaw_rad_ = 0.0;  // relative to the body
   double gun_pitch_rad_ = 0.0;
-  std::vector<ShotResult> landed_;  // not yet told of
+  std::vector<ShotResult> landed_;   // not yet told of
   std::vector<int> attempts_;        // by target
   std::vector<std::size_t> bumped_;  // in this drive
 };

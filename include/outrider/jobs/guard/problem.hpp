@@ -7,8 +7,8 @@
 #include "outrider/ballistics/shot.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/geometry/pose.hpp"
-#include "outrider/robot/supplies.hpp"
 #include "outrider/motion/robot_model.hpp"
+#include "outrider/robot/supplies.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {

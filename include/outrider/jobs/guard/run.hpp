@@ -45,12 +45,12 @@ struct GuardRun {
 ///   stops_offered, stops, places, reached_by_reference_rule                         still targets
 ///   intruder_seconds   time inside of all intruders that can be hit, summed; who is not hit stays to the end
 ///   makespan_s         when the last of them was hit; the end when one was not
-///   longest_s, plans, lower_bound_s, intruder_seconds_bound, makespan_bound_s       arrivals (watch_bound.hpp)
-///   survived           hits after which somebody went elsewhere                     survivors
-///   chance, expected_hits   mean of the stated chances of the shots, and their sum  walkers
-///   fills, unplanned_fills, least_water, least_charge_j                             limited supplies
-///   shots_in_passing, hits_in_passing                                               shots on the move
-///   arrival_error_mean_m, arrival_error_max_m, flight_error_max_m, shots_as_foreseen, bumps   rigid bodies
+///   longest_s, plans, lower_bound_s, intruder_seconds_bound, makespan_bound_s       arrivals
+///   (watch_bound.hpp) survived           hits after which somebody went elsewhere survivors chance,
+///   expected_hits   mean of the stated chances of the shots, and their sum  walkers fills, unplanned_fills,
+///   least_water, least_charge_j                             limited supplies shots_in_passing,
+///   hits_in_passing                                               shots on the move arrival_error_mean_m,
+///   arrival_error_max_m, flight_error_max_m, shots_as_foreseen, bumps   rigid bodies
 /// Refused: rigid bodies that make_rigid_world() refuses.
 Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch = {});
 

@@ -9,8 +9,8 @@ namespace outrider {
 /// Intruders come one after another. Policy and objective are those that `arrivals` names. `plan` is that for
 /// all targets of the still yard, without stations. Refused as find_watch_policy(), find_objective(),
 /// watch_over() and look_out().
-Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                                          const std::vector<Intruder>& intruders,
+Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Site& site,
+                                          const GuardPlan& plan, const std::vector<Intruder>& intruders,
                                           const ArrivalOptions& arrivals, const GuardOptions& options,
                                           std::uint64_t seed, const RunWatch& watch = {});
 

@@ -52,11 +52,11 @@ struct StopTasks {
   bool fired = false;                     ///< the last command was a shot
   std::vector<std::size_t> passing = {};  ///< shot at in passing by the last command
   bool second_pass = false;
-  bool more_to_come = false;              ///< no second pass yet when the queue is empty
-  Vec2 last_place;                        ///< where the robot was last sent
-  std::vector<std::size_t> stands_at;     ///< by record: the target of the problem that stands for it now, where
-                                          ///< that is not the one of its own index; empty: none has moved
-  std::optional<Routes> routes;           ///< of the plan
+  bool more_to_come = false;           ///< no second pass yet when the queue is empty
+  Vec2 last_place;                     ///< where the robot was last sent
+  std::vector<std::size_t> stands_at;  ///< by record: the target of the problem that stands for it now, where
+                                       ///< that is not the one of its own index; empty: none has moved
+  std::optional<Routes> routes;        ///< of the plan
 };
 
 /// The target of the problem that stands for a record.
@@ -68,8 +68,8 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan);
 /// Takes note of what became of the last shots. A shot of which nothing is heard is a miss.
 void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site);
 
-/// The next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries` shots are
-/// fired at a target, so this ends.
+/// The next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries` shots
+/// are fired at a target, so this ends.
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const Site& site);
 

@@ -8,8 +8,8 @@
 #include "outrider/jobs/guard/guard_robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
-#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -91,7 +91,8 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
         expect_laws(watch, yard.outlook, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
         testing::Curious curious;
-        EXPECT_EQ(to_json(report), to_json(testing::run_arrivals(plan, quick(), seed, {}, {.observer = &curious})));
+        EXPECT_EQ(to_json(report),
+                  to_json(testing::run_arrivals(plan, quick(), seed, {}, {.observer = &curious})));
         curious.expect_to_have_seen(report);
         const auto back = report_from_json(to_json(report));
         ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -206,8 +207,8 @@ TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const Watch watch = crowd(yard, 12, 0.2, seed);
     for (const WatchPolicy& policy : watch_policies()) {
-      const Report report =
-          testing::run_arrivals({watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
+      const Report report = testing::run_arrivals(
+          {watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
       sums[std::string(policy.name)] += metric(report, "intruder_seconds");
     }
   }

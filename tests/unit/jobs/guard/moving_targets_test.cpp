@@ -7,8 +7,8 @@
 
 #include "outrider/jobs/guard/guard_robot.hpp"
 #include "outrider/report/json.hpp"
-#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
+#include "support/guard_runs.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"
 
@@ -151,12 +151,14 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
     const auto site = survey(problem, quick());
     const auto history = past(problem, *site, wander);
     const auto walks = draw_walks(problem, *site, often_at_the_pond, wander, seed, 7200.0);
-    const auto plan = plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+    const auto plan =
+        plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     const Report report = testing::run_walkers(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
     testing::Curious curious;
-    EXPECT_EQ(to_json(report), to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.observer = &curious})));
+    EXPECT_EQ(to_json(report),
+              to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.observer = &curious})));
     curious.expect_to_have_seen(report);
     const auto back = report_from_json(to_json(report));
     ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -243,10 +245,12 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   wander.speed_mps = 0.8;
   wander.rest_s = 4.0;
   const auto history = past(problem, *site, wander);
-  const auto learned = plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+  const auto learned =
+      plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
   WanderOptions blank = wander;
   blank.learn = false;
-  const auto unlearned = plan_moving(problem, *site, visit_map(problem, *site, history, blank), quick(), blank);
+  const auto unlearned =
+      plan_moving(problem, *site, visit_map(problem, *site, history, blank), quick(), blank);
   ASSERT_TRUE(learned && unlearned);
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/mission.hpp"
 #include "outrider/jobs/guard/guard_robot.hpp"
-#include "outrider/jobs/guard/run.hpp"
+#include "outrider/jobs/guard/mission.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
+#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
-#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -83,7 +83,8 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   const Planned p = planned(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
-    const Report report = testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
+    const Report report =
+        testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
     EXPECT_EQ(metric(report, "reached"), 5.0);
     for (const ReportShot& shot : report.shots) {
       const Platform seen = seen_at(report, shot.time_s);
@@ -105,8 +106,9 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
     EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
     testing::Curious curious;
-    EXPECT_EQ(to_json(report), to_json(testing::run_still(p.problem, p.site, p.plan, quick(),
-                                                 static_cast<std::uint64_t>(seed), {.observer = &curious})));
+    EXPECT_EQ(to_json(report),
+              to_json(testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed),
+                                         {.observer = &curious})));
     curious.expect_to_have_seen(report);
     EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
     EXPECT_EQ(curious.events().size(), report.events.size());

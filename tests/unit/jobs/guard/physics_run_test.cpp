@@ -39,7 +39,8 @@ class RunGuardInPhysics : public ::testing::Test {
       last = step.part;
     };
     auto report = run_guard(
-        {.problem = problem, .site = *site, .plan = *plan, .options = quick(), .seed = seed, .rigid = true}, watch);
+        {.problem = problem, .site = *site, .plan = *plan, .options = quick(), .seed = seed, .rigid = true},
+        watch);
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);

@@ -7,8 +7,8 @@
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "outrider/report/json.hpp"
-#include "support/guard_runs.hpp"
 #include "support/curious.hpp"
+#include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
 
@@ -96,12 +96,13 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed);
+      const Report report =
+          testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
-      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed,
-                                        {.observer = &curious})));
+      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->site, mission->plan, coarse(),
+                                                 seed, {.observer = &curious})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;

@@ -7,7 +7,6 @@
 
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/sequence.hpp"
-#include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
@@ -53,7 +52,7 @@ Report mission(const Yard& yard, std::uint64_t seed) {
   const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
   const WatchPolicy policy = watch_policies()[seed % 3];
   return testing::run_arrivals({*watch, yard.outlook, policy, WatchObjective::makespan, 3, 10}, quick(), seed,
-                   {yard.options.leave, yard.options.walk_mps});
+                               {yard.options.leave, yard.options.walk_mps});
 }
 
 std::size_t count(const Report& report, std::string_view kind) {
