@@ -124,12 +124,12 @@ class Plans(Serve):
         yaml = "image: {}\nresolution: 0.5\norigin: [1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"
         runs = [0, 5, 1, 2, 0, 5]
         good = [([("m.yaml", yaml.format("m.pgm")), ("m.pgm", pgm)], "grid"), ([("m.png", png), ("m.yaml", yaml.format("m.png"))], "grid"),
-                ([("m.png", png)], "grid"), ([("m.pgm", pgm)], "grid"), ([("small.map", MAP)], "grid"),
+                ([("m.png", png)], "grid"), ([("m.pgm", pgm)], "grid"), ([("small.map", MAP)], "grid"), ([("small", MAP)], "grid"),
                 ([("room.txt", ROOM)], "polygons"), ([("yard.sdf", YARD)], "polygons")]
         broken = [([("m.yaml", yaml.format("m.pgm"))], "m.pgm", "no such file"), ([("m.yaml", "image: [")], "m.yaml", "YAML"),
                   ([("m.png", png[:40])], "m.png", ""), ([("m.pgm", pgm[:-3])], "m.pgm", ""), ([("a.map", MAP[:-3])], "a.map", ""),
                   ([("room.txt", "(0,0) (1\n---\n")], "room.txt:1", "is no corner"), ([("w.sdf", "<sdf><model")], "w.sdf", ""),
-                  ([("a.jpg", pgm)], "a.jpg", "what kind of map")]
+                  ([("a.jpg", b"\xff\xd8\xff\xe0")], "a.jpg", "what kind of map")]
         def body(files):
             return {"files": [{"name": name, "base64": base64.b64encode(data.encode() if isinstance(data, str) else data).decode()}
                               for name, data in files]}
