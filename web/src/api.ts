@@ -28,7 +28,7 @@ export interface Polygons {
   obstacles: [number, number][][];
   queries: { start: [number, number]; goal: [number, number] }[];
 }
-export interface MapAnswer { id: string; name: string; radius_m?: number; warnings: string[]; grid?: Grid; polygons?: Polygons }
+export interface MapAnswer { id: string; name: string; radius_m: number; warnings: string[]; grid?: Grid; polygons?: Polygons }
 export type Edit = { block: number[] } | { free: number[] } | { set: number; polygon: [number, number][] } | { remove: number } | { add: [number, number][] };
 export interface PlanRequest {
   map: string;

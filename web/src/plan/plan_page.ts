@@ -62,7 +62,7 @@ export class PlanPage {
     this.ground = ground;
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
     const [start, goal] = ground.ends();
-    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal", heading_rad: null };
+    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m), selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));

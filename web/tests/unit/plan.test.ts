@@ -64,8 +64,8 @@ describe("polygons", () => {
 
 describe("grounds", () => {
   it("are refused with a sentence", () => {
-    expect(groundOf({ id: "", name: "m", warnings: [], grid: { ...grid, yaw_rad: 0.3 } })).toMatch(/turned by 0.3 rad/);
-    expect(groundOf({ id: "", name: "m", warnings: [] })).toMatch(/neither cells nor polygons/);
+    expect(groundOf({ id: "", name: "m", radius_m: 0, warnings: [], grid: { ...grid, yaw_rad: 0.3 } })).toMatch(/turned by 0.3 rad/);
+    expect(groundOf({ id: "", name: "m", radius_m: 0, warnings: [] })).toMatch(/neither cells nor polygons/);
   });
 });
 
