@@ -53,15 +53,10 @@ Status configure(ConfiguredPlanner& planner, const Json* options) {
   return {};
 }
 
-/// The grid that the planner takes: the one that is asked for, or its first.
+/// The grid that is asked for, or the first that the planner takes.
 Outcome<GridModel> model_of(const PathPlanner& planner, const std::string& asked) {
-  if (asked.empty()) return planner.models.empty() ? GridModel::corners : planner.models.front();
-  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-    if (to_string(model) != asked) continue;
-    if (planner.polygons || planner.takes(model)) return model;
-    return bad_input(fmt::format("{} takes no grid of {}", planner.name, asked), "model");
-  }
-  return bad_input("it takes cells or corners", "model");
+  if (!asked.empty()) return find_grid_model(asked);
+  return planner.models.empty() ? GridModel::corners : planner.models.front();
 }
 
 Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory) {
@@ -88,12 +83,9 @@ Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory
   const Json* options = fields.object("options");
   const Json* edits = fields.list("edits");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
-  if (planner->polygons && cells) {
-    return bad_input(
-        "this planner takes polygons, and the map has cells; the catalogue tells which take what", "planner");
-  }
   auto model = model_of(*planner, asked);
   if (!model) return pass_on(model);
+  if (auto ok = check_takes(*planner, *model, !cells); !ok) return pass_on(ok);
   ground.options.model = *model;
   if (auto ok = configure(question.planner.second, options); !ok) return pass_on(ok);
   auto changes = edits_from_json(*edits, **map);
@@ -171,12 +163,13 @@ Json legs_json(const PolygonGround& ground) {
 Json view_json(const Question& question, const PlanGround& ground, const Trace& trace) {
   Json view = Json::object();
   const PathPlanner& planner = question.planner.first;
+  const bool on_polygons = planner.polygons && ground.polygons;
   if (trace.most > 0) {
     view["trace"] =
-        planner.polygons ? placed_trace_json(trace, planner.guarantee.measure) : trace_json(trace, ground);
+        on_polygons ? placed_trace_json(trace, planner.guarantee.measure) : trace_json(trace, ground);
   }
   if (question.blocked && ground.grid) view["blocked"] = grid_json(ground.blocked, ground.yaw_rad);
-  if (question.legs && planner.polygons) view["legs"] = legs_json(*ground.polygons);
+  if (question.legs && on_polygons) view["legs"] = legs_json(*ground.polygons);
   return view;
 }
 
