@@ -1,8 +1,7 @@
-#include "errors.hpp"
+#include "outrider/sim/execution_errors.hpp"
 
 #include <cmath>
 
-#include "outrider/ballistics/contact.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -12,15 +11,14 @@ Vec2 in_disk(Rng& rng, double radius_m) {
   return r * direction(rng.uniform(0.0, 2.0 * pi));
 }
 
-Vec2 strayed_goal(const std::vector<Vec2>& waypoints, const GuardProblem& problem, const Site& site,
-                  Vec2 error) {
+Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const Ground& ground,
+                  const ShotRules& rules, Vec2 error) {
   constexpr double least_m2 = 1e-12;
   const Vec2 before = waypoints[waypoints.size() - 2];
   const Vec2 goal = waypoints.back();
-  const Stance there = stance_at(site.rules, goal);
+  const Stance there = stance_at(rules, goal);
   if (!there.level()) error = xy(leaning(there.up) * Vec3{error.x, error.y, 0.0});
-  while (squared_norm(error) > least_m2 &&
-         !site.ground.segment_free({before, goal + error}, problem.robot.radius_m)) {
+  while (squared_norm(error) > least_m2 && !ground.segment_free({before, goal + error}, radius_m)) {
     error = 0.5 * error;
   }
   return squared_norm(error) > least_m2 ? goal + error : goal;
@@ -32,12 +30,6 @@ Shot strayed(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance&
   Shot shot = off_by(stance, meant, yaw, pitch);
   shot.speed_mps = meant.speed_mps * (1.0 + errors.speed_ratio * rng.uniform(-1.0, 1.0));
   return shot;
-}
-
-bool hits_by_reference_rule(const Flight& flight, const Target& target, double until_s) {
-  constexpr double near_m = 0.5;
-  const Solid base{target.name, {target.base, {}}, SphereShape{0.0}};
-  return contact_time(flight, near_m, base, 0.0, until_s).has_value();
 }
 
 }  // namespace outrider
