@@ -189,7 +189,8 @@ class ExhaustionInAir {
 }  // namespace
 
 FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                                  const std::stop_token& stop) {
   FiringRegion region;
   region.pitch.assign(frame.size(), FiringRegion::no_shot);
   region.spread.assign(frame.size(), std::numeric_limits<float>::infinity());
@@ -199,7 +200,7 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
   const Reach reach(rules, range.pitches, target, centre.z);
   const double longest = reach.longest();
   std::vector<std::optional<Aimed>> last(range.pitches.size());
-  for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+  for (std::size_t cell = 0; cell < frame.size() && !stop.stop_requested(); ++cell) {
     if (standable[cell] == 0) continue;
     ++region.places;
     const Vec2 position = frame.centre(frame.cell(cell));
@@ -228,9 +229,10 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
 }
 
 Exhausted exhaust_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                         const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+                         const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                         const std::stop_token& stop) {
   ExhaustionInAir exhaustion(rules, space, target);
-  for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+  for (std::size_t cell = 0; cell < frame.size() && !stop.stop_requested(); ++cell) {
     if (standable[cell] != 0 && !exhaustion.try_place(cell, frame.centre(frame.cell(cell)))) break;
   }
   return std::move(exhaustion.result);

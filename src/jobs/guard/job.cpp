@@ -80,7 +80,7 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   RunSteps steps(watch, 3);
   const double began_s = wall_s();
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  auto site = survey(scenario.problem, scenario.options);
+  auto site = survey(scenario.problem, scenario.options, watch.budget());
   if (!site) return pass_on(site);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
   auto plan = scenario.wander.any() ? Outcome<GuardPlan>(GuardPlan{})
@@ -111,7 +111,7 @@ Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanne
   if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
   const double began_s = wall_s();
   const GuardProblem found = yard->found.problem;
-  const auto site = survey(found, scenario.options);
+  const auto site = survey(found, scenario.options, watch.budget());
   if (!site) return tl::unexpected<Fault>(site.error());
   const auto plan = planner.plan(found, *site, scenario.options, watch.budget());
   if (!plan) return tl::unexpected<Fault>(plan.error());
