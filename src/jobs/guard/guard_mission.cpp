@@ -148,7 +148,8 @@ void plan_second_pass(GuardMission& mission, const GuardProblem& problem, const 
       const auto place = another_place(problem, site, at, record.pose.position, problem.errors.position_m);
       mission.errands.push_back({place.value_or(record.pose.position), {t}});
     } else if (record.status == TargetStatus::unreachable && site.rules.margin_m > 0.0) {
-      const Exhausted tried = exhaust(bold, site.space(at), problem.targets[at], site.frame, site.reachable);
+      const Exhausted tried =
+          exhaust(bold, site.space(at), problem.targets[at], site.frame, site.reachable, mission.stop);
       if (!tried.found) continue;
       mission.errands.push_back({site.frame.centre(site.frame.cell(*tried.found)), {t}});
     }

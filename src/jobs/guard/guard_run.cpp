@@ -95,6 +95,7 @@ Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan&
   SimulatedGuard robot(problem, site, seed);
   set_the_scene(robot.report, problem, options, seed);
   SupplyMission mission = begin_supplied(problem, plan);
+  mission.guard.stop = watch.stop;
   const auto show = [&] {
     list_targets(robot.report, problem, mission.guard);
     watch.show(robot.report);
@@ -105,6 +106,7 @@ Report run_guard(const GuardProblem& problem, const Site& site, const GuardPlan&
     if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
+  stopped = stopped || watch.stopped();
   if (watch.observer != nullptr) show();
   Report report =
       guard_report({std::move(robot.report), robot.driven_m, robot.turned_rad}, mission.guard, problem, plan);

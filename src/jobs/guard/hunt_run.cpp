@@ -127,9 +127,10 @@ Report run_hunt(const HuntPlan& plan, const std::vector<Walk>& walks, const Guar
 Outcome<Report> hunt(const GuardProblem& problem, const Site& site, const std::vector<double>& weights,
                      const std::vector<Track>& history, const WanderOptions& wander,
                      const GuardOptions& options, std::uint64_t seed, const RunWatch& watch) {
-  auto walks = draw_walks(problem, site, weights, wander, seed, longest_s);
+  auto walks = draw_walks(problem, site, weights, wander, seed, longest_s, watch.budget());
   if (!walks) return pass_on(walks);
-  auto plan = plan_hunt(problem, site, visit_map(problem, site, history, wander), options, wander);
+  auto plan =
+      plan_hunt(problem, site, visit_map(problem, site, history, wander), options, wander, watch.budget());
   if (!plan) return pass_on(plan);
   return run_hunt(*plan, *walks, options, seed, watch);
 }

@@ -87,7 +87,7 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
                                     : planner.plan(scenario.problem, *site, scenario.options, watch.budget());
   if (plan) plan = supply_plan(scenario.problem, *site, std::move(*plan), watch.budget());
   if (!plan) return pass_on(plan);
-  if (scenario.options.shoot_on_the_move) plan = shoot_in_passing(scenario.problem, *site, *plan);
+  if (scenario.options.shoot_on_the_move) plan = shoot_in_passing(scenario.problem, *site, *plan, watch.stop);
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
   auto report = carry_out(scenario, *site, *plan, steps.inner());
@@ -96,7 +96,27 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   return finished(std::move(*report), planned_s - began_s, scenario, scenario.problem, *site);
 }
 
-/// The exploring comes first, and all plans are made on what it found.
+/// Plans and shoots on what was found.
+Outcome<Run> guard_found_yard(const GuardScenario& scenario, const GuardPlanner& planner, ScoutedYard yard,
+                              RunSteps& steps, const RunWatch& watch) {
+  if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
+  const double began_s = wall_s();
+  const GuardProblem found = yard.found.problem;
+  const auto site = survey(found, scenario.options, watch.budget());
+  if (!site) return tl::unexpected<Fault>(site.error());
+  const auto plan = planner.plan(found, *site, scenario.options, watch.budget());
+  if (!plan) return tl::unexpected<Fault>(plan.error());
+  const double planning_s = wall_s() - began_s;
+  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  auto report = run_guard_on_map(scenario.problem, std::move(yard), *site, *plan, scenario.options, seed,
+                                 steps.inner());
+  if (!report) return pass_on(report);
+  return finished(std::move(*report), planning_s, scenario, found, *site);
+}
+
+/// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps
+/// the exploring.
 Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner,
                                 const RunWatch& watch) {
   RunSteps steps(watch, 3);
@@ -104,23 +124,13 @@ Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanne
   if (auto ok = steps.next("exploring the yard"); !ok) return pass_on(ok);
   auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, steps.inner());
   if (!yard) return pass_on(yard);
-  if (yard->run.report.status == "cancelled") {
-    yard->run.report.job = "guard";
-    return Run{std::move(yard->run.report)};
-  }
-  if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
-  const double began_s = wall_s();
-  const GuardProblem found = yard->found.problem;
-  const auto site = survey(found, scenario.options, watch.budget());
-  if (!site) return tl::unexpected<Fault>(site.error());
-  const auto plan = planner.plan(found, *site, scenario.options, watch.budget());
-  if (!plan) return tl::unexpected<Fault>(plan.error());
-  const double planning_s = wall_s() - began_s;
-  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
-  auto report = run_guard_on_map(scenario.problem, std::move(*yard), *site, *plan, scenario.options, seed,
-                                 steps.inner());
-  if (!report) return pass_on(report);
-  return finished(std::move(*report), planning_s, scenario, found, *site);
+  Report explored = yard->run.report;
+  explored.job = "guard";
+  if (explored.status == "cancelled") return Run{std::move(explored)};
+  auto run = guard_found_yard(scenario, planner, std::move(*yard), steps, watch);
+  if (run || run.error().code != FaultCode::cancelled) return run;
+  mark_cancelled(explored, metric(explored, "time_s"));
+  return Run{std::move(explored)};
 }
 
 }  // namespace

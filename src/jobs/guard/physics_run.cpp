@@ -52,6 +52,7 @@ Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& si
   set_the_scene(robot.report, problem, options, seed);
   robot.report.sim = "physics";
   GuardMission mission = begin(problem, plan);
+  mission.stop = watch.stop;
   GuardProblem yielding = problem;
   yielding.robot.radius_m *= way_radius;
   const auto show = [&] {
@@ -65,6 +66,7 @@ Outcome<Report> run_guard_in_physics(const GuardProblem& problem, const Site& si
     robot.act(*command);
     watch.part(part_settled(mission));
   }
+  stopped = stopped || watch.stopped();
   watch.part(1.0);
   if (watch.observer != nullptr) show();
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {

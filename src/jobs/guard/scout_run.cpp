@@ -200,11 +200,12 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
   coarse.resolution_m = coarse_m;
-  const auto true_site = survey(really, coarse);
+  const auto true_site = survey(really, coarse, watch.budget());
   if (!true_site) return tl::unexpected<Fault>(true_site.error());
   SimulatedGuard robot(really, *true_site, seed);
   set_the_scene(robot.report, really, options, seed);
   GuardMission mission = begin(found, plan);
+  mission.stop = watch.stop;
   const double explore_s = metric(yard.run.report, "time_s");
   const auto show = [&] {
     Report so_far = robot.report;
@@ -219,6 +220,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
     if ((stopped = watch.stopped())) break;
     robot.act(*command);
   }
+  stopped = stopped || watch.stopped();
   if (watch.observer != nullptr) show();
 
   const double touches =

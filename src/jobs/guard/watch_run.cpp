@@ -148,7 +148,8 @@ Outcome<Report> wear_down(const GuardProblem& problem, const Site& site, const G
   if (!outlook) return pass_on(outlook);
   ArrivalOptions quick = arrivals;
   quick.beam = std::min(arrivals.beam, played_beam);
-  const auto [manner, expected] = best_manner(problem, *outlook, quick, missions_played);
+  const auto [manner, expected] = best_manner(problem, *outlook, quick, missions_played, watch.stop);
+  if (watch.stopped()) return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
   Report report = run_watch({*yard, *outlook, manner.policy, manner.objective,
                              static_cast<std::size_t>(arrivals.group), static_cast<std::size_t>(quick.beam)},
                             options, seed, {arrivals.leave, arrivals.walk_mps}, watch);

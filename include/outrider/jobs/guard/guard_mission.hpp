@@ -55,6 +55,7 @@ struct GuardMission {
   std::vector<std::size_t> at;   ///< by record: the target of the problem that stands for it now, where that
                                  ///< is not the one of its own index; empty: none has moved
   std::optional<Routes> routes;  ///< of the plan
+  std::stop_token stop = {};     ///< once raised, step() ends soon, and its command is of no use
 };
 
 /// The target of the problem that stands for a record.

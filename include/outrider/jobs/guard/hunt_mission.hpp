@@ -35,7 +35,8 @@ struct HuntPlan {
 /// Surveys from where the regions of a map can be hit, by targets of the size of the first. Refused as
 /// survey() and look_out().
 Outcome<HuntPlan> plan_hunt(const GuardProblem& problem, const Site& site, const VisitMap& map,
-                            const GuardOptions& options, const WanderOptions& wander);
+                            const GuardOptions& options, const WanderOptions& wander,
+                            const Budget& budget = {});
 
 struct HuntMission {
   std::vector<TargetRecord> records;  ///< by target
