@@ -11,6 +11,8 @@ struct SmallScenario {
   std::string job;
   std::string text;  ///< of a scenario; SOURCE stands for the folder of scenarios
   std::set<std::string> unread = {};
+
+  friend void PrintTo(const SmallScenario& row, std::ostream* out) { *out << row.job; }
 };
 
 const std::vector<SmallScenario>& small_scenarios() {
@@ -74,7 +76,7 @@ class Count final : public JobTask {
   Count() : JobTask("count") {}
   Outcome<Warnings> load() override {
     if (list.empty()) return Warnings{};
-    const auto text = read_file(list);
+    auto text = read_file(list);
     if (!text) return pass_on(text);
     return Warnings{};
   }
