@@ -109,7 +109,7 @@ def stop_at(words, moment_s):
                 select.select([ended], [], [], MOST_S)
                 latency_s = time.monotonic() - sent_s
             os.close(ended)
-            process.kill()
+            os.kill(process.pid, signal.SIGKILL)  # of no effect on what has ended
             _, code, used = os.wait4(process.pid, 0)
             status = process.returncode = os.waitstatus_to_exitcode(code)
             worked_s = max(0.0, used.ru_utime + used.ru_stime - before_s) if latency_s > 0.0 else 0.0
