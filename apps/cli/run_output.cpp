@@ -68,7 +68,8 @@ Status check(const RunOutput& output, bool folder_given) {
 }
 
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output) {
-  if (output.folder.empty()) return WrittenFiles{};
+  const bool begun = run.report.status != "cancelled" || has_parts(run.report);
+  if (output.folder.empty() || !begun) return WrittenFiles{};
   const std::string name(job.name);
   const bool moves = plays(run.report);
   std::vector<NamedText> texts = {

@@ -20,7 +20,8 @@ Status check(const RunOutput& output, bool folder_given);
 
 /// Writes the report (of a run with nothing to play, the object that is printed), its moving picture unless
 /// the job has drawn one, the page and what the job made: all of them or none. Pictures and page are made
-/// from the text of the report, so that a replay makes the same.
+/// from the text of the report, so that a replay makes the same. Of a run that was cancelled before its
+/// mission began nothing is written, so that what an earlier one left stays whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output);
 
 /// The tables of a report; none of one that has nothing to tell, as when it was cancelled at once.

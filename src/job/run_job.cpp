@@ -116,6 +116,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
     return bad_input(
         fmt::format("'{}' is not a job of this scenario; the job is {}", excerpt(task.job), job.name), "job");
   }
+  if (watch.stopped()) return cancelled(job, {FaultCode::cancelled, "it was cancelled before it began", {}});
   auto warnings = task.load();
   if (!warnings) return pass_on(warnings);
   auto run = task.run(watch);

@@ -1,5 +1,4 @@
-// The gauge of a simulated robot's tank and battery: levels that follow from the clock, the way and the
-// shots.
+// SimulatedStores: tank and battery of a simulated robot. Levels follow from the clock, the way and the shots.
 #pragma once
 
 #include <algorithm>
@@ -10,10 +9,10 @@
 
 namespace outrider {
 
-class SupplyGauge {
+class SimulatedStores {
  public:
   /// A store is full where `levels` has more than it holds. The supplies must outlive the gauge.
-  explicit SupplyGauge(const Supplies& supplies, const StoreLevels& levels = {})
+  explicit SimulatedStores(const Supplies& supplies, const StoreLevels& levels = {})
       : supplies_(supplies),
         water_(std::min(levels.water, supplies.full(Store::water))),
         charge_j_(std::min(levels.charge_j, supplies.full(Store::charge))) {}

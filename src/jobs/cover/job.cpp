@@ -14,6 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+tl::unexpected<Fault> cancelled() {
+  return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
+}
+
 /// Breaks off where the drive does what was proven that it cannot do.
 void check_promises(const CoverRun& run) {
   const bool kept = run.drive.time_s >= run.bound.least_s - 1e-6 &&
@@ -101,7 +105,8 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   auto plan = task->method.plan(problem, scenario.options, watch.budget());
   if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
   if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
-  auto proof = prove(*plan, problem);
+  auto proof = prove(*plan, problem, watch.budget());
+  if (!proof && proof.error().code == FaultCode::cancelled) return pass_on(proof);
   if (!proof) throw std::logic_error(to_string(proof.error()));
   CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}};
   const CoverPlan& planned = driven.plan;
@@ -109,10 +114,12 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   if (auto ok = steps.next("driving it"); !ok) return pass_on(ok);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed);
-  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach);
+  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, watch.stop);
+  if (watch.stopped()) return cancelled();
   check_promises(driven);
-  Report report =
-      cover_report(problem, driven, seed, std::filesystem::path(scenario.area).filename().string());
+  Report report = cover_report(problem, driven, seed,
+                               std::filesystem::path(scenario.area).filename().string(), watch.stop);
+  if (watch.stopped()) return cancelled();
   report.settings = settled_settings(scenario, planned.method);
   watch.show(report);
   return Run{std::move(report),

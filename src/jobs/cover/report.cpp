@@ -62,14 +62,15 @@ std::vector<Vec2> stretch(const CoverDrive& drive, double from_s, double to_s) {
   return points;
 }
 
-std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m) {
+std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m,
+                                           const std::stop_token& stop) {
   std::vector<double> times{0.0};
   std::vector<std::vector<Vec2>> stretches{{run.drive.way.front()}};
   for (int i = 1; i <= covered_steps; ++i) {
     times.push_back(run.drive.time_s * i / covered_steps);
     stretches.push_back(stretch(run.drive, times[times.size() - 2], times.back()));
   }
-  const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach);
+  const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach, stop);
   std::vector<ReportCovered> rows;
   for (std::size_t i = 0; i < sums.size(); ++i)
     rows.push_back({times[i], sums[i].covered_m2, sums[i].twice_m2});
@@ -134,7 +135,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 }  // namespace
 
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-                    const std::string& name) {
+                    const std::string& name, const std::stop_token& stop) {
   const CoverGround& ground = run.plan.ground;
   Report report;
   report.status = "done";
@@ -154,7 +155,7 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint6
                   outlines(run.driven.twice),
                   points_along(run.plan.track, arc_step_rad),
                   passes_of(run.plan, run.drive),
-                  covered_by_then(run, problem.radius_m())};
+                  covered_by_then(run, problem.radius_m(), stop)};
   return report;
 }
 

@@ -175,7 +175,8 @@ void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
 }  // namespace
 
 Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
-                                const GuardOptions& options, const WanderOptions& wander) {
+                                const GuardOptions& options, const WanderOptions& wander,
+                                const Budget& budget) {
   GuardProblem regions = problem;
   regions.targets.clear();
   for (const Vec2 region : map.regions) {
@@ -186,9 +187,9 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, c
   }
   GuardOptions coarse = options;
   coarse.resolution_m = std::max(options.resolution_m, 0.2);
-  auto surveyed = survey(regions, coarse);
+  auto surveyed = survey(regions, coarse, budget);
   if (!surveyed) return pass_on(surveyed);
-  auto outlook = look_out(regions, *surveyed, {}, {}, {});
+  auto outlook = look_out(regions, *surveyed, {}, {}, budget);
   if (!outlook) return pass_on(outlook);
   return MovingPlan{problem, site, map, std::move(*outlook), wander};
 }

@@ -49,6 +49,7 @@ void tell_of_misses(StopTasks& tasks, const RigidRecord& rigid) {
 Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, SimRecord& record,
                  const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
+  mission.tasks.stop = watch.stop;
   Report report = opened_report(run);
   double expected_hits = 0.0;
   const auto show = [&] {
@@ -68,7 +69,7 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, S
   if (watch.observer != nullptr) show();
   if (record.rigid) tell_of_misses(mission.tasks, *record.rigid);
   close_report(report, run, mission, record, expected_hits);
-  if (!ended) mark_cancelled(report, report.track.back().time_s);
+  if (!ended || watch.stopped()) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 

@@ -232,7 +232,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
   coarse.resolution_m = coarse_m;
-  const auto true_site = survey(really, coarse);
+  const auto true_site = survey(really, coarse, watch.budget());
   if (!true_site) return tl::unexpected<Fault>(true_site.error());
   const double explore_s = metric(yard.run.report, "time_s");
   WholeMission whole(yard.run.report, explore_s, watch.observer);

@@ -27,6 +27,6 @@ struct CoverRun {
 ///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_twice_m2 by its disk;
 /// - whatever a robot does within stray_m: sure_fraction of the reach, sure_inner_fraction off its rim.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-                    const std::string& name);
+                    const std::string& name, const std::stop_token& stop = {});
 
 }  // namespace outrider
