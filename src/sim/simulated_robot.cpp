@@ -1,11 +1,17 @@
 #include "outrider/sim/simulated_robot.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace outrider {
+namespace {
 
-SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices)
-    : body_(std::move(body)), devices_(std::move(devices)) {}
+constexpr double instant_s = 1e-9;  ///< times closer than this are one
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping)
+    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping) {}
 
 double SimulatedRobot::time_s() const {
   return std::visit([](const auto& body) { return body.time_s(); }, body_);
@@ -23,18 +29,34 @@ Observation SimulatedRobot::sense() {
     seen.touching = body->take_touch();
   }
   if (devices_.laser) seen.scan = devices_.laser->look(pose(), seen.time_s);
+  if (devices_.camera) seen.image = devices_.camera->newest();
   return seen;
 }
 
 void SimulatedRobot::act(const Command& command) {
-  std::visit([&](auto& body) { body.run_until(body.begin(command)); }, body_);
+  const double until_s = std::visit([&](auto& body) { return body.begin(command); }, body_);
+  auto& camera = devices_.camera;
+  while (time_s() < until_s - instant_s) {
+    const bool image_due = camera && camera->due_s() <= until_s + instant_s;
+    run_until(image_due ? std::min(camera->due_s(), until_s) : until_s);
+    if (!image_due) continue;
+    std::visit([&](const auto& body) { camera->take(body.pose(), body.twist(), body.time_s()); }, body_);
+  }
+}
+
+void SimulatedRobot::run_until(double time_s) {
+  std::visit([&](auto& body) { body.run_until(time_s); }, body_);
+  auto* body = std::get_if<WheelBody>(&body_);
+  if (body == nullptr || kidnapped_ || body->time_s() < kidnapping_.at_s) return;
+  kidnapped_ = true;
+  body->put(compose(body->pose(), {{0.0, kidnapping_.by_m}, kidnapping_.by_rad}));
 }
 
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
                                   const ExplorerSimParams& params, std::uint64_t seed) {
   const Rng rng(seed);
   return SimulatedRobot(TwistBody(world, start, robot, params.wheels, rng.child("wheels")),
-                        {SimulatedLaser(world, params.laser, rng.child("laser"))});
+                        {.laser = SimulatedLaser(world, params.laser, rng.child("laser"))});
 }
 
 }  // namespace outrider
