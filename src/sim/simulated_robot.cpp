@@ -8,6 +8,15 @@ namespace {
 
 constexpr double instant_s = 1e-9;  ///< times closer than this are one
 
+void sense_body(TwistBody& body, Observation& seen) {
+  seen.odometry = body.odometry();
+  seen.touching = body.take_touch();
+}
+/// Nobody counts the turns of its wheels: its odometry stays at the start.
+void sense_body(const WheelBody&, Observation&) {}
+/// It is localised.
+void sense_body(const PieceBody& body, Observation& seen) { seen.odometry = body.pose(); }
+
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping)
@@ -24,10 +33,7 @@ const Pose2& SimulatedRobot::pose() const {
 Observation SimulatedRobot::sense() {
   Observation seen;
   seen.time_s = time_s();
-  if (auto* body = std::get_if<TwistBody>(&body_)) {
-    seen.odometry = body->odometry();
-    seen.touching = body->take_touch();
-  }
+  std::visit([&](auto& body) { sense_body(body, seen); }, body_);
   if (devices_.laser) seen.scan = devices_.laser->look(pose(), seen.time_s);
   if (devices_.camera) seen.image = devices_.camera->newest();
   return seen;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "outrider/robot/robot.hpp"
+#include "outrider/sim/piece_body.hpp"
 #include "outrider/sim/simulated_laser.hpp"
 #include "outrider/sim/simulated_tag_camera.hpp"
 #include "outrider/sim/twist_body.hpp"
@@ -19,7 +20,7 @@
 
 namespace outrider {
 
-using SimulatedBody = std::variant<TwistBody, WheelBody>;
+using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody>;
 
 struct SimulatedDevices {
   std::optional<SimulatedLaser> laser = {};

@@ -192,7 +192,7 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
   // What the laps surely leave, deep enough inside for lanes: where they meet at sharp corners and ends.
   Region core = core_of(problem, *ground, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
   for (const Lap& lap : *laps) {
-    const auto points = points_along({{lap.front().from, 0.0}, lap}, radians(2.0));
+    const auto points = points_along(lap.front().from, lap, radians(2.0));
     core = without(core, coverage_of(points, problem.sure_radius_m(), core).covered);
   }
   auto cells = cells_of(core, problem, sweep_headings(problem, options.directions));
