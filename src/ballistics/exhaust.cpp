@@ -157,8 +157,7 @@ Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target
   sweep(exhaustion.blockers_of_space(), xy(target.base), longest_range(rules, target),
         0.5 * std::hypot(target.size.x, target.size.y) + largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
-          return !stop.stop_requested() &&
-                 exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
+          return !stop.stop_requested() && exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
         });
   return std::move(exhaustion.result);
 }

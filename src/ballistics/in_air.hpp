@@ -15,7 +15,7 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
 
 Exhausted exhaust_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
                          const GridFrame& frame, const std::vector<std::uint8_t>& standable,
-                                  const std::stop_token& stop);
+                         const std::stop_token& stop);
 
 double longest_range_in_air(const ShotRules& rules, const Target& target);
 

@@ -29,8 +29,7 @@ ReportShot shot_record(const Flight& flight, const Impact& impact, const FlightS
   shot.contact_point = impact.position;
   shot.hit = impact.hit;
   shot.hit_by_reference_rule = hits_by_reference_rule(flight, target, impact.time_s);
-  shot.clearance_m =
-      impact.hit ? space.clearance(flight, ball_radius_m, impact.time_s, 1.0).distance_m : 0.0;
+  shot.clearance_m = impact.hit ? space.clearance(flight, ball_radius_m, impact.time_s, 1.0).distance_m : 0.0;
   shot.profile = profile_of(flight, impact, space, target);
   shot.path = path_of(flight, impact);
   return shot;
@@ -58,7 +57,9 @@ SimulatedGun::Turn SimulatedGun::turn_towards(double yaw_rad, double pitch_rad, 
 }
 
 void SimulatedGun::be_on(const Turn& turn, double after_s) {
-  const auto part = [after_s](double total_s) { return total_s > 0.0 ? std::min(1.0, after_s / total_s) : 1.0; };
+  const auto part = [after_s](double total_s) {
+    return total_s > 0.0 ? std::min(1.0, after_s / total_s) : 1.0;
+  };
   state_.yaw_rad = wrap_angle(turn.from.yaw_rad + turn.yaw_rad * part(turn.yaw_s));
   state_.pitch_rad = turn.from.pitch_rad + turn.pitch_rad * part(turn.pitch_s);
 }
@@ -87,9 +88,8 @@ SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t targ
   const Flight flight = launch(rules, {position, velocity_mps}, box, actual);
   const FlightSpace& space = scene_.space(stand_in);
   const double radius = rules.gun.ball_radius_m;
-  const Impact impact = walk != nullptr
-                            ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)
-                            : fly(flight, radius, space, box, rules.floor_z_m);
+  const Impact impact = walk != nullptr ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)
+                                        : fly(flight, radius, space, box, rules.floor_z_m);
   if (walk != nullptr) box = moved_to(box, walk->at(fired_s + impact.time_s));
   return {flight, impact, actual.speed_mps, std::move(box)};
 }

@@ -56,6 +56,11 @@ void WaypointBody::be_on(const StraightDrive& drive, double after_s) {
                                       : drive.from + way / drive.length_m * (drive.goal - drive.from);
 }
 
+Vec2 WaypointBody::velocity_on(const StraightDrive& drive, double after_s) const {
+  const Vec2 along = 1.0 / drive.length_m * (drive.goal - drive.from);
+  return speed_after(drive.length_m, robot_.straight(), after_s) * along;
+}
+
 void WaypointBody::end_straight(const StraightDrive& drive) {
   time_s_ = drive.begin_s + drive.total_s;
   pose_.position = drive.goal;

@@ -1,4 +1,5 @@
-// SimulatedStores: tank and battery of a simulated robot. Levels follow from the clock, the way and the shots.
+// SimulatedStores: tank and battery of a simulated robot. Levels follow from the clock, the way and the
+// shots.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace outrider {
 
 class SimulatedStores {
  public:
-  /// A store is full where `levels` has more than it holds. The supplies must outlive the gauge.
+  /// A store is full where `levels` has more than it holds. The supplies must outlive it.
   explicit SimulatedStores(const Supplies& supplies, const StoreLevels& levels = {})
       : supplies_(supplies),
         water_(std::min(levels.water, supplies.full(Store::water))),
@@ -34,6 +35,7 @@ class SimulatedStores {
     time_s_ += taken_s;
     return taken_s;
   }
+  [[nodiscard]] const Station& station(std::size_t index) const { return supplies_.stations[index]; }
   [[nodiscard]] double water() const { return water_; }
   [[nodiscard]] double charge_j() const { return charge_j_; }
 

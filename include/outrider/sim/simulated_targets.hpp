@@ -51,11 +51,11 @@ class SimulatedTargets {
   TargetSimParams params_;
   Rng survival_rng_;
   Rng sight_rng_;
-  std::size_t told_ = 0;                  // intruders that have been told of
-  std::vector<std::size_t> stands_at_;    // by target
-  std::vector<TargetArrival> survived_;   // not yet told of
-  std::vector<char> gone_;                // by target that walks
-  std::uint64_t looks_ = 0;               // so far
+  std::size_t told_ = 0;                 // intruders that have been told of
+  std::vector<std::size_t> stands_at_;   // by target
+  std::vector<TargetArrival> survived_;  // not yet told of
+  std::vector<char> gone_;               // by target that walks
+  std::uint64_t looks_ = 0;              // so far
 };
 
 }  // namespace outrider

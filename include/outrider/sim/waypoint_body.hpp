@@ -5,10 +5,12 @@
 // commanded clear of obstacles.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
 #include "outrider/motion/robot_model.hpp"
+#include "outrider/robot/command.hpp"
 #include "outrider/sim/execution_errors.hpp"
 
 namespace outrider {
@@ -42,15 +44,23 @@ class WaypointBody {
   StraightDrive begin_straight(Vec2 goal, const std::function<void()>& sample);
   /// Is where the profile has it that long after the beginning.
   void be_on(const StraightDrive& drive, double after_s);
+  /// The velocity over the ground then.
+  [[nodiscard]] Vec2 velocity_on(const StraightDrive& drive, double after_s) const;
   void end_straight(const StraightDrive& drive);
   /// The way is over: the heading is off.
   void end_way();
   void wait_until(double time_s) { time_s_ = time_s; }
 
+  /// Other commands than those to drive to waypoints take no time of the body.
+  double begin(const Command&) const { return time_s_; }
+  void run_until(double time_s) { time_s_ = std::max(time_s_, time_s); }
+
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }  ///< world_T_robot; heading wrapped
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
+  [[nodiscard]] Twist2 twist() const { return {}; }  ///< at rest between two commands
+  [[nodiscard]] double position_error_m() const { return errors_.position_m; }
   [[nodiscard]] Stance stance() const { return stance_at(on_.rules, pose_.position); }
 
  private:

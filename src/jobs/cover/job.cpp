@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "outrider/job/run_job.hpp"
+#include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
 #include "picture.hpp"
 #include "summary.hpp"
@@ -113,14 +114,18 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   driven.bound = time_bound(planned.track, problem.pace, problem.stray_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return pass_on(ok);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed);
-  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, watch.stop);
-  if (watch.stopped()) return cancelled();
-  check_promises(driven);
-  Report report = cover_report(problem, driven, seed,
-                               std::filesystem::path(scenario.area).filename().string(), watch.stop);
-  if (watch.stopped()) return cancelled();
+  driven.drive =
+      drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed, steps.inner());
+  // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
+  const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
+  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);
+  if (stop.stop_requested()) return cancelled();
+  if (driven.finished()) check_promises(driven);
+  Report report =
+      cover_report(problem, driven, seed, std::filesystem::path(scenario.area).filename().string(), stop);
+  if (stop.stop_requested()) return cancelled();
   report.settings = settled_settings(scenario, planned.method);
+  if (!driven.finished()) mark_cancelled(report, driven.drive.time_s);
   watch.show(report);
   return Run{std::move(report),
              {{"track.json", text_of(track_json(driven))},

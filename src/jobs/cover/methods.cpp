@@ -199,7 +199,7 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
   Region core = core_of(problem, *ground, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
   for (const Lap& lap : *laps) {
     if (budget.stop.stop_requested()) break;  // assembled() says so
-    const auto points = points_along({{lap.front().from, 0.0}, lap}, radians(2.0));
+    const auto points = points_along(lap.front().from, lap, radians(2.0));
     core = without(core, coverage_of(points, problem.sure_radius_m(), core, budget.stop).covered);
   }
   auto cells = cells_of(core, problem, sweep_headings(problem, options.directions), budget.stop);

@@ -43,7 +43,7 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
                                proof.clearance_m, problem.radius_m()));
   }
   if (!contains(plan.ground.area, plan.track.start.position)) return refused("it begins outside of the area");
-  const std::vector<Vec2> points = points_along(plan.track, arc_step_rad);
+  const std::vector<Vec2> points = points_along(plan.track.start.position, plan.track.pieces, arc_step_rad);
   const double sure = problem.sure_radius_m(), stray = problem.stray_m;
   proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
   const Coverage surely =

@@ -84,7 +84,8 @@ Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch) {
     PhysicsGuard robot(run.problem, run.site, **bodies, run.seed);
     return carry_out(run, yielding, robot, robot.record, watch);
   }
-  SimulatedGuard robot(true_problem(run), true_site(run), run.seed, sim_params(run));
+  SimulatedRobot robot = simulated_guard(true_problem(run), true_site(run), run.seed, target_params(run),
+                                         run.truth ? run.truth->levels : StoreLevels{});
   return carry_out(run, run.problem, robot, robot.record, watch);
 }
 

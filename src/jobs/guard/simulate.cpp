@@ -79,8 +79,8 @@ Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const Site&
                                         std::uint64_t seed, const RunWatch& watch) {
   const auto walks = draw_walks(problem, site, weights, wander, seed, longest_walk_s, watch.budget());
   if (!walks) return tl::unexpected<Fault>(walks.error());
-  const auto plan = plan_moving(problem, site, visit_map(problem, site, history, wander), options, wander,
-                                watch.budget());
+  const auto plan =
+      plan_moving(problem, site, visit_map(problem, site, history, wander), options, wander, watch.budget());
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const GuardPlan none;
   return run_guard({.problem = problem,

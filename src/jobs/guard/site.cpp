@@ -252,7 +252,8 @@ void prove(Site& site, const Target& target, std::size_t t, const std::stop_toke
   for (std::size_t i = 0; i < elsewhere.size(); ++i) {
     elsewhere[i] = site.standable[i] != 0 && site.reachable[i] == 0 ? 1 : 0;
   }
-  site.proofs[t].from_elsewhere = firing_region(site.rules, space, target, site.frame, elsewhere, stop).hits > 0;
+  site.proofs[t].from_elsewhere =
+      firing_region(site.rules, space, target, site.frame, elsewhere, stop).hits > 0;
   site.proofs[t].exhausted = std::move(tried);
 }
 

@@ -8,6 +8,7 @@
 #include "outrider/control/calibrate.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/drive/mission.hpp"
+#include "outrider/sim/drive_sim_params.hpp"
 
 namespace outrider {
 
@@ -21,13 +22,13 @@ namespace outrider {
 ///   time_s                 until the last stop
 ///   clearance_m            least distance of the robot's disk to an obstacle or the edge, at most 1
 /// and report.drive has the waypoints with their errors.
-Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, std::uint64_t seed,
+Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  const RunWatch& watch = {});
 
 /// Runs to calibrate that robot from: each direction it can go in, `repeats` times for each of 5 times, from
 /// rest to rest with a fresh battery, at the speeds of the task; the ends are measured with errors of
 /// `sigma_m` and `sigma_rad`.
-std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveTruth& truth, int repeats,
+std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveSimParams& params, int repeats,
                                         double sigma_m, double sigma_rad, std::uint64_t seed);
 
 }  // namespace outrider

@@ -6,8 +6,10 @@
 #pragma once
 
 #include "outrider/core/rng.hpp"
+#include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
-#include "outrider/jobs/drive/task.hpp"
+#include "outrider/estimate/tag.hpp"
+#include "outrider/sim/drive_sim_params.hpp"
 #include "outrider/world/ground.hpp"
 
 namespace outrider {
@@ -15,8 +17,9 @@ namespace outrider {
 /// Whether the tag is in view of a camera at that pose.
 bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const Ground& ground);
 
-/// What the robot of the task sees from a pose.
-std::vector<TagSighting> modelled_sightings(const DriveTask& task, const DriveTruth& truth,
-                                            const Ground& ground, const Pose2& world_T_robot, Rng& rng);
+/// What a robot with that camera sees from a pose. The faults tell nothing of time here.
+std::vector<TagSighting> modelled_sightings(const TagMap& tags, const RobotCamera& camera,
+                                            const TagSightFaults& faults, const Ground& ground,
+                                            const Pose2& world_T_robot, Rng& rng);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-#include "outrider/sim/wheel_motion.hpp"
+#include "outrider/sim/wheel_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ constexpr double at_rest_radps = 1e-3;  ///< slower wheels stand
 
 }  // namespace
 
-WheelMotion::WheelMotion(Chassis chassis, const WheelFaults& faults, const LinkFaults& link,
-                         const Pose2& start, const Rng& rng)
+WheelBody::WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
+                     const Rng& rng)
     : chassis_(std::move(chassis)),
       faults_(faults),
       link_(link),
@@ -20,14 +20,21 @@ WheelMotion::WheelMotion(Chassis chassis, const WheelFaults& faults, const LinkF
       link_rng_(rng.child("link")),
       pose_(start) {}
 
-void WheelMotion::send(const WheelSpeeds4& wheels) {
+void WheelBody::send(const WheelSpeeds4& wheels) {
   const double delay_s = link_.delay_s + link_.jitter_s * link_rng_.uniform();
   if (sent_++ < link_.lost) return;
   const double before_s = messages_.empty() ? 0.0 : messages_.back().arrives_s;
   messages_.push_back({std::max(before_s, time_s_ + delay_s), wheels});
 }
 
-void WheelMotion::run_until(double time_s) {
+double WheelBody::begin(const Command& command) {
+  const auto* drive = std::get_if<DriveWheels>(&command);
+  if (drive == nullptr) return time_s_;
+  send(drive->wheels);
+  return drive->until_s;
+}
+
+void WheelBody::run_until(double time_s) {
   const double start_s = time_s_;
   const auto steps = static_cast<std::int64_t>((time_s - start_s) / step_s + 1e-6);
   for (std::int64_t i = 1; i <= steps; ++i) {
@@ -39,7 +46,7 @@ void WheelMotion::run_until(double time_s) {
 }
 
 /// The speed of one wheel in the next step, rad/s.
-double WheelMotion::turn_wheel(std::size_t wheel, double duration_s) {
+double WheelBody::turn_wheel(std::size_t wheel, double duration_s) {
   double target = commanded_[wheel];
   if (std::abs(target) < faults_.deadband_radps) target = 0.0;
   double& speed = followed_[wheel];
@@ -59,7 +66,7 @@ double WheelMotion::turn_wheel(std::size_t wheel, double duration_s) {
   return gain * sag * (1.0 + noise_[wheel]) * speed;
 }
 
-void WheelMotion::pass(double duration_s) {
+void WheelBody::pass(double duration_s) {
   while (!messages_.empty() && messages_.front().arrives_s <= time_s_ + 1e-9) {
     commanded_ = messages_.front().wheels;
     messages_.pop_front();

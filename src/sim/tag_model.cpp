@@ -1,4 +1,4 @@
-#include "outrider/jobs/drive/tag_model.hpp"
+#include "outrider/sim/tag_model.hpp"
 
 #include <algorithm>
 
@@ -43,20 +43,21 @@ bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, 
   return ground.segment_free({xy(world_T_camera.position), wall}, 0.0);
 }
 
-std::vector<TagSighting> modelled_sightings(const DriveTask& task, const DriveTruth& truth,
-                                            const Ground& ground, const Pose2& world_T_robot, Rng& rng) {
+std::vector<TagSighting> modelled_sightings(const TagMap& tags, const RobotCamera& camera,
+                                            const TagSightFaults& faults, const Ground& ground,
+                                            const Pose2& world_T_robot, Rng& rng) {
   std::vector<TagSighting> sightings;
-  const Pose3 world_T_camera = upright(world_T_robot) * robot_camera(task.eye).robot_T_camera;
-  for (const Tag& tag : task.tags.tags) {
-    if (!in_view(tag, task.eye.camera, world_T_camera, ground)) continue;
-    if (rng.uniform() < truth.missed) continue;
+  const Pose3 world_T_camera = upright(world_T_robot) * camera.robot_T_camera;
+  for (const Tag& tag : tags.tags) {
+    if (!in_view(tag, camera.camera, world_T_camera, ground)) continue;
+    if (rng.uniform() < faults.missed) continue;
     TagSighting sighting;
     sighting.id = tag.id;
-    sighting.corners_px = *corners_in_image(tag, task.eye.camera, world_T_camera);
+    sighting.corners_px = *corners_in_image(tag, camera.camera, world_T_camera);
     for (Vec2& corner : sighting.corners_px) {
-      corner = corner + truth.corner_sigma_px * Vec2{rng.normal(), rng.normal()};
+      corner = corner + faults.corner_sigma_px * Vec2{rng.normal(), rng.normal()};
     }
-    sighting.poses = planar_pnp(task.eye.camera, tag.size_m, sighting.corners_px);
+    sighting.poses = planar_pnp(camera.camera, tag.size_m, sighting.corners_px);
     if (!sighting.poses.empty()) sightings.push_back(std::move(sighting));
   }
   return sightings;

@@ -1,4 +1,4 @@
-#include "outrider/sim/wheel_motion.hpp"
+#include "outrider/sim/wheel_body.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ const Chassis chassis = mecanum_chassis(0.03, 0.1225);
 
 /// Where the robot is after that command was held for so long and it has come to rest.
 Pose2 after(const Twist2& command, double time_s, const WheelFaults& faults, const LinkFaults& link = {}) {
-  WheelMotion motion(chassis, faults, link, {}, Rng(1));
+  WheelBody motion(chassis, faults, link, {}, Rng(1));
   motion.send({});
   motion.run_until(1.0);
   motion.send(wheel_speeds(chassis, command));
@@ -23,7 +23,7 @@ Pose2 after(const Twist2& command, double time_s, const WheelFaults& faults, con
   return motion.pose();
 }
 
-TEST(WheelMotion, WithoutFaultsItDoesWhatItIsTold) {
+TEST(WheelBody, WithoutFaultsItDoesWhatItIsTold) {
   const Twist2 twist{0.2, 0.1, 0.3};
   const Pose2 end = after(twist, 2.0, {});
   const Pose2 exact = moved({}, twist, 2.0);
@@ -32,7 +32,7 @@ TEST(WheelMotion, WithoutFaultsItDoesWhatItIsTold) {
 }
 
 /// distance = a t + b with b = -a times the dead time: a lag gives back at the end what it took at first.
-TEST(WheelMotion, DeadTimeAndLagMakeTheLaw) {
+TEST(WheelBody, DeadTimeAndLagMakeTheLaw) {
   WheelFaults faults;
   faults.dead_time_s = 0.1;
   faults.lag_s = 0.08;
@@ -41,7 +41,7 @@ TEST(WheelMotion, DeadTimeAndLagMakeTheLaw) {
   }
 }
 
-TEST(WheelMotion, EachFaultDoesItsHarm) {
+TEST(WheelBody, EachFaultDoesItsHarm) {
   WheelFaults faults;
   faults.strafe_slip = 0.2;
   EXPECT_NEAR(after({0.0, 0.2, 0.0}, 2.0, faults).position.y, 0.8 * 0.4, 1e-9);
@@ -60,25 +60,25 @@ TEST(WheelMotion, EachFaultDoesItsHarm) {
   EXPECT_NEAR(after({0.2, 0.0, 0.0}, 4.0, faults).position.x, 0.8 * (1.0 - 0.5 * 0.3 * 4.0 / 60.0), 1e-3);
 }
 
-TEST(WheelMotion, TheLinkLosesTheFirstMessageAndDelays) {
+TEST(WheelBody, TheLinkLosesTheFirstMessageAndDelays) {
   const WheelSpeeds4 speeds = wheel_speeds(chassis, {0.2, 0.0, 0.0});
-  WheelMotion lossy(chassis, {}, {1, 0.0, 0.0}, {}, Rng(1));
+  WheelBody lossy(chassis, {}, {1, 0.0, 0.0}, {}, Rng(1));
   lossy.send(speeds);
   lossy.run_until(1.0);
   EXPECT_EQ(lossy.driven_m(), 0.0);
   lossy.send(speeds);
   lossy.run_until(2.0);
   EXPECT_NEAR(lossy.driven_m(), 0.2, 1e-9);
-  WheelMotion late(chassis, {}, {0, 0.25, 0.0}, {}, Rng(1));
+  WheelBody late(chassis, {}, {0, 0.25, 0.0}, {}, Rng(1));
   late.send(speeds);
   late.run_until(1.0);
   EXPECT_NEAR(late.driven_m(), 0.2 * 0.75, 1e-3);
 }
 
-TEST(WheelMotion, MessagesKeepTheirOrder) {
+TEST(WheelBody, MessagesKeepTheirOrder) {
   Rng rng(3);
   for (int round = 0; round < testing::cases(20); ++round) {
-    WheelMotion motion(chassis, {}, {0, 0.05, 0.2}, {}, rng.child(static_cast<std::uint64_t>(round)));
+    WheelBody motion(chassis, {}, {0, 0.05, 0.2}, {}, rng.child(static_cast<std::uint64_t>(round)));
     for (int i = 0; i < 10; ++i) {
       motion.send(wheel_speeds(chassis, {0.1, 0.0, 0.0}));
       motion.run_until(0.02 * (i + 1));
@@ -89,13 +89,13 @@ TEST(WheelMotion, MessagesKeepTheirOrder) {
   }
 }
 
-TEST(WheelMotion, NoiseHasItsDeviation) {
+TEST(WheelBody, NoiseHasItsDeviation) {
   WheelFaults faults;
   faults.noise = 0.05;
   double square = 0.0;
   const int count = testing::cases(200);
   for (int k = 0; k < count; ++k) {
-    WheelMotion motion(chassis, faults, {}, {}, Rng(static_cast<std::uint64_t>(k)));
+    WheelBody motion(chassis, faults, {}, {}, Rng(static_cast<std::uint64_t>(k)));
     motion.send(wheel_speeds(chassis, {0.2, 0.0, 0.0}));
     motion.run_until(2.0);
     const double off = motion.twist().ahead_mps / 0.2 - 1.0;

@@ -1,4 +1,4 @@
-#include "outrider/sim/explorer.hpp"
+#include "outrider/sim/simulated_robot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,26 +24,26 @@ World walls(const std::vector<Segment>& segments) {
   return world;
 }
 
-ExplorerTruth faultless() {
-  ExplorerTruth truth;
-  truth.wheels.scale_error = truth.wheels.noise_m = 0.0;
-  return truth;
+ExplorerSimParams faultless() {
+  ExplorerSimParams params;
+  params.wheels.scale_error = params.wheels.noise_m = 0.0;
+  return params;
 }
 
-void drive(SimulatedExplorer& robot, const Twist2& twist, double duration_s) {
-  robot.act({twist, robot.time_s() + duration_s});
+void drive(SimulatedRobot& robot, const Twist2& twist, double duration_s) {
+  robot.act(DriveTwist{twist, robot.time_s() + duration_s});
 }
 
 constexpr Twist2 ahead{0.22, 0.0, 0.0};
 
-TEST(Explorer, AWallStopsItWhereItTouches) {
+TEST(SimulatedExplorer, AWallStopsItWhereItTouches) {
   const RobotModel robot = burger();
-  SimulatedExplorer it(walls({{{1.0, -2.0}, {1.0, 2.0}}}), {}, robot, faultless(), 1);
+  SimulatedRobot it = simulated_explorer(walls({{{1.0, -2.0}, {1.0, 2.0}}}), {}, robot, faultless(), 1);
   EXPECT_FALSE(it.sense().touching);
   drive(it, ahead, 10.0);
   EXPECT_NEAR(it.pose().position.x, 1.0 - robot.radius_m, 1e-6);
-  EXPECT_EQ(it.contacts(), 1) << "pushing on is one touch";
-  const ExplorerObservation seen = it.sense();
+  EXPECT_EQ(it.body<TwistBody>().contacts(), 1) << "pushing on is one touch";
+  const Observation seen = it.sense();
   EXPECT_TRUE(seen.touching);
   EXPECT_GT(seen.odometry.position.x, 2.0) << "the wheels slip and count on";
   drive(it, {0.0, 0.0, 1.0}, 1.0);
@@ -52,10 +52,10 @@ TEST(Explorer, AWallStopsItWhereItTouches) {
   drive(it, {-0.1, 0.0, 0.0}, 1.0);
   EXPECT_FALSE(it.sense().touching);
   drive(it, ahead, 10.0);
-  EXPECT_EQ(it.contacts(), 2);
+  EXPECT_EQ(it.body<TwistBody>().contacts(), 2);
 }
 
-TEST(Explorer, NeverDrivesIntoAnything) {
+TEST(SimulatedExplorer, NeverDrivesIntoAnything) {
   Rng rng(7);
   for (int i = 0; i < cases(4); ++i) {
     World world;
@@ -77,42 +77,43 @@ TEST(Explorer, NeverDrivesIntoAnything) {
     };
     Pose2 start;
     while (gap(start.position) < 0.0) start.position = testing::random_point(rng, 1.5);
-    SimulatedExplorer it(world, start, robot, {}, rng.bits());
+    SimulatedRobot it = simulated_explorer(world, start, robot, {}, rng.bits());
     for (int k = 0; k < 60; ++k) {
       drive(it, {rng.uniform(-5.0, 5.0), 0.0, rng.uniform(-3.0, 3.0)}, 0.05);
       ASSERT_GT(gap(it.pose().position), -1e-6);
-      EXPECT_NEAR(it.ground().gap_m(it.pose().position), std::min(1.0, gap(it.pose().position)), 1e-9);
+      EXPECT_NEAR(it.body<TwistBody>().ground().gap_m(it.pose().position),
+                  std::min(1.0, gap(it.pose().position)), 1e-9);
     }
   }
 }
 
-TEST(Explorer, DrivesOverWhatItsWheelsClimb) {
+TEST(SimulatedExplorer, DrivesOverWhatItsWheelsClimb) {
   World world;
   world.solids.push_back({"foot", {{0.5, 0.0, 0.02}, {}}, BoxShape{{0.1, 0.1, 0.02}}});
-  ExplorerTruth truth = faultless();
-  SimulatedExplorer over(world, {}, burger(), truth, 1);
+  ExplorerSimParams params = faultless();
+  SimulatedRobot over = simulated_explorer(world, {}, burger(), params, 1);
   drive(over, ahead, 5.0);
-  EXPECT_EQ(over.contacts(), 0);
-  truth.wheels.climbs_m = 0.01;
-  SimulatedExplorer against(world, {}, burger(), truth, 1);
+  EXPECT_EQ(over.body<TwistBody>().contacts(), 0);
+  params.wheels.climbs_m = 0.01;
+  SimulatedRobot against = simulated_explorer(world, {}, burger(), params, 1);
   drive(against, ahead, 5.0);
-  EXPECT_EQ(against.contacts(), 1);
+  EXPECT_EQ(against.body<TwistBody>().contacts(), 1);
 }
 
-TEST(Explorer, KeepsItsLimits) {
-  SimulatedExplorer it(World{}, {}, burger(), faultless(), 1);
+TEST(SimulatedExplorer, KeepsItsLimits) {
+  SimulatedRobot it = simulated_explorer(World{}, {}, burger(), faultless(), 1);
   drive(it, {5.0, 3.0, 9.0}, 0.05);
-  EXPECT_NEAR(it.twist().ahead_mps, 0.125, 1e-9) << "2.5 m/s2";
-  EXPECT_NEAR(it.twist().turn_radps, 0.16, 1e-9) << "3.2 rad/s2";
-  EXPECT_EQ(it.twist().left_mps, 0.0);
+  EXPECT_NEAR(it.body<TwistBody>().twist().ahead_mps, 0.125, 1e-9) << "2.5 m/s2";
+  EXPECT_NEAR(it.body<TwistBody>().twist().turn_radps, 0.16, 1e-9) << "3.2 rad/s2";
+  EXPECT_EQ(it.body<TwistBody>().twist().left_mps, 0.0);
   drive(it, {5.0, 3.0, 9.0}, 5.0);
-  EXPECT_NEAR(it.twist().ahead_mps, 0.22, 1e-9);
-  EXPECT_NEAR(it.twist().turn_radps, 2.84, 1e-9);
+  EXPECT_NEAR(it.body<TwistBody>().twist().ahead_mps, 0.22, 1e-9);
+  EXPECT_NEAR(it.body<TwistBody>().twist().turn_radps, 2.84, 1e-9);
 }
 
-TEST(Explorer, WithoutFaultsItsOdometryIsItsWay) {
+TEST(SimulatedExplorer, WithoutFaultsItsOdometryIsItsWay) {
   const Pose2 start{{3.0, -2.0}, 0.7};
-  SimulatedExplorer it(World{}, start, burger(), faultless(), 1);
+  SimulatedRobot it = simulated_explorer(World{}, start, burger(), faultless(), 1);
   Rng rng(3);
   for (int i = 0; i < 50; ++i) drive(it, {rng.uniform(-0.2, 0.2), 0.0, rng.uniform(-2.0, 2.0)}, 0.3);
   const Pose2 counted = compose(start, it.sense().odometry);
@@ -125,11 +126,11 @@ double heading_spread(const ExplorerWheels& wheels, int runs) {
   RobotModel robot = burger();
   robot.speed_mps = 4.0;
   robot.acceleration_mps2 = 1e3;
-  ExplorerTruth truth;
-  truth.wheels = wheels;
+  ExplorerSimParams params;
+  params.wheels = wheels;
   double squares = 0.0;
   for (int seed = 0; seed < runs; ++seed) {
-    SimulatedExplorer it(World{}, {}, robot, truth, static_cast<std::uint64_t>(seed));
+    SimulatedRobot it = simulated_explorer(World{}, {}, robot, params, static_cast<std::uint64_t>(seed));
     drive(it, {4.0, 0.0, 0.0}, 1.0);
     const double error = it.sense().odometry.heading_rad;
     squares += error * error;
@@ -137,7 +138,7 @@ double heading_spread(const ExplorerWheels& wheels, int runs) {
   return std::sqrt(squares / runs);
 }
 
-TEST(Explorer, ItsOdometryDriftsAsSaid) {
+TEST(SimulatedExplorer, ItsOdometryDriftsAsSaid) {
   const int runs = cases(400);
   const double length_m = 4.0;
   ExplorerWheels scale;
@@ -150,33 +151,33 @@ TEST(Explorer, ItsOdometryDriftsAsSaid) {
   EXPECT_NEAR(heading_spread(noise, runs) / by_noise, 1.0, 0.12);
 }
 
-TEST(Explorer, ScansAtItsRateFromWhereItIs) {
-  ExplorerTruth truth = faultless();
-  truth.laser.noise_m = 0.0;
-  truth.laser.robot_T_laser.position.x = 0.05;
-  SimulatedExplorer it(walls({{{1.0, -9.0}, {1.0, 9.0}}}), {}, burger(), truth, 1);
+TEST(SimulatedExplorer, ScansAtItsRateFromWhereItIs) {
+  ExplorerSimParams params = faultless();
+  params.laser.noise_m = 0.0;
+  params.laser.robot_T_laser.position.x = 0.05;
+  SimulatedRobot it = simulated_explorer(walls({{{1.0, -9.0}, {1.0, 9.0}}}), {}, burger(), params, 1);
   int scans = 0;
   for (int i = 0; i <= 40; ++i) {
-    const ExplorerObservation seen = it.sense();
+    const Observation seen = it.sense();
     if (seen.scan) {
       ++scans;
       EXPECT_EQ(seen.scan->time_s, seen.time_s);
       EXPECT_NEAR(static_cast<double>(seen.scan->ranges_m[0]), 0.95 - it.pose().position.x, 1e-6);
     }
-    it.act({{0.1, 0.0, 0.0}, 0.05 * (i + 1)});
+    it.act(DriveTwist{{0.1, 0.0, 0.0}, 0.05 * (i + 1)});
   }
   EXPECT_EQ(scans, 11) << "5 Hz from 0 to 2 s";
 }
 
-TEST(Explorer, SameSeedSameObservations) {
+TEST(SimulatedExplorer, SameSeedSameObservations) {
   const auto run = [](std::uint64_t seed) {
-    SimulatedExplorer it(walls({{{1.0, -2.0}, {1.0, 2.0}}}), {}, burger(), {}, seed);
+    SimulatedRobot it = simulated_explorer(walls({{{1.0, -2.0}, {1.0, 2.0}}}), {}, burger(), {}, seed);
     std::vector<double> seen;
     for (int i = 1; i <= 40; ++i) {
-      const ExplorerObservation now = it.sense();
+      const Observation now = it.sense();
       seen.insert(seen.end(), {now.odometry.position.x, now.odometry.heading_rad});
       if (now.scan) seen.insert(seen.end(), now.scan->ranges_m.begin(), now.scan->ranges_m.end());
-      it.act({{0.2, 0.0, 0.1}, 0.2 * i});
+      it.act(DriveTwist{{0.2, 0.0, 0.1}, 0.2 * i});
     }
     return seen;
   };

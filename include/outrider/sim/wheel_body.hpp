@@ -1,4 +1,4 @@
-// WheelMotion: what a robot on wheels really does, with the faults of its wheels and of the link to it.
+// WheelBody: a robot on wheels and what it really does, with the faults of its wheels and of the link to it.
 //
 // Steps of 5 ms: the newest command that has arrived gives each wheel its speed, through dead time, deadband
 // and lag; gains, sag and noise make of it the speed at which the wheel really turns; the chassis makes of
@@ -10,16 +10,19 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/motion/wheel_faults.hpp"
+#include "outrider/robot/command.hpp"
 
 namespace outrider {
 
-class WheelMotion {
+class WheelBody {
  public:
-  WheelMotion(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
-              const Rng& rng);
+  WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
+            const Rng& rng);
 
   /// Gives a command to the link, now.
   void send(const WheelSpeeds4& wheels);
+  /// Begins to carry out a DriveWheels, and returns when it is done; other commands are done at once.
+  double begin(const Command& command);
   /// Lets time pass, by whole steps and what is left of one.
   void run_until(double time_s);
   /// Puts the robot elsewhere.

@@ -1,12 +1,12 @@
-#include "outrider/jobs/cover/drive.hpp"
+#include "outrider/sim/piece_body.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/geometry/polyline.hpp"
+#include "outrider/path/pieces.hpp"
 
 namespace outrider {
 namespace {
@@ -16,8 +16,8 @@ constexpr int most_halvings = 12;
 constexpr double off_m = 3e-3, off_rad = 4e-3;  // of what is interpolated between two samples
 
 /// The piece with its ends moved by the offsets, and what lies between by a blend of them.
-std::vector<Vec2> moved(const PathPiece& piece, Vec2 at_begin, Vec2 at_end) {
-  std::vector<Vec2> points = points_along({{piece.from, 0.0}, {piece}}, arc_step_rad);
+std::vector<Vec2> points_beside(const PathPiece& piece, Vec2 at_begin, Vec2 at_end) {
+  std::vector<Vec2> points = points_along(piece.from, {piece}, arc_step_rad);
   const auto last = static_cast<double>(points.size() - 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double part = static_cast<double>(i) / last;
@@ -36,25 +36,6 @@ bool is_free(const PathPiece& piece, const std::vector<Vec2>& points, const Poly
 Vec2 drawn_offset(Rng& rng, double most_m) {
   const double away = most_m * std::sqrt(rng.uniform());
   return away * direction(rng.uniform(0.0, 2.0 * pi));
-}
-
-/// Offsets of all ends of pieces that keep the whole way free; the start is where it is.
-std::vector<Vec2> offsets_of(const CoverTrack& track, const PolygonGround& ground, double stray_m, Rng rng) {
-  std::vector<Vec2> offsets(track.pieces.size() + 1);
-  for (std::size_t i = 0; i < track.pieces.size(); ++i) {
-    const PathPiece& piece = track.pieces[i];
-    Vec2 offset = drawn_offset(rng, stray_m);
-    // The next piece must still be free with its other end in place, so that a way out remains.
-    const auto fits = [&] {
-      if (!is_free(piece, moved(piece, offsets[i], offset), ground)) return false;
-      if (i + 1 == track.pieces.size()) return true;
-      const PathPiece& next = track.pieces[i + 1];
-      return is_free(next, moved(next, offset, {}), ground);
-    };
-    for (int halvings = 0; halvings < most_halvings && !fits(); ++halvings) offset = 0.5 * offset;
-    offsets[i + 1] = fits() ? offset : Vec2{};
-  }
-  return offsets;
 }
 
 /// A motion from rest to rest, and when it is how far.
@@ -109,11 +90,7 @@ class Motion {
 /// Writes down where the robot is when.
 class Recorder {
  public:
-  Recorder(CoverDrive& drive, const Pose2& start) : drive_(drive), pose_(start) {
-    drive_.way.push_back(start.position);
-    drive_.times_s.push_back(0.0);
-    note(0.0, start);
-  }
+  explicit Recorder(PieceDrive& drive) : drive_(drive), pose_(drive.track.back().pose) {}
 
   /// Turns in place from then on.
   void turn(double begin_s, double angle_rad, const Limits& limits) {
@@ -160,11 +137,11 @@ class Recorder {
   /// Nothing is told twice.
   void note(double time_s, const Pose2& pose) {
     pose_ = pose;
-    if (!drive_.track.empty() && drive_.track.back().time_s >= time_s) drive_.track.pop_back();
+    if (drive_.track.back().time_s >= time_s) drive_.track.pop_back();
     drive_.track.push_back({time_s, pose, 0.0, 0.0});
   }
 
-  CoverDrive& drive_;
+  PieceDrive& drive_;
   Pose2 pose_;
 };
 
@@ -183,41 +160,61 @@ std::vector<double> headings_along(const std::vector<Vec2>& points, double begin
 
 }  // namespace
 
-CoverDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace, double stray_m,
-                       std::uint64_t seed) {
-  const Rng rng(seed);
-  Rng speeds = rng.child("pace");
-  const auto offsets = offsets_of(track, ground, stray_m, rng.child("stray"));
-  CoverDrive drive;
-  Recorder recorder(drive, track.start);
-  double heading = track.start.heading_rad, planned_heading = heading;
-  for (std::size_t i = 0; i < track.pieces.size(); ++i) {
-    const PathPiece& piece = track.pieces[i];
-    const auto points = moved(piece, offsets[i], offsets[i + 1]);
-    Pace now = pace;
-    now.speed_mps = speeds.uniform(pace.slowest_speed_mps, pace.speed_mps);
-    now.turn_rate_radps = speeds.uniform(pace.slowest_turn_rate_radps, pace.turn_rate_radps);
-    const double length = length_of(points);
-    const bool moves = length > 0.0;
-    // The tangent at an end of an arc is half a step away from its first chord.
-    const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(points.size() - 1);
-    const double begin = moves ? heading_of(points[1] - points[0]) - half_rad : heading;
-    const double end = moves ? heading_of(points.back() - points[points.size() - 2]) + half_rad : heading;
-    const double turn = wrap_angle(begin - heading), turning_s = duration(std::abs(turn), now.turning());
-    const bool pauses = std::abs(wrap_angle(heading_in(piece) - planned_heading)) > no_turn_rad;
-    const double begin_s = drive.time_s, moving_s = begin_s + turning_s + (pauses ? pace.pause_s : 0.0);
-    drive.time_s = moving_s + duration(length, limits_on(piece, now));
-    recorder.turn(begin_s, turn, now.turning());
-    recorder.stand_until(moving_s);
-    recorder.drive(moving_s, drive.time_s, points, headings_along(points, begin, end), limits_on(piece, now));
-    drive.ends_s.push_back(drive.time_s);
-    drive.turned_rad += std::abs(turn) + std::abs(piece.turn_rad);
-    drive.length_m += length;
-    drive.strayed_m = std::max(drive.strayed_m, norm(offsets[i + 1]));
-    planned_heading = heading_out(piece);
-    heading = end;
-  }
-  return drive;
+PieceBody::PieceBody(const Pose2& start, const Pace& pace, double tracking_error_m,
+                     const PolygonGround& ground, const Rng& rng)
+    : pace_(pace),
+      tracking_error_m_(tracking_error_m),
+      ground_(&ground),
+      speed_rng_(rng.child("pace")),
+      offset_rng_(rng.child("stray")),
+      heading_rad_(start.heading_rad) {
+  drive_.way.push_back(start.position);
+  drive_.times_s.push_back(0.0);
+  drive_.track.push_back({0.0, start, 0.0, 0.0});
+}
+
+double PieceBody::begin(const Command& command) {
+  if (const auto* follows = std::get_if<FollowPiece>(&command)) follow(*follows);
+  return drive_.time_s;
+}
+
+/// The offset of the end of the piece, with which the whole way stays free.
+Vec2 PieceBody::next_offset(const FollowPiece& command) {
+  Vec2 offset = drawn_offset(offset_rng_, tracking_error_m_);
+  // The next piece must still be free with its other end in place, so that a way out remains.
+  const auto fits = [&] {
+    return is_free(command.piece, points_beside(command.piece, offset_, offset), *ground_) &&
+           (!command.next || is_free(*command.next, points_beside(*command.next, offset, {}), *ground_));
+  };
+  for (int halvings = 0; halvings < most_halvings && !fits(); ++halvings) offset = 0.5 * offset;
+  return fits() ? offset : Vec2{};
+}
+
+void PieceBody::follow(const FollowPiece& command) {
+  const PathPiece& piece = command.piece;
+  const Vec2 offset = next_offset(command);
+  const auto points = points_beside(piece, std::exchange(offset_, offset), offset);
+  Pace now = pace_;
+  now.speed_mps = speed_rng_.uniform(pace_.slowest_speed_mps, pace_.speed_mps);
+  now.turn_rate_radps = speed_rng_.uniform(pace_.slowest_turn_rate_radps, pace_.turn_rate_radps);
+  const double length = length_of(points);
+  const bool moves = length > 0.0;
+  // The tangent at an end of an arc is half a step away from its first chord.
+  const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(points.size() - 1);
+  const double begin = moves ? heading_of(points[1] - points[0]) - half_rad : heading_rad_;
+  const double end = moves ? heading_of(points.back() - points[points.size() - 2]) + half_rad : heading_rad_;
+  const double turn = wrap_angle(begin - heading_rad_), turning_s = duration(std::abs(turn), now.turning());
+  const double begin_s = drive_.time_s, moving_s = begin_s + turning_s + command.pause_s;
+  drive_.time_s = moving_s + duration(length, limits_on(piece, now));
+  Recorder recorder(drive_);
+  recorder.turn(begin_s, turn, now.turning());
+  recorder.stand_until(moving_s);
+  recorder.drive(moving_s, drive_.time_s, points, headings_along(points, begin, end), limits_on(piece, now));
+  drive_.ends_s.push_back(drive_.time_s);
+  drive_.turned_rad += std::abs(turn) + std::abs(piece.turn_rad);
+  drive_.length_m += length;
+  drive_.tracking_error_m = std::max(drive_.tracking_error_m, norm(offset));
+  heading_rad_ = end;
 }
 
 }  // namespace outrider
