@@ -221,8 +221,8 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
       const bool first = !in_range;
       in_range = true;
       if (region.pitch[cell] != FiringRegion::no_shot && shot_spread >= region.spread[cell]) continue;
-      if (const auto stop = range.stopped_by(position, aimed->shot)) {
-        if (first) ++region.blocked_by[*stop];
+      if (const auto solid = range.stopped_by(position, aimed->shot)) {
+        if (first) ++region.blocked_by[*solid];
         continue;
       }
       region.spread[cell] = shot_spread;

@@ -129,7 +129,9 @@ inline void stops_midway(const Job& job, const std::string& scenario) {
     stopping.observer = &observer;
     const auto run = run_scenario(job, scenario, stopping);
     expect_cancelled_or_done(run, undisturbed);
-    if (run) EXPECT_EQ(run->report.status, "cancelled");
+    if (run) {
+      EXPECT_EQ(run->report.status, "cancelled");
+    }
   }
 }
 
@@ -230,7 +232,9 @@ inline void options_round_trip(const Job& job, const std::string& scenario) {
   const Folder folder;
   for (const bool read : {false, true}) {
     const auto task = job.blank();
-    if (read) ASSERT_TRUE(read_scenario(*task, scenario));
+    if (read) {
+      ASSERT_TRUE(read_scenario(*task, scenario));
+    }
     const auto settings = settings_of(task->options());
     const auto path = folder.write("again.yaml", scenario_text(task->options()));
     const auto again = job.blank();

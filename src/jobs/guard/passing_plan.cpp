@@ -114,9 +114,9 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const 
   GuardPlan best = plan;
   std::vector<std::size_t> targets;
   bool fills = false;
-  for (const PlannedStop& stop : plan.stops) {
-    fills = fills || stop.call;
-    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
+  for (const PlannedStop& planned : plan.stops) {
+    fills = fills || planned.call;
+    for (const PlannedHit& hit : planned.hits) targets.push_back(hit.target);
   }
   best.expected_s.reset();
   best.lower_bound_s = moving_bound(problem, site, targets);
