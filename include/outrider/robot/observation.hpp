@@ -1,8 +1,8 @@
 // Observation: what a robot tells a mission. It always has a time and odometry; each device that the robot
 // carries adds its part.
 //
-// Units: m, s, rad, J. Frames: odometry is odom_T_robot; the odometry frame is the robot's start, or the world
-// where the robot is localised.
+// Units: m, s, rad, J. Frames: odometry is odom_T_robot; the odometry frame is the robot's start, or the
+// world where the robot is localised.
 #pragma once
 
 #include <cstddef>
@@ -66,20 +66,21 @@ struct TargetReport {
 /// A robot team on a grid that pursues a target, one cell a second.
 struct GridObservation {
   std::vector<Cell> robots;
-  std::vector<Cell> target;  ///< by second, from 0 to as far ahead as its path is known
+  std::vector<Cell> target;  ///< of seconds that are newly known since the observation before, from 0 on
 };
 
 struct Observation {
   double time_s = 0.0;
-  Pose2 odometry;                             ///< odom_T_robot; the heading need not be wrapped
-  bool touching = false;                      ///< the bumper was pressed since the observation before
-  std::optional<LaserScan> scan = {};         ///< taken since the observation before
-  std::optional<TagImage> image = {};         ///< the newest one, also when it was seen before
-  std::optional<GunState> gun = {};           ///< where there is a gun
-  std::vector<ShotResult> shots = {};         ///< that landed since the observation before
-  std::optional<StoreLevels> stores = {};     ///< where stores can run out
-  std::optional<TargetReport> targets = {};   ///< where there is a detector of targets
-  std::optional<GridObservation> grid = {};   ///< of a team on a grid
+  Pose2 odometry;                            ///< odom_T_robot; the heading need not be wrapped
+  std::optional<Pose2> motion = {};          ///< previous_T_robot, where odometry comes in pieces (logs)
+  bool touching = false;                     ///< the bumper was pressed since the observation before
+  std::optional<LaserScan> scan = {};        ///< taken since the observation before
+  std::optional<TagImage> image = {};        ///< the newest one, also when it was seen before
+  std::optional<GunState> gun = {};          ///< where there is a gun
+  std::vector<ShotResult> shots = {};        ///< that landed since the observation before
+  std::optional<StoreLevels> stores = {};    ///< where stores can run out
+  std::optional<TargetReport> targets = {};  ///< where there is a detector of targets
+  std::optional<GridObservation> grid = {};  ///< of a team on a grid
 };
 
 /// The result of a shot at a target; null where none landed.
