@@ -12,9 +12,9 @@
 
 #include <vector>
 
-#include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/motion/pace.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/report/report.hpp"
 #include "outrider/robot/command.hpp"
 
