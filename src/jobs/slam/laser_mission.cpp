@@ -7,7 +7,8 @@ namespace outrider {
 std::optional<Command> LaserMission::step(const Observation& seen) {
   newest.reset();
   if (!seen.scan) return std::nullopt;
-  const Pose2 motion = wrap_heading(relative_pose(std::exchange(odometry, seen.odometry), seen.odometry));
+  const Pose2 before = std::exchange(odometry, seen.odometry).value_or(seen.odometry);
+  const Pose2 motion = seen.motion.value_or(wrap_heading(relative_pose(before, seen.odometry)));
   auto advanced = slam.advance(motion, *seen.scan);
   if (!advanced) {
     fault = std::move(advanced.error());

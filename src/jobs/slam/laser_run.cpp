@@ -27,13 +27,14 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   run.rms_error_m = rms_distance(from, onto, motion);
 }
 
-/// What the robot of the log sensed: the odometry adds up the motions.
+/// What the robot of the log sensed.
 std::vector<Observation> records_of(const LaserLog& log) {
   std::vector<Observation> records;
   Observation seen;
   for (const LaserLogStep& step : log.steps) {
     seen.time_s = step.scan.time_s;
     seen.odometry = compose(seen.odometry, step.motion);
+    seen.motion = step.motion;
     seen.scan = step.scan;
     records.push_back(seen);
   }

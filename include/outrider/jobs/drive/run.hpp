@@ -13,9 +13,9 @@
 namespace outrider {
 
 /// Drives the task on a simulated robot and reports. `rendered`: images are rendered and the tags detected in
-/// them (tag_camera.hpp); otherwise sightings come from a model (tag_model.hpp). status is "done" when every
-/// waypoint was reached and nothing touched. A pure function of its arguments, the observer left out.
-/// `progress` is told the part of the stops that is reached. Metrics:
+/// them (sim/tag_camera.hpp); otherwise sightings come from a model (sim/tag_model.hpp). status is "done"
+/// when every waypoint was reached and nothing touched. A pure function of its arguments, the observer left
+/// out. `progress` is told the part of the stops that is reached. Metrics:
 ///   driven_m, ideal_m      by the true middle of the robot; along straight legs through the waypoints
 ///   turned_rad, ideal_rad  the same of the heading
 ///   tag_fraction           images, of all taken, with a tag that told where the robot is

@@ -16,7 +16,7 @@ using ScanHook = std::function<void(const ExploreMission&, const SimulatedRobot&
 
 struct ExploreRun {
   Report report;
-  std::string stop_reason;   ///< of explore_mission.hpp
+  std::string stop_reason;   ///< of jobs/explore/mission.hpp
   Grid<std::uint8_t> map;    ///< values of Occupancy, in the frame of the world
   std::vector<Pose2> track;  ///< as SLAM knows it in the end: the start, and the pose at each scan
   Pose2 pose;                ///< believed in the end

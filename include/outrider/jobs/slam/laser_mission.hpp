@@ -17,7 +17,7 @@ struct LaserMission {
   std::optional<Command> step(const Observation& seen);
 
   LaserSlam slam;
-  Pose2 odometry;                       ///< at the scan before
+  std::optional<Pose2> odometry;        ///< at the scan before
   std::optional<LaserSlamStep> newest;  ///< what SLAM made of the scan of this step
   std::size_t scans = 0;
   std::size_t matched = 0;     ///< of these
