@@ -17,7 +17,7 @@ outrider::TemporalProblem small_problem() {
   problem.water = 1.0;
   problem.charge = 100.0;
   problem.charge_per_second = 1.0;
-  problem.fillers = {{3, outrider::Store::water, 3.0, 0.5}, {3, outrider::Store::charge, 3.0, 0.5}};
+  problem.stations = {{3, outrider::Store::water, 3.0, 0.5}, {3, outrider::Store::charge, 3.0, 0.5}};
   return *outrider::temporal_problem(problem);
 }
 

@@ -29,7 +29,7 @@ inline SupplyProblem random_supply(std::size_t goals, std::size_t stops, std::ui
     Store store = s % 2 == 0 ? Store::water : Store::charge;
     if (limited == 1) store = Store::water;
     if (limited == 2) store = Store::charge;
-    problem.fillers.push_back({stops + 1 + s, store, rng.uniform(0.0, 5.0), rng.uniform(0.0, 0.1)});
+    problem.stations.push_back({stops + 1 + s, store, rng.uniform(0.0, 5.0), rng.uniform(0.0, 0.1)});
   }
   return problem;
 }
@@ -55,9 +55,9 @@ inline double brute_force(const SupplyProblem& problem, std::size_t chain, std::
       least = std::min(least, brute_force(problem, chain, std::move(longer), served | 1U << service.goal, 0));
     }
   }
-  for (std::size_t f = 0; fills < chain && f < problem.fillers.size(); ++f) {
+  for (std::size_t f = 0; fills < chain && f < problem.stations.size(); ++f) {
     auto longer = steps;
-    longer.push_back({problem.fillers[f].stop, {}, f});
+    longer.push_back({problem.stations[f].stop, {}, f});
     least = std::min(least, brute_force(problem, chain, std::move(longer), served, fills + 1));
   }
   return least;

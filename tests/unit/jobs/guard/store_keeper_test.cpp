@@ -37,17 +37,17 @@ GuardProblem yard(std::uint64_t seed) {
 
 struct Mission {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
 };
 
 Outcome<Mission> planned(GuardProblem problem) {
-  auto site = survey(problem, coarse());
-  if (!site) return pass_on(site);
-  auto plan = plan_guard(problem, *site, coarse(), {});
-  if (plan) plan = supply_plan(problem, *site, std::move(*plan), {});
+  auto firing_map = build_firing_map(problem, coarse());
+  if (!firing_map) return pass_on(firing_map);
+  auto plan = plan_guard(problem, *firing_map, coarse(), {});
+  if (plan) plan = supply_plan(problem, *firing_map, std::move(*plan), {});
   if (!plan) return pass_on(plan);
-  return Mission{std::move(problem), std::move(*site), std::move(*plan)};
+  return Mission{std::move(problem), std::move(*firing_map), std::move(*plan)};
 }
 
 /// No store below zero or above full, and each level goes up only where the robot fills it.
@@ -75,11 +75,12 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
     const auto mission = planned(std::move(problem));
     if (!mission) continue;  // a station stands in an obstacle
-    const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
+    const Report report =
+        testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
     expect_sound_levels(report);
     EXPECT_NEAR(metric(report, "mission_s"), mission->plan.cost_s, 1e-6) << i;
     EXPECT_EQ(metric(report, "unplanned_fills"), 0.0) << i;
-    const auto after = planned_levels(mission->problem, mission->site, mission->plan);
+    const auto after = planned_levels(mission->problem, mission->firing_map, mission->plan);
     if (!after.empty()) {
       EXPECT_NEAR(report.supplies->levels.back().charge_j, after.back().charge, 1e-6);
       EXPECT_NEAR(report.supplies->levels.back().water, after.back().water, 1e-9);
@@ -97,12 +98,12 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       const Report report =
-          testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed);
+          testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
-      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->site, mission->plan, coarse(),
-                                                 seed, {.observer = &curious})));
+      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->firing_map, mission->plan,
+                                                 coarse(), seed, {.observer = &curious})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;
@@ -121,7 +122,7 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
   EXPECT_NE(mission->plan.unsupplied[0].reason.find("no station gives water"), std::string::npos);
-  const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
+  const Report report = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
   EXPECT_EQ(report.status, "not_done");
   expect_sound_levels(report);
 }
@@ -151,11 +152,11 @@ TEST(SupplyPlan, RefusesWhatIsWrong) {
 TEST(SupplyPlan, WithoutEndIsThePlanItself) {
   GuardProblem problem = yard(2);
   problem.supplies = {};
-  const auto site = survey(problem, coarse());
-  ASSERT_TRUE(site);
-  const auto plan = plan_guard(problem, *site, coarse(), {});
+  const auto firing_map = build_firing_map(problem, coarse());
+  ASSERT_TRUE(firing_map);
+  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
   ASSERT_TRUE(plan);
-  const auto same = supply_plan(problem, *site, *plan, {});
+  const auto same = supply_plan(problem, *firing_map, *plan, {});
   ASSERT_TRUE(same);
   EXPECT_EQ(same->cost_s, plan->cost_s);
   EXPECT_EQ(same->stops.size(), plan->stops.size());
