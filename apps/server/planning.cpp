@@ -66,7 +66,7 @@ Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory
   auto planner = find_path_planner(fields.text("planner", "a_star"));
   if (!planner) return bad_input(planner.error().sentence, "planner");
   const bool cells = std::holds_alternative<MapCells>((*map)->shape);
-  Question question{{*map, {}, {}}, {}, {*planner, planner->configure()}};
+  Question question{{*map, {}, {}, {}, {}}, {}, {*planner, planner->configure()}};
   GroundRequest& ground = question.ground;
   ground.options.needs_grid = !planner->polygons;
   ground.options.grid.most_cells = static_cast<std::int64_t>(most_map_cells);

@@ -117,7 +117,9 @@ inline void stops_midway(const Job& job, const std::string& scenario) {
     };
     const auto run = run_scenario(job, scenario, stopping);
     expect_cancelled_or_done(run, undisturbed);
-    if (at == 1 && run) EXPECT_EQ(run->report.status, "cancelled");
+    if (at == 1 && run) {
+      EXPECT_EQ(run->report.status, "cancelled");
+    }
   }
   for (const int at : std::set{1, (looks + 1) / 2}) {
     if (at > looks || at == 0) continue;
