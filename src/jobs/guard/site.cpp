@@ -266,7 +266,7 @@ World driving_world(const GuardProblem& problem) {
 
 }  // namespace
 
-Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
+Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, RegionSearch search) {
   if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
   if (auto ok = check_targets(problem); !ok) return pass_on(ok);
   auto frame = frame_for(problem, options);
@@ -287,10 +287,11 @@ Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options) {
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
   find_standable(site, problem.robot.radius_m, spare);
   find_reachable(site, problem.start.position, problem.robot.radius_m);
+  if (search == RegionSearch::none) return site;
   parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
     site.regions[i] = firing_region(site.rules, site.space(i), target, site.frame, site.reachable);
-    if (site.regions[i].hits == 0) prove(site, target, i);
+    if (site.regions[i].hits == 0 && search == RegionSearch::proven) prove(site, target, i);
   });
   return site;
 }
