@@ -211,7 +211,8 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, c
     regions.targets.push_back(std::move(target));
   }
   GuardOptions coarse = options;
-  coarse.resolution_m = std::max(options.resolution_m, 0.2);
+  // Stops need not be finer than that beside regions 1.5 m apart; in air each place takes far longer.
+  coarse.resolution_m = std::max(options.resolution_m, problem.air.none() ? 0.2 : 0.3);
   // In air it takes long to prove that a region cannot be hit, and a stop is all that a proof could find.
   auto surveyed =
       survey(regions, coarse, problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
