@@ -1,0 +1,414 @@
+// Single steps of a guard mission, with observations that are written by hand: no simulator.
+#include "outrider/jobs/guard/mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/guard_yard.hpp"
+
+namespace outrider {
+namespace {
+
+GuardOptions quick() {
+  GuardOptions options;
+  options.resolution_m = 0.25;
+  options.stops = 40;
+  options.refinements = 0;
+  options.iterations = 50;
+  return options;
+}
+
+struct Yard {
+  GuardProblem problem;
+  Site site;
+  GuardPlan plan;
+  Outlook outlook;
+};
+
+Yard make_yard(GuardProblem problem) {
+  auto site = survey(problem, quick());
+  auto plan = plan_guard(problem, *site, quick(), {});
+  auto outlook = look_out(problem, *site, *plan, {}, {});
+  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+}
+
+/// The way to the fox leads around two corners; the cat sits in front of the start.
+GuardProblem corners() {
+  GuardProblem problem;
+  problem.world.name = "corners";
+  problem.world.bounds = {{-4, -4}, {4, 4}};
+  problem.world.solids = {testing::floor_at(0), testing::box_at("long", {-0.75, 0, 2}, {6.5, 0.1, 4}),
+                          testing::box_at("short", {1.5, 2.45, 2}, {0.1, 3.1, 4})};
+  problem.start = {{-2, -3.5}, radians(90)};
+  problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}, 0.0},
+                     {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}, 0.0}};
+  return problem;
+}
+
+/// A fox and a cat, each at its place.
+Watch two_come(const Yard& yard) {
+  return watch_over(yard.problem, yard.site,
+                    {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}})
+      .value();
+}
+
+Observation seen_at(double time_s, Pose2 pose, std::vector<TargetArrival> arrivals, bool more_to_come) {
+  Observation seen{.time_s = time_s, .odometry = pose, .gun = GunState{}};
+  seen.targets = TargetReport{std::move(arrivals), {}, more_to_come};
+  return seen;
+}
+
+TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
+  const Yard yard = make_yard(corners());
+  const Watch watch = two_come(yard);
+  for (const WatchPolicy& policy : watch_policies()) {
+    const ArrivalPlan plan{watch, yard.outlook, policy};
+    GuardMission mission(plan);
+    const auto first = mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
+    ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first)) << policy.name;
+    const auto& way = std::get<FollowWaypoints>(*first);
+    EXPECT_EQ(way.until_arrival, policy.interrupts) << policy.name;
+    ASSERT_GT(way.waypoints.size(), 2U);
+    EXPECT_EQ(mission.arriving.plans, 1);
+    // The drive ends at its first waypoint, or at its goal.
+    const Vec2 here = policy.interrupts ? way.waypoints[1] : way.waypoints.back();
+    const auto next = mission.step(seen_at(4.0, {here, 0.0}, {{1, 3.0, 1}}, false));
+    ASSERT_TRUE(next.has_value());
+    EXPECT_EQ(mission.arriving.inside.size(), 2U);
+    if (policy.interrupts) {
+      EXPECT_EQ(mission.arriving.plans, 2) << policy.name;
+      const auto* follow = std::get_if<FollowWaypoints>(&*next);
+      if (follow != nullptr) {
+        EXPECT_EQ(follow->waypoints.front(), here);
+      }
+    } else {
+      EXPECT_EQ(mission.arriving.plans, 1) << policy.name;
+      EXPECT_TRUE(std::holds_alternative<AimGun>(*next)) << policy.name << " dropped what it was at";
+    }
+  }
+}
+
+TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
+  GuardProblem problem = corners();
+  problem.world.solids.resize(1);
+  const Yard yard = make_yard(std::move(problem));
+  const auto watch = watch_over(yard.problem, yard.site, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
+  const ArrivalPlan plan{watch, yard.outlook, *find_watch_policy("each_arrival")};
+  GuardMission mission(plan);
+  Pose2 pose = yard.problem.start;
+  double now_s = 0.0;
+  std::vector<TargetArrival> arrivals = {{0, 0.0, 0}};
+  // Runs until a shot; what is told of it comes with the next observation.
+  const auto until_shot = [&](std::vector<ShotResult> shots) {
+    for (int i = 0; i < 20; ++i) {
+      Observation seen = seen_at(now_s, pose, std::exchange(arrivals, {}), false);
+      seen.shots = std::exchange(shots, {});
+      const auto command = mission.step(seen);
+      if (!command) return false;
+      now_s += 1.0;
+      if (const auto* follow = std::get_if<FollowWaypoints>(&*command))
+        pose.position = follow->waypoints.back();
+      if (const auto* wait = std::get_if<Wait>(&*command)) now_s = wait->until_s;
+      if (std::holds_alternative<Fire>(*command)) return true;
+    }
+    return false;
+  };
+  ASSERT_TRUE(until_shot({}));
+  const double settles_s = now_s + 7.0;
+  arrivals = {{0, settles_s, 1}};  // it goes to the place of the cat
+  ASSERT_TRUE(until_shot({{0, true, now_s}}));
+  EXPECT_EQ(mission.arriving.survived, 1);
+  EXPECT_EQ(target_of(mission.tasks, 0), watch.at_place(1));
+  EXPECT_GE(now_s, settles_s) << "it was shot at on its way";
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::waiting);
+  EXPECT_EQ(mission.tasks.records[0].shots, 2);
+  const Vec2 cat = xy(yard.problem.targets[1].base);
+  EXPECT_NEAR(wrap_angle(mission.tasks.records[0].shot->shot.yaw_rad - heading_of(cat - pose.position)), 0.0,
+              0.3);
+  EXPECT_FALSE(until_shot({{0, true, now_s}}));
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[0].shots, 2);
+}
+
+TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
+  GuardProblem problem = corners();
+  problem.supplies.tank = 1.0;
+  problem.supplies.stations = {{"well", {3.0, -2.5}, true, false}};
+  const Yard yard = make_yard(std::move(problem));
+  const Watch watch = two_come(yard);
+  const ArrivalPlan plan{watch, yard.outlook, *find_watch_policy("each_arrival")};
+  GuardMission mission(plan);
+  const auto empty_at = [&](double time_s, Vec2 place, std::vector<TargetArrival> arrivals) {
+    Observation seen = seen_at(time_s, {place, 0.0}, std::move(arrivals), false);
+    seen.stores = StoreLevels{.water = 0.0};
+    return seen;
+  };
+  const Vec2 well = yard.problem.supplies.stations[0].position;
+  const auto drive = mission.step(empty_at(0.0, yard.problem.start.position, {{0, 0.0, 0}}));
+  ASSERT_TRUE(drive && std::holds_alternative<FollowWaypoints>(*drive));
+  EXPECT_EQ(std::get<FollowWaypoints>(*drive).waypoints.back(), well);
+  EXPECT_EQ(mission.stores.detours, 1);
+  // On its way there the cat enters, which could be shot at at once if there were water.
+  const Vec2 halfway = 0.5 * (yard.problem.start.position + well);
+  const auto on = mission.step(empty_at(3.0, halfway, {{1, 3.0, 1}}));
+  ASSERT_TRUE(on && std::holds_alternative<FollowWaypoints>(*on));
+  EXPECT_EQ(std::get<FollowWaypoints>(*on).waypoints.front(), halfway);
+  EXPECT_EQ(std::get<FollowWaypoints>(*on).waypoints.back(), well);
+  const auto stow = mission.step(empty_at(6.0, well, {}));
+  ASSERT_TRUE(stow && std::holds_alternative<AimGun>(*stow));
+  const auto fill = mission.step(empty_at(7.0, well, {}));
+  ASSERT_TRUE(fill && std::holds_alternative<Fill>(*fill));
+  EXPECT_EQ(std::get<Fill>(*fill).call, (StationCall{0, Store::water}));
+  Observation full = empty_at(17.0, well, {});
+  full.stores->water = 1.0;
+  const auto next = mission.step(full);
+  ASSERT_TRUE(next.has_value());
+  EXPECT_FALSE(std::holds_alternative<Fill>(*next));
+  EXPECT_EQ(mission.stores.detours, 1);
+}
+
+/// A fox and a cat that walk about on an open floor; sight is exact.
+struct Walkers {
+  GuardProblem problem;
+  std::optional<Site> site;
+  std::optional<MovingPlan> plan;
+
+  explicit Walkers(double patience_s = 300.0) {
+    problem = corners();
+    problem.world.solids.resize(1);
+    site = survey(problem, quick()).value();
+    WanderOptions wander;
+    wander.speed_mps = 0.4;
+    wander.sight_m = 0.0;
+    wander.patience_s = patience_s;
+    plan.emplace(plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander).value());
+  }
+
+  /// The fox has been at a place for a second; nothing is seen of the cat.
+  [[nodiscard]] Observation fox_at(Vec2 place, double time_s) const {
+    Observation seen = seen_at(time_s, problem.start, {}, false);
+    for (double t = time_s - 1.0; t <= time_s; t += 0.5) seen.targets->seen.push_back({0, t, place});
+    return seen;
+  }
+};
+
+TEST(MissionStep, AnAimedGunIsFiredWhateverIsSeenMeanwhile) {
+  const Walkers yard;
+  GuardMission mission(*yard.plan);
+  const auto aim = mission.step(yard.fox_at({-2.0, 0.0}, 1.0));
+  ASSERT_TRUE(aim && std::holds_alternative<AimGun>(*aim));
+  const auto fire = mission.step(yard.fox_at({3.0, 3.0}, 2.0));
+  ASSERT_TRUE(fire && std::holds_alternative<Fire>(*fire));
+  EXPECT_EQ(std::get<Fire>(*fire).target, 0U);
+  EXPECT_EQ(std::get<Fire>(*fire).shot.yaw_rad, std::get<AimGun>(*aim).yaw_rad);
+  EXPECT_EQ(std::get<Fire>(*fire).shot.pitch_rad, std::get<AimGun>(*aim).pitch_rad);
+  EXPECT_EQ(mission.tasks.records[0].shots, 1);
+}
+
+TEST(MissionStep, AMissAtAWalkerChangesNothingButTheTime) {
+  const Walkers yard;
+  for (const bool heard : {true, false}) {
+    GuardMission mission(*yard.plan);
+    const auto first = mission.step(yard.fox_at({-2.0, 0.0}, 1.0));
+    mission.step(yard.fox_at({-2.0, 0.0}, 2.0));
+    Observation missed = yard.fox_at({-2.0, 0.0}, 3.0);
+    if (heard) missed.shots = {{0, false, 2.9}};
+    const auto again = mission.step(missed);
+    ASSERT_TRUE(again && std::holds_alternative<AimGun>(*again)) << "it is aimed at anew";
+    EXPECT_NEAR(std::get<AimGun>(*again).yaw_rad, std::get<AimGun>(*first).yaw_rad, 0.05);
+    EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::waiting);
+    EXPECT_EQ(mission.tasks.records[0].shots, 1);
+    EXPECT_EQ(mission.tasks.records[0].tries, 0);
+    EXPECT_EQ(mission.moving.last_hit_s, 0.0);
+  }
+}
+
+TEST(MissionStep, WithoutAHitForLongTheRestIsGivenUp) {
+  const Walkers yard(20.0);
+  GuardMission mission(*yard.plan);
+  mission.step(yard.fox_at({-2.0, 0.0}, 1.0));
+  mission.step(yard.fox_at({-2.0, 0.0}, 2.0));
+  Observation hit = yard.fox_at({-2.0, 0.0}, 3.0);
+  hit.shots = {{0, true, 2.9}};
+  EXPECT_TRUE(mission.step(hit).has_value());
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.moving.last_hit_s, 3.0);
+  EXPECT_TRUE(mission.step(seen_at(22.9, yard.problem.start, {}, false)).has_value());
+  EXPECT_FALSE(mission.step(seen_at(23.1, yard.problem.start, {}, false)).has_value());
+  EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
+  EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::failed);
+  EXPECT_NE(mission.tasks.records[1].reason.find("nobody was hit for 20 s"), std::string::npos);
+}
+
+/// An open floor with a well and a dock, and the charge that it takes to get about there, by hand.
+struct OpenFloor {
+  GuardProblem problem;
+  std::optional<Site> site;
+  StopTasks tasks;
+  StoreKeeper keeper;
+
+  explicit OpenFloor(Vec2 well = {2.0, -3.5}, Vec2 dock = {-2.0, 0.5}) {
+    problem = corners();
+    problem.world.solids.resize(1);
+    problem.supplies.tank = 3.0;
+    problem.supplies.battery_wh = 1.0;
+    problem.supplies.stations = {{"well", well, true, false}, {"dock", dock, false, true}};
+    site = survey(problem, quick()).value();
+    tasks.records.resize(2);
+    tasks.queue.push_back({{1.0, 1.0}, {0}});
+  }
+
+  [[nodiscard]] double drive_j(Pose2 from, Vec2 to) const {
+    const RobotModel& robot = problem.robot;
+    const Vec2 way = to - from.position;
+    if (norm(way) == 0.0) return 0.0;
+    const double turn = testing::own_angle(std::atan2(way.y, way.x) - from.heading_rad);
+    const double time_s = testing::own_duration(turn, robot.turn_rate_radps, robot.turn_acceleration_radps2) +
+                          testing::own_duration(norm(way), robot.speed_mps, robot.acceleration_mps2);
+    return problem.supplies.power_w * time_s + problem.supplies.drive_jpm * norm(way);
+  }
+  [[nodiscard]] Pose2 after(Pose2 from, Vec2 to) const { return {to, heading_of(to - from.position)}; }
+  [[nodiscard]] Vec2 dock() const { return problem.supplies.stations[1].position; }
+  [[nodiscard]] double home_j(Pose2 from) const { return drive_j(from, dock()); }
+  /// Aim by half a turn, and the longest flight.
+  [[nodiscard]] double any_shot_j() const {
+    const double aim_s = pi / std::min(problem.gun.yaw_rate_radps, problem.gun.pitch_rate_radps);
+    const double flight_s = 2.0 * problem.gun.muzzle_speed_mps / problem.world.gravity_mps2;
+    return problem.supplies.power_w * (aim_s + flight_s) + problem.supplies.shot_j;
+  }
+  [[nodiscard]] Observation with(double water, double charge_j) const {
+    Observation seen = seen_at(10.0, problem.start, {}, false);
+    seen.stores = StoreLevels{water, charge_j};
+    return seen;
+  }
+  std::optional<Store> lacking(Command command, double water, double charge_j) const {
+    return outrider::lacking(command, tasks, with(water, charge_j), problem, *site);
+  }
+  /// The command takes just that charge, and water where it says so.
+  void expect_needs(const Command& command, double charge_j, bool water) const {
+    EXPECT_EQ(lacking(command, 3.0, charge_j + 1e-6), std::nullopt);
+    EXPECT_EQ(lacking(command, 3.0, charge_j - 1e-6), Store::charge);
+    EXPECT_EQ(lacking(command, 0.5, 3600.0), water ? std::optional(Store::water) : std::nullopt);
+  }
+  void provide(Store store, double water, double charge_j) {
+    outrider::provide(keeper, tasks, store, with(water, charge_j), problem, *site);
+  }
+};
+
+TEST(StoreKeeper, KnowsWhatEachCommandTakes) {
+  OpenFloor floor;
+  const Pose2 start = floor.problem.start;
+  const double home_j = floor.home_j(start);
+  EXPECT_GT(home_j, 100.0);
+  floor.tasks.records[0].shot = PlannedShot{};
+  floor.tasks.records[0].shot->flight_s = 0.8;
+  const double shot_j = 0.8 * floor.problem.supplies.power_w + floor.problem.supplies.shot_j;
+  floor.expect_needs(Fire{0, {}}, shot_j + home_j, true);
+  floor.expect_needs(AimGun{0.3, 0.2}, floor.any_shot_j() + home_j, true);
+  const Vec2 stop{1.0, 1.0};
+  const FollowWaypoints drive{{start.position, stop}};
+  floor.expect_needs(
+      drive, floor.drive_j(start, stop) + floor.any_shot_j() + floor.home_j(floor.after(start, stop)), true);
+
+  // To the well: as far as the charger behind it. To the dock: as far as there.
+  const Vec2 well = floor.problem.supplies.stations[0].position;
+  floor.tasks.queue.push_front({well, {}, StationCall{0, Store::water}});
+  floor.expect_needs(FollowWaypoints{{start.position, well}},
+                     floor.drive_j(start, well) + floor.home_j(floor.after(start, well)), false);
+  EXPECT_EQ(floor.lacking(AimGun{0.0, 0.0}, 0.0, 0.0), std::nullopt) << "the gun is stowed at a station";
+  floor.tasks.queue.front() = {floor.dock(), {}, StationCall{1, Store::charge}};
+  floor.expect_needs(FollowWaypoints{{start.position, floor.dock()}}, floor.drive_j(start, floor.dock()),
+                     false);
+  EXPECT_EQ(floor.lacking(Fill{{1, Store::charge}}, 0.0, 0.0), std::nullopt);
+
+  // Without a charger only what the command takes counts; without a battery nothing does.
+  OpenFloor no_dock;
+  no_dock.problem.supplies.stations.pop_back();
+  no_dock.expect_needs(AimGun{0.3, 0.2}, no_dock.any_shot_j(), true);
+  no_dock.problem.supplies.battery_wh = 0.0;
+  EXPECT_EQ(no_dock.lacking(drive, 3.0, 0.0), std::nullopt);
+  EXPECT_EQ(no_dock.lacking(drive, 0.0, 0.0), Store::water);
+}
+
+TEST(StoreKeeper, CutsAWaitSoThatTheChargeSufficesToGetToTheCharger) {
+  OpenFloor floor;
+  const double needed_j = floor.any_shot_j() + floor.home_j(floor.problem.start);
+  for (const double until_s : {70.0, std::numeric_limits<double>::infinity()}) {
+    Command wait = Wait{until_s};
+    const Observation seen = floor.with(0.0, needed_j + 30.0 * floor.problem.supplies.power_w);
+    EXPECT_EQ(lacking(wait, floor.tasks, seen, floor.problem, *floor.site), std::nullopt);
+    EXPECT_NEAR(std::get<Wait>(wait).until_s, 10.0 + 30.0, 1e-9);
+  }
+  Command brief = Wait{12.0};
+  EXPECT_EQ(lacking(brief, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.site), std::nullopt);
+  EXPECT_EQ(std::get<Wait>(brief).until_s, 12.0);
+  EXPECT_EQ(floor.lacking(Wait{70.0}, 3.0, needed_j - 1e-6), Store::charge);
+  floor.problem.supplies.power_w = 0.0;
+  Command free = Wait{1e9};
+  EXPECT_EQ(lacking(free, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.site), std::nullopt);
+  EXPECT_EQ(std::get<Wait>(free).until_s, 1e9);
+}
+
+TEST(StoreKeeper, GoesToTheChargerFirstWhenTheWaterIsTooFar) {
+  const Pose2 start = corners().start;
+  OpenFloor floor;
+  const Vec2 well = floor.problem.supplies.stations[0].position;
+  const double to_well_j = floor.drive_j(start, well) + floor.home_j(floor.after(start, well));
+  floor.provide(Store::water, 0.0, to_well_j + 1e-6);
+  ASSERT_EQ(floor.tasks.queue.size(), 2U);
+  EXPECT_EQ(floor.tasks.queue.front().call, (StationCall{0, Store::water}));
+  EXPECT_EQ(floor.tasks.queue.front().place, well);
+  EXPECT_EQ(floor.keeper.detours, 1);
+
+  OpenFloor flat;
+  flat.tasks.arrived = flat.tasks.aimed = true;
+  flat.provide(Store::water, 0.0, to_well_j - 1e-6);
+  ASSERT_EQ(flat.tasks.queue.size(), 2U);
+  EXPECT_EQ(flat.tasks.queue.front().call, (StationCall{1, Store::charge}));
+  EXPECT_FALSE(flat.tasks.arrived || flat.tasks.aimed);
+  EXPECT_FALSE(flat.keeper.stranded);
+}
+
+TEST(StoreKeeper, GivesUpWhenNoStationCanBeGotTo) {
+  OpenFloor flat;
+  const double to_dock_j = flat.home_j(flat.problem.start);
+  flat.tasks.records[1].status = TargetStatus::reached;
+  flat.provide(Store::charge, 3.0, to_dock_j - 1e-6);
+  EXPECT_TRUE(flat.keeper.stranded);
+  EXPECT_NE(flat.keeper.reason.find("the charge does not suffice"), std::string::npos) << flat.keeper.reason;
+  EXPECT_TRUE(flat.tasks.queue.empty());
+  EXPECT_EQ(flat.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_EQ(flat.tasks.records[0].reason, flat.keeper.reason);
+  EXPECT_EQ(flat.tasks.records[1].status, TargetStatus::reached);
+
+  OpenFloor dry;
+  dry.problem.supplies.stations.erase(dry.problem.supplies.stations.begin());
+  dry.provide(Store::water, 0.0, 3600.0);
+  EXPECT_TRUE(dry.keeper.stranded);
+  EXPECT_NE(dry.keeper.reason.find("the water does not suffice"), std::string::npos);
+}
+
+TEST(StoreKeeper, GivesUpATaskForWhichFullStoresDoNotSuffice) {
+  OpenFloor floor;
+  floor.provide(Store::charge, 3.0, 3600.0);
+  EXPECT_FALSE(floor.keeper.stranded);
+  EXPECT_TRUE(floor.tasks.queue.empty());
+  EXPECT_EQ(floor.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_NE(floor.tasks.records[0].reason.find("not even full stores"), std::string::npos);
+  EXPECT_EQ(floor.tasks.records[1].status, TargetStatus::waiting);
+
+  // Six fills without a shot between them are enough.
+  OpenFloor often;
+  for (int i = 0; i < 6; ++i) note_command(often.keeper, Fill{{1, Store::charge}});
+  EXPECT_EQ(often.keeper.fills, 6);
+  often.provide(Store::charge, 3.0, 1000.0);
+  EXPECT_EQ(often.tasks.records[0].status, TargetStatus::failed);
+  note_command(often.keeper, Fill{{1, Store::charge}});
+  note_command(often.keeper, Wait{1.0});
+  EXPECT_EQ(often.keeper.fills, 0);
+}
+
+}  // namespace
+}  // namespace outrider
