@@ -160,6 +160,7 @@ struct Ledger {
   double least_water = 0.0;
   double least_charge_j = 0.0;
   int fills = 0;
+  int recharges = 0;  ///< of these
 };
 
 /// Counts the stores from the track, the shots and the fills of a report, from full ones at its start.
@@ -169,7 +170,7 @@ inline Ledger count_stores(const Report& report, const GuardProblem& truth) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   const double tank = supplies.tank > 0.0 ? supplies.tank : endless;
   const double battery_j = supplies.battery_wh > 0.0 ? 3600.0 * supplies.battery_wh : endless;
-  Ledger ledger{tank, battery_j, tank, battery_j, 0};
+  Ledger ledger{tank, battery_j, tank, battery_j};
   std::vector<ReportEvent> fills;
   for (const ReportEvent& event : report.events) {
     if (event.kind == "fill") fills.push_back(event);
@@ -208,6 +209,7 @@ inline Ledger count_stores(const Report& report, const GuardProblem& truth) {
                                    : supplies.recharge_s + supplies.recharge_per_wh_s * missing;
       EXPECT_NEAR(to.time_s - from.time_s, takes_s, 0.01) << text;
       (water ? ledger.water : ledger.charge_j) = water ? tank : battery_j;
+      ledger.recharges += water ? 0 : 1;
       continue;
     }
     const Segment step{from.pose.position, to.pose.position};
