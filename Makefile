@@ -15,9 +15,10 @@ endif
 
 FUZZ_SECONDS ?= 60
 LOAD_SECONDS ?= 600
+MOMENTS ?= 50
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak load fuzz bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel load fuzz bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -69,13 +70,17 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz and load
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load and cancel
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
 	@OUTRIDER_CASES=100 ctest --preset soak -j $(JOBS) --timeout 3600
 	@$(MAKE) --no-print-directory fuzz
 	@$(MAKE) --no-print-directory load
+	@$(MAKE) --no-print-directory cancel
+
+cancel: build  ## stop each published scenario with Ctrl-C at MOMENTS random moments, 50 unless given; tells the worst latency
+	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/cancel_soak.py --moments $(MOMENTS)
 
 load: build  ## what strangers do to the server, mixed for LOAD_SECONDS, 600 unless given; tells the memory it took
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/serve_load.py $(LOAD_SECONDS)

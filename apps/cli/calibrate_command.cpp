@@ -75,7 +75,7 @@ Outcome<Recorded> runs_of(const CalibrateCommand& command) {
   job.scenario.calibration.clear();
   auto setup = load_drive(job.scenario);
   if (!setup) return pass_on(setup);
-  auto runs = record_runs(setup->task, setup->truth, static_cast<int>(command.repeats), command.measured_m,
+  auto runs = record_runs(setup->task, setup->sim, static_cast<int>(command.repeats), command.measured_m,
                           command.measured_rad, static_cast<std::uint64_t>(command.seed));
   return Recorded{std::move(setup->task.chassis), std::move(runs)};
 }

@@ -17,7 +17,6 @@
 #include "outrider/job/run_job.hpp"
 #include "progress.hpp"
 #include "run_output.hpp"
-#include "stop_on_signal.hpp"
 #include "terminal.hpp"
 
 namespace outrider::cli {
@@ -85,18 +84,19 @@ Status read_words(const Job& job, JobTask& task, JobRequest& request, const Comm
   return change(task, {{std::string(job.file_option), request.file}});
 }
 
-Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request, const StopOnSignal& stop) {
+Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request,
+                         const std::stop_token& stop) {
   Progress progress;
   Observers observers(request.live);
   RunWatch watch;
-  watch.stop = stop.token();
+  watch.stop = stop;
   watch.observer = observers.any();
   watch.progress = [&](const RunStep& step) { progress.show(step); };
   if (request.live) progress.end();
   return run_task(job, task, watch);
 }
 
-int execute(const Job& job, JobRequest& request, const Command& words) {
+int execute(const Job& job, JobRequest& request, const Command& words, const std::stop_token& stop) {
   const bool json = words.given("--json");
   if (auto ok = apply_flags(words, {describe(request)}); !ok) return say(ok.error(), json);
   if (auto ok = check(request.output, words.given("--out")); !ok) return say(ok.error(), json);
@@ -106,11 +106,14 @@ int execute(const Job& job, JobRequest& request, const Command& words) {
   if (request.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.threads));
   }
-  const StopOnSignal stop;
-  const auto run = run_watched(job, *task, request, stop);
+  auto run = run_watched(job, *task, request, stop);
   if (!run) return say(run.error(), json);
   const auto files = write_run(job, *run, request.output);
   if (!files) return say(files.error(), json);
+  if (files->empty() && !request.output.folder.empty()) {
+    run->report.warnings.push_back("it was cancelled before it began, so nothing was written to " +
+                                   request.output.folder);
+  }
   print_run(job, *run, *files, json);
   return run->report.status == "done" ? job_done : job_not_done;
 }
@@ -139,7 +142,7 @@ Status supply_from_stdin(const std::string& path) {
 
 }  // namespace
 
-void add_jobs(Command& tool, const std::vector<Job>& jobs) {
+void add_jobs(Command& tool, const std::vector<Job>& jobs, const std::stop_token& stop) {
   for (const Job& job : jobs) {
     std::string sentence(job.sentence.substr(0, job.sentence.find_last_not_of('.') + 1));
     sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
@@ -156,9 +159,14 @@ void add_jobs(Command& tool, const std::vector<Job>& jobs) {
     groups.insert(groups.begin(), describe(*request));
     add_flags(verb, groups);
     for (const auto& [alias, key] : job.aliases) add_alias(verb, groups, alias, key);
-    verb.does([job, request, usual](const Command& words) { return execute(job, *request, words); });
+    verb.does(
+        [job, request, usual, stop](const Command& words) { return execute(job, *request, words, stop); });
     if (!job.example.empty()) verb.footer(fmt::format("\nExample: outrider {}", job.example));
   }
+}
+
+bool runs_job(const std::vector<Job>& jobs, const std::vector<std::string>& words) {
+  return !words.empty() && (words[0] == "run" || std::ranges::count(jobs, words[0], &Job::name) > 0);
 }
 
 void add_run(Command& tool) {

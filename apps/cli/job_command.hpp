@@ -1,6 +1,7 @@
 // The verbs of the tool that run jobs, made from their catalogue: one for each job, and `run`.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,12 @@
 
 namespace outrider::cli {
 
-/// Adds a verb for each job: its options as flags, and the flags about output that all have.
-void add_jobs(Command& tool, const std::vector<Job>& jobs);
+/// Adds a verb for each job: its options as flags, and the flags about output that all have. The token ends
+/// the run.
+void add_jobs(Command& tool, const std::vector<Job>& jobs, const std::stop_token& stop);
+
+/// True when the words run a job: its verb, or `run`.
+bool runs_job(const std::vector<Job>& jobs, const std::vector<std::string>& words);
 
 /// Adds `run`, which takes a scenario and the flags of its job.
 void add_run(Command& tool);

@@ -65,7 +65,7 @@ int execute(ReplayCommand& command, const std::vector<Job>& jobs, const Command&
   const auto job = find_job(jobs, report->job, command.path);
   if (!job) return say(job.error(), command.json);
   if (command.json) {
-    print(run_json(*report, tables_of(*job, *report), {{"report", command.path}}));
+    print(run_json<nlohmann::ordered_json>(*report, tables_of(*job, *report), {{"report", command.path}}));
     return job_done;
   }
   show("{}", text_of(*job, *report));

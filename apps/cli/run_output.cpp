@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "output.hpp"
-#include "outrider/core/overload.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
@@ -19,50 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Counts without a decimal point; null for what is not known.
-Json number_json(double value) {
-  constexpr double exact = 9e15;
-  if (!std::isfinite(value)) return nullptr;
-  if (std::abs(value) < exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
-  return value;
-}
-
-Json point_json(Vec2 p) { return {number_json(p.x), number_json(p.y)}; }
-
-Json piece_json(const TableArc& piece) {
-  Json object = {{"from", point_json(piece.from)}, {"to", point_json(piece.to)}};
-  if (piece.turn_rad != 0.0) object["centre"] = point_json(piece.centre);
-  if (piece.turn_rad != 0.0) object["turn_rad"] = piece.turn_rad;
-  return object;
-}
-
-Json value_json(const TableValue& value) {
-  return std::visit(Overload{[](double number) { return number_json(number); },
-                             [](const std::string& text) { return Json(text); },
-                             [](Vec2 point) { return point_json(point); },
-                             [](const std::vector<Vec2>& points) {
-                               Json list = Json::array();
-                               for (const Vec2 p : points) list.push_back(point_json(p));
-                               return list;
-                             },
-                             [](const std::vector<TableArc>& pieces) {
-                               Json list = Json::array();
-                               for (const TableArc& piece : pieces) list.push_back(piece_json(piece));
-                               return list;
-                             }},
-                    value);
-}
-
-Json table_json(const Table& table) {
-  Json rows = Json::array();
-  for (const auto& row : table.rows) {
-    Json object = Json::object();
-    for (std::size_t i = 0; i < table.columns.size(); ++i) object[table.columns[i]] = value_json(row[i]);
-    rows.push_back(std::move(object));
-  }
-  return rows;
-}
-
 /// Something to play: a robot that moves, or a pursuit.
 bool plays(const Report& report) { return !report.track.empty() || report.chase; }
 
@@ -71,7 +25,7 @@ bool plays(const Report& report) { return !report.track.empty() || report.chase;
 std::string answer_text(const Run& run, const std::vector<Table>& tables) {
   Report report = run.report;
   report.machine_times.clear();
-  Json object = run_json(report, tables, {});
+  Json object = run_json<Json>(report, tables, {});
   for (const Table& table : tables) {
     for (Json& row : object[table.name]) {
       row.erase("time_s");
@@ -114,7 +68,8 @@ Status check(const RunOutput& output, bool folder_given) {
 }
 
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output) {
-  if (output.folder.empty()) return WrittenFiles{};
+  const bool begun = run.report.status != "cancelled" || has_parts(run.report);
+  if (output.folder.empty() || !begun) return WrittenFiles{};
   const std::string name(job.name);
   const bool moves = plays(run.report);
   std::vector<NamedText> texts = {
@@ -142,25 +97,11 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput&
   return written;
 }
 
-nlohmann::ordered_json run_json(const Report& report, const std::vector<Table>& tables,
-                                const WrittenFiles& files) {
-  Json metrics = Json::object(), paths = Json::object();
-  for (const auto& [name, value] : report.metrics) metrics[name] = number_json(value);
-  for (const auto& [name, value] : report.machine_times) metrics[name] = number_json(value);
-  for (const auto& [name, path] : files) paths[name] = path;
-  Json object = {
-      {"status", report.status}, {"job", report.job}, {"reason", report.reason}, {"metrics", metrics}};
-  for (const Table& table : tables) object[table.name] = table_json(table);
-  object["files"] = std::move(paths);
-  object["warnings"] = report.warnings;
-  return object;
-}
-
 void print_run(const Job& job, const Run& run, const WrittenFiles& files, bool json) {
   const Report& report = run.report;
   warn(report.warnings);
   if (json) {
-    print(run_json(report, all_tables(job, run), files));
+    print(run_json<Json>(report, all_tables(job, run), files));
     return;
   }
   show("{}", job.run_summary ? job.run_summary(run) : text_of(job, report));

@@ -1,12 +1,11 @@
 // A run on the terminal, as JSON and in a folder.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "outrider/job/job.hpp"
+#include "outrider/job/run_json.hpp"
 
 namespace outrider::cli {
 
@@ -19,12 +18,10 @@ struct RunOutput {
 /// Refuses a folder that cannot be made, a page without a folder, and one where the tool has none.
 Status check(const RunOutput& output, bool folder_given);
 
-/// What stands in the folder, and where: "report", "picture", "page", and what the job made by its names.
-using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
-
 /// Writes the report (of a run with nothing to play, the object that is printed), its moving picture unless
 /// the job has drawn one, the page and what the job made: all of them or none. Pictures and page are made
-/// from the text of the report, so that a replay makes the same.
+/// from the text of the report, so that a replay makes the same. Of a run that was cancelled before its
+/// mission began nothing is written, so that what an earlier one left stays whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output);
 
 /// The tables of a report; none of one that has nothing to tell, as when it was cancelled at once.
@@ -32,11 +29,6 @@ std::vector<Table> tables_of(const Job& job, const Report& report);
 
 /// The report in words for people.
 std::string text_of(const Job& job, const Report& report);
-
-/// {"status", "job", "reason", "metrics", the tables by their names, "files", "warnings"}; numbers that are
-/// not known are null.
-nlohmann::ordered_json run_json(const Report& report, const std::vector<Table>& tables,
-                                const WrittenFiles& files);
 
 /// Prints warnings, and the run as JSON or for people.
 void print_run(const Job& job, const Run& run, const WrittenFiles& files, bool json);

@@ -82,22 +82,6 @@ Status check_token(const ServeCommand& command) {
   return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
 }
 
-/// The forms of the page: the options of each job, which point into tasks that live as long.
-class Forms {
- public:
-  explicit Forms(const std::vector<Job>& jobs) {
-    for (const Job& job : jobs) {
-      tasks_.push_back(job.blank());
-      all.push_back({std::string(job.name), std::string(job.sentence), tasks_.back()->options()});
-    }
-  }
-
-  std::vector<server::JobForm> all;
-
- private:
-  std::vector<std::unique_ptr<JobTask>> tasks_;
-};
-
 /// This program, to run missions with.
 std::string own_path() {
   std::error_code error;
@@ -128,11 +112,10 @@ int execute(ServeCommand& command, const std::vector<Job>& jobs, const Command& 
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ends, number);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
 
-  const Forms forms(jobs);
   server::AppSettings settings;
   settings.version = OUTRIDER_VERSION;
   settings.token = command.token;
-  settings.jobs = forms.all;
+  settings.jobs = jobs;
   settings.runs.tool = own_path();
   settings.runs.at_once = static_cast<std::size_t>(command.jobs);
   settings.runs.memory_bytes = static_cast<std::size_t>(command.memory_mib) << 20U;

@@ -2,17 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string_view>
 
 #include "commands.hpp"
 #include "job_command.hpp"
 #include "output.hpp"
 #include "outrider/io/confinement.hpp"
+#include "stop_on_signal.hpp"
 
 namespace outrider::cli {
 namespace {
@@ -27,6 +30,14 @@ bool wants_json(int argc, char** argv) {
 }
 
 int run(const std::vector<Job>& jobs, int argc, char** argv) {
+  std::vector<std::string> given(argv + 1, argv + argc);
+  // From the first moment, but while a scenario is typed: nothing has begun then that could end well.
+  std::optional<StopOnSignal> stop;
+  const bool listens = runs_job(jobs, given);
+  if (listens && std::ranges::count(given, "--stdin") == 0) stop.emplace();
+  const auto words = expand_run(jobs, std::move(given));
+  if (!words) return say(words.error(), wants_json(argc, argv));
+  if (listens && !stop) stop.emplace();
   Command tool("outrider", "A ground robot finds its way, and does a job, in a yard or a building.",
                OUTRIDER_VERSION);
   tool.footer(
@@ -34,7 +45,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
       "Exit status: 0 the job was done, 1 it was not, 2 the request or an input was wrong,\n"
       "3 an answer could not be written, as on a full disk.");
   add_run(tool);
-  add_jobs(tool, jobs);
+  add_jobs(tool, jobs, stop ? stop->token() : std::stop_token());
   add_calibrate(tool);
   add_detect(tool);
   add_replay(tool, jobs);
@@ -42,8 +53,6 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   add_bench(tool);
   add_list(tool, jobs);
   add_schema(tool, jobs);
-  const auto words = expand_run(jobs, {argv + 1, argv + argc});
-  if (!words) return say(words.error(), wants_json(argc, argv));
   const auto status = tool.run(*words);
   return status ? *status : say(status.error(), wants_json(argc, argv));
 }

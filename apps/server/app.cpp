@@ -101,7 +101,7 @@ App::App(Folder folder, AppSettings settings)
       rate_(requests_per_second, requests_at_once),
       strangers_(refusals_per_second, refusals_at_once),
       shared_(planning_slots()),
-      runs_(folder_, settings_.runs),
+      runs_(folder_, settings_.runs, settings_.jobs),
       live_(runs_, shared_, settings_.version) {}
 
 void App::close() {
@@ -206,8 +206,8 @@ Response App::version(const Request&, const Parts&) {
 Response App::list_files(const Request&, const Parts&) {
   auto listed = folder_.list();
   for (auto& file : listed["files"]) {
-    const bool known = std::ranges::any_of(
-        settings_.jobs, [&](const JobForm& job) { return file.value("job", "") == job.name; });
+    const bool known = std::ranges::any_of(settings_.jobs,
+                                           [&](const Job& job) { return file.value("job", "") == job.name; });
     if (file["kind"] == "scenario" && !known) file["kind"] = "other";
   }
   return json_response(listed);

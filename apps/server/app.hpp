@@ -24,8 +24,8 @@ inline constexpr std::size_t largest_body_bytes = std::size_t{32} << 20U;
 
 struct AppSettings {
   std::string version;
-  std::string token;          ///< empty: loopback only, no token
-  std::vector<JobForm> jobs;  ///< for the catalogue
+  std::string token;      ///< empty: loopback only, no token
+  std::vector<Job> jobs;  ///< that can be run
   std::span<const page::File> files = page::files();
   RunSettings runs;
   ReadFiles read = {};  ///< reads maps and scenarios

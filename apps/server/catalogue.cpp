@@ -72,12 +72,13 @@ Json option_json(const Option& option) {
   return object;
 }
 
-Json catalogue_json(const std::vector<JobForm>& jobs) {
+Json catalogue_json(const std::vector<Job>& jobs) {
   Json planners = Json::array(), job_list = Json::array();
   for (const PathPlanner& planner : path_planners()) planners.push_back(planner_json(planner));
-  for (const JobForm& job : jobs) {
+  for (const Job& job : jobs) {
     Json groups = Json::array();
-    for (const OptionGroup& group : job.groups) {
+    const auto task = job.blank();
+    for (const OptionGroup& group : task->options()) {
       groups.push_back(
           {{"name", group.name}, {"sentence", group.sentence}, {"options", options_json(group.options)}});
     }

@@ -144,8 +144,7 @@ Folder::Kind Folder::kind_of(const std::string& path) const {
     const std::string head = first_bytes(path, 4000);
     if (has_key(head, "image")) return {"map", {}};
     const auto content = text(path, largest_saved_bytes);
-    auto job = content ? scenario_job_from_text(*content, path) : Outcome<std::string>("");
-    if (job && job->empty() && has_key(head, "world")) *job = "guard";  // what `outrider run` takes it for
+    const auto job = content ? scenario_job_from_text(*content, path) : Outcome<std::string>("");
     return job && !job->empty() ? Kind{"scenario", *job} : Kind{"other", {}};
   }
   for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {

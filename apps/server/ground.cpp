@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "outrider/path/from_polygons.hpp"
-#include "outrider/path/grid/from_occupancy.hpp"
+#include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider::server {
@@ -38,7 +37,7 @@ Edit polygon_edit(Fields& fields) {
 }
 
 /// The cells after the edits, all of which lie on the grid.
-Outcome<Grid<std::uint8_t>> edited(const CellMap& map, const std::vector<Edit>& edits) {
+Outcome<Grid<std::uint8_t>> edited(const MapCells& map, const std::vector<Edit>& edits) {
   Grid<std::uint8_t> cells = map.occupancy;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const CellChange& change = edits[i].cells;
@@ -78,55 +77,16 @@ Outcome<std::vector<std::vector<Vec2>>> edited(const PolygonMap& map, const std:
   return obstacles;
 }
 
-Status add_grid(PreparedGround& ground, GridModel model) {
-  auto grid = GridGround::of(ground.blocked, model);
-  if (!grid) return pass_on(grid);
-  ground.grid = std::make_shared<const GridGround>(std::move(*grid));
-  return {};
-}
-
-Outcome<PreparedGround> prepare_cells(const GroundRequest& request, const CellMap& map) {
-  if (request.polygons) {
-    return bad_input(
-        "this planner takes polygons, and the map has cells; the catalogue tells which take what", "planner");
-  }
-  auto cells = edited(map, request.edits);
-  if (!cells) return pass_on(cells);
-  auto blocked = inflated(*cells, request.radius_m);
-  if (!blocked) return pass_on(blocked);
-  PreparedGround ground{std::move(*blocked), map.yaw_rad, {}, {}};
-  if (auto ok = add_grid(ground, request.model); !ok) return pass_on(ok);
-  return ground;
-}
-
-Outcome<PreparedGround> prepare_polygons(const GroundRequest& request, const PolygonMap& map) {
-  auto obstacles = edited(map, request.edits);
-  if (!obstacles) return pass_on(obstacles);
-  auto polygons = PolygonGround::of(map.boundary, std::move(*obstacles), request.radius_m);
-  if (!polygons) return pass_on(polygons);
-  PreparedGround ground;
-  ground.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));
-  if (request.polygons) return ground;
-  GridOptions options{.resolution_m = request.resolution_m};
-  options.most_cells = static_cast<std::int64_t>(most_map_cells);
-  auto blocked = blocked_for_disk(*ground.polygons, options);
-  if (!blocked) return pass_on(blocked);
-  ground.blocked = std::move(*blocked);
-  if (auto ok = add_grid(ground, request.model); !ok) return pass_on(ok);
+/// Without the cells as they were read: nobody draws them here.
+Outcome<PlanGround> made_anew(const GroundRequest& request) {
+  const auto map = edited(*request.map, request.edits);
+  if (!map) return tl::unexpected<Fault>(map.error());
+  auto ground = plan_ground(map->shape, request.options);
+  if (ground) ground->occupied = {};
   return ground;
 }
 
 }  // namespace
-
-Vec2 PreparedGround::to_grid(Vec2 world) const {
-  if (yaw_rad == 0.0) return world;
-  return blocked.frame.origin + unrotated(yaw_rad, world - blocked.frame.origin);
-}
-
-Vec2 PreparedGround::to_world(Vec2 grid_point) const {
-  if (yaw_rad == 0.0) return grid_point;
-  return blocked.frame.origin + rotated(yaw_rad, grid_point - blocked.frame.origin);
-}
 
 Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map) {
   std::vector<Edit> edits;
@@ -134,7 +94,7 @@ Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map
     return bad_input("more than 10,000 edits; post the map as it is now", "edits");
   for (std::size_t i = 0; i < list.size(); ++i) {
     Fields fields(list[i], fmt::format("edits[{}]", i));
-    edits.push_back(std::holds_alternative<CellMap>(map.shape) ? cell_edit(fields) : polygon_edit(fields));
+    edits.push_back(std::holds_alternative<MapCells>(map.shape) ? cell_edit(fields) : polygon_edit(fields));
     if (auto ok = fields.end(); !ok) return pass_on(ok);
   }
   return edits;
@@ -142,7 +102,7 @@ Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map
 
 Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits) {
   KnownMap after = map;
-  if (auto* cells = std::get_if<CellMap>(&after.shape)) {
+  if (auto* cells = std::get_if<MapCells>(&after.shape)) {
     auto occupancy = edited(*cells, edits);
     if (!occupancy) return pass_on(occupancy);
     cells->occupancy = std::move(*occupancy);
@@ -154,16 +114,10 @@ Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits) {
   return after;
 }
 
-Outcome<PreparedGround> prepare(const GroundRequest& request) {
-  if (const auto* cells = std::get_if<CellMap>(&request.map->shape)) return prepare_cells(request, *cells);
-  return prepare_polygons(request, std::get<PolygonMap>(request.map->shape));
-}
-
-Outcome<PreparedGround> GroundStore::make(const GroundRequest& request) {
-  const bool known = request.polygons && !request.earlier_text.empty();
-  if (!known || request.edits.back().kind != Edit::Kind::add || request.edits.back().corners.empty()) {
-    return prepare(request);
-  }
+Outcome<PlanGround> GroundStore::make(const GroundRequest& request) {
+  const bool grows = !request.options.needs_grid && !request.earlier_text.empty() &&
+                     request.edits.back().kind == Edit::Kind::add && !request.edits.back().corners.empty();
+  if (!grows) return made_anew(request);
   GroundRequest earlier = request;
   earlier.edits.pop_back();
   earlier.edits_text = std::exchange(earlier.earlier_text, {});
@@ -171,15 +125,15 @@ Outcome<PreparedGround> GroundStore::make(const GroundRequest& request) {
   if (!ground) return pass_on(ground);
   auto more = (*ground)->polygons->with_obstacle(request.edits.back().corners);
   if (!more) return pass_on(more);
-  PreparedGround made;
+  PlanGround made = **ground;
   made.polygons = std::make_shared<const PolygonGround>(std::move(*more));
   return made;
 }
 
-Outcome<std::shared_ptr<const PreparedGround>> GroundStore::get(const GroundRequest& request) {
-  std::string name =
-      fmt::format("{} {} {} {} {} {}", request.map->id, request.polygons, to_string(request.model),
-                  request.radius_m, request.resolution_m, request.edits_text);
+Outcome<std::shared_ptr<const PlanGround>> GroundStore::get(const GroundRequest& request) {
+  std::string name = fmt::format("{} {} {} {} {} {}", request.map->id, request.options.needs_grid,
+                                 to_string(request.options.model), request.options.radius_m,
+                                 request.options.grid.resolution_m, request.edits_text);
   {
     const std::lock_guard lock(mutex_);
     const auto found =
@@ -191,7 +145,7 @@ Outcome<std::shared_ptr<const PreparedGround>> GroundStore::get(const GroundRequ
   }
   auto made = make(request);
   if (!made) return pass_on(made);
-  auto ground = std::make_shared<const PreparedGround>(std::move(*made));
+  auto ground = std::make_shared<const PlanGround>(std::move(*made));
   const std::lock_guard lock(mutex_);
   rows_.push_front({std::move(name), ground});
   if (rows_.size() > most_grounds) rows_.pop_back();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "maps.hpp"
-#include "outrider/path/problem.hpp"
+#include "outrider/jobs/plan/ground.hpp"
 
 namespace outrider::server {
 
@@ -27,22 +27,9 @@ struct Edit {
 struct GroundRequest {
   std::shared_ptr<const KnownMap> map;
   std::vector<Edit> edits;
-  std::string edits_text;                ///< the same as JSON: a name for them
-  std::string earlier_text = {};         ///< all but the last of them; empty: there are none, or not told
-  bool polygons = false;                 ///< the planner takes polygons
-  GridModel model = GridModel::corners;  ///< else the grid that it takes
-  double radius_m = 0.18;
-  double resolution_m = 0.1;  ///< of a grid that is made of polygons
-};
-
-struct PreparedGround {
-  Grid<std::uint8_t> blocked;  ///< cells where the centre must not be; empty for planners on polygons
-  double yaw_rad = 0.0;        ///< of the grid about its origin
-  std::shared_ptr<const GridGround> grid;
-  std::shared_ptr<const PolygonGround> polygons;
-
-  [[nodiscard]] Vec2 to_grid(Vec2 world) const;
-  [[nodiscard]] Vec2 to_world(Vec2 grid) const;
+  std::string edits_text;         ///< the same as JSON: a name for them
+  std::string earlier_text = {};  ///< all but the last of them; empty: there are none, or not told
+  PlanGroundOptions options;      ///< without changes: edits come before the map is grown
 };
 
 /// Edits from their JSON form, for a map of cells or of polygons.
@@ -51,21 +38,19 @@ Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map
 /// The map after the edits. Fault: bad_input on edits that leave the map.
 Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits);
 
-/// Faults: bad_input on edits that leave the map, polygons that cross themselves, polygons asked of cells.
-Outcome<PreparedGround> prepare(const GroundRequest& request);
-
-/// The grounds that were used last. Thread rule: any thread may ask.
+/// The grounds that were used last. Faults: bad_input on edits that leave the map; those of plan_ground().
+/// Thread rule: any thread may ask.
 class GroundStore {
  public:
-  Outcome<std::shared_ptr<const PreparedGround>> get(const GroundRequest& request);
+  Outcome<std::shared_ptr<const PlanGround>> get(const GroundRequest& request);
 
  private:
   struct Row {
     std::string name;
-    std::shared_ptr<const PreparedGround> ground;
+    std::shared_ptr<const PlanGround> ground;
   };
   /// An obstacle that is added last, and dragged, leaves the ground without it as it was.
-  Outcome<PreparedGround> make(const GroundRequest& request);
+  Outcome<PlanGround> make(const GroundRequest& request);
 
   std::mutex mutex_;
   std::list<Row> rows_;  // newest use first

@@ -144,8 +144,8 @@ std::string Viewer::answer(const Json& message) {
   } catch (const std::exception& broken) {
     plan = bad_input(std::string("this is a bug: ") + broken.what());
   }
+  if (!plan && plan.error().code == FaultCode::cancelled) return superseded(message);
   if (!plan) return error_text(plan.error(), id_of(message));
-  if (stop.stop_requested() && plan->value("code", "") == "cancelled") return superseded(message);
   Json answer = {{"type", "plan"}, {"id", id_of(message)}};
   answer["result"] = std::move(*plan);
   return text_of(answer);

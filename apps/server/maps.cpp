@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base64.hpp"
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/jobs/plan/scenario.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/world/occupancy.hpp"
 
@@ -33,7 +33,7 @@ Json polygons_json(const PolygonMap& map) {
 }
 
 Json shape_json(const KnownMap& map) {
-  if (const auto* cells = std::get_if<CellMap>(&map.shape)) {
+  if (const auto* cells = std::get_if<MapCells>(&map.shape)) {
     return {{"grid", grid_json(cells->occupancy, cells->yaw_rad)}};
   }
   return {{"polygons", polygons_json(std::get<PolygonMap>(map.shape))}};
@@ -41,7 +41,7 @@ Json shape_json(const KnownMap& map) {
 
 /// What makes a map the one that it is, as bytes.
 std::string identity_of(const KnownMap& map) {
-  const auto* cells = std::get_if<CellMap>(&map.shape);
+  const auto* cells = std::get_if<MapCells>(&map.shape);
   if (cells == nullptr) return text_of(shape_json(map));
   const GridFrame& frame = cells->occupancy.frame;
   const auto& bytes = cells->occupancy.cells;
@@ -81,8 +81,8 @@ std::vector<std::uint8_t> cells_of_runs(Fields& fields, std::size_t count) {
 }
 
 /// The frame and the turn of a grid. `fields` takes the fault.
-CellMap empty_grid(Fields& fields) {
-  CellMap cells;
+MapCells empty_grid(Fields& fields) {
+  MapCells cells;
   GridFrame& frame = cells.occupancy.frame;
   frame.origin = fields.point("origin", Vec2{});
   frame.resolution_m = fields.number("resolution_m", 1e-4, 1e3);
@@ -97,7 +97,7 @@ CellMap empty_grid(Fields& fields) {
 
 Outcome<KnownMap> unpacked_cells(const Json& packed) {
   Fields fields(packed, "cells");
-  CellMap cells = empty_grid(fields);
+  MapCells cells = empty_grid(fields);
   const auto bytes = base64_decoded(fields.text("base64"));
   if (!bytes || bytes->size() != cells.occupancy.frame.size() ||
       std::ranges::any_of(*bytes, [](char c) { return static_cast<unsigned char>(c) > unknown_cell; })) {
@@ -108,12 +108,38 @@ Outcome<KnownMap> unpacked_cells(const Json& packed) {
   return KnownMap{{}, {}, std::move(cells), {}};
 }
 
+/// Cells, or polygons: of a world what stands in the way.
+Outcome<MapShape> shape_of(MapShape shape, double robot_height_m) {
+  const auto* world = std::get_if<World>(&shape);
+  if (world == nullptr) return shape;
+  auto polygons = polygons_of(*world, robot_height_m);
+  return polygons ? Outcome<MapShape>(std::move(*polygons)) : pass_on(polygons);
+}
+
 std::size_t memory_of(const KnownMap& map) {
-  const auto* cells = std::get_if<CellMap>(&map.shape);
+  const auto* cells = std::get_if<MapCells>(&map.shape);
   return cells == nullptr ? 0 : cells->occupancy.cells.size();
 }
 
 }  // namespace
+
+double usual_radius_m(MapKind kind) { return settle({}, kind, {}).radius_m; }
+
+Outcome<ReadMap> read_map(const std::string& path, const Folder& folder, double robot_height_m) {
+  const auto place = folder.resolve(path);
+  if (!place) return bad_input("it lies outside the folder that is served", path);
+  auto map = load_map(place->string(), {.most_cells = most_map_cells});
+  if (!map) return tl::unexpected(without_folder(std::move(map.error()), folder.root()));
+  auto shape = shape_of(std::move(map->shape), robot_height_m);
+  if (!shape) return pass_on(shape);
+  for (std::string& warning : map->warnings) warning = without_folder(std::move(warning), folder.root());
+  return ReadMap{{{},
+                  place->filename().string(),
+                  std::move(*shape),
+                  std::move(map->warnings),
+                  usual_radius_m(map->kind)},
+                 map->kind};
+}
 
 Json grid_json(const Grid<std::uint8_t>& cells, double yaw_rad) {
   const GridFrame& frame = cells.frame;
@@ -141,7 +167,7 @@ Json map_json(const KnownMap& map) {
 
 Json packed(const KnownMap& map) {
   Json object = {{"name", map.name}, {"radius_m", map.radius_m}, {"warnings", map.warnings}};
-  if (const auto* cells = std::get_if<CellMap>(&map.shape)) {
+  if (const auto* cells = std::get_if<MapCells>(&map.shape)) {
     const GridFrame& frame = cells->occupancy.frame;
     const auto& bytes = cells->occupancy.cells;
     object["cells"] = {
@@ -169,7 +195,7 @@ Outcome<KnownMap> unpacked(const Json& packed) {
 
 Outcome<KnownMap> grid_map_from_json(const Json& grid, const std::string& where) {
   Fields fields(grid, where);
-  CellMap cells = empty_grid(fields);
+  MapCells cells = empty_grid(fields);
   const std::size_t size = cells.occupancy.frame.size();
   if (size <= most_map_cells) cells.occupancy.cells = cells_of_runs(fields, size);
   if (auto ok = fields.end(); !ok) return pass_on(ok);
@@ -201,7 +227,7 @@ Outcome<KnownMap> polygon_map_from_json(const Json& polygons, const std::string&
     return bad_input(fmt::format("{} corners are too many; it takes {}", corners, most_polygon_corners),
                      where);
   }
-  return KnownMap{{}, "drawn", std::move(map), {}};
+  return KnownMap{{}, "drawn", std::move(map), {}, usual_radius_m(MapKind::polygons)};
 }
 
 std::shared_ptr<const KnownMap> MapStore::keep(KnownMap map) {

@@ -7,33 +7,28 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "fields.hpp"
 #include "folder.hpp"
 #include "outrider/core/outcome.hpp"
-#include "outrider/io/polygons.hpp"
-#include "outrider/world/grid.hpp"
-#include "outrider/world/world.hpp"
+#include "outrider/io/map.hpp"
+#include "outrider/jobs/plan/ground.hpp"
 
 namespace outrider::server {
 
 inline constexpr std::size_t most_map_cells = 4'000'000;
 inline constexpr std::size_t most_map_queries = 1000;
 
-struct CellMap {
-  Grid<std::uint8_t> occupancy;  ///< Occupancy of each cell
-  double yaw_rad = 0.0;          ///< of the grid about its origin, in the world
-};
+/// That of the job plan where none is given.
+double usual_radius_m(MapKind kind);
 
 struct KnownMap {
   std::string id;  ///< a hash of what follows, 16 hexadecimal digits
   std::string name;
-  std::variant<CellMap, PolygonMap> shape;
+  MapShape shape;  ///< cells or polygons, no world
   std::vector<std::string> warnings;
-  double radius_m = 0.18;  ///< of the robot where none is asked for; 0 on MovingAI maps
+  double radius_m = usual_radius_m(MapKind::map_server);  ///< of the robot where none is asked for
 };
 
 /// {"origin", "resolution_m", "width", "height", "runs": [value, count, ...], "yaw_rad"}
@@ -49,13 +44,14 @@ Outcome<KnownMap> polygon_map_from_json(const Json& polygons, const std::string&
 Json packed(const KnownMap& map);
 Outcome<KnownMap> unpacked(const Json& packed);
 
-/// By its name: map_server .yaml, .png and .pgm alone (0.05 m a pixel), .map, polygons .txt, .sdf and .world
-/// as the polygons that stand in the way of a robot 0.2 m high; .gz after any. `path` is as in requests. For
-/// the process that reads (reading.hpp).
-Outcome<KnownMap> load_known_map(const std::string& path, const Folder& folder);
-
-/// What stands in the way of a robot of that radius and height in a world, as polygons.
-Outcome<PolygonMap> polygons_of(const World& world, double radius_m, double height_m);
+/// What load_map() reads; of a world the polygons that stand in the way of a robot. `path` is as in requests.
+/// For the process that reads (reading.hpp).
+struct ReadMap {
+  KnownMap map;
+  MapKind kind;
+};
+Outcome<ReadMap> read_map(const std::string& path, const Folder& folder,
+                          double robot_height_m = PlanGroundOptions{}.height_m);
 
 /// The newest maps: at most 32, and of those of more than 1 MiB at most 64 MiB in all. Thread rule: any
 /// thread may ask.

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
-#include "message.hpp"
-#include "outrider/path/catalog.hpp"
-#include "outrider/path/check.hpp"
-#include "outrider/path/safety.hpp"
+#include "outrider/job/run_json.hpp"
+#include "outrider/jobs/plan/answer.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 
 namespace outrider::server {
@@ -16,12 +13,11 @@ namespace {
 
 constexpr std::size_t most_legs = 20'000;
 
+/// A question on a ground that is still to be made, and what to show of its answer.
 struct Question {
   GroundRequest ground;
-  Vec2 start;
-  Vec2 goal;
-  PathPlanner planner;
-  ConfiguredPlanner configured;
+  PlanQuery query;
+  ChosenPlanner planner;
   std::size_t trace = 0;
   bool blocked = false;
   bool legs = false;
@@ -57,31 +53,29 @@ Status configure(ConfiguredPlanner& planner, const Json* options) {
   return {};
 }
 
-/// The grid that the planner takes: the one that is asked for, or its first.
+/// The grid that is asked for, or the first that the planner takes.
 Outcome<GridModel> model_of(const PathPlanner& planner, const std::string& asked) {
-  if (asked.empty()) return planner.models.empty() ? GridModel::corners : planner.models.front();
-  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-    if (to_string(model) != asked) continue;
-    if (planner.polygons || planner.takes(model)) return model;
-    return bad_input(fmt::format("{} takes no grid of {}", planner.name, asked), "model");
-  }
-  return bad_input("it takes cells or corners", "model");
+  if (!asked.empty()) return find_grid_model(asked);
+  return planner.models.empty() ? GridModel::corners : planner.models.front();
 }
 
-Outcome<Question> question_of(const Json& request, PlanningMemory& memory) {
+Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory) {
   Fields fields(request, "");
   auto map = map_of(fields, memory);
   if (!map) return pass_on(map);
   auto planner = find_path_planner(fields.text("planner", "a_star"));
   if (!planner) return bad_input(planner.error().sentence, "planner");
-  Question question{{*map, {}, {}}, {}, {}, *planner, planner->configure()};
+  const bool cells = std::holds_alternative<MapCells>((*map)->shape);
+  Question question{{*map, {}, {}}, {}, {*planner, planner->configure()}};
   GroundRequest& ground = question.ground;
-  ground.polygons = planner->polygons;
-  question.start = fields.point("start");
-  question.goal = fields.point("goal");
-  const double least_radius = std::holds_alternative<CellMap>((*map)->shape) ? 0.0 : least_polygon_radius_m;
-  ground.radius_m = fields.number("radius_m", least_radius, 1e3, (*map)->radius_m);
-  ground.resolution_m = fields.number("resolution_m", 1e-3, 1e3, 0.1);
+  ground.options.needs_grid = !planner->polygons;
+  ground.options.grid.most_cells = static_cast<std::int64_t>(most_map_cells);
+  question.query.from = fields.point("start");
+  question.query.to = fields.point("goal");
+  ground.options.radius_m =
+      fields.number("radius_m", cells ? 0.0 : least_polygon_radius_m, 1e3, (*map)->radius_m);
+  ground.options.grid.resolution_m =
+      fields.number("resolution_m", 1e-3, 1e3, ground.options.grid.resolution_m);
   question.trace = static_cast<std::size_t>(fields.integer("trace", 0, most_traced, 0));
   question.blocked = fields.boolean("blocked", false);
   question.legs = fields.boolean("legs", false);
@@ -91,8 +85,9 @@ Outcome<Question> question_of(const Json& request, PlanningMemory& memory) {
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   auto model = model_of(*planner, asked);
   if (!model) return pass_on(model);
-  ground.model = *model;
-  if (auto ok = configure(question.configured, options); !ok) return pass_on(ok);
+  if (auto ok = check_takes(*planner, *model, !cells); !ok) return pass_on(ok);
+  ground.options.model = *model;
+  if (auto ok = configure(question.planner.second, options); !ok) return pass_on(ok);
   auto changes = edits_from_json(*edits, **map);
   if (!changes) return pass_on(changes);
   ground.edits = std::move(*changes);
@@ -104,8 +99,6 @@ Outcome<Question> question_of(const Json& request, PlanningMemory& memory) {
   }
   return question;
 }
-
-Json point_json(Vec2 p) { return {p.x, p.y}; }
 
 /// x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue.
 Json openings_json(const Trace& trace, const GridGround& grid) {
@@ -136,7 +129,7 @@ Json placed_trace_json(const Trace& trace, Measure measure) {
           {"truncated", trace.expansions.size() == trace.most}};
 }
 
-Json trace_json(const Trace& trace, const PreparedGround& ground) {
+Json trace_json(const Trace& trace, const PlanGround& ground) {
   const GridGround& grid = *ground.grid;
   Json rows = Json::array();
   for (const Expansion& expansion : trace.expansions) {
@@ -150,54 +143,12 @@ Json trace_json(const Trace& trace, const PreparedGround& ground) {
           {"unit", "cells"},
           {"model", to_string(grid.model)},
           {"frame",
-           {{"origin", point_json(frame.origin)},
+           {{"origin", point_json<Json>(frame.origin)},
             {"resolution_m", frame.resolution_m},
             {"width", frame.width},
             {"height", frame.height},
             {"yaw_rad", ground.yaw_rad}}},
           {"truncated", trace.expansions.size() == trace.most}};
-}
-
-Json pieces_json(const Plan& plan) {
-  Json pieces = Json::array();
-  for (const PathPiece& piece : plan.pieces) {
-    Json one = {{"from", point_json(piece.from)}, {"to", point_json(piece.to)}};
-    if (piece.turn_rad != 0.0) one["centre"] = point_json(piece.centre);
-    if (piece.turn_rad != 0.0) one["turn_rad"] = piece.turn_rad;
-    pieces.push_back(std::move(one));
-  }
-  return pieces;
-}
-
-Json plan_json(const Question& question, const Problem& problem, const PreparedGround& ground,
-               const Plan& plan) {
-  Json waypoints = Json::array();
-  for (const Vec2 p : plan.waypoints) waypoints.push_back(point_json(ground.to_world(p)));
-  const double clearance_m = safety_of(plan, problem).clearance_m;
-  return {{"status", "done"},
-          {"planner", question.planner.name},
-          {"model", problem.polygons ? "polygons" : to_string(ground.grid->model)},
-          {"cost", plan.cost},
-          {"cost_unit", unit_of(question.planner.guarantee.measure)},
-          {"lower_bound", plan.lower_bound},
-          {"length_m", length_of(plan)},
-          {"reached_within_m", plan.reached_within},
-          {"clearance_m", clearance_m},
-          {"counters",
-           {{"expansions", plan.counters.expansions},
-            {"generated", plan.counters.generated},
-            {"line_of_sight_checks", plan.counters.line_of_sight_checks}}},
-          {"waypoints", std::move(waypoints)},
-          {"pieces", pieces_json(plan)}};
-}
-
-/// That nothing was found, in the words of the planner.
-Json fault_answer(const Question& question, const Fault& fault) {
-  const bool searched = fault.code == FaultCode::no_path || fault.code == FaultCode::budget_exhausted ||
-                        fault.code == FaultCode::cancelled;
-  Json object = {{"status", searched ? "not_done" : "refused"}, {"planner", question.planner.name}};
-  object.update(error_json(fault.sentence, to_string(fault.code), fault.where));
-  return object;
 }
 
 Json legs_json(const PolygonGround& ground) {
@@ -209,72 +160,64 @@ Json legs_json(const PolygonGround& ground) {
   return legs;
 }
 
-/// One search at a time by each thread; its plan is judged before anybody sees it.
-Outcome<Json> solve(const Question& question, const PreparedGround& ground, Workspace& workspace,
-                    const std::stop_token& stop, Trace& trace) {
-  Problem problem{nullptr, ground.to_grid(question.start), ground.to_grid(question.goal)};
-  (question.planner.polygons ? void(problem.polygons = ground.polygons) : void(problem.grid = ground.grid));
-  Budget budget;
-  budget.wall_time = longest_planning;
-  budget.stop = stop;
-  trace.most = question.trace;
-  const bool traces = question.trace > 0;
-  workspace.trace = traces ? &trace : nullptr;
-  const auto begin = std::chrono::steady_clock::now();
-  auto plan = question.configured.plan(problem, budget, workspace);
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  workspace.trace = nullptr;
-  if (!plan && plan.error().code == FaultCode::bad_input) return pass_on(plan);
-  if (plan) {
-    if (auto verdict = check(*plan, problem); !verdict) throw std::logic_error(to_string(verdict.error()));
+Json view_json(const Question& question, const PlanGround& ground, const Trace& trace) {
+  Json view = Json::object();
+  const PathPlanner& planner = question.planner.first;
+  const bool on_polygons = planner.polygons && ground.polygons;
+  if (trace.most > 0) {
+    view["trace"] =
+        on_polygons ? placed_trace_json(trace, planner.guarantee.measure) : trace_json(trace, ground);
   }
-  Json answer = plan ? plan_json(question, problem, ground, *plan) : fault_answer(question, plan.error());
-  answer["time_ms"] = time.count();
-  if (traces && problem.grid) answer["trace"] = trace_json(trace, ground);
-  if (traces && problem.polygons)
-    answer["trace"] = placed_trace_json(trace, question.planner.guarantee.measure);
-  return answer;
+  if (question.blocked && ground.grid) view["blocked"] = grid_json(ground.blocked, ground.yaw_rad);
+  if (question.legs && on_polygons) view["legs"] = legs_json(*ground.polygons);
+  return view;
 }
 
 }  // namespace
 
 Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace& workspace,
                           const std::stop_token& stop) {
-  auto question = question_of(request, memory);
+  auto question = question_from_json(request, memory);
   if (!question) return pass_on(question);
   auto ground = memory.grounds.get(question->ground);
   if (!ground) return pass_on(ground);
+  Budget budget;
+  budget.wall_time = longest_planning;
+  budget.stop = stop;
   Trace trace;
-  auto answer = solve(*question, **ground, workspace, stop, trace);
-  if (!answer) return answer;
-  if (question->blocked && (*ground)->grid) {
-    (*answer)["blocked"] = grid_json((*ground)->blocked, (*ground)->yaw_rad);
-  }
-  if (question->legs && question->planner.polygons) (*answer)["legs"] = legs_json(*(*ground)->polygons);
-  return answer;
+  trace.most = question->trace;
+  const PlanQuestion asked{*ground, {question->planner}, {question->query}};
+  const PlanTools tools{.trace = trace.most > 0 ? &trace : nullptr, .workspace = &workspace};
+  const auto found = answer(asked, tools, budget);
+  if (!found) return tl::unexpected<Fault>(found.error());
+  const auto& fault = found->rows.front().fault;
+  if (fault && fault->code == FaultCode::bad_input) return tl::unexpected<Fault>(*fault);
+  auto object = run_json<Json>(plan_report(asked, *found), {table_of(*found)});
+  object["warnings"] = question->ground.map->warnings;
+  object["view"] = view_json(*question, **ground, trace);
+  return object;
 }
 
 Outcome<QuestionScenario> scenario_of_question(const Json& request, PlanningMemory& memory) {
-  auto question = question_of(request, memory);
+  auto question = question_from_json(request, memory);
   if (!question) return pass_on(question);
   const GroundRequest& ground = question->ground;
   auto map = edited(*ground.map, ground.edits);
   if (!map) return pass_on(map);
   QuestionScenario found{{}, std::move(*map)};
   PlanScenario& scenario = found.scenario;
-  scenario.from = fmt::format("{},{}", question->start.x, question->start.y);
-  scenario.to = fmt::format("{},{}", question->goal.x, question->goal.y);
-  scenario.planner = question->planner.name;
-  scenario.model = to_string(ground.model);
-  scenario.radius_m = ground.radius_m;
-  scenario.grid.resolution_m = ground.resolution_m;
-  scenario.grid.most_cells = static_cast<std::int64_t>(most_map_cells);
-  const auto row = std::find_if(scenario.planners.begin(), scenario.planners.end(), [&](const auto& planner) {
-    return planner.first.name == question->planner.name;
-  });
-  row->second = std::move(question->configured);
+  const auto& [number, from, to] = question->query;
+  scenario.from = fmt::format("{},{}", from.x, from.y);
+  scenario.to = fmt::format("{},{}", to.x, to.y);
+  scenario.planner = question->planner.first.name;
+  scenario.model = to_string(ground.options.model);
+  scenario.radius_m = ground.options.radius_m;
+  scenario.grid = ground.options.grid;
+  const auto row = std::find_if(scenario.planners.begin(), scenario.planners.end(),
+                                [&](const auto& planner) { return planner.first.name == scenario.planner; });
+  row->second = std::move(question->planner.second);
   if (auto* polygons = std::get_if<PolygonMap>(&found.map.shape)) {
-    polygons->queries = {{question->start, question->goal}};
+    polygons->queries = {{from, to}};
   }
   return found;
 }

@@ -20,10 +20,11 @@ struct PlanningMemory {
 };
 
 /// {"map" or "grid" or "polygons", "edits", "start", "goal", "planner", "options", "model", "radius_m",
-/// "resolution_m", "trace", "blocked", "legs"} -> {"status": "done", ...}. That there is no path, or that the
-/// start or the goal is blocked, is an answer: {"status": "not_done" or "refused", "error", "code", "where",
-/// ...}. Fault: bad_input on a request that is wrong. `workspace` keeps what a planner built for the next
-/// question on the same ground.
+/// "resolution_m", "trace", "blocked", "legs"} -> the object that `outrider plan --json` prints, with one
+/// row, and "view": {"trace", "blocked", "legs"}, what of these was asked for. That there is no path, or that
+/// the start or the goal is blocked, is an answer, and its code the status of the row. Faults: bad_input on a
+/// request that is wrong; cancelled. `workspace` keeps what a planner built for the next question on the same
+/// ground.
 Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace& workspace,
                           const std::stop_token& stop);
 

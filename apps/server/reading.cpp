@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::size_t most_answer_bytes = std::size_t{64} << 20U;
 
-Outcome<Json> read_map(const std::string& path, const Folder& folder) {
-  const auto map = load_known_map(path, folder);
-  return map ? Outcome<Json>(packed(*map)) : tl::unexpected(map.error());
+Outcome<Json> packed_map(const std::string& path, const Folder& folder) {
+  const auto read = read_map(path, folder);
+  return read ? Outcome<Json>(packed(read->map)) : tl::unexpected(read.error());
 }
 
 Outcome<Json> changed_yard(const Json& request, const std::string& path, const Folder& folder) {
@@ -95,7 +95,7 @@ Outcome<Json> answer_reading(const Json& question, const Folder& folder) {
   const std::string path = fields.text(map ? "map" : scenario ? "scenario" : "save_as");
   const Json* yard = map || scenario ? nullptr : fields.object("yard");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
-  if (map) return read_map(path, folder);
+  if (map) return packed_map(path, folder);
   if (scenario) return shown_scenario(path, folder);
   return changed_yard(*yard, path, folder);
 }

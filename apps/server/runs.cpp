@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
-#include "outrider/io/scenario.hpp"
+#include "outrider/job/run_job.hpp"
 #include "run_messages.hpp"
 
 namespace outrider::server {
@@ -93,8 +93,8 @@ Outcome<RunRequest> run_request(const Json& request) {
   return run;
 }
 
-Runs::Runs(const Folder& folder, RunSettings settings)
-    : folder_(folder), settings_(std::move(settings)), prefix_(moment()) {
+Runs::Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs)
+    : folder_(folder), settings_(std::move(settings)), jobs_(jobs), prefix_(moment()) {
   for (std::size_t i = 0; i < settings_.at_once; ++i) {
     workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
   }
@@ -153,9 +153,9 @@ std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request)
     run.scenario = request.scenario;
     run.text = std::move(*text);
   }
-  const auto job = scenario_job_from_text(run.text, run.scenario);
+  const auto job = job_of_scenario_text(jobs_, run.text, run.scenario);
   if (!job) return error_response(plain_fault(job.error(), folder_.root(), run.unsaved ? run.scenario : ""));
-  run.job = job->empty() ? "guard" : *job;
+  run.job = job->name;
   return std::nullopt;
 }
 

@@ -26,6 +26,7 @@
 #include "child.hpp"
 #include "fields.hpp"
 #include "folder.hpp"
+#include "outrider/job/job.hpp"
 #include "temporary_folder.hpp"
 
 namespace outrider::server {
@@ -51,7 +52,8 @@ Outcome<RunRequest> run_request(const Json& request);
 
 class Runs {
  public:
-  Runs(const Folder& folder, RunSettings settings);
+  /// `jobs` must outlive it.
+  Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs);
   ~Runs();  ///< cancels what is running, and waits for it
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
@@ -96,6 +98,7 @@ class Runs {
 
   const Folder& folder_;
   RunSettings settings_;
+  const std::vector<Job>& jobs_;
   std::string prefix_;  // of ids, so that those of an earlier server are not taken for ours
   std::optional<TemporaryFolder> home_;
   std::mutex mutex_;  // guards what follows, and every run

@@ -11,6 +11,7 @@
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/values.hpp"
 #include "outrider/job/run_job.hpp"
+#include "outrider/jobs/catalog.hpp"
 #include "outrider/jobs/plan/job.hpp"
 #include "yard_scenarios.hpp"
 
@@ -45,22 +46,18 @@ Outcome<Json> shown_question(const fs::path& file, const Folder& folder) {
   const std::string as_if = file.lexically_relative(folder.root()).string();
   if (auto ok = read_scenario(job, file.string(), as_if); !ok) return pass_on(ok);
   if (auto ok = check(job.scenario); !ok) return pass_on(ok);
-  auto map = load_known_map(job.scenario.map, folder);
-  if (!map) return pass_on(map);
-  const auto content = read_file((folder.root() / job.scenario.map).string());
-  if (!content) return tl::unexpected(content.error());
-  const auto kind = map_kind(*content, job.scenario.map);
-  if (!kind) return tl::unexpected(kind.error());
-  const PlanScenario scenario = settle(job.scenario, *kind, job.given);
+  auto read = read_map(job.scenario.map, folder, job.scenario.height_m);
+  if (!read) return pass_on(read);
+  const PlanScenario scenario = settle(job.scenario, read->kind, job.given);
   auto start = point_from(scenario.from, "from");
   if (!start) return start;
   auto goal = point_from(scenario.to, "to");
   if (!goal) return goal;
   auto planner = find_path_planner(scenario.planner);
   if (!planner) return pass_on(planner);
-  map->radius_m = scenario.radius_m;
+  read->map.radius_m = scenario.radius_m;
   return Json{{"job", "plan"},
-              {"map", packed(*map)},
+              {"map", packed(read->map)},
               {"start", std::move(*start)},
               {"goal", std::move(*goal)},
               {"planner", scenario.planner},
@@ -76,7 +73,7 @@ Outcome<std::vector<NamedContent>> map_files(const std::string& stem, const Know
     return std::vector<NamedContent>{
         {stem + "_map.txt", fmt::format("# {}\n{}", saved_here, polygon_map_text(*polygons))}};
   }
-  const auto& cells = std::get<CellMap>(map.shape);
+  const auto& cells = std::get<MapCells>(map.shape);
   const std::string image = fs::path(stem).filename().string() + "_map.pgm";
   auto text = map_server_text({cells.occupancy, cells.yaw_rad}, image);
   if (!text) return pass_on(text);
@@ -121,14 +118,12 @@ Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
 
 /// A scenario of a job that the page can change.
 Outcome<Json> shown_job(const fs::path& file, const std::string& path, const Folder& folder) {
-  auto job = scenario_job(file.string());
-  if (!job) return pass_on(job);
-  if (*job == "plan") return shown_question(file, folder);
-  if (*job == "guard") return shown_yard(file);
-  if (job->empty()) return bad_input("the key 'job' is missing; give job: plan or job: guard", path);
-  return bad_input(fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}",
-                               job->substr(0, 60)),
-                   path);
+  const auto job = job_of_scenario(jobs(), file.string());
+  if (!job) return tl::unexpected<Fault>(job.error());
+  if (job->name == "plan") return shown_question(file, folder);
+  if (job->name == "guard") return shown_yard(file);
+  return bad_input(
+      fmt::format("the page changes scenarios of the jobs plan and guard; this one is {}", job->name), path);
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ Outcome<Json> shown_yard(const fs::path& file) {
   const GuardProblem& yard = loaded->scenario.problem;
   auto world = changed(yard.world, loaded->things.changes);
   if (!world) return pass_on(world);
-  auto polygons = polygons_of(*world, yard.robot.radius_m, yard.robot.height_m);
+  auto polygons = polygons_of(*world, yard.robot.height_m);
   if (!polygons) return pass_on(polygons);
   const KnownMap map{{}, file.filename().string(), std::move(*polygons), {}, yard.robot.radius_m};
   Json targets = Json::array();

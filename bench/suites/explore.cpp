@@ -34,7 +34,7 @@ struct Row {
 
 /// The cells of 5 cm whose centres something at the height of the laser covers.
 Grid<std::uint8_t> solid_cells(const ExploreSetup& setup) {
-  const auto pieces = cut_at(setup.world, setup.truth.laser.height_m);
+  const auto pieces = cut_at(setup.world, setup.sim.laser.height_m);
   Box2 box;
   box.include(setup.task.start.position);
   for (const RoundedPolygon& piece : pieces) {
@@ -56,7 +56,7 @@ Grid<std::uint8_t> solid_cells(const ExploreSetup& setup) {
 Outcome<BenchWorld> loaded(const std::string& name, const ExploreScenario& scenario) {
   auto setup = load_explore(scenario);
   if (!setup) return pass_on(setup);
-  const auto bound = explore_bound(solid_cells(*setup), setup->task.start.position, setup->truth.laser.most_m,
+  const auto bound = explore_bound(solid_cells(*setup), setup->task.start.position, setup->sim.laser.most_m,
                                    setup->task.robot, {.return_home = setup->task.rules.return_home});
   if (!bound) return tl::unexpected<Fault>(bound.error());
   return BenchWorld{name, std::move(*setup), bound->least_s};
@@ -101,8 +101,7 @@ Outcome<Row> measured(const BenchWorld& world, const std::string& strategy, std:
   ExploreTask task = world.setup.task;
   task.explore.strategy = strategy;
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
-    const auto run =
-        run_explore(world.setup.world, task, world.setup.truth, static_cast<std::uint64_t>(seed));
+    const auto run = run_explore(world.setup.world, task, world.setup.sim, static_cast<std::uint64_t>(seed));
     if (!run) return tl::unexpected<Fault>(run.error());
     ++row.runs;
     row.done += run->report.status == "done" ? 1 : 0;

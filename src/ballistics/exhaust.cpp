@@ -150,13 +150,14 @@ class Exhaustion {
 }  // namespace
 
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                  const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  if (!rules.air.none()) return exhaust_in_air(rules, space, target, frame, standable);
+                  const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                  const std::stop_token& stop) {
+  if (!rules.air.none()) return exhaust_in_air(rules, space, target, frame, standable, stop);
   Exhaustion exhaustion(rules, space, target);
   sweep(exhaustion.blockers_of_space(), xy(target.base), longest_range(rules, target),
         0.5 * std::hypot(target.size.x, target.size.y) + largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
-          return exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
+          return !stop.stop_requested() && exhaustion.try_place(cell, frame.centre(frame.cell(cell)), near);
         });
   return std::move(exhaustion.result);
 }

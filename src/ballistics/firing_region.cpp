@@ -83,8 +83,9 @@ std::vector<double> pitch_lattice(const ShotRules& rules) {
 }
 
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                           const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  if (!rules.air.none()) return firing_region_in_air(rules, space, target, frame, standable);
+                           const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                           const std::stop_token& stop) {
+  if (!rules.air.none()) return firing_region_in_air(rules, space, target, frame, standable, stop);
   const auto lattice = elevations(rules);
   const auto all = blockers(space, rules.gun.ball_radius_m + rules.margin_m);
   const Vec3 centre = target.centre();
@@ -99,6 +100,7 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
   sweep(all, xy(centre), longest_range(rules, target), largest_lean_m(rules), frame, standable,
         [&](std::size_t cell, const std::vector<const Blocker*>& near) {
           const Vec2 position = frame.centre(frame.cell(cell));
+          if (stop.stop_requested()) return false;
           if (!clear_of(rules, target, position)) return true;
           const Stance stance = stance_at(rules, position);
           here.floor_z_m = stance.ground_z_m;

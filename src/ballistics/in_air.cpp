@@ -20,8 +20,13 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 /// the muzzle, farther than the nearest. Between bearings the wider is taken, and some more.
 class Reach {
  public:
-  Reach(const ShotRules& rules, const std::vector<double>& pitches, const Target& target, double height_m) {
-    for (const double pitch : pitches) rings_.push_back(ring(rules, pitch, target, height_m));
+  /// Without some of the pitches once the token is raised.
+  Reach(const ShotRules& rules, const std::vector<double>& pitches, const Target& target, double height_m,
+        const std::stop_token& stop = {}) {
+    for (const double pitch : pitches) {
+      if (stop.stop_requested()) return;
+      rings_.push_back(ring(rules, pitch, target, height_m));
+    }
   }
 
   [[nodiscard]] bool holds(std::size_t pitch, Vec2 sight) const {
@@ -133,12 +138,13 @@ class Range {
 
 class ExhaustionInAir {
  public:
-  ExhaustionInAir(const ShotRules& rules, const FlightSpace& space, const Target& target)
+  ExhaustionInAir(const ShotRules& rules, const FlightSpace& space, const Target& target,
+                  const std::stop_token& stop)
       : rules_(rules), target_(target), range_(rules, space, target), last_(range_.pitches.size()) {
     result.blocked_by.assign(space.solids().size(), 0);
     for (const double up : offsets(-0.5 * target.size.z, 0.5 * target.size.z, rules.aim_step_m)) {
       heights_.push_back(target.centre().z + up);
-      reaches_.emplace_back(rules, range_.pitches, target, heights_.back());
+      reaches_.emplace_back(rules, range_.pitches, target, heights_.back(), stop);
       longest_ = std::max(longest_, reaches_.back().longest());
     }
     longest_ += 0.5 * std::hypot(target.size.x, target.size.y);
@@ -189,17 +195,18 @@ class ExhaustionInAir {
 }  // namespace
 
 FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
+                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                                  const std::stop_token& stop) {
   FiringRegion region;
   region.pitch.assign(frame.size(), FiringRegion::no_shot);
   region.spread.assign(frame.size(), std::numeric_limits<float>::infinity());
   region.blocked_by.assign(space.solids().size(), 0);
   Range range(rules, space, target);
   const Vec3 centre = target.centre();
-  const Reach reach(rules, range.pitches, target, centre.z);
+  const Reach reach(rules, range.pitches, target, centre.z, stop);
   const double longest = reach.longest();
   std::vector<std::optional<Aimed>> last(range.pitches.size());
-  for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+  for (std::size_t cell = 0; cell < frame.size() && !stop.stop_requested(); ++cell) {
     if (standable[cell] == 0) continue;
     ++region.places;
     const Vec2 position = frame.centre(frame.cell(cell));
@@ -214,8 +221,8 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
       const bool first = !in_range;
       in_range = true;
       if (region.pitch[cell] != FiringRegion::no_shot && shot_spread >= region.spread[cell]) continue;
-      if (const auto stop = range.stopped_by(position, aimed->shot)) {
-        if (first) ++region.blocked_by[*stop];
+      if (const auto solid = range.stopped_by(position, aimed->shot)) {
+        if (first) ++region.blocked_by[*solid];
         continue;
       }
       region.spread[cell] = shot_spread;
@@ -228,9 +235,10 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
 }
 
 Exhausted exhaust_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                         const GridFrame& frame, const std::vector<std::uint8_t>& standable) {
-  ExhaustionInAir exhaustion(rules, space, target);
-  for (std::size_t cell = 0; cell < frame.size(); ++cell) {
+                         const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                         const std::stop_token& stop) {
+  ExhaustionInAir exhaustion(rules, space, target, stop);
+  for (std::size_t cell = 0; cell < frame.size() && !stop.stop_requested(); ++cell) {
     if (standable[cell] != 0 && !exhaustion.try_place(cell, frame.centre(frame.cell(cell)))) break;
   }
   return std::move(exhaustion.result);

@@ -10,10 +10,12 @@
 namespace outrider {
 
 FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+                                  const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                                  const std::stop_token& stop);
 
 Exhausted exhaust_in_air(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                         const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+                         const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                         const std::stop_token& stop);
 
 double longest_range_in_air(const ShotRules& rules, const Target& target);
 

@@ -11,10 +11,7 @@ BudgetMeter::BudgetMeter(const Budget& budget) : budget_(budget) {
   }
 }
 
-bool BudgetMeter::interrupted() const {
-  if (budget_.stop.stop_requested()) return true;
-  return budget_.wall_time && std::chrono::steady_clock::now() >= deadline_;
-}
+bool BudgetMeter::late() const { return budget_.wall_time && std::chrono::steady_clock::now() >= deadline_; }
 
 tl::unexpected<Fault> BudgetMeter::refusal() const {
   if (budget_.stop.stop_requested()) {

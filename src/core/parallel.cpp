@@ -27,4 +27,12 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 }
 #endif
 
+bool parallel_for(std::size_t count, const std::stop_token& stop,
+                  const std::function<void(std::size_t)>& body) {
+  parallel_for(count, [&](std::size_t i) {
+    if (!stop.stop_requested()) body(i);
+  });
+  return !stop.stop_requested();
+}
+
 }  // namespace outrider

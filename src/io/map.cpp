@@ -10,6 +10,7 @@
 #include "outrider/io/movingai.hpp"
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
+#include "outrider/path/visibility/polygons_from_world.hpp"
 
 namespace outrider {
 namespace {
@@ -107,6 +108,8 @@ Outcome<LoadedMap> map_of(MapKind kind, const std::string& content, const std::s
   return LoadedMap{kind, std::move(loaded->world), std::move(loaded->warnings)};
 }
 
+constexpr double any_radius_m = 0.2;  // the polygons of a world are the same for every robot
+
 }  // namespace
 
 std::string_view to_string(MapKind kind) {
@@ -121,6 +124,12 @@ Outcome<MapKind> map_kind(std::string_view content, const std::string& path) {
       "the name does not tell what kind of map it is; maps end in .yaml, .yml, .sdf, .world, .map, .txt, "
       ".png or .pgm (.gz may follow)",
       path);
+}
+
+Outcome<PolygonMap> polygons_of(const World& world, double height_m) {
+  auto polygons = polygons_from_world(Ground::of(world, height_m), any_radius_m);
+  if (!polygons) return pass_on(polygons);
+  return PolygonMap{std::move(polygons->boundary), std::move(polygons->obstacles), {}};
 }
 
 Outcome<LoadedMap> load_map(const std::string& path, const LoadMapOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "outrider/io/files.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/text.hpp"
 
@@ -60,12 +61,18 @@ Outcome<Job> find_job(const std::vector<Job>& jobs, std::string_view name, std::
 }
 
 Outcome<Job> job_of_scenario(const std::vector<Job>& jobs, const std::string& path) {
-  auto name = scenario_job(path);
-  if (!name) return pass_on(name);
-  if (name->empty()) {
-    return bad_input("the key 'job' is missing; give one of 'outrider list', such as job: guard", path);
+  auto text = read_file(path);
+  return text ? job_of_scenario_text(jobs, *text, path) : pass_on(text);
+}
+
+Outcome<Job> job_of_scenario_text(const std::vector<Job>& jobs, const std::string& text,
+                                  const std::string& name) {
+  auto job = scenario_job_from_text(text, name);
+  if (!job) return pass_on(job);
+  if (job->empty()) {
+    return bad_input("the key 'job' is missing; give one of 'outrider list', such as job: guard", name);
   }
-  return find_job(jobs, *name, path + ": job");
+  return find_job(jobs, *job, name + ": job");
 }
 
 Status read_scenario(JobTask& task, const std::string& path, const std::string& as_if) {
@@ -109,6 +116,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
     return bad_input(
         fmt::format("'{}' is not a job of this scenario; the job is {}", excerpt(task.job), job.name), "job");
   }
+  if (watch.stopped()) return cancelled(job, {FaultCode::cancelled, "it was cancelled before it began", {}});
   auto warnings = task.load();
   if (!warnings) return pass_on(warnings);
   auto run = task.run(watch);

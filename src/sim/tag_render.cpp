@@ -165,12 +165,12 @@ bool is_outside(std::span<const Vec3> hull, const Pose3& world_T_camera, const C
 
 }  // namespace
 
-TagImage render_tags(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
-                     const Pose3& world_T_closing, const std::vector<PixelBox>& boxes,
-                     const TagCameraOptions& options, Rng noise) {
+RenderedImage render_tags(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
+                          const Pose3& world_T_closing, const std::vector<PixelBox>& boxes,
+                          const TagCameraOptions& options, Rng noise) {
   const std::vector<Block> blocks = blocks_of(scene.world);
   const std::vector<Paper> papers = papers_of(scene.tags, options);
-  TagImage result;
+  RenderedImage result;
   result.image.width = camera.width_px;
   result.image.height = camera.height_px;
   result.image.values.assign(

@@ -1,11 +1,14 @@
 #include "remainder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "outrider/core/parallel.hpp"
 
 namespace outrider::tour {
 namespace {
+
+constexpr std::size_t at_once = 32;  // sets between two looks at the budget
 
 constexpr float far = std::numeric_limits<float>::infinity();
 
@@ -105,11 +108,16 @@ double remainder(const Instance& instance, const Shares& shares, const std::vect
   const std::uint32_t sets = 1U << apart.size();
   std::vector<std::vector<std::uint32_t>> by_size(apart.size() + 1);
   for (std::uint32_t set = 1; set < sets; ++set) {
-    if (!meter.spend()) return 0.0;
     by_size[static_cast<std::size_t>(std::popcount(set))].push_back(set);
   }
   for (const auto& some : by_size) {
-    parallel_for(some.size(), [&](std::size_t i) { rest.solve(some[i]); });
+    for (std::size_t begin = 0; begin < some.size(); begin += at_once) {
+      const std::size_t count = std::min(at_once, some.size() - begin);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!meter.spend()) return 0.0;
+      }
+      parallel_for(count, [&](std::size_t i) { rest.solve(some[begin + i]); });
+    }
   }
   return rounded_down * rest.from_start(sets - 1);
 }

@@ -8,8 +8,14 @@ import unittest
 from tool import TOOL
 
 
-def readelf(*flags):
-    return subprocess.run(["readelf", "--wide", *flags, TOOL], capture_output=True, text=True, check=True).stdout
+def readelf(*flags, file=TOOL):
+    return subprocess.run(["readelf", "--wide", *flags, file], capture_output=True, text=True, check=True).stdout
+
+
+def functions(file):
+    """The functions that a file offers to the libraries it is loaded with, without their versions."""
+    columns = [line.split() for line in readelf("--dyn-syms", file=file).splitlines()]
+    return {row[7].split("@")[0] for row in columns if len(row) > 7 and row[3] == "FUNC" and row[6] != "UND"}
 
 
 @unittest.skipUnless(shutil.which("readelf"), "readelf (binutils) is not installed")
@@ -30,6 +36,13 @@ class Hardening(unittest.TestCase):
         symbols = readelf("--dyn-syms")
         self.assertIn("__stack_chk_fail", symbols)
         self.assertRegex(symbols, r"\b__(mem|str|v?s?n?printf|v?fprintf|read|recv|fread|poll|fdelt)\w*_chk\b")
+
+    def test_no_function_of_the_c_library_is_replaced(self):
+        loaded = subprocess.run(["ldd", TOOL], capture_output=True, text=True, check=True).stdout
+        library = re.search(r"libc\.so\.6 => (\S+)", loaded).group(1)
+        offered = functions(library)
+        self.assertTrue({"malloc", "pthread_create", "pthread_attr_init"} <= offered)
+        self.assertEqual(functions(TOOL) & offered, set())
 
     @unittest.skipUnless(platform.machine() in ("x86_64", "AMD64"), "of processors of x86")
     def test_jumps_are_marked(self):

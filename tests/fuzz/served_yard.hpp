@@ -10,6 +10,7 @@
 
 #include "app.hpp"
 #include "outrider/io/confinement.hpp"
+#include "outrider/jobs/catalog.hpp"
 
 namespace outrider::fuzzing {
 
@@ -45,7 +46,7 @@ class ServedYard {
 
   /// A new one for every input, so that it is the input alone that matters.
   [[nodiscard]] server::App app() const {
-    server::AppSettings settings{"1", "", {{"guard", "", {}}, {"plan", "", {}}}, {}, {}, read_here};
+    server::AppSettings settings{"1", "", jobs(), {}, {}, read_here};
     settings.runs.at_once = 0;
     settings.runs.waiting = 4;
     return {must(server::Folder::open((home_.path() / "inside/yard").string())), settings};

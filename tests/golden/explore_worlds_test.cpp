@@ -107,10 +107,10 @@ void expect_slices(const World& world, const Named& named) {
   }
 }
 
-ExploreTruth truth_of(const World& world, Vec2 start) {
-  auto truth = explore_truth(RangeFinder(world, {}), ExplorerGround(world, burger()), start);
+ExplorationReference truth_of(const World& world, Vec2 start) {
+  auto truth = exploration_reference(RangeFinder(world, {}), OpenGround(world, burger()), start);
   EXPECT_TRUE(truth) << to_string(truth.error());
-  return truth ? *truth : ExploreTruth{};
+  return truth ? *truth : ExplorationReference{};
 }
 
 TEST_P(Published, IsAsTheNotesSay) {
@@ -126,7 +126,7 @@ TEST_P(Published, IsAsTheNotesSay) {
     EXPECT_TRUE(truth_of(world, named.start).leaks) << "between the posts in the south-west";
     world = world.with(upright({"", {{-21.6, -19.55}, {-16.9, -19.55}}}, "seal", 0.0, 0.5));
   }
-  const ExploreTruth truth = truth_of(world, named.start);
+  const ExplorationReference truth = truth_of(world, named.start);
   EXPECT_NEAR(truth.seeable_m2 / named.seeable_m2, 1.0, 0.025);
   EXPECT_FALSE(truth.leaks);
 }
@@ -141,11 +141,11 @@ TEST(ExploreWorlds, OursAreWhatTheyClaim) {
     EXPECT_TRUE(read_scenario(job, path));
     const auto setup = load_explore(job.scenario);
     EXPECT_TRUE(setup) << to_string(setup.error());
-    if (!setup) return ExploreTruth{};
+    if (!setup) return ExplorationReference{};
     EXPECT_TRUE(setup->warnings.empty());
     return truth_of(setup->world, setup->task.start.position);
   };
-  const ExploreTruth office = truth_in("office.yaml");
+  const ExplorationReference office = truth_in("office.yaml");
   EXPECT_FALSE(office.leaks);
   EXPECT_GT(office.reachable_m2, 30.0);
   const auto in_office = [&](Vec2 p) { return office.places[office.places.frame.cell_at(p)]; };

@@ -28,7 +28,7 @@ export interface Polygons {
   obstacles: [number, number][][];
   queries: { start: [number, number]; goal: [number, number] }[];
 }
-export interface MapAnswer { id: string; name: string; radius_m?: number; warnings: string[]; grid?: Grid; polygons?: Polygons }
+export interface MapAnswer { id: string; name: string; radius_m: number; warnings: string[]; grid?: Grid; polygons?: Polygons }
 export type Edit = { block: number[] } | { free: number[] } | { set: number; polygon: [number, number][] } | { remove: number } | { add: [number, number][] };
 export interface PlanRequest {
   map: string;
@@ -69,24 +69,39 @@ export interface PlacedTrace {
   truncated: boolean;
 }
 export type TraceAnswer = GridTrace | PlacedTrace;
-export interface PlanAnswer {
-  status: "done" | "not_done" | "refused";
+/** What a planner answered; null where a number is not known, as all of a path that was not found. */
+export interface PlanRow {
   planner: string;
-  cost?: number | null;
-  cost_unit?: string;
-  lower_bound?: number | null;
-  length_m?: number | null;
-  clearance_m?: number | null;
-  time_ms?: number;
-  counters?: Record<string, number>;
-  waypoints?: [number, number][];
-  pieces?: Piece[];
+  from: [number, number];
+  to: [number, number];
+  /** "done", or the code of the fault. */
+  status: string;
+  reason: string;
+  cost: number | null;
+  cost_unit: string;
+  lower_bound: number | null;
+  length_m: number | null;
+  clearance_m: number | null;
+  expansions: number | null;
+  line_of_sight_checks: number | null;
+  time_s: number;
+  waypoints: [number, number][];
+  pieces: Piece[];
+}
+/** What of a search a request asked to see. */
+export interface PlanView {
   blocked?: Grid;
   trace?: TraceAnswer;
   legs?: [number, number, number, number][];
-  error?: string;
-  code?: string;
-  where?: string;
+}
+/** What `outrider plan --json` prints, and the view. */
+export interface PlanAnswer {
+  status: "done" | "not_done";
+  reason: string;
+  metrics: Record<string, number | null>;
+  rows: PlanRow[];
+  warnings: string[];
+  view: PlanView;
 }
 export interface YardTarget { name: string; position: [number, number, number]; size: [number, number, number]; heading_rad: number }
 /** What of a yard's world can stand elsewhere: its polygons as the world has them, and where its middle is now. */

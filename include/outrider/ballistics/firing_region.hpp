@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
@@ -34,9 +35,11 @@ struct FiringRegion {
 
 /// All places, clear of the target, from which a shot at the target's centre hits; the flattest with a spread
 /// of at most 0.7, else the one with the least spread. `standable` is 1 where the robot may stand, by cell.
+/// Once `stop` is raised no more places are tried, and the region is of no use.
 /// O(places in reach x blockers in the line of sight); thread-safe for const arguments.
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                           const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+                           const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                           const std::stop_token& stop = {});
 
 /// What was tried before a target is called unreachable.
 struct Exhausted {
@@ -52,8 +55,10 @@ struct Exhausted {
 /// to each place (sight.hpp, aim_points) and over its height; stops at the first hit. Without a hit it is
 /// the proof, at this resolution, that there is none. The flights over one place, bearing and pitch stand
 /// above one another, so a blocker settles a whole run of them at once; the rest is decided one by one.
+/// Once `stop` is raised the search ends, and proves nothing.
 /// O(places in reach x pitches x bearings), times the heights at worst.
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
-                  const GridFrame& frame, const std::vector<std::uint8_t>& standable);
+                  const GridFrame& frame, const std::vector<std::uint8_t>& standable,
+                  const std::stop_token& stop = {});
 
 }  // namespace outrider

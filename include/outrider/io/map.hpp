@@ -36,10 +36,12 @@ struct MapCells {
   double yaw_rad = 0.0;  ///< of the grid about its origin, in the world
 };
 
+/// Cells of map_server, image and movingai; polygons with their queries; the solids of a world.
+using MapShape = std::variant<MapCells, PolygonMap, World>;
+
 struct LoadedMap {
   MapKind kind = MapKind::map_server;
-  /// Cells of map_server, image and movingai; polygons with their queries; the solids of a world.
-  std::variant<MapCells, PolygonMap, World> shape;
+  MapShape shape;
   std::vector<std::string> warnings = {};  ///< what was repaired, left out or assumed, a sentence each
 };
 
@@ -49,6 +51,10 @@ struct LoadMapOptions {
 };
 
 Outcome<LoadedMap> load_map(const std::string& path, const LoadMapOptions& options = {});
+
+/// What stands in the way of a robot of that height in a world, as polygons. Faults: those of
+/// polygons_from_world().
+Outcome<PolygonMap> polygons_of(const World& world, double height_m);
 
 /// The kind of map that the content of a file tells, decompressed; else the one that its name tells.
 Outcome<MapKind> map_kind(std::string_view content, const std::string& path);

@@ -22,8 +22,10 @@ using Changes = std::vector<std::pair<std::string, std::string>>;
 /// The job of that name; the fault names `where`.
 Outcome<Job> find_job(const std::vector<Job>& jobs, std::string_view name, std::string where = "job");
 
-/// The job that a scenario file names.
+/// The job that a scenario file names, or its text, which the fault calls `name`.
 Outcome<Job> job_of_scenario(const std::vector<Job>& jobs, const std::string& path);
+Outcome<Job> job_of_scenario_text(const std::vector<Job>& jobs, const std::string& text,
+                                  const std::string& name);
 
 /// Sets the options of the task that the scenario has. It must be one of the task's job. Files that it names
 /// are made relative to the folder of the process; with `as_if`, as if the scenario lay at that path.

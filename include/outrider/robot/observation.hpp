@@ -66,12 +66,13 @@ struct TargetReport {
 /// A robot team on a grid that pursues a target, one cell a second.
 struct GridObservation {
   std::vector<Cell> robots;
-  std::vector<Cell> target;  ///< by second, from 0 to as far ahead as its path is known
+  std::vector<Cell> target;  ///< of seconds that are newly known since the observation before, from 0 on
 };
 
 struct Observation {
   double time_s = 0.0;
   Pose2 odometry;                            ///< odom_T_robot; the heading need not be wrapped
+  std::optional<Pose2> motion = {};          ///< previous_T_robot, where odometry comes in pieces (logs)
   bool touching = false;                     ///< the bumper was pressed since the observation before
   std::optional<LaserScan> scan = {};        ///< taken since the observation before
   std::optional<TagImage> image = {};        ///< the newest one, also when it was seen before

@@ -1,4 +1,5 @@
-// ExplorerTruth: what the wheels and the range finder of an exploring robot are like, and what they do wrong.
+// ExplorerSimParams: what the wheels and the range finder of an exploring robot are like, and what they do
+// wrong.
 //
 // The defaults are those of a TurtleBot3 burger. Source: ROBOTIS e-Manual, TurtleBot3 features, LDS-01.
 #pragma once
@@ -34,7 +35,7 @@ struct ExplorerWheels {
 };
 std::vector<Option> describe(ExplorerWheels& wheels);
 
-struct ExplorerTruth {
+struct ExplorerSimParams {
   RangeFinderModel laser;
   ExplorerWheels wheels;
 };

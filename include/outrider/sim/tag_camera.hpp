@@ -42,7 +42,7 @@ struct TagScene {
 };
 
 /// A rendered image. Outside the boxes it is of one grey.
-struct TagImage {
+struct RenderedImage {
   CameraImage image;
   std::vector<PixelBox> boxes;  ///< which were rendered; they do not overlap
 };
@@ -53,9 +53,9 @@ std::vector<PixelBox> tag_boxes(const Camera& camera, const TagScene& scene, con
 
 /// Renders these boxes, or all of the image for a box as large. The camera moves from where the shutter
 /// opens to where it closes. Linear in pixels times solids in view.
-TagImage render_tags(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
-                     const Pose3& world_T_closing, const std::vector<PixelBox>& boxes,
-                     const TagCameraOptions& options, Rng noise);
+RenderedImage render_tags(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
+                          const Pose3& world_T_closing, const std::vector<PixelBox>& boxes,
+                          const TagCameraOptions& options, Rng noise);
 
 class TagCamera {
  public:
@@ -67,7 +67,7 @@ class TagCamera {
   std::vector<TagSighting> look(const Pose2& opening, const Pose2& closing);
 
   /// The image last taken.
-  [[nodiscard]] const TagImage& image() const { return image_; }
+  [[nodiscard]] const RenderedImage& image() const { return image_; }
 
  private:
   TagScene scene_;
@@ -77,7 +77,7 @@ class TagCamera {
   TagDetector detector_;
   Rng rng_;
   std::uint64_t taken_ = 0;
-  TagImage image_;
+  RenderedImage image_;
 };
 
 }  // namespace outrider

@@ -29,13 +29,16 @@ Region disk(Vec2 centre, double radius_m) {
   return {{capsule(centre, centre, around), {}}};
 }
 
-/// What the way covers; what it covers twice is added to `twice`, in parts that may overlap.
-Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region>& twice) {
+/// What the way covers; what it covers twice is added to `twice`, in parts that may overlap. Nothing once
+/// the token is raised.
+Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region>& twice,
+                  const std::stop_token& stop) {
   if (way.size() == 1) return {{capsule(way[0], way[0], radius_m), {}}};
   if (way.size() == 2) return {{capsule(way[0], way[1], radius_m), {}}};
   const std::size_t middle = way.size() / 2;
-  const Region before = covered_by(way.first(middle + 1), radius_m, twice);
-  const Region after = covered_by(way.subspan(middle), radius_m, twice);
+  const Region before = covered_by(way.first(middle + 1), radius_m, twice, stop);
+  const Region after = covered_by(way.subspan(middle), radius_m, twice, stop);
+  if (stop.stop_requested()) return {};
   Region again = without(common(before, after), disk(way[middle], radius_m));
   if (!again.empty()) twice.push_back(std::move(again));
   return united(before, after);
@@ -43,10 +46,12 @@ Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region
 
 }  // namespace
 
-Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area) {
+Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area,
+                     const std::stop_token& stop) {
   Coverage coverage;
   std::vector<Region> twice;
-  if (!way.empty()) coverage.covered = common(covered_by(way, radius_m, twice), area);
+  if (!way.empty()) coverage.covered = common(covered_by(way, radius_m, twice, stop), area);
+  if (stop.stop_requested()) return coverage;
   coverage.missed = without(area, coverage.covered);
   coverage.twice = common(united(twice), area);
   coverage.covered_m2 = area_of(coverage.covered);
@@ -79,14 +84,15 @@ Region known_of(const Region& region, const Box2& box, const std::vector<Stretch
 }  // namespace
 
 std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
-                                         const Region& area) {
+                                         const Region& area, const std::stop_token& stop) {
   std::vector<CoverageSums> sums;
   std::vector<Stretch> before;
   CoverageSums sum;
   for (const std::vector<Vec2>& way : stretches) {
+    if (stop.stop_requested()) return sums;
     std::vector<Region> twice;
     Stretch now;
-    now.covered = common(covered_by(way, radius_m, twice), area);
+    now.covered = common(covered_by(way, radius_m, twice, stop), area);
     now.box = bounds_of(now.covered);
     const Region again = known_of(now.covered, now.box, before, &Stretch::covered);
     twice.push_back(without(again, disk(way.front(), radius_m)));

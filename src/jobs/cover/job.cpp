@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "outrider/job/run_job.hpp"
+#include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
 #include "picture.hpp"
 #include "summary.hpp"
@@ -13,6 +14,10 @@ namespace outrider {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+tl::unexpected<Fault> cancelled() {
+  return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
+}
 
 /// Breaks off where the drive does what was proven that it cannot do.
 void check_promises(const CoverRun& run) {
@@ -101,19 +106,26 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   auto plan = task->method.plan(problem, scenario.options, watch.budget());
   if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
   if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
-  auto proof = prove(*plan, problem);
+  auto proof = prove(*plan, problem, watch.budget());
+  if (!proof && proof.error().code == FaultCode::cancelled) return pass_on(proof);
   if (!proof) throw std::logic_error(to_string(proof.error()));
   CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.stray_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return pass_on(ok);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed);
-  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach);
-  check_promises(driven);
+  driven.drive =
+      drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed, steps.inner());
+  // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
+  const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
+  driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);
+  if (stop.stop_requested()) return cancelled();
+  if (driven.finished()) check_promises(driven);
   Report report =
-      cover_report(problem, driven, seed, std::filesystem::path(scenario.area).filename().string());
+      cover_report(problem, driven, seed, std::filesystem::path(scenario.area).filename().string(), stop);
+  if (stop.stop_requested()) return cancelled();
   report.settings = settled_settings(scenario, planned.method);
+  if (!driven.finished()) mark_cancelled(report, driven.drive.time_s);
   watch.show(report);
   return Run{std::move(report),
              {{"track.json", text_of(track_json(driven))},

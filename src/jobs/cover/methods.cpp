@@ -84,16 +84,18 @@ double sweep_time_s(const std::vector<SweepCell>& cells, const CoverProblem& pro
 }
 
 /// Cells of the region in the heading that takes the least time, and for each cell other headings of its
-/// own that cover it in one back-and-forth, best first.
+/// own that cover it in one back-and-forth, best first. Fewer once the token is raised.
 using CellChoices = std::vector<std::vector<SweepCell>>;
 
-CellChoices cells_of(const Region& core, const CoverProblem& problem, const std::vector<double>& headings) {
+CellChoices cells_of(const Region& core, const CoverProblem& problem, const std::vector<double>& headings,
+                     const std::stop_token& stop) {
   const Strides strides(problem);
   const auto cut = [&](const Region& region, double heading) {
     return sweep_cells(region, heading, strides.slab_m, strides.slack_m);
   };
   std::vector<SweepCell> best;
   for (const double heading : headings) {
+    if (stop.stop_requested()) return {};
     auto cells = cut(core, heading);
     if (best.empty() || sweep_time_s(cells, problem) < sweep_time_s(best, problem)) best = std::move(cells);
   }
@@ -101,6 +103,7 @@ CellChoices cells_of(const Region& core, const CoverProblem& problem, const std:
   for (const SweepCell& cell : best) {
     std::vector<SweepCell> choice{cell};
     for (const double heading : headings) {
+      if (stop.stop_requested()) return choices;
       auto other = cut(cell.area, heading);
       if (other.size() == 1) choice.push_back(std::move(other.front()));
     }
@@ -128,6 +131,8 @@ double leave_out(CellChoices& cells, double most_m2) {
 /// Orders laps and cells into one track.
 Outcome<CoverPlan> assembled(CoverGround ground, const std::vector<Lap>& laps, CellChoices cells,
                              const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  if (budget.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
   CoverPlan plan;
   plan.left_m2 = leave_out(cells, problem.leave * area_of(ground.reach));
   plan.laps = laps.size();
@@ -164,18 +169,19 @@ Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions
   if (!ground) return pass_on(ground);
   const auto laps = laps_within(*ground->ground, ground->standing, ground->arc_m);
   const Region core = core_of(problem, *ground, 0.5 * Strides(problem).slab_m);
-  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions));
+  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions), budget.stop);
   auto plan = assembled(std::move(*ground), laps, std::move(cells), problem, options, budget);
   if (plan) plan->method = "boustrophedon";
   return plan;
 }
 
 /// Laps along the border and inwards, each a stride from the one before.
-Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverGround& ground) {
+Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverGround& ground,
+                                      const std::stop_token& stop) {
   std::vector<Lap> all = laps_within(*ground.ground, ground.standing, ground.arc_m);
   for (int k = 1;; ++k) {
     const double radius = problem.radius_m() + k * problem.stride_m();
-    if (radius > most_polygon_radius_m) return all;
+    if (radius > most_polygon_radius_m || stop.stop_requested()) return all;
     auto inner = PolygonGround::of(problem.boundary, problem.holes, radius);
     if (!inner) return pass_on(inner);
     const auto laps = laps_within(*inner, ground.standing, 0.0);
@@ -187,15 +193,16 @@ Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverGr
 Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
-  const auto laps = spiral_laps(problem, *ground);
+  const auto laps = spiral_laps(problem, *ground, budget.stop);
   if (!laps) return tl::unexpected<Fault>(laps.error());
   // What the laps surely leave, deep enough inside for lanes: where they meet at sharp corners and ends.
   Region core = core_of(problem, *ground, problem.sure_radius_m() - 2.0 * Strides(problem).slack_m);
   for (const Lap& lap : *laps) {
-    const auto points = points_along({{lap.front().from, 0.0}, lap}, radians(2.0));
-    core = without(core, coverage_of(points, problem.sure_radius_m(), core).covered);
+    if (budget.stop.stop_requested()) break;  // assembled() says so
+    const auto points = points_along(lap.front().from, lap, radians(2.0));
+    core = without(core, coverage_of(points, problem.sure_radius_m(), core, budget.stop).covered);
   }
-  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions));
+  auto cells = cells_of(core, problem, sweep_headings(problem, options.directions), budget.stop);
   auto plan = assembled(std::move(*ground), *laps, std::move(cells), problem, options, budget);
   if (plan) plan->method = "spiral";
   return plan;

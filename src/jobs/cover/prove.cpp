@@ -31,7 +31,7 @@ Status check_joints(const CoverTrack& track) {
 
 }  // namespace
 
-Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem) {
+Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget) {
   const PolygonGround& ground = *plan.ground.ground;
   if (auto good = check_joints(plan.track); !good) return pass_on(good);
   CoverProof proof;
@@ -43,10 +43,13 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem) {
                                proof.clearance_m, problem.radius_m()));
   }
   if (!contains(plan.ground.area, plan.track.start.position)) return refused("it begins outside of the area");
-  const std::vector<Vec2> points = points_along(plan.track, arc_step_rad);
+  const std::vector<Vec2> points = points_along(plan.track.start.position, plan.track.pieces, arc_step_rad);
   const double sure = problem.sure_radius_m(), stray = problem.stray_m;
-  proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach);
-  const Coverage surely = stray > 0.0 ? coverage_of(points, sure, plan.ground.reach) : proof.planned;
+  proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
+  const Coverage surely =
+      stray > 0.0 ? coverage_of(points, sure, plan.ground.reach, budget.stop) : proof.planned;
+  if (budget.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it measured what the track covers");
   proof.sure_fraction = surely.fraction;
   const Region inner = stray > 0.0
                            ? common(grown(plan.ground.standing, sure, plan.ground.arc_m), plan.ground.area)

@@ -26,14 +26,14 @@ std::string_view name_of(PieceRole role) {
   return role == PieceRole::lap ? "lap" : role == PieceRole::lane ? "lane" : "move";
 }
 
-double begin_of(const CoverDrive& drive, std::size_t piece) {
+double begin_of(const PieceDrive& drive, std::size_t piece) {
   return piece == 0 ? 0.0 : drive.ends_s[piece - 1];
 }
 
 /// Pieces of one role, one after the other, are one pass; a lap or a cell begins another.
-std::vector<ReportPass> passes_of(const CoverPlan& plan, const CoverDrive& drive) {
+std::vector<ReportPass> passes_of(const CoverPlan& plan, const PieceDrive& drive) {
   std::vector<ReportPass> passes;
-  for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+  for (std::size_t i = 0; i < drive.ends_s.size(); ++i) {
     const bool begins = std::ranges::binary_search(plan.begins, i) || plan.roles[i] == PieceRole::lane;
     if (passes.empty() || begins || plan.roles[i] != plan.roles[i - 1])
       passes.push_back({begin_of(drive, i), 0.0, std::string(name_of(plan.roles[i]))});
@@ -53,7 +53,7 @@ Vec2 place(const std::vector<TrackSample>& track, double time_s) {
 }
 
 /// The way between two times, with both ends.
-std::vector<Vec2> stretch(const CoverDrive& drive, double from_s, double to_s) {
+std::vector<Vec2> stretch(const PieceDrive& drive, double from_s, double to_s) {
   std::vector<Vec2> points{place(drive.track, from_s)};
   auto next = std::ranges::upper_bound(drive.times_s, from_s);
   for (; next != drive.times_s.end() && *next < to_s; ++next)
@@ -62,14 +62,15 @@ std::vector<Vec2> stretch(const CoverDrive& drive, double from_s, double to_s) {
   return points;
 }
 
-std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m) {
+std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m,
+                                           const std::stop_token& stop) {
   std::vector<double> times{0.0};
   std::vector<std::vector<Vec2>> stretches{{run.drive.way.front()}};
   for (int i = 1; i <= covered_steps; ++i) {
     times.push_back(run.drive.time_s * i / covered_steps);
     stretches.push_back(stretch(run.drive, times[times.size() - 2], times.back()));
   }
-  const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach);
+  const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach, stop);
   std::vector<ReportCovered> rows;
   for (std::size_t i = 0; i < sums.size(); ++i)
     rows.push_back({times[i], sums[i].covered_m2, sums[i].twice_m2});
@@ -89,14 +90,16 @@ std::vector<ReportEvent> events_of(const CoverRun& run) {
                    counted(plan.sums.stops, "turn"))}};
   std::size_t laps = 0, cells = 0;
   for (const std::size_t piece : plan.begins) {
+    if (piece >= run.drive.ends_s.size()) break;
     const bool lap = plan.roles[piece] == PieceRole::lap;
     const std::string text = lap ? fmt::format("lap {} of {} begins", ++laps, plan.laps)
                                  : fmt::format("cell {} of {} begins", ++cells, plan.cells);
     events.push_back({begin_of(run.drive, piece), lap ? "lap" : "cell", text});
   }
-  events.push_back({run.drive.time_s, "done",
-                    fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it twice",
-                                100.0 * run.driven.fraction, run.driven.twice_m2)});
+  if (run.finished())
+    events.push_back({run.drive.time_s, "done",
+                      fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it twice",
+                                  100.0 * run.driven.fraction, run.driven.twice_m2)});
   return events;
 }
 
@@ -117,7 +120,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"length_m", drive.length_m},
           {"planned_m", plan.sums.length_m},
           {"turned_rad", drive.turned_rad},
-          {"strayed_m", drive.strayed_m},
+          {"strayed_m", drive.tracking_error_m},
           {"stray_m", problem.stray_m},
           {"stops", number(plan.sums.stops)},
           {"laps", number(plan.laps)},
@@ -134,7 +137,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 }  // namespace
 
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-                    const std::string& name) {
+                    const std::string& name, const std::stop_token& stop) {
   const CoverGround& ground = run.plan.ground;
   Report report;
   report.status = "done";
@@ -152,9 +155,9 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint6
                   outlines(ground.reach),
                   outlines(run.driven.missed),
                   outlines(run.driven.twice),
-                  points_along(run.plan.track, arc_step_rad),
+                  points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad),
                   passes_of(run.plan, run.drive),
-                  covered_by_then(run, problem.radius_m())};
+                  covered_by_then(run, problem.radius_m(), stop)};
   return report;
 }
 

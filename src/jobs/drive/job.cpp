@@ -15,7 +15,7 @@ Outcome<Warnings> DriveJob::load() {
 Outcome<Run> DriveJob::run(const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("driving"); !ok) return pass_on(ok);
-  Report report = run_drive(setup->task, setup->truth, setup->rendered,
+  Report report = run_drive(setup->task, setup->sim, setup->rendered,
                             static_cast<std::uint64_t>(scenario.seed), steps.inner());
   if (setup->plan) {
     report.metrics.emplace_back("path_m", length_of(*setup->plan));

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
-#include "outrider/jobs/drive/robot.hpp"
+#include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
 namespace {
@@ -63,9 +63,10 @@ class Recorder {
     }
   }
 
-  void note(const DriveMission& mission, const SimulatedDrive& robot) {
-    const Pose2& truth = robot.motion().pose();
-    const double time_s = robot.motion().time_s();
+  /// After each step of the mission.
+  void note(const DriveMission& mission, const SimulatedRobot& robot) {
+    const Pose2& truth = robot.pose();
+    const double time_s = robot.time_s();
     clearance_m = std::min(
         clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_) arrived(mission.arrivals[arrivals_], truth);
@@ -123,10 +124,10 @@ Report opened(const DriveTask& task, std::uint64_t seed) {
   return report;
 }
 
-void close(Report& report, const DriveTask& task, const DriveMission& mission, const SimulatedDrive& robot,
-           double clearance_m) {
+void close(Report& report, const DriveMission& mission, const SimulatedRobot& robot, double clearance_m) {
+  const DriveTask& task = mission.task;
   const Ideal ideal = ideal_of(task);
-  const WheelMotion& motion = robot.motion();
+  const WheelBody& motion = robot.body<WheelBody>();
   const bool touched = clearance_m < 0.0;
   report.status = mission.end == DriveEnd::done && !touched ? "done" : "not_done";
   report.reason = mission.reason;
@@ -140,7 +141,7 @@ void close(Report& report, const DriveTask& task, const DriveMission& mission, c
   std::vector<Vec2> way = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
   report.paths.push_back({0.0, motion.time_s(), std::move(way)});
-  const double images = static_cast<double>(std::max<std::int64_t>(1, robot.images()));
+  const double images = static_cast<double>(std::max<std::int64_t>(1, robot.devices().camera->images()));
   report.metrics = {{"driven_m", motion.driven_m()},
                     {"ideal_m", ideal.driven_m},
                     {"turned_rad", motion.turned_rad()},
@@ -150,32 +151,42 @@ void close(Report& report, const DriveTask& task, const DriveMission& mission, c
                     {"clearance_m", clearance_m}};
 }
 
+/// In the open loop the camera is blind.
+SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& params, bool rendered,
+                               std::uint64_t seed) {
+  const Rng rng(seed);
+  TagCameraOptions options;
+  options.rate_hz = task.eye.rate_hz;
+  options.exposure_s = task.eye.exposure_s;
+  TagSightFaults faults = params.sight;
+  if (!task.closed_loop) faults.blind_from_s = 0.0;
+  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
+                        {.camera = SimulatedTagCamera({task.world, task.tags}, robot_camera(task.eye),
+                                                      options, faults, rendered, rng)},
+                        params.kidnapping);
+}
+
 }  // namespace
 
-Report run_drive(const DriveTask& task, const DriveTruth& truth, bool rendered, std::uint64_t seed,
+Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  const RunWatch& watch) {
   Report report = opened(task, seed);
   const Ground ground = Ground::of(task.world, task.eye.height_m);
-  SimulatedDrive robot(task, truth, rendered, seed);
+  SimulatedRobot robot = simulated_robot(task, params, rendered, seed);
   DriveMission mission = begin(task);
   Recorder recorder(task, ground, report);
-  recorder.note(mission, robot);
-  bool stopped = false;
-  while (const auto command = step(mission, robot.sense(), task)) {
+  const bool finished = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
     recorder.note(mission, robot);
     if (watch.wanted()) watch.show(report);
-    if ((stopped = watch.stopped())) break;
-    robot.act(*command);
     watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
-  }
-  recorder.note(mission, robot);
+  });
   watch.show(report);
-  close(report, task, mission, robot, recorder.clearance_m);
-  if (stopped) mark_cancelled(report, robot.motion().time_s());
+  close(report, mission, robot, recorder.clearance_m);
+  if (!finished) mark_cancelled(report, robot.time_s());
   return report;
 }
 
-std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveTruth& truth, int repeats,
+std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveSimParams& params, int repeats,
                                         double sigma_m, double sigma_rad, std::uint64_t seed) {
   constexpr double coast_s = 2.0;
   constexpr double times_s[] = {1.0, 2.0, 3.0, 4.0, 5.0};
@@ -190,7 +201,7 @@ std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveTruth&
   for (const Twist2& command : commands) {
     for (const double time_s : times_s) {
       for (int i = 0; i < repeats; ++i) {
-        WheelMotion motion(task.chassis, truth.wheels, truth.link, {}, rng.child(runs.size()));
+        WheelBody motion(task.chassis, params.wheels, params.link, {}, rng.child(runs.size()));
         motion.send({});  // what the link loses
         motion.run_until(coast_s);
         motion.send(wheel_speeds(task.chassis, command));

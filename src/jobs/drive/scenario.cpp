@@ -177,8 +177,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
       {"rules", "when the robot looks, waits and gives up", describe(task.rules)},
       {"route", "how a planner's path becomes waypoints", describe(scenario.route)},
       {"faults", "what the wheels of the simulated robot do wrong, and what befalls it",
-       describe(scenario.truth)},
-      {"link", "how commands travel to the simulated robot", describe(scenario.truth.link)},
+       describe(scenario.sim)},
+      {"link", "how commands travel to the simulated robot", describe(scenario.sim.link)},
   };
 }
 
@@ -186,7 +186,7 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
   if (auto ok = check_words(scenario); !ok) return pass_on(ok);
   auto task = robot_from(scenario);
   if (!task) return pass_on(task);
-  DriveSetup setup{std::move(*task), scenario.truth, scenario.sight == "rendered", std::nullopt, 0.0, {}};
+  DriveSetup setup{std::move(*task), scenario.sim, scenario.sight == "rendered", std::nullopt, 0.0, {}};
   std::optional<Pose2> goal;
   if (scenario.goal.empty()) {
     auto waypoints = waypoints_from(scenario.waypoints);

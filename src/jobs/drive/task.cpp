@@ -37,19 +37,4 @@ std::vector<Option> describe(DriveRules& rules) {
   };
 }
 
-std::vector<Option> describe(DriveTruth& truth) {
-  std::vector<Option> options = describe(truth.wheels);
-  const std::vector<Option> own = {
-      {"corner_sigma", "px", 0.0, 10.0, "of a detected corner, where images are not rendered",
-       &truth.corner_sigma_px},
-      {"missed", "", 0.0, 1.0, "part of the tags in view that are not detected there", &truth.missed},
-      {"blind_from", "s", 0.0, 1e9, "from then on the robot sees no tags", &truth.blind_from_s},
-      {"kidnapped_at", "s", 0.0, 1e9, "when the robot is put elsewhere", &truth.kidnapped_at_s},
-      {"kidnapped_by", "m", -100.0, 100.0, "how far to its left", &truth.kidnapped_by_m},
-      {"kidnapped_turn", "deg", -180.0, 180.0, "and turned by how much", &truth.kidnapped_by_rad},
-  };
-  options.insert(options.end(), own.begin(), own.end());
-  return options;
-}
-
 }  // namespace outrider

@@ -11,8 +11,8 @@ namespace {
 /// Wheels that count right, and are believed.
 void make_pose_perfect(ExploreSetup& setup) {
   setup.task.slam.trust_odometry = true;
-  setup.truth.wheels.scale_error = 0.0;
-  setup.truth.wheels.noise_m = 0.0;
+  setup.sim.wheels.scale_error = 0.0;
+  setup.sim.wheels.noise_m = 0.0;
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Outcome<Warnings> ExploreJob::load() {
 Outcome<Run> ExploreJob::run(const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("exploring"); !ok) return pass_on(ok);
-  auto explored = run_explore(setup->world, setup->task, setup->truth,
+  auto explored = run_explore(setup->world, setup->task, setup->sim,
                               static_cast<std::uint64_t>(scenario.seed), steps.inner());
   if (!explored) return pass_on(explored);
   auto map = map_server_text({explored->map, 0.0}, "map.pgm");

@@ -50,9 +50,9 @@ void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
   say(mission, "end", mission.reason);
 }
 
-ExploreState state_of(ExploreMission& mission, const ExploreTask& task) {
-  return {mission.frontiers, mission.blacklist, task.robot,     mission.range_m,
-          mission.pose,      task.start,        mission.time_s, mission.decision.choice};
+ExploreState state_of(ExploreMission& mission) {
+  return {mission.frontiers, mission.blacklist,  mission.task.robot, mission.range_m,
+          mission.pose,      mission.task.start, mission.time_s,     mission.decision.choice};
 }
 
 void moved_on(ExploreMission& mission) {
@@ -70,33 +70,33 @@ bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<doub
 }
 
 /// The way home, or the end without one.
-void turn_home(ExploreMission& mission, const ExploreTask& task, const std::string& stop_reason,
-               const std::string& reason) {
+void turn_home(ExploreMission& mission, const std::string& stop_reason, const std::string& reason) {
   if (mission.stop_reason != stop_reason) say(mission, "home", reason);
   mission.stop_reason = stop_reason;
   mission.reason = reason;
-  mission.home = distance(mission.pose.position, task.start.position) <= task.rules.home_within_m;
-  if (task.rules.return_home && mission.home && !settled(mission, here_m)) {
+  mission.home =
+      distance(mission.pose.position, mission.task.start.position) <= mission.task.rules.home_within_m;
+  if (mission.task.rules.return_home && mission.home && !settled(mission, here_m)) {
     mission.arriving = true;
     return;
   }
-  if (!task.rules.return_home || mission.home) return end(mission, stop_reason, reason);
-  auto way = way_to(state_of(mission, task), task.start.position, task.explore, mission.workspace);
+  if (!mission.task.rules.return_home || mission.home) return end(mission, stop_reason, reason);
+  auto way = way_to(state_of(mission), mission.task.start.position, mission.task.explore, mission.workspace);
   if (!way) return end(mission, "stuck", "there is no way home: " + way.error().sentence);
   if (mission.stage != ExploreStage::go_home) moved_on(mission);
   mission.stage = ExploreStage::go_home;
   mission.path = PathProgress{std::move(*way), 0.0};
 }
 
-void take(ExploreMission& mission, Decision decision, const ExploreTask& task) {
+void take(ExploreMission& mission, Decision decision) {
   const bool elsewhere = decision.choice.frontier != mission.decision.choice.frontier ||
                          mission.stage != ExploreStage::seek || !mission.path;
   mission.decision = std::move(decision);
   if (mission.decision.kind == DecisionKind::complete && !settled(mission)) return;
   if (mission.decision.kind == DecisionKind::complete)
-    return turn_home(mission, task, "complete", mission.decision.sentence);
+    return turn_home(mission, "complete", mission.decision.sentence);
   if (mission.decision.kind == DecisionKind::leak)
-    return turn_home(mission, task, "leak", mission.decision.sentence);
+    return turn_home(mission, "leak", mission.decision.sentence);
   if (elsewhere) {
     ++mission.goal_changes;
     mission.settled_m.reset();
@@ -114,9 +114,9 @@ bool spent(const ExploreMission& mission, const ExploreRules& rules) {
 }
 
 /// Whether what is next of the path has been found to be in the way.
-bool blocked(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
-  const double wanted =
-      std::min(task.robot.radius_m + task.steer.least_gap_m, nearby.clearance(mission.pose.position) - 1e-3);
+bool blocked(const ExploreMission& mission, const Nearby& nearby) {
+  const double wanted = std::min(mission.task.robot.radius_m + mission.task.steer.least_gap_m,
+                                 nearby.clearance(mission.pose.position) - 1e-3);
   double before = 0.0;
   const PathProgress& path = *mission.path;
   for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -133,39 +133,39 @@ bool blocked(const ExploreMission& mission, const Nearby& nearby, const ExploreT
 }
 
 /// Whether it is time to think where to go.
-bool time_to_decide(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
+bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
   if (!mission.looked) return false;
   if (!mission.path) return true;
-  if (mission.time_s - mission.decided_s >= task.rules.think_again_s) return true;
+  if (mission.time_s - mission.decided_s >= mission.task.rules.think_again_s) return true;
   if (mission.stage == ExploreStage::seek &&
       !mission.frontiers.frontiers().contains(mission.decision.choice.frontier))
     return true;
-  return remaining_m(*mission.path) < arrived_m || blocked(mission, nearby, task);
+  return remaining_m(*mission.path) < arrived_m || blocked(mission, nearby);
 }
 
-void decide_anew(ExploreMission& mission, const ExploreTask& task) {
+void decide_anew(ExploreMission& mission) {
   const bool arrived =
       mission.path && mission.stage == ExploreStage::seek && remaining_m(*mission.path) < arrived_m;
   const std::uint32_t goal = mission.decision.choice.frontier;
   mission.decided_s = mission.time_s;
   ++mission.decisions;
-  if (spent(mission, task.rules)) {
+  if (spent(mission, mission.task.rules)) {
     return turn_home(
-        mission, task, "budget",
+        mission, "budget",
         fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
   }
   if (mission.arriving || (mission.stage == ExploreStage::go_home && mission.stop_reason != "complete"))
-    return turn_home(mission, task, mission.stop_reason, mission.reason);
+    return turn_home(mission, mission.stop_reason, mission.reason);
   // Looked at from where it was to be seen, and still there: it will not be seen.
   if (arrived && mission.frontiers.frontiers().contains(goal))
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
-  auto decision = decide(state_of(mission, task), task.explore, mission.workspace);
-  if (!decision) return turn_home(mission, task, "stuck", decision.error().sentence);
-  take(mission, std::move(*decision), task);
+  auto decision = decide(state_of(mission), mission.task.explore, mission.workspace);
+  if (!decision) return turn_home(mission, "stuck", decision.error().sentence);
+  take(mission, std::move(*decision));
 }
 
 /// Goes back along the way it came, and leaves the goal out for a while.
-void back_off(ExploreMission& mission, const ExploreTask& task) {
+void back_off(ExploreMission& mission) {
   if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
   mission.stuck_m = mission.driven_m;
   ++mission.stuck;
@@ -174,14 +174,14 @@ void back_off(ExploreMission& mission, const ExploreTask& task) {
       fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
                   mission.pose.position.y,
                   mission.touching ? "something was touched" : "it does not move on"));
-  if (mission.stuck_here > task.rules.most_stuck)
+  if (mission.stuck_here > mission.task.rules.most_stuck)
     return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
   if (mission.stage == ExploreStage::seek && mission.path)
     mission.blacklist.add(mission.decision.choice.place, mission.time_s);
   std::vector<Vec2> way = {mission.pose.position};
   const std::vector<Pose2> came = mission.slam.trajectory();
   double length = 0.0;
-  for (auto pose = came.rbegin(); pose != came.rend() && length < task.rules.back_off_m; ++pose) {
+  for (auto pose = came.rbegin(); pose != came.rend() && length < mission.task.rules.back_off_m; ++pose) {
     const double leg = distance(way.back(), pose->position);
     if (leg < 0.02) continue;
     length += leg;
@@ -193,21 +193,21 @@ void back_off(ExploreMission& mission, const ExploreTask& task) {
 }
 
 /// The same twist for a robot that drives backwards.
-Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby, const ExploreTask& task) {
+Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
   const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
   const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
-  RobotModel slow = task.robot;
+  RobotModel slow = mission.task.robot;
   slow.speed_mps *= 0.5;
-  const Twist2 back = steer(*mission.path, turned, now, nearby, slow, task.steer);
+  const Twist2 back = steer(*mission.path, turned, now, nearby, slow, mission.task.steer);
   return {-back.ahead_mps, 0.0, back.turn_radps};
 }
 
 /// Keeps an eye on getting on; true when it has to go back.
-bool stands_still(ExploreMission& mission, const ExploreTask& task) {
+bool stands_still(ExploreMission& mission) {
   const bool moved = distance(mission.pose.position, mission.stood.position) > moved_m ||
                      std::abs(wrap_angle(mission.pose.heading_rad - mission.stood.heading_rad)) > turned_rad;
   if (moved) moved_on(mission);
-  return mission.time_s - mission.moved_on_s > task.rules.patience_s;
+  return mission.time_s - mission.moved_on_s > mission.task.rules.patience_s;
 }
 
 /// What stands around: by the map, or by the newest scan where the map has hemmed the robot in.
@@ -215,44 +215,42 @@ Nearby surroundings(const ExploreMission& mission) {
   constexpr std::int64_t often = 3;
   constexpr double beam_m = 0.01;
   if (mission.stuck_here >= often && mission.driven_m - mission.stuck_m < nearby_m)
-    return {mission.seen, beam_m};
+    return {mission.beam_ends, beam_m};
   return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
 }
 
 /// Where to drive now, or nowhere.
-Twist2 drive(ExploreMission& mission, const ExploreTask& task) {
+Twist2 drive(ExploreMission& mission) {
   const Nearby nearby = surroundings(mission);
   if (mission.path) advance_along(*mission.path, mission.pose.position);
   if (mission.stage == ExploreStage::back_off) {
-    const bool goes_back =
-        mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission, task);
-    if (goes_back) return steer_back(mission, nearby, task);
+    const bool goes_back = mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission);
+    if (goes_back) return steer_back(mission, nearby);
     mission.stage = ExploreStage::seek;
     mission.path.reset();
-  } else if (mission.touching || (mission.path && stands_still(mission, task))) {
-    back_off(mission, task);
+  } else if (mission.touching || (mission.path && stands_still(mission))) {
+    back_off(mission);
     return {};
   }
   if (mission.wants_settling) return {};
-  if (time_to_decide(mission, nearby, task)) decide_anew(mission, task);
+  if (time_to_decide(mission, nearby)) decide_anew(mission);
   if (!mission.path) return {};
-  return steer(*mission.path, mission.pose, mission.twist, nearby, task.robot, task.steer);
+  return steer(*mission.path, mission.pose, mission.twist, nearby, mission.task.robot, mission.task.steer);
 }
 
 /// Keeps what the frontiers have to be told.
 void learn(ExploreMission& mission, MapUpdate update) {
   if (mission.looked) update = {true, {}};  // two scans at once: all is compared
-  mission.news = std::move(update);
+  mission.changed = std::move(update);
   mission.looked = true;
 }
 
 /// Tells the frontiers. A map of which much has changed is thought over with the next scan.
-void take_news(ExploreMission& mission, const ExploreTask& task) {
+void update_frontiers(ExploreMission& mission) {
   const bool first = mission.decisions == 0;
-  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.news);
-  mission.news = {};
+  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
   if (!much || first) return;
-  prepare(mission.frontiers, task.explore);
+  prepare(mission.frontiers, mission.task.explore);
   mission.looked = false;
 }
 
@@ -263,7 +261,7 @@ void settle(ExploreMission& mission) {
   learn(mission, {true, {}});
 }
 
-void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask& task) {
+void take_scan(ExploreMission& mission, const LaserScan& scan) {
   if (mission.wants_settling) settle(mission);
   auto step =
       mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)), scan);
@@ -276,7 +274,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
   } else {
     mission.scan_s = mission.time_s;
     mission.range_m = scan.most_m;
-    mission.seen = ends_of(scan, compose(mission.pose, task.slam.robot_T_laser));
+    mission.beam_ends = ends_of(scan, compose(mission.pose, mission.task.slam.robot_T_laser));
   }
   learn(mission, std::move(step->update));
   if (step->closed_loop) {
@@ -287,7 +285,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
   }
   const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));
-  if (sigma_m > task.rules.lost_m) {
+  if (sigma_m > mission.task.rules.lost_m) {
     end(mission, "lost",
         fmt::format("it is lost: its position has a standard deviation of {:.2f} m", sigma_m));
   }
@@ -295,8 +293,11 @@ void take_scan(ExploreMission& mission, const LaserScan& scan, const ExploreTask
 
 }  // namespace
 
-ExploreMission::ExploreMission(LaserSlam mapping, const ExploreTask& task)
-    : slam(std::move(mapping)), frontiers(task.explore.frontier, task.robot.radius_m), pose(task.start) {
+ExploreMission::ExploreMission(LaserSlam mapping, ExploreTask given)
+    : task(std::move(given)),
+      slam(std::move(mapping)),
+      frontiers(task.explore.frontier, task.robot.radius_m),
+      pose(task.start) {
   blacklist.ban_s = task.explore.ban_s;
 }
 
@@ -308,7 +309,7 @@ Outcome<ExploreMission> begin(const ExploreTask& task) {
   return ExploreMission(std::move(*slam), task);
 }
 
-void perceive(ExploreMission& mission, const ExplorerObservation& seen, const ExploreTask& task) {
+void perceive(ExploreMission& mission, const Observation& seen) {
   if (mission.stage == ExploreStage::over) return;
   const Pose2 now = finite(seen.odometry) ? seen.odometry : mission.odometry;
   if (!mission.started_s) {
@@ -323,20 +324,20 @@ void perceive(ExploreMission& mission, const ExplorerObservation& seen, const Ex
   mission.odometry = now;
   mission.pose = compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, now)));
   mission.touching = seen.touching;
-  if (seen.scan) take_scan(mission, *seen.scan, task);
+  if (seen.scan) take_scan(mission, *seen.scan);
 }
 
-std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTask& task) {
+std::optional<Command> respond(ExploreMission& mission) {
   if (mission.stage == ExploreStage::over) return std::nullopt;
-  const double until_s = mission.time_s + task.rules.period_s;
+  const double until_s = mission.time_s + mission.task.rules.period_s;
   const double blind_s = mission.time_s - mission.scan_s;
-  if (blind_s > task.rules.blind_s || mission.scans == mission.bad_scans) {
-    if (blind_s <= 10.0 * task.rules.blind_s) return ExplorerCommand{{}, until_s};
+  if (blind_s > mission.task.rules.blind_s || mission.scans == mission.bad_scans) {
+    if (blind_s <= 10.0 * mission.task.rules.blind_s) return DriveTwist{{}, until_s};
     end(mission, "blind", fmt::format("no scan that could be used came for {:.1f} s", blind_s));
     return std::nullopt;
   }
-  if (mission.looked) take_news(mission, task);
-  const Twist2 twist = drive(mission, task);
+  if (mission.looked) update_frontiers(mission);
+  const Twist2 twist = drive(mission);
   mission.looked = false;
   if (mission.stage == ExploreStage::over) {
     mission.slam.settle();
@@ -344,13 +345,12 @@ std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTas
         compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)));
     return std::nullopt;
   }
-  return ExplorerCommand{twist, until_s};
+  return DriveTwist{twist, until_s};
 }
 
-std::optional<ExplorerCommand> step(ExploreMission& mission, const ExplorerObservation& seen,
-                                    const ExploreTask& task) {
-  perceive(mission, seen, task);
-  return respond(mission, task);
+std::optional<Command> ExploreMission::step(const Observation& seen) {
+  perceive(*this, seen);
+  return respond(*this);
 }
 
 }  // namespace outrider

@@ -27,7 +27,7 @@ constexpr std::array<Cell, 4> sides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 struct Survey {
   const RangeFinder& laser;
-  const ExplorerGround& ground;
+  const OpenGround& ground;
   Grid<std::uint8_t>& places;
 
   [[nodiscard]] Vec2 at(Cell c) const { return places.frame.centre(c); }
@@ -63,7 +63,7 @@ Outcome<GridFrame> lattice(const Box2& box, double resolution_m) {
   return GridFrame{origin, resolution_m, static_cast<int>(width), static_cast<int>(height)};
 }
 
-Status check_start(const ExplorerGround& ground, Vec2 start, double resolution_m) {
+Status check_start(const OpenGround& ground, Vec2 start, double resolution_m) {
   const double gap_m = ground.gap_m(start);
   if (gap_m >= -1e-9) return {};
   std::string remedy = fmt::format("there is no free place within {:g} m; start it elsewhere", rescue_m);
@@ -175,7 +175,7 @@ void flood_sight(const Survey& survey) {
   }
 }
 
-void add_up(ExploreTruth& truth) {
+void add_up(ExplorationReference& truth) {
   const GridFrame& frame = truth.places.frame;
   const double cell_m2 = frame.resolution_m * frame.resolution_m;
   for (std::size_t i = 0; i < truth.places.cells.size(); ++i) {
@@ -187,8 +187,8 @@ void add_up(ExploreTruth& truth) {
 
 }  // namespace
 
-Outcome<ExploreTruth> explore_truth(const RangeFinder& laser, const ExplorerGround& ground, Vec2 start,
-                                    double resolution_m) {
+Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
+                                                    Vec2 start, double resolution_m) {
   if (auto ok = check_start(ground, start, resolution_m); !ok) return pass_on(ok);
   Box2 standing;
   for (const Box2& box : {laser.bounds(), ground.bounds()}) {
@@ -200,7 +200,7 @@ Outcome<ExploreTruth> explore_truth(const RangeFinder& laser, const ExplorerGrou
   whole.include(start);
   auto frame = lattice(whole.grown(2.0 * ground.radius_m() + 2.0 * resolution_m), resolution_m);
   if (!frame) return pass_on(frame);
-  ExploreTruth truth{Grid<std::uint8_t>(*frame, not_seeable), 0.0, 0.0, standing, false, {}};
+  ExplorationReference truth{Grid<std::uint8_t>(*frame, not_seeable), 0.0, 0.0, standing, false, {}};
   const Survey survey{laser, ground, truth.places};
   const auto outside = flood_ground(survey, start, standing);
   flood_sight(survey);
@@ -210,7 +210,7 @@ Outcome<ExploreTruth> explore_truth(const RangeFinder& laser, const ExplorerGrou
   return truth;
 }
 
-MapQuality map_quality(const ExploreTruth& truth, const RangeFinder& laser,
+MapQuality map_quality(const ExplorationReference& truth, const RangeFinder& laser,
                        const Grid<std::uint8_t>& occupancy) {
   MapQuality quality;
   const GridFrame& places = truth.places.frame;

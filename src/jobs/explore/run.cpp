@@ -22,19 +22,17 @@ class Recorder {
  public:
   explicit Recorder(Report& report) : report_(report) {}
 
-  /// Before the mission responds.
-  void note_map(const ExploreMission& mission) {
-    if (!mission.looked) return;
-    discovery_.note(mission.slam.map().occupancy(), mission.news.redrawn, mission.news.cells, mission.time_s);
-  }
-
-  void note(const ExploreMission& mission, const SimulatedExplorer& robot) {
+  /// After each step of the mission.
+  void note(const ExploreMission& mission, const Observation& seen, const Pose2& true_pose) {
     const bool over = mission.stage == ExploreStage::over;
+    const MapUpdate& changed = mission.changed;
+    if (seen.scan)
+      discovery_.note(mission.slam.map().occupancy(), changed.redrawn, changed.cells, mission.time_s);
     note_decision(mission);
     note_events(mission);
     if (mission.time_s >= next_track_s_ || over) {
       next_track_s_ = mission.time_s + track_every_s - 1e-9;
-      report_.track.push_back({mission.time_s, robot.pose(), 0.0, 0.0});
+      report_.track.push_back({mission.time_s, true_pose, 0.0, 0.0});
     }
     if (mission.time_s < next_belief_s_ && !over) return;
     next_belief_s_ = mission.time_s + belief_every_s - 1e-9;
@@ -85,7 +83,8 @@ class Recorder {
   double next_belief_s_ = 0.0;
 };
 
-Report opened(const World& world, const ExploreTask& task, const ExplorerTruth& truth, std::uint64_t seed) {
+Report opened(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
+              std::uint64_t seed) {
   Report report;
   report.job = "explore";
   report.seed = seed;
@@ -102,7 +101,7 @@ Report opened(const World& world, const ExploreTask& task, const ExplorerTruth& 
                              box.low.z < world.floor_z_m + task.robot.height_m});
   }
   report.explore.emplace();
-  const RangeFinderModel& laser = truth.laser;
+  const RangeFinderModel& laser = params.laser;
   report.explore->laser = {static_cast<int>(laser.beams), laser.most_m, laser.height_m, laser.robot_T_laser};
   for (const RoundedPolygon& piece : cut_at(world, laser.height_m)) {
     report.explore->walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
@@ -117,26 +116,42 @@ double mapped_free_m2(const OccupancyMap& map) {
 
 /// The task in a world that may have no end: there the robot turns back once its map is larger than all that
 /// can be seen from within the box of what stands.
-ExploreTask bounded(ExploreTask task, const ExploreTruth& truth, const RangeFinderModel& laser) {
+ExploreTask bounded(ExploreTask task, const ExplorationReference& truth, const RangeFinderModel& laser) {
   const Vec2 size = truth.standing.size();
   const double most_m = std::max(1.0, std::max(size.x, size.y) + 2.0 * laser.most_m);
   if (truth.leaks) task.explore.most_extent_m = std::min(task.explore.most_extent_m, most_m);
   return task;
 }
 
-/// The longest times of thinking.
-struct Thinking {
-  double decision_s = 0.0;
-  double step_s = 0.0;
+/// The mission, with the longest processor times of its steps.
+struct TimedMission {
+  std::optional<Command> step(const Observation& seen) {
+    const std::int64_t decisions = mission.decisions;
+    const double began_s = processor_s();
+    perceive(mission, seen);
+    const double perceived_s = processor_s();
+    auto command = respond(mission);
+    const double responded_s = processor_s();
+    if (command && mission.decisions > decisions)
+      max_decision_s = std::max(max_decision_s, responded_s - perceived_s);
+    max_step_s = std::max(max_step_s, responded_s - began_s);
+    return command;
+  }
+
+  ExploreMission mission;
+  double max_decision_s = 0.0;
+  double max_step_s = 0.0;
 };
 
-void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplorer& robot,
-           const ExploreTruth& truth, const Thinking& thinking, const ExploreTask& task) {
+void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& robot,
+           const ExplorationReference& truth) {
+  const ExploreMission& mission = timed.mission;
+  const TwistBody& body = robot.body<TwistBody>();
   Report& report = run.report;
-  const bool home = distance(robot.pose().position, task.start.position) <= home_m;
-  const bool back = home || !task.rules.return_home;
+  const bool home = distance(robot.pose().position, mission.task.start.position) <= home_m;
+  const bool back = home || !mission.task.rules.return_home;
   const bool complete = mission.stop_reason == "complete";
-  report.status = complete && back && robot.contacts() == 0 ? "done" : "not_done";
+  report.status = complete && back && body.contacts() == 0 ? "done" : "not_done";
   if (mission.stop_reason == "leak" && truth.leaks) {
     report.reason = fmt::format(
         "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
@@ -146,75 +161,64 @@ void close(ExploreRun& run, const ExploreMission& mission, const SimulatedExplor
     report.reason = mission.reason;
   } else if (!back) {
     report.reason = "it is not home";
-  } else if (robot.contacts() > 0) {
+  } else if (body.contacts() > 0) {
     report.reason = "something was touched";
   }
   for (const RefusedFrontier& frontier : mission.decision.refused)
     report.explore->refused.push_back({frontier.centroid, frontier.reason});
   run.stop_reason = mission.stop_reason;
-  const MapQuality quality = map_quality(truth, robot.laser(), run.map);
+  const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
   const auto number = [](auto value) { return static_cast<double>(value); };
   report.metrics = {{"explored_fraction", quality.explored_fraction},
                     {"time_s", robot.time_s()},
-                    {"distance_m", robot.driven_m()},
-                    {"turned_rad", robot.turned_rad()},
+                    {"distance_m", body.driven_m()},
+                    {"turned_rad", body.turned_rad()},
                     {"decisions", number(mission.decisions)},
                     {"map_error_m", quality.map_error_m},
                     {"mapped_free_m2", quality.mapped_free_m2},
                     {"seeable_m2", truth.seeable_m2},
                     {"reachable_m2", truth.reachable_m2},
-                    {"contacts", number(robot.contacts())},
+                    {"contacts", number(body.contacts())},
                     {"returned_home", home ? 1.0 : 0.0},
                     {"home_error_m", distance(robot.pose().position, mission.pose.position)},
                     {"stuck", number(mission.stuck)},
                     {"bad_scans", number(mission.bad_scans)},
                     {"loops", number(mission.loops)}};
-  report.machine_times = {{"max_decision_s", thinking.decision_s}, {"max_step_s", thinking.step_s}};
+  report.machine_times = {{"max_decision_s", timed.max_decision_s}, {"max_step_s", timed.max_step_s}};
 }
 
 }  // namespace
 
-Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerTruth& truth,
+Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerSimParams& params,
                                 std::uint64_t seed, const RunWatch& watch, const ScanHook& scanned) {
-  SimulatedExplorer robot(world, given.start, given.robot, truth, seed);
-  const auto places = explore_truth(robot.laser(), robot.ground(), given.start.position);
-  if (!places) return tl::unexpected<Fault>(places.error());
-  const ExploreTask task = bounded(given, *places, truth.laser);
-  auto mission = begin(task);
-  if (!mission) return pass_on(mission);
+  SimulatedRobot robot = simulated_explorer(world, given.start, given.robot, params, seed);
+  const auto reference = exploration_reference(robot.devices().laser->finder(),
+                                               robot.body<TwistBody>().ground(), given.start.position);
+  if (!reference) return tl::unexpected<Fault>(reference.error());
+  auto begun = begin(bounded(given, *reference, params.laser));
+  if (!begun) return pass_on(begun);
+  TimedMission timed{std::move(*begun)};
+  const ExploreMission& mission = timed.mission;
   ExploreRun run;
-  run.report = opened(world, task, truth, seed);
+  run.report = opened(world, mission.task, params, seed);
   Recorder recorder(run.report);
-  Thinking thinking;
-  bool stopped = false;
-  while (true) {
-    const ExplorerObservation seen = robot.sense();
-    const std::int64_t decisions = mission->decisions;
-    const double began_s = processor_s();
-    perceive(*mission, seen, task);
-    recorder.note_map(*mission);
-    const double looked_s = processor_s();
-    const auto command = respond(*mission, task);
-    if (command && mission->decisions > decisions)
-      thinking.decision_s = std::max(thinking.decision_s, processor_s() - looked_s);
-    thinking.step_s = std::max(thinking.step_s, processor_s() - began_s);
-    recorder.note(*mission, robot);
-    if (seen.scan && scanned) scanned(*mission, robot);
-    if (seen.scan && mission->scans % 25 == 0)
-      watch.part(std::min(1.0, mapped_free_m2(mission->slam.map()) / places->seeable_m2));
-    stopped = command && watch.stopped();
-    if (watch.observer != nullptr && (!command || stopped || watch.observer->wants()))
-      recorder.show(*mission, *watch.observer);
-    if (!command || stopped) break;
-    robot.act(*command);
-  }
-  run.map = mission->slam.map().occupancy();
-  run.track = mission->slam.trajectory();
-  run.pose = mission->pose;
+  const auto note = [&](const Observation& seen, const Command* command) {
+    recorder.note(mission, seen, robot.pose());
+    if (seen.scan && scanned) scanned(mission, robot);
+    if (seen.scan && mission.scans % 25 == 0)
+      watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
+    const bool last = command == nullptr || watch.stopped();
+    if (watch.observer != nullptr && (last || watch.observer->wants()))
+      recorder.show(mission, *watch.observer);
+  };
+  const bool finished = run_mission(timed, robot, watch.stop, note);
+  run.map = mission.slam.map().occupancy();
+  run.track = mission.slam.trajectory();
+  run.pose = mission.pose;
   run.true_pose = robot.pose();
-  run.report.explore->map = recorder.map(*mission);
-  close(run, *mission, robot, *places, thinking, task);
-  if (stopped) mark_cancelled(run.report, robot.time_s());
+  run.report.explore->map = recorder.map(mission);
+  close(run, timed, robot, *reference);
+  if (!finished) mark_cancelled(run.report, robot.time_s());
   return run;
 }
 

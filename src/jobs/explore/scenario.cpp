@@ -38,8 +38,8 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
         {"perfect_pose", "", 0, 0, "wheels that count right and are believed: no SLAM",
          &scenario.perfect_pose}}},
       {"robot", "the robot, a disk on two wheels", describe(task.robot)},
-      {"laser", "its range finder", describe(scenario.truth.laser)},
-      {"wheels", "its wheels and how they count wrong", describe(scenario.truth.wheels)},
+      {"laser", "its range finder", describe(scenario.sim.laser)},
+      {"wheels", "its wheels and how they count wrong", describe(scenario.sim.wheels)},
       {"explore", "where it goes next", describe(task.explore)},
       {"steer", "how it drives there", describe(task.steer)},
       {"rules", "when it thinks, waits and gives up", describe(task.rules)},
@@ -51,12 +51,12 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
 Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   auto start = parse_pose(scenario.start, "start");
   if (!start) return pass_on(start);
-  if (auto ok = check_laser(scenario.truth.laser); !ok) return pass_on(ok);
+  if (auto ok = check_laser(scenario.sim.laser); !ok) return pass_on(ok);
   auto loaded = load_explore_world(scenario.world);
   if (!loaded) return pass_on(loaded);
-  ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.truth, std::move(loaded->warnings)};
+  ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.sim, std::move(loaded->warnings)};
   setup.task.start = {start->position, wrap_angle(start->heading_rad)};
-  setup.truth.laser.robot_T_laser = setup.task.slam.robot_T_laser;
+  setup.sim.laser.robot_T_laser = setup.task.slam.robot_T_laser;
   return setup;
 }
 

@@ -100,11 +100,6 @@ std::vector<Intruder> settled_intruders(const GuardProblem& problem) {
   return intruders;
 }
 
-std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng) {
-  const std::size_t other = rng.below(places - 1);
-  return other < place ? other : other + 1;
-}
-
 Outcome<Watch> watch_over(const GuardProblem& problem, const Site& site, std::vector<Intruder> intruders) {
   if (problem.targets_block) {
     return bad_input("targets that come and go cannot block; leave one of targets_block and arrivals out",

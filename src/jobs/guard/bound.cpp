@@ -59,8 +59,8 @@ class Relaxed {
  public:
   Relaxed(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets);
 
-  /// Takes one more target in; false, and nothing done, when the budget ends first.
-  bool choose(std::size_t index, BudgetMeter& meter);
+  /// Takes one more target in; false, and nothing done, when the budget ends first or the token is raised.
+  bool choose(std::size_t index, BudgetMeter& meter, const std::stop_token& stop);
   /// The index of the target for which a best relaxed mission would have to do most besides its least flight.
   [[nodiscard]] std::optional<std::size_t> hardest() const;
   [[nodiscard]] double bound_s() const;
@@ -135,7 +135,7 @@ void Relaxed::drive(Field& value) const {
   for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], driven[c]);
 }
 
-bool Relaxed::choose(std::size_t index, BudgetMeter& meter) {
+bool Relaxed::choose(std::size_t index, BudgetMeter& meter, const std::stop_token& stop) {
   const std::size_t half = value_.size();
   for (std::size_t i = 0; i < half; ++i) {
     if (!meter.spend()) return false;
@@ -147,10 +147,14 @@ bool Relaxed::choose(std::size_t index, BudgetMeter& meter) {
     by_size[static_cast<std::size_t>(std::popcount(set))].push_back(set);
   }
   for (const auto& sets : by_size) {
-    parallel_for(sets.size(), [&](std::size_t i) {
+    const bool done = parallel_for(sets.size(), stop, [&](std::size_t i) {
       value_[sets[i]] = arrived(sets[i]);
       drive(value_[sets[i]]);
     });
+    if (done) continue;
+    chosen_.pop_back();
+    value_.resize(half);
+    return false;
   }
   return true;
 }
@@ -223,7 +227,7 @@ double mission_bound(const GuardProblem& problem, const Site& site, const std::v
   Relaxed relaxed(problem, site, targets);
   while (relaxed.chosen() < most && std::ldexp(field, static_cast<int>(relaxed.chosen()) + 1) <= room) {
     const auto next = relaxed.hardest();
-    if (!next || !relaxed.choose(*next, meter)) break;
+    if (!next || !relaxed.choose(*next, meter, budget.stop)) break;
   }
   return relaxed.bound_s();
 }

@@ -28,8 +28,13 @@ struct Drafting {
   [[nodiscard]] Vec2 place(std::size_t cell) const { return site.frame.centre(site.frame.cell(cell)); }
 };
 
+tl::unexpected<Fault> cancelled() {
+  return fault(FaultCode::cancelled, "it was cancelled while it drafted the tour");
+}
+
 /// Finds the shots of these cells that are not in the book yet.
-void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
+/// Fault: cancelled; then shots are missing.
+Status fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   std::vector<ShotBook::iterator> missing;
   for (const std::size_t cell : cells) {
     for (const std::size_t t : drafting.targets) {
@@ -40,11 +45,12 @@ void fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   }
   const Site& site = drafting.site;
   const auto pitches = pitch_lattice(site.rules);
-  parallel_for(missing.size(), [&](std::size_t i) {
+  const bool done = parallel_for(missing.size(), drafting.budget.stop, [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
     missing[i]->second = best_shot(site.rules, site.space(t), drafting.problem.targets[t],
                                    drafting.place(cell), pitches[site.regions[t].pitch[cell]]);
   });
+  return done ? Status{} : Status(cancelled());
 }
 
 /// The cell of a target's region with the least spread from which it has an exact shot, which joins the book.
@@ -57,6 +63,7 @@ std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t)
   std::stable_sort(cells.begin(), cells.end(),
                    [&](std::size_t a, std::size_t b) { return region.spread[a] < region.spread[b]; });
   for (const std::size_t cell : cells) {
+    if (drafting.budget.stop.stop_requested()) return std::nullopt;
     const auto shot = best_shot(drafting.site.rules, drafting.site.space(t), drafting.problem.targets[t],
                                 drafting.place(cell), 0.0);
     if (!shot) continue;
@@ -68,8 +75,8 @@ std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t)
 }
 
 /// Adds a cell for each target that has no exact shot from the given ones; drops it when none has.
-void cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
-  fill(drafting, cells);
+Status cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
+  if (auto ok = fill(drafting, cells); !ok) return ok;
   std::erase_if(drafting.targets, [&](std::size_t t) {
     const bool covered = std::any_of(cells.begin(), cells.end(), [&](std::size_t cell) {
       const auto entry = drafting.book.find({cell, t});
@@ -81,6 +88,7 @@ void cover_all(Drafting& drafting, std::vector<std::size_t>& cells) {
     return !cell;
   });
   cells.insert(cells.end(), drafting.needed.begin(), drafting.needed.end());
+  return drafting.budget.stop.stop_requested() ? Status(cancelled()) : Status{};
 }
 
 /// Flights until the first hit, on average, times the length of one.
@@ -111,7 +119,7 @@ std::vector<std::vector<Service>> services(const Drafting& drafting, const std::
 
 Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_t>& cells) {
   const GuardProblem& problem = drafting.problem;
-  fill(drafting, cells);
+  if (auto ok = fill(drafting, cells); !ok) return pass_on(ok);
   Draft draft{{0}, drafting.targets, {}, {}};
   std::vector<Vec2> places{problem.start.position};
   for (const std::size_t cell : cells) {
@@ -211,7 +219,7 @@ Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const G
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
   if (drafting.targets.size() > most_alone) most = most * 2 / 5;
   auto cells = choose_stops(site, drafting.hits, coarse_tile_m, most, {}, 0.0);
-  cover_all(drafting, cells);
+  if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells);
   for (std::int64_t i = 0; best && i < options.refinements; ++i) {
     auto closer = solve_over(drafting, cells_near(drafting, *best));

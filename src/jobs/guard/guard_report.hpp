@@ -8,8 +8,8 @@ namespace outrider {
 /// The yard as it really is.
 const GuardProblem& true_problem(const GuardRun& run);
 const Site& true_site(const GuardRun& run);
-/// What the simulated robot is told of the intruders and of its stores.
-GuardSimParams sim_params(const GuardRun& run);
+/// What the simulated robot is told of the intruders.
+TargetSimParams target_params(const GuardRun& run);
 
 /// Job, seed, world, robot, start and stations: what is known before anything happens.
 Report opened_report(const GuardRun& run);

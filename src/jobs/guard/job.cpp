@@ -73,7 +73,7 @@ Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardPro
   auto plan = planner.plan(problem, site, scenario.options, watch.budget());
   if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
   plan = supply_plan(problem, site, std::move(*plan), watch.budget());
-  if (plan && scenario.options.shoot_on_the_move) plan = shoot_in_passing(problem, site, *plan);
+  if (plan && scenario.options.shoot_on_the_move) plan = shoot_in_passing(problem, site, *plan, watch.stop);
   return plan;
 }
 
@@ -84,8 +84,8 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
   // Who walks about is not shot at by the regions of where it stood first.
   const bool needs_regions = !scenario.wander.any() || scenario.regions;
-  auto site =
-      survey(scenario.problem, scenario.options, needs_regions ? RegionSearch::proven : RegionSearch::none);
+  auto site = survey(scenario.problem, scenario.options, watch.budget(),
+                     needs_regions ? RegionSearch::proven : RegionSearch::none);
   if (!site) return pass_on(site);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
   auto plan = plan_still_yard(scenario, scenario.problem, *site, planner, watch);
@@ -98,7 +98,28 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   return finished(std::move(*report), planned_s - began_s, scenario, scenario.problem, *site);
 }
 
-/// The exploring comes first, and all plans are made on what it found.
+/// Plans and shoots on what was found.
+Outcome<Run> guard_found_yard(const GuardScenario& scenario, const GuardPlanner& planner, ScoutedYard yard,
+                              RunSteps& steps, const RunWatch& watch) {
+  if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
+  const double began_s = wall_s();
+  const auto site = survey(yard.found.problem, scenario.options, watch.budget());
+  if (!site) return tl::unexpected<Fault>(site.error());
+  yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *site);
+  const GuardProblem found = yard.found.problem;
+  const auto plan = plan_still_yard(scenario, found, *site, planner, watch);
+  if (!plan) return tl::unexpected<Fault>(plan.error());
+  const double planning_s = wall_s() - began_s;
+  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
+  const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  auto report = run_guard_on_map(scenario.problem, std::move(yard), *site, *plan, scenario.options, seed,
+                                 steps.inner());
+  if (!report) return pass_on(report);
+  return finished(std::move(*report), planning_s, scenario, found, *site);
+}
+
+/// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps
+/// the exploring.
 Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner,
                                 const RunWatch& watch) {
   RunSteps steps(watch, 3);
@@ -106,24 +127,13 @@ Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanne
   if (auto ok = steps.next("exploring the yard"); !ok) return pass_on(ok);
   auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, steps.inner());
   if (!yard) return pass_on(yard);
-  if (yard->run.report.status == "cancelled") {
-    yard->run.report.job = "guard";
-    return Run{std::move(yard->run.report)};
-  }
-  if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
-  const double began_s = wall_s();
-  const auto site = survey(yard->found.problem, scenario.options);
-  if (!site) return tl::unexpected<Fault>(site.error());
-  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *site);
-  const GuardProblem found = yard->found.problem;
-  const auto plan = plan_still_yard(scenario, found, *site, planner, watch);
-  if (!plan) return tl::unexpected<Fault>(plan.error());
-  const double planning_s = wall_s() - began_s;
-  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
-  auto report = run_guard_on_map(scenario.problem, std::move(*yard), *site, *plan, scenario.options, seed,
-                                 steps.inner());
-  if (!report) return pass_on(report);
-  return finished(std::move(*report), planning_s, scenario, found, *site);
+  Report explored = yard->run.report;
+  explored.job = "guard";
+  if (explored.status == "cancelled") return Run{std::move(explored)};
+  auto run = guard_found_yard(scenario, planner, std::move(*yard), steps, watch);
+  if (run || run.error().code != FaultCode::cancelled) return run;
+  mark_cancelled(explored, metric(explored, "time_s"));
+  return Run{std::move(explored)};
 }
 
 }  // namespace

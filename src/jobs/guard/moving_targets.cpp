@@ -201,7 +201,8 @@ void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
 }  // namespace
 
 Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
-                                const GuardOptions& options, const WanderOptions& wander) {
+                                const GuardOptions& options, const WanderOptions& wander,
+                                const Budget& budget) {
   GuardProblem regions = problem;
   regions.targets.clear();
   for (const Vec2 region : map.regions) {
@@ -215,9 +216,9 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, c
   coarse.resolution_m = std::max(options.resolution_m, problem.air.none() ? 0.2 : 0.3);
   // In air it takes long to prove that a region cannot be hit, and a stop is all that a proof could find.
   auto surveyed =
-      survey(regions, coarse, problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
+      survey(regions, coarse, budget, problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
   if (!surveyed) return pass_on(surveyed);
-  auto outlook = look_out(regions, *surveyed, {}, {}, {});
+  auto outlook = look_out(regions, *surveyed, {}, {}, budget);
   if (!outlook) return pass_on(outlook);
   std::vector<double> longest_m;
   if (!problem.air.none()) {

@@ -32,8 +32,9 @@ void offer_plan(const GuardPlan& plan, Outlook& outlook, std::vector<Offer>& off
   }
 }
 
-void offer_others(const GuardProblem& problem, const Site& site, std::size_t most, Outlook& outlook,
-                  std::vector<Offer>& offers) {
+/// Fault: cancelled.
+Status offer_others(const GuardProblem& problem, const Site& site, std::size_t most, Outlook& outlook,
+                    std::vector<Offer>& offers, const std::stop_token& stop) {
   const SureHits hits = sure_hits(problem, site);
   const std::size_t planned = offers.size();
   const auto pitches = pitch_lattice(site.rules);
@@ -47,11 +48,13 @@ void offer_others(const GuardProblem& problem, const Site& site, std::size_t mos
     }
     outlook.stops.push_back(place);
   }
-  parallel_for(offers.size() - planned, [&](std::size_t i) {
+  const bool done = parallel_for(offers.size() - planned, stop, [&](std::size_t i) {
     Offer& offer = offers[planned + i];
     offer.shot = best_shot(site.rules, site.space(offer.target), problem.targets[offer.target],
                            outlook.stops[offer.stop], offer.pitch_rad);
   });
+  if (!done) return fault(FaultCode::cancelled, "it was cancelled while it looked for shots");
+  return {};
 }
 
 /// The services of the offers: those of the plan, the first stops, and good ones alone where a target has
@@ -84,7 +87,8 @@ Outcome<Outlook> look_out(const GuardProblem& problem, const Site& site, const G
   Outlook outlook{{problem.start.position}, {}, Routes(nullptr), {}, {}};
   std::vector<Offer> offers;
   offer_plan(plan, outlook, offers);
-  offer_others(problem, site, static_cast<std::size_t>(options.stops), outlook, offers);
+  const auto most = static_cast<std::size_t>(options.stops);
+  if (auto ok = offer_others(problem, site, most, outlook, offers, budget.stop); !ok) return pass_on(ok);
   outlook.stops.insert(outlook.stops.end(), besides.begin(), besides.end());
 
   auto routes = site_routes(problem, site, outlook.stops, budget);

@@ -109,13 +109,14 @@ class Assembly {
 
 }  // namespace
 
-GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan) {
+GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                           const std::stop_token& stop) {
   GuardPlan best = plan;
   std::vector<std::size_t> targets;
   bool fills = false;
-  for (const PlannedStop& stop : plan.stops) {
-    fills = fills || stop.call;
-    for (const PlannedHit& hit : stop.hits) targets.push_back(hit.target);
+  for (const PlannedStop& planned : plan.stops) {
+    fills = fills || planned.call;
+    for (const PlannedHit& hit : planned.hits) targets.push_back(hit.target);
   }
   best.expected_s.reset();
   best.lower_bound_s = moving_bound(problem, site, targets);
@@ -130,6 +131,7 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const 
   for (bool shorter = true; std::exchange(shorter, false);) {
     Choice chosen;
     for (Choice& next : lighter(choice)) {
+      if (stop.stop_requested()) return best;
       auto candidate = assembly.plan_of(next);
       if (!candidate || candidate->cost_s > best.cost_s - worth_s) continue;
       best = std::move(*candidate);

@@ -18,7 +18,7 @@ Outcome<TemporalMission> mission_of(const GuardScenario& scenario, const RunWatc
   if (!planner) return pass_on(planner);
   RunSteps steps(watch, 3);
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  auto site = survey(scenario.problem, scenario.options);
+  auto site = survey(scenario.problem, scenario.options, watch.budget());
   if (!site) return pass_on(site);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
   auto plan = planner->plan(scenario.problem, *site, scenario.options, watch.budget());

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "errors.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
-#include "outrider/sim/profile.hpp"
+#include "outrider/sim/simulated_gun.hpp"
 
 namespace outrider {
 namespace {
@@ -148,8 +147,8 @@ void PhysicsGuard::drive_to(Vec2 goal) {
 void PhysicsGuard::follow(const FollowWaypoints& command) {
   std::vector<Vec2> waypoints = command.waypoints;
   if (waypoints.size() < 2) return;
-  waypoints.back() =
-      strayed_goal(waypoints, problem_, site_, in_disk(arrival_rng_, problem_.errors.position_m));
+  waypoints.back() = strayed_goal(waypoints, problem_.robot.radius_m, site_.ground, site_.rules,
+                                  in_disk(arrival_rng_, problem_.errors.position_m));
   ReportPath path{now_s(), 0.0, waypoints};
   const Vec2 goal = waypoints.back();
   log("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
@@ -225,21 +224,13 @@ void PhysicsGuard::fire(const Fire& command) {
   const Flight flight = launched(actual);
   log("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));
 
-  ReportShot shot;
-  shot.target = target.name;
-  shot.attempt = ++attempts_[command.target];
-  shot.time_s = now_s();
+  const double fired_s = now_s();
   const Impact impact = thrown(flight, command.target);
   const Impact expected = fly(flight, radius, space, target, problem_.world.floor_z_m);
-  shot.flight_s = impact.time_s;
-  shot.muzzle = flight.muzzle;
-  shot.velocity_mps = flight.velocity_mps;
-  shot.contact = contact_of(impact, command.target);
-  shot.contact_point = impact.position;
-  shot.hit = impact.hit;
-  shot.hit_by_reference_rule = hits_by_reference_rule(flight, target, impact.time_s);
-  shot.clearance_m = impact.hit ? space.clearance(flight, radius, impact.time_s, 1.0).distance_m : 0.0;
-  shot.profile = profile_of(flight, impact, space, target);
+  ReportShot shot = shot_record(flight, impact, space, target, radius, contact_of(impact, command.target));
+  shot.target = target.name;
+  shot.attempt = ++attempts_[command.target];
+  shot.time_s = fired_s;
   if (impact.hit) {
     log("hit", fmt::format("hits {}", target.name));
   } else {

@@ -2,18 +2,6 @@
 
 namespace outrider {
 
-std::vector<Option> describe(ExecutionErrors& errors) {
-  return {
-      {"position", "m", 0.0, 10.0, "largest distance from the goal of a drive to where it ends",
-       &errors.position_m},
-      {"heading", "rad", 0.0, 1.0, "largest error of the heading there", &errors.heading_rad},
-      {"gun", "rad", 0.0, 1.0, "largest error of the barrel's yaw and pitch", &errors.aim.gun_rad},
-      {"speed", "", 0.0, 0.5, "largest error of the muzzle speed, as a part of it", &errors.aim.speed_ratio},
-      {"timing", "s", 0.0, 1.0, "largest error of the moment of a shot from a robot that drives",
-       &errors.timing_s},
-  };
-}
-
 std::vector<Option> describe(GuardOptions& options) {
   return {
       {"planner", "", 0, 0, "how the mission is planned; a name of 'outrider list'", &options.planner},

@@ -49,6 +49,7 @@ void tell_of_misses(StopTasks& tasks, const RigidRecord& rigid) {
 Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, SimRecord& record,
                  const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
+  mission.tasks.stop = watch.stop;
   Report report = opened_report(run);
   double expected_hits = 0.0;
   const auto show = [&] {
@@ -68,7 +69,7 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, S
   if (watch.observer != nullptr) show();
   if (record.rigid) tell_of_misses(mission.tasks, *record.rigid);
   close_report(report, run, mission, record, expected_hits);
-  if (!ended) mark_cancelled(report, report.track.back().time_s);
+  if (!ended || watch.stopped()) mark_cancelled(report, report.track.back().time_s);
   return report;
 }
 
@@ -83,7 +84,8 @@ Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch) {
     PhysicsGuard robot(run.problem, run.site, **bodies, run.seed);
     return carry_out(run, yielding, robot, robot.record, watch);
   }
-  SimulatedGuard robot(true_problem(run), true_site(run), run.seed, sim_params(run));
+  SimulatedRobot robot = simulated_guard(true_problem(run), true_site(run), run.seed, target_params(run),
+                                         run.truth ? run.truth->levels : StoreLevels{});
   return carry_out(run, run.problem, robot, robot.record, watch);
 }
 

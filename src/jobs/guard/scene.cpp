@@ -75,8 +75,8 @@ const GuardProblem& true_problem(const GuardRun& run) { return run.truth ? run.t
 
 const Site& true_site(const GuardRun& run) { return run.truth ? run.truth->site : run.site; }
 
-GuardSimParams sim_params(const GuardRun& run) {
-  GuardSimParams params;
+TargetSimParams target_params(const GuardRun& run) {
+  TargetSimParams params;
   params.survival = run.survival;
   if (run.arrivals) {
     params.intruders = run.arrivals->yard.intruders;
@@ -87,7 +87,6 @@ GuardSimParams sim_params(const GuardRun& run) {
     params.look_s = run.walkers->plan.options.look_s;
     params.sight_m = run.walkers->plan.options.sight_m;
   }
-  if (run.truth) params.levels = run.truth->levels;
   return params;
 }
 

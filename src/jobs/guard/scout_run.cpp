@@ -19,12 +19,12 @@ class TargetDetector {
   TargetDetector(const std::vector<Target>& targets, const ScoutOptions& options, std::uint64_t seed)
       : seen(targets.size()), targets_(targets), options_(options), rng_(Rng(seed).child("lookout")) {}
 
-  void look(const ExploreMission& mission, const SimulatedExplorer& robot) {
+  void look(const ExploreMission& mission, const SimulatedRobot& robot) {
     const Pose2 truth = robot.pose();
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       const Vec2 place = xy(targets_[i].base);
       if (distance(truth.position, place) > options_.sight_m) continue;
-      if (!robot.laser().sees(truth.position, place)) continue;
+      if (!robot.devices().laser->finder().sees(truth.position, place)) continue;
       const Vec2 ahead = truth.to_local(place);
       const Vec2 error = options_.sight_error_m * Vec2{rng_.normal(), rng_.normal()};
       const Vec2 believed = mission.pose * ahead + error;
@@ -211,7 +211,7 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   TargetDetector detector(truth.targets, task.options, seed);
   std::vector<Vec2> stood;
   auto run = run_explore(truth.world, explore, task.sensors, seed, watch,
-                         [&](const ExploreMission& mission, const SimulatedExplorer& robot) {
+                         [&](const ExploreMission& mission, const SimulatedRobot& robot) {
                            detector.look(mission, robot);
                            stood.push_back(mission.pose.position);
                          });
@@ -233,7 +233,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
   coarse.resolution_m = coarse_m;
-  const auto true_site = survey(really, coarse);
+  const auto true_site = survey(really, coarse, watch.budget());
   if (!true_site) return tl::unexpected<Fault>(true_site.error());
   const double explore_s = metric(yard.run.report, "time_s");
   WholeMission whole(yard.run.report, explore_s, watch.observer);

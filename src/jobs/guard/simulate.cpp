@@ -58,7 +58,8 @@ Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const Si
   if (!stops) return tl::unexpected<Fault>(stops.error());
   ArrivalOptions quick = arrivals;
   quick.beam = std::min(arrivals.beam, played_beam);
-  const auto [policy, expected] = best_manner(problem, *stops, quick, missions_played);
+  const auto [policy, expected] = best_manner(problem, *stops, quick, missions_played, watch.stop);
+  if (watch.stopped()) return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
   auto report = run_arrivals(*yard, *stops, policy, quick.beam, arrivals, options, seed, watch);
   if (!report) return report;
   report->metrics.emplace_back("expected_s", expected.mean_s);
@@ -76,9 +77,10 @@ Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const Site&
                                         const std::vector<double>& weights, const std::vector<Track>& history,
                                         const WanderOptions& wander, const GuardOptions& options,
                                         std::uint64_t seed, const RunWatch& watch) {
-  const auto walks = draw_walks(problem, site, weights, wander, seed, longest_walk_s);
+  const auto walks = draw_walks(problem, site, weights, wander, seed, longest_walk_s, watch.budget());
   if (!walks) return tl::unexpected<Fault>(walks.error());
-  const auto plan = plan_moving(problem, site, visit_map(problem, site, history, wander), options, wander);
+  const auto plan =
+      plan_moving(problem, site, visit_map(problem, site, history, wander), options, wander, watch.budget());
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const GuardPlan none;
   return run_guard({.problem = problem,

@@ -232,9 +232,9 @@ std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
 }
 
 /// Tries everything the resolution allows before a target counts as out of reach.
-void prove(Site& site, const Target& target, std::size_t t) {
+void prove(Site& site, const Target& target, std::size_t t, const std::stop_token& stop) {
   const FlightSpace& space = site.space(t);
-  Exhausted tried = exhaust(site.rules, space, target, site.frame, site.reachable);
+  Exhausted tried = exhaust(site.rules, space, target, site.frame, site.reachable, stop);
   if (tried.found) {
     FiringRegion& region = site.regions[t];
     const auto pitches = pitch_lattice(site.rules);
@@ -252,7 +252,8 @@ void prove(Site& site, const Target& target, std::size_t t) {
   for (std::size_t i = 0; i < elsewhere.size(); ++i) {
     elsewhere[i] = site.standable[i] != 0 && site.reachable[i] == 0 ? 1 : 0;
   }
-  site.proofs[t].from_elsewhere = firing_region(site.rules, space, target, site.frame, elsewhere).hits > 0;
+  site.proofs[t].from_elsewhere =
+      firing_region(site.rules, space, target, site.frame, elsewhere, stop).hits > 0;
   site.proofs[t].exhausted = std::move(tried);
 }
 
@@ -266,7 +267,8 @@ World driving_world(const GuardProblem& problem) {
 
 }  // namespace
 
-Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, RegionSearch search) {
+Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, const Budget& budget,
+                     RegionSearch search) {
   if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
   if (auto ok = check_targets(problem); !ok) return pass_on(ok);
   auto frame = frame_for(problem, options);
@@ -290,9 +292,12 @@ Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, R
   if (search == RegionSearch::none) return site;
   parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
-    site.regions[i] = firing_region(site.rules, site.space(i), target, site.frame, site.reachable);
-    if (site.regions[i].hits == 0 && search == RegionSearch::proven) prove(site, target, i);
+    site.regions[i] =
+        firing_region(site.rules, site.space(i), target, site.frame, site.reachable, budget.stop);
+    if (site.regions[i].hits == 0 && search == RegionSearch::proven) prove(site, target, i, budget.stop);
   });
+  if (budget.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");
   return site;
 }
 

@@ -12,21 +12,22 @@ namespace {
 constexpr std::size_t other_stops = 60;
 
 /// Whether the goal can be served by a robot that does nothing else.
-bool is_possible_alone(SupplyProblem problem, std::uint32_t goal) {
+bool is_possible_alone(SupplyProblem problem, std::uint32_t goal, const Budget& budget) {
   problem.table.goals = 1;
   for (auto& services : problem.table.services) {
     std::erase_if(services, [&](const Service& service) { return service.goal != goal; });
     for (Service& service : services) service.goal = 0;
   }
-  const auto tour = solve_supplied(problem, {.iterations = 0}, {});
+  const auto tour = solve_supplied(problem, {.iterations = 0}, budget);
   return tour && tour->dropped.empty();
 }
 
-std::string why_unsupplied(const Supplies& supplies, const SupplyProblem& problem, std::uint32_t goal) {
+std::string why_unsupplied(const Supplies& supplies, const SupplyProblem& problem, std::uint32_t goal,
+                           const Budget& budget) {
   const auto fills = [&](Store store) {
     return std::ranges::count(problem.fillers, store, &Filler::store) > 0;
   };
-  if (!is_possible_alone(problem, goal)) {
+  if (!is_possible_alone(problem, goal, budget)) {
     return fmt::format(
         "a battery of {:g} Wh, {:.0f} % of it in reserve, does not suffice to get to a place with a "
         "shot at it{}",
@@ -86,7 +87,8 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, Gu
   if (!tour) return pass_on(tour);
   plan.stops = stops_of(problem, site, *table, *tour, plan);
   for (const std::uint32_t goal : tour->dropped) {
-    plan.unsupplied.push_back({table->targets[goal], why_unsupplied(problem.supplies, table->problem, goal)});
+    plan.unsupplied.push_back(
+        {table->targets[goal], why_unsupplied(problem.supplies, table->problem, goal, budget)});
   }
   plan.tour_proven = tour->proven_optimal;
   if (!plan.unsupplied.empty())

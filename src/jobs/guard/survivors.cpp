@@ -101,9 +101,10 @@ class Played {
   Standing now_;
 };
 
-ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions) {
+ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions,
+                       const std::stop_token& stop) {
   std::vector<double> times(missions);
-  parallel_for(missions, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
+  parallel_for(missions, stop, [&](std::size_t i) { times[i] = Played(model).time_s(draws.child(i)); });
   const auto n = static_cast<double>(missions);
   ExpectedTime expected;
   for (const double time : times) expected.mean_s += time / n;
@@ -126,18 +127,18 @@ std::vector<Manner> manners() {
 }
 
 ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                           const Manner& manner, std::size_t missions) {
-  return mean_time({problem, outlook, options, manner}, Rng(0).child("survivors"), missions);
+                           const Manner& manner, std::size_t missions, const std::stop_token& stop) {
+  return mean_time({problem, outlook, options, manner}, Rng(0).child("survivors"), missions, stop);
 }
 
 BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                       std::size_t missions) {
+                       std::size_t missions, const std::stop_token& stop) {
   std::optional<BestManner> best;
   for (const Manner& manner : manners()) {
-    const auto time = mean_time({problem, outlook, options, manner}, Rng(0).child("choice"), missions);
+    const auto time = mean_time({problem, outlook, options, manner}, Rng(0).child("choice"), missions, stop);
     if (!best || time.mean_s < best->time.mean_s) best = BestManner{manner, time};
   }
-  best->time = expected_time(problem, outlook, options, best->manner, missions);
+  best->time = expected_time(problem, outlook, options, best->manner, missions, stop);
   return *best;
 }
 

@@ -73,7 +73,7 @@ std::vector<Option> describe(WanderOptions& options) {
 
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const Site& site,
                                       const std::vector<double>& weights, const WanderOptions& options,
-                                      std::uint64_t seed, double until_s) {
+                                      std::uint64_t seed, double until_s, const Budget& budget) {
   if (problem.targets_block) {
     return bad_input("targets that walk cannot block; leave one of targets_block and wander out",
                      "targets_block");
@@ -84,11 +84,13 @@ Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const Site& s
   for (const Target& target : problem.targets) places.push_back(xy(target.base));
   RobotModel walker = problem.robot;
   walker.radius_m = *room_m;
-  auto routes = routes_between(site.ground, walker, places, {}, {}, {});
+  auto routes = routes_between(site.ground, walker, places, {}, {}, budget);
   if (!routes) return pass_on(routes);
   std::vector<Walk> walks;
   for (std::size_t i = 0; i < places.size(); ++i) {
     Rng rng = Rng(seed).child("wander").child(i);
+    if (budget.stop.stop_requested())
+      return fault(FaultCode::cancelled, "it was cancelled while it drew walks");
     double time_s = 0.0;
     Walk walk{{{0.0, places[i]}}};
     for (std::size_t at = i; time_s < until_s;) {

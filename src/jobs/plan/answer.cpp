@@ -100,7 +100,7 @@ struct Asked {
   /// All these queries from one start, in one search where the planner has one; each has its share of the
   /// time.
   void ask(const std::vector<PlanQuery>& queries, std::vector<PlanRow>& rows) const {
-    const PlanGround& ground = question.ground;
+    const PlanGround& ground = *question.ground;
     const Problem problem = problem_of(planner.first, ground, queries.front());
     std::vector<Vec2> goals;
     for (const PlanQuery& query : queries) goals.push_back(ground.to_grid(query.to));
@@ -130,7 +130,7 @@ struct Asked {
   /// How much longer the first search on the ground takes than the same again.
   [[nodiscard]] double building_s() const {
     if (!planner.first.index || question.queries.empty()) return 0.0;
-    const Problem problem = problem_of(planner.first, question.ground, question.queries.front());
+    const Problem problem = problem_of(planner.first, *question.ground, question.queries.front());
     const auto time_s = [&] {
       const double begin_s = wall_s();
       [[maybe_unused]] const auto plan = planner.second.plan(problem, budget, workspace);

@@ -16,7 +16,7 @@ constexpr std::size_t most_query_pictures = 100;
 constexpr std::size_t most_edges_with_legs = 1000;  // the legs of more are too many to see
 
 NamedContent grid_picture(const PlanQuestion& question, const PlanAnswer& answer, const Trace* trace) {
-  const PlanGround& ground = question.ground;
+  const PlanGround& ground = *question.ground;
   PathPicture picture{ground.occupied, ground.blocked, {}, {}, {}, {}};
   if (ground.shapes) picture.obstacles = ground.shapes->obstacles();
   for (const PlanQuery& query : question.queries) picture.goals.push_back(ground.to_grid(query.to));
@@ -33,7 +33,7 @@ NamedContent grid_picture(const PlanQuestion& question, const PlanAnswer& answer
 
 /// One picture for each query, with the ways of all planners; and one of all queries, each its shortest way.
 std::vector<NamedContent> polygon_pictures(const PlanQuestion& question, const PlanAnswer& answer) {
-  const PlanGround& ground = question.ground;
+  const PlanGround& ground = *question.ground;
   PolygonPicture base{ground.polygons, ground.grid ? &ground.blocked : nullptr, {}, {}};
   if (ground.polygons->edges.size() <= most_edges_with_legs) {
     base.legs = visibility_legs(*ground.polygons, false);
@@ -63,7 +63,7 @@ std::vector<NamedContent> polygon_pictures(const PlanQuestion& question, const P
 std::vector<NamedContent> plan_pictures(const PlanQuestion& question, const PlanAnswer& answer,
                                         const Trace* trace) {
   if (question.queries.empty() || answer.rows.empty()) return {};
-  if (question.ground.polygons) return polygon_pictures(question, answer);
+  if (question.ground->polygons) return polygon_pictures(question, answer);
   return {grid_picture(question, answer, trace)};
 }
 

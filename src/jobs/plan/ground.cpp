@@ -44,8 +44,8 @@ Status set_polygons(PlanGround& ground, Outcome<PolygonGround> polygons, const P
   return set_grid(ground, blocked_for_disk(*ground.polygons, options.grid), options);
 }
 
-Status set_shape(PlanGround& ground, const LoadedMap& map, const PlanGroundOptions& options) {
-  if (const auto* cells = std::get_if<MapCells>(&map.shape)) {
+Status set_shape(PlanGround& ground, const MapShape& map, const PlanGroundOptions& options) {
+  if (const auto* cells = std::get_if<MapCells>(&map)) {
     ground.yaw_rad = cells->yaw_rad;
     ground.occupied = cells->occupancy;
     return set_grid(ground, inflated(cells->occupancy, options.radius_m), options);
@@ -54,11 +54,11 @@ Status set_shape(PlanGround& ground, const LoadedMap& map, const PlanGroundOptio
     return bad_input("it changes cells, and this map has exact shapes; leave it out, or take a map of cells",
                      options.changes.front().where);
   }
-  if (const auto* polygons = std::get_if<PolygonMap>(&map.shape)) {
+  if (const auto* polygons = std::get_if<PolygonMap>(&map)) {
     return set_polygons(ground, PolygonGround::of(polygons->boundary, polygons->obstacles, options.radius_m),
                         options);
   }
-  Ground shapes = Ground::of(std::get<World>(map.shape), options.height_m);
+  Ground shapes = Ground::of(std::get<World>(map), options.height_m);
   if (options.as_polygons) {
     return set_polygons(ground, polygons_from_world(shapes, options.radius_m), options);
   }
@@ -90,7 +90,7 @@ Box2 PlanGround::bounds() const {
   return turned;
 }
 
-Outcome<PlanGround> plan_ground(const LoadedMap& map, const PlanGroundOptions& options) {
+Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options) {
   PlanGround ground;
   ground.radius_m = options.radius_m;
   if (auto ok = set_shape(ground, map, options); !ok) return pass_on(ok);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "files.hpp"
+#include "outrider/core/text.hpp"
 #include "outrider/job/run_job.hpp"
-#include "report.hpp"
 #include "summary.hpp"
 
 namespace outrider {
@@ -49,7 +51,7 @@ Outcome<Run> PlanJob::run(const RunWatch& watch) {
   const auto question = question_of(*task);
   if (!question) return tl::unexpected<Fault>(question.error());
   if (question->queries.size() == 1) {
-    if (auto ok = check_query(question->ground, question->queries.front()); !ok) return pass_on(ok);
+    if (auto ok = check_query(*question->ground, question->queries.front()); !ok) return pass_on(ok);
   }
   Trace trace;
   const bool traces = task->settled.trace;
@@ -60,10 +62,11 @@ Outcome<Run> PlanJob::run(const RunWatch& watch) {
              watch.budget());
   if (!found) return tl::unexpected<Fault>(found.error());
   if (auto ok = check_single(*found); !ok) return pass_on(ok);
-  Run run{plan_report(*task, *question, *found), plan_pictures(*question, *found, traces ? &trace : nullptr)};
+  Run run{plan_report(*question, *found), plan_pictures(*question, *found, traces ? &trace : nullptr)};
   run.tables = {table_of(*found)};
+  run.report.world_name = printable(std::filesystem::path(task->settled.map).filename().string());
   run.report.settings = settled_settings(task->settled);
-  if (traces) run.files.push_back({"trace.json", trace_json(trace, *question->ground.grid)});
+  if (traces) run.files.push_back({"trace.json", trace_json(trace, *question->ground->grid)});
   watch.show(run.report);
   return run;
 }

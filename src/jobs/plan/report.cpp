@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-
-#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
@@ -68,16 +65,15 @@ const PlanRow* shortest(const std::vector<const PlanRow*>& rows) {
   return best;
 }
 
-Report plan_report(const PlanTask& task, const PlanQuestion& question, const PlanAnswer& answer) {
+Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   Report report;
   report.job = "plan";
   report.reason = reason_of(question, answer);
   const bool all =
       std::all_of(answer.rows.begin(), answer.rows.end(), [](const PlanRow& row) { return row.found(); });
   report.status = all ? "done" : "not_done";
-  report.world_name = printable(std::filesystem::path(task.settled.map).filename().string());
-  report.bounds = question.ground.bounds();
-  report.robot_radius_m = question.ground.radius_m;
+  report.bounds = question.ground->bounds();
+  report.robot_radius_m = question.ground->radius_m;
   if (!question.queries.empty()) report.start.position = question.queries.front().from;
   for (const PlanRow& row : answer.rows) {
     if (row.found()) report.paths.push_back({0.0, 0.0, row.waypoints});

@@ -78,6 +78,21 @@ Status check(const PlanScenario& scenario) {
   return {};
 }
 
+Outcome<GridModel> find_grid_model(const std::string& name) {
+  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
+    if (to_string(model) == name) return model;
+  }
+  return bad_input(fmt::format("'{}' is no good; it takes cells or corners", excerpt(name)), "model");
+}
+
+Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons) {
+  if (planner.takes(model) || (has_polygons && planner.polygons)) return {};
+  return bad_input(
+      fmt::format("{} takes {} a grid of {}; 'outrider list' says what each planner takes", planner.name,
+                  has_polygons ? "neither polygons nor" : "polygons, not", to_string(model)),
+      "planner");
+}
+
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given) {
   if (kind == MapKind::movingai && !given.contains("radius")) scenario.radius_m = 0.0;
   if (kind != MapKind::polygons) return scenario;

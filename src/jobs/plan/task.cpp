@@ -1,41 +1,24 @@
 #include "outrider/jobs/plan/task.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "outrider/io/text.hpp"
 #include "queries.hpp"
 
 namespace outrider {
 namespace {
 
-Outcome<GridModel> model_of(const PlanScenario& scenario) {
-  for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-    if (to_string(model) == scenario.model) return model;
-  }
-  return bad_input(fmt::format("'{}' is no good; it takes cells or corners", excerpt(scenario.model)),
-                   "model");
-}
-
 /// The planner that is named, or all that take such a ground.
 Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const PlanGroundOptions& ground) {
-  const auto fits = [&](const PathPlanner& planner) {
-    return planner.takes(ground.model) || (ground.as_polygons && planner.polygons);
-  };
   std::vector<ChosenPlanner> planners = scenario.planners;
   if (scenario.compare) {
-    std::erase_if(planners, [&](const ChosenPlanner& planner) { return !fits(planner.first); });
+    std::erase_if(planners, [&](const ChosenPlanner& planner) {
+      return !check_takes(planner.first, ground.model, ground.as_polygons);
+    });
     return planners;
   }
   auto named = find_path_planner(scenario.planner);
   if (!named) return bad_input(named.error().sentence, "planner");
-  if (!fits(*named)) {
-    return bad_input(
-        fmt::format("{} takes {} a grid of {}; 'outrider list' says what each planner takes", named->name,
-                    ground.as_polygons ? "neither polygons nor" : "polygons, not", to_string(ground.model)),
-        "planner");
-  }
+  if (auto ok = check_takes(*named, ground.model, ground.as_polygons); !ok) return pass_on(ok);
   std::erase_if(planners, [&](const ChosenPlanner& planner) { return planner.first.name != named->name; });
   return planners;
 }
@@ -59,7 +42,7 @@ Status check_trace(const PlanTask& task) {
 
 Status set_ground_options(PlanTask& task) {
   const PlanScenario& scenario = task.settled;
-  auto model = model_of(scenario);
+  auto model = find_grid_model(scenario.model);
   if (!model) return pass_on(model);
   auto changes = cell_changes(scenario);
   if (!changes) return pass_on(changes);
@@ -92,9 +75,9 @@ Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::st
 }
 
 Outcome<PlanQuestion> question_of(const PlanTask& task) {
-  auto ground = plan_ground(task.map, task.ground);
+  auto ground = plan_ground(task.map.shape, task.ground);
   if (!ground) return pass_on(ground);
-  return PlanQuestion{std::move(*ground), task.planners, task.queries};
+  return PlanQuestion{std::make_shared<const PlanGround>(std::move(*ground)), task.planners, task.queries};
 }
 
 }  // namespace outrider

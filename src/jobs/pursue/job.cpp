@@ -21,6 +21,7 @@ class WallWatch : public StopWatch {
     const double now_s = wall_s();
     return now_s - std::exchange(last_s_, now_s);
   }
+  void restart() override { last_s_ = wall_s(); }
 
  private:
   double last_s_ = wall_s();
@@ -84,7 +85,7 @@ Outcome<Run> PursueJob::run(const RunWatch& watch) {
     report = pursuit_report(task->problem, *pursued, name);
     report.machine_times = {
         {"first_feasible_s", first_s}, {"planning_s", pursued->planning_s}, {"peak_mib", peak_mib()}};
-    if (stopped) mark_cancelled(report, static_cast<double>(pursued->mission.time_s));
+    if (stopped) mark_cancelled(report, static_cast<double>(pursued->state.time_s));
   } else {
     report = pursuit_report(task->problem, pursued.error(), name);
     report.machine_times = {{"first_feasible_s", std::numeric_limits<double>::quiet_NaN()},

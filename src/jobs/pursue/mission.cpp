@@ -1,102 +1,219 @@
 #include "outrider/jobs/pursue/mission.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
 
 namespace outrider {
 
-int seconds_charged(double planning_s) {
-  constexpr double most_s = 1e9;
-  if (!(planning_s < most_s)) return static_cast<int>(most_s);
-  return std::max(1, static_cast<int>(planning_s));
-}
+PursuitMission::PursuitMission(const PursuitProblem& map, std::size_t seconds, const PursuitRules& rules,
+                               StopWatch& watch, std::function<void(const PursuitRun&)> look)
+    : rules_(rules),
+      watch_(watch),
+      look_(std::move(look)),
+      seconds_(seconds),
+      belief_(map, seconds, rules.forecast) {}
 
-PursuitMission begin_pursuit(std::vector<Cell> robots) {
-  PursuitMission mission;
-  mission.robots = std::move(robots);
-  for (const Cell cell : mission.robots) mission.paths.push_back({cell});
-  return mission;
-}
-
-bool is_over(const PursuitMission& mission, const PursuitProblem& problem) {
-  return mission.caught || mission.time_s >= problem.last_s();
-}
-
-Cell robot_at(const PursuitMission& mission, std::size_t robot, int lead_s) {
-  if (robot != mission.duty || lead_s <= 0 || mission.ahead.empty()) return mission.robots[robot];
-  return mission.ahead[std::min(static_cast<std::size_t>(lead_s), mission.ahead.size()) - 1];
-}
-
-PursuitProblem question(const PursuitMission& mission, const PursuitProblem& believed, std::size_t robot,
-                        int lead_s) {
-  PursuitProblem asked = believed;
-  asked.start = robot_at(mission, robot, lead_s);
-  asked.start_s = mission.time_s + lead_s;
-  return asked;
-}
-
-std::optional<std::uint64_t> cost_ahead(const PursuitMission& mission, const PursuitProblem& believed) {
-  std::uint64_t cost = 0;
-  Cell at = mission.robots[mission.duty];
-  auto second = static_cast<std::size_t>(mission.time_s);
-  for (const Cell next : mission.ahead) {
-    if (++second >= believed.target.size()) return std::nullopt;
-    cost += (*believed.costs)[at];
-    at = next;
-    if (at == believed.target[second]) return cost;
+std::optional<Command> PursuitMission::step(const Observation& seen) {
+  watch_.restart();
+  take_in(*seen.grid);
+  if (thinking_s_ > 0 && !is_over()) {
+    if (--thinking_s_ == 0) splice_answers();
+    return go();
   }
-  return std::nullopt;
+  if (called_) {
+    called_ = false;
+    note();
+    settle();
+  }
+  if (is_over() || !plan()) return std::nullopt;
+  return go();
 }
 
-bool splice(PursuitMission& mission, const PursuitProblem& believed, const PursuitProposal& proposal) {
-  const std::vector<Cell>& path = proposal.plan.path;
-  PursuitMission other;
-  other.robots = mission.robots;
-  other.time_s = mission.time_s;
-  other.duty = proposal.robot;
-  if (proposal.start_s <= mission.time_s) {  // it should have begun: only where the robot has kept to it
-    const auto late = static_cast<std::size_t>(mission.time_s - proposal.start_s);
-    if (late >= path.size() || path[late] != mission.robots[proposal.robot]) return false;
-    other.ahead.assign(path.begin() + static_cast<std::ptrdiff_t>(late) + 1, path.end());
+/// Where all are now, and what is newly known of the target.
+void PursuitMission::take_in(const GridObservation& grid) {
+  target_.insert(target_.end(), grid.target.begin(), grid.target.end());
+  if (run.state.robots.empty()) {
+    run.state = begin_pursuit(grid.robots);
   } else {
-    const int lead_s = proposal.start_s - mission.time_s;
-    if (path.empty() || path.front() != robot_at(mission, proposal.robot, lead_s)) return false;
-    if (proposal.robot == mission.duty) other.ahead = mission.ahead;
-    other.ahead.resize(static_cast<std::size_t>(lead_s), path.front());
-    other.ahead.insert(other.ahead.end(), path.begin() + 1, path.end());
+    const auto now_s = static_cast<std::size_t>(run.state.time_s) + 1;
+    pass_second(run.state, *belief_.believed.costs, grid.robots, target_[now_s]);
   }
-  const auto present = cost_ahead(mission, believed), proposed = cost_ahead(other, believed);
-  if (!proposed || (present && *present <= *proposed)) return false;
-  mission.duty = other.duty;
-  mission.ahead = std::move(other.ahead);
+}
+
+bool PursuitMission::is_over() const {
+  return run.state.caught || static_cast<std::size_t>(run.state.time_s) + 1 >= seconds_;
+}
+
+/// Thinks, unless there is nothing to think about. Returns false when it is over.
+bool PursuitMission::plan() {
+  if (belief_.update(target_, run.state.robots[run.state.duty])) {
+    settled_ = false;
+    lead_s_ = 0;
+    sessions_.clear();
+  }
+  if (settled_) return true;
+  planning_s_ = call();
+  if (!first_answer()) return false;
+  thinking_s_ = rules_.clock == PursuitClock::wall ? seconds_charged(planning_s_) - 1 : 0;
+  if (thinking_s_ == 0) splice_answers();
   return true;
 }
 
-void pass_second(PursuitMission& mission, const PursuitProblem& truth) {
-  if (is_over(mission, truth)) return;
-  Cell& robot = mission.robots[mission.duty];
-  mission.cost += (*truth.costs)[robot];
-  if (!mission.ahead.empty()) {
-    if (mission.ahead.front() != robot) ++mission.moves;
-    robot = mission.ahead.front();
-    mission.ahead.erase(mission.ahead.begin());
-  }
-  ++mission.time_s;
-  if (!mission.duties.empty() && mission.duties.back() != mission.duty) ++mission.handovers;
-  mission.duties.push_back(mission.duty);
-  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    mission.paths[i].push_back(mission.robots[i]);
-  }
-  mission.caught = robot == truth.target[static_cast<std::size_t>(mission.time_s)];
+Command PursuitMission::go() const {
+  return StepToCell{run.state.duty, robot_at(run.state, run.state.duty, 1)};
 }
 
-bool step(PursuitMission& mission, const PursuitProblem& truth, const PursuitProblem& believed,
-          const std::vector<PursuitProposal>& proposals, double planning_s) {
-  const int seconds = seconds_charged(planning_s);
-  for (int s = 1; s < seconds && !is_over(mission, truth); ++s) pass_second(mission, truth);
-  bool taken = false;
-  for (const PursuitProposal& proposal : proposals) taken = splice(mission, believed, proposal) || taken;
-  pass_second(mission, truth);
-  return taken;
+/// What looking takes is not charged.
+void PursuitMission::show() {
+  if (!look_) return;
+  look_(run);
+  watch_.restart();
+}
+
+void PursuitMission::open_sessions() {
+  sessions_.clear();
+  for (std::size_t i = 0; i < run.state.robots.size(); ++i) {
+    Session session;
+    session.robot = i;
+    session.problem = question(run.state, belief_.believed, i, lead_s_);
+    if (!rules_.ask) session.search.emplace(session.problem);
+    sessions_.push_back(std::move(session));
+  }
+}
+
+bool PursuitMission::all_failed() const {
+  return std::ranges::all_of(sessions_, [](const Session& s) { return s.fault.has_value(); });
+}
+
+/// One call of the planner for the team; returns the seconds that it took.
+double PursuitMission::call() {
+  ++run.calls;
+  const double before_s = run.planning_s;
+  if (sessions_.empty()) open_sessions();
+  for (Session& session : sessions_) work_on(session);
+  if (all_failed() && !belief_.is_certain()) {
+    belief_.expect_rest();
+    open_sessions();
+    for (Session& session : sessions_) work_on(session);
+  }
+  if (run.calls == 1 && belief_.is_certain()) keep_bounds();
+  return run.planning_s - before_s;
+}
+
+void PursuitMission::work_on(Session& session) {
+  if (session.done) return;
+  session.search ? search_in(session) : ask_for(session);
+  if (session.fault) session.done = true;
+}
+
+void PursuitMission::ask_for(Session& session) {
+  auto plan = rules_.ask(session.problem, rules_.budget);
+  run.planning_s += watch_.lap_s();
+  session.done = true;
+  if (plan) {
+    run.expansions += plan->counters.expansions;
+    session.lower_bound = plan->lower_bound;
+    session.earliest_catch_s = plan->earliest_catch_s;
+    session.answer = std::move(*plan);
+    note_answer(session);
+  } else {
+    session.fault = std::move(plan.error());
+  }
+}
+
+/// Until the call's time is up or the search is over.
+void PursuitMission::search_in(Session& session) {
+  AnytimePursuit& search = *session.search;
+  const bool timed = rules_.clock == PursuitClock::wall;
+  const double end_s = timed ? run.planning_s + rules_.call_s / static_cast<double>(sessions_.size())
+                             : std::numeric_limits<double>::infinity();
+  std::uint64_t expanded = search.counters().expansions;
+  for (bool better = true; better && !search.proven() && run.planning_s < end_s;) {
+    Budget budget = rules_.budget;
+    if (timed) {
+      const std::chrono::duration<double> left(end_s - run.planning_s);
+      budget.wall_time = std::chrono::duration_cast<std::chrono::nanoseconds>(left);
+    }
+    const auto worked = search.improve(budget);
+    run.planning_s += watch_.lap_s();
+    const std::uint64_t before = std::exchange(expanded, search.counters().expansions);
+    run.expansions += expanded - before;
+    if (!worked) {
+      session.fault = worked.error();
+      break;
+    }
+    better = search.best() && (!session.answer || search.best()->cost < session.answer->cost);
+    session.answer = search.best();
+    session.lower_bound = search.lower_bound();
+    session.earliest_catch_s = search.earliest_catch_s().value_or(-1);
+    note_answer(session);
+  }
+  session.done = search.proven();
+}
+
+/// What the first call proves holds for the mission; later ones start elsewhere.
+void PursuitMission::keep_bounds() {
+  run.lower_bound = std::numeric_limits<std::uint64_t>::max();
+  for (const Session& session : sessions_) {
+    if (session.fault) continue;
+    run.lower_bound = std::min(run.lower_bound, session.lower_bound);
+    if (session.earliest_catch_s < 0) continue;
+    run.earliest_catch_s = run.earliest_catch_s < 0
+                               ? session.earliest_catch_s
+                               : std::min(run.earliest_catch_s, session.earliest_catch_s);
+  }
+  if (all_failed()) run.lower_bound = 0;
+}
+
+void PursuitMission::note_answer(const Session& session) {
+  if (session.answer && run.first_feasible_s < 0.0) run.first_feasible_s = run.planning_s;
+  if (run.calls > 1 || sessions_.size() > 1 || !belief_.is_certain()) return;
+  const auto cost = session.answer ? std::optional(session.answer->cost) : std::nullopt;
+  run.moments.push_back({run.state.time_s, run.planning_s, run.expansions, cost, session.lower_bound});
+  show();
+}
+
+void PursuitMission::note() {
+  auto cost = cost_ahead(run.state, belief_.believed);
+  if (run.state.caught) cost = 0;
+  if (cost) *cost += run.state.cost;
+  run.moments.push_back({run.state.time_s, run.planning_s, run.expansions, cost, run.lower_bound});
+}
+
+/// The faults of the first call are the answer to the whole request. Returns false when it is over.
+bool PursuitMission::first_answer() {
+  if (!all_failed()) return true;
+  if (run.calls == 1 && belief_.is_certain()) {
+    fault = std::move(*sessions_.front().fault);
+    return false;
+  }
+  const bool from_here = sessions_.front().problem.start_s == run.state.time_s;
+  return !from_here || !belief_.is_certain() || cost_ahead(run.state, belief_.believed);
+}
+
+void PursuitMission::splice_answers() {
+  called_ = true;
+  taken_ = false;
+  for (const Session& session : sessions_) {
+    if (!session.answer) continue;
+    const PursuitProposal proposal{session.robot, *session.answer, session.problem.start_s};
+    taken_ = splice(run.state, belief_.believed, proposal) || taken_;
+  }
+}
+
+/// Whether to go on thinking, and from how far ahead.
+void PursuitMission::settle() {
+  const bool done = std::ranges::all_of(sessions_, [](const Session& s) { return s.done; });
+  const bool on_the_way = run.state.caught || cost_ahead(run.state, belief_.believed).has_value();
+  settled_ = done && (on_the_way || taken_ || (all_failed() && !belief_.is_certain()));
+  if (settled_) return;
+  const bool passed = sessions_.front().problem.start_s < run.state.time_s;
+  if (!done && !passed) return;  // the same question, further
+  sessions_.clear();
+  lead_s_ = std::max(2 * lead_s_, seconds_charged(planning_s_));
+  lead_s_ = std::min(lead_s_, std::max(0, static_cast<int>(seconds_) - 1 - run.state.time_s));
 }
 
 }  // namespace outrider

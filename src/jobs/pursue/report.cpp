@@ -62,51 +62,51 @@ Report scene(const PursuitProblem& problem, const std::string& name) {
   return report;
 }
 
-/// What the robot on duty paid until each second: the mission keeps the sum only, the rest is counted again.
-std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitMission& mission) {
+/// What the robot on duty paid until each second: the state keeps the sum only, the rest is counted again.
+std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitState& state) {
   std::vector<double> paid{0.0};
-  for (int s = 1; s <= mission.time_s; ++s) {
-    const std::size_t duty = mission.duties[static_cast<std::size_t>(s) - 1];
-    const Cell at = mission.paths[duty][static_cast<std::size_t>(s) - 1];
+  for (int s = 1; s <= state.time_s; ++s) {
+    const std::size_t duty = state.duties[static_cast<std::size_t>(s) - 1];
+    const Cell at = state.paths[duty][static_cast<std::size_t>(s) - 1];
     paid.push_back(paid.back() + (*problem.costs)[at]);
   }
   return paid;
 }
 
-std::string not_caught(const PursuitProblem& problem, const PursuitMission& mission) {
-  if (mission.time_s >= problem.last_s()) {
+std::string not_caught(const PursuitProblem& problem, const PursuitState& state) {
+  if (state.time_s >= problem.last_s()) {
     return fmt::format("the target was gone after second {} without being caught", problem.last_s());
   }
-  return fmt::format("from second {} on no catch was possible any more", mission.time_s);
+  return fmt::format("from second {} on no catch was possible any more", state.time_s);
 }
 
 }  // namespace
 
 Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const std::string& name) {
-  const PursuitMission& mission = run.mission;
+  const PursuitState& state = run.state;
   Report report = scene(problem, name);
-  if (mission.caught) {
+  if (state.caught) {
     report.status = "done";
   } else {
-    report.reason = not_caught(problem, mission);
+    report.reason = not_caught(problem, state);
   }
-  const auto cost = static_cast<double>(mission.cost), bound = static_cast<double>(run.lower_bound);
+  const auto cost = static_cast<double>(state.cost), bound = static_cast<double>(run.lower_bound);
   report.metrics = {
-      {"caught", mission.caught ? 1.0 : 0.0},
-      {"catch_time_s", mission.caught ? mission.time_s : unknown},
-      {"moves", static_cast<double>(mission.moves)},
+      {"caught", state.caught ? 1.0 : 0.0},
+      {"catch_time_s", state.caught ? state.time_s : unknown},
+      {"moves", static_cast<double>(state.moves)},
       {"cost", cost},
       {"lower_bound", bound},
-      {"optimal", mission.caught && mission.cost == run.lower_bound ? 1.0 : 0.0},
+      {"optimal", state.caught && state.cost == run.lower_bound ? 1.0 : 0.0},
       {"earliest_catch_s", run.earliest_catch_s < 0 ? unknown : run.earliest_catch_s},
-      {"robots", static_cast<double>(mission.robots.size())},
-      {"catcher", mission.caught ? static_cast<double>(mission.duty + 1) : unknown},
-      {"handovers", static_cast<double>(mission.handovers)},
+      {"robots", static_cast<double>(state.robots.size())},
+      {"catcher", state.caught ? static_cast<double>(state.duty + 1) : unknown},
+      {"handovers", static_cast<double>(state.handovers)},
       {"planning_calls", static_cast<double>(run.calls)},
       {"expansions", static_cast<double>(run.expansions)},
   };
-  for (const auto& path : mission.paths) report.chase->robots.push_back(centres(problem, path));
-  report.chase->paid = paid_by_second(problem, mission);
+  for (const auto& path : state.paths) report.chase->robots.push_back(centres(problem, path));
+  report.chase->paid = paid_by_second(problem, state);
   for (const PursuitMoment& moment : run.moments) {
     report.chase->bounds.push_back(
         {static_cast<double>(moment.time_s), static_cast<double>(moment.expansions),

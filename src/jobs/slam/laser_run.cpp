@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "outrider/jobs/slam/laser_mission.hpp"
+#include "outrider/robot/recorded_robot.hpp"
 #include "outrider/slam/map_error.hpp"
 
 namespace outrider {
@@ -25,37 +27,73 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   run.rms_error_m = rms_distance(from, onto, motion);
 }
 
+/// What the robot of the log sensed.
+std::vector<Observation> records_of(const LaserLog& log) {
+  std::vector<Observation> records;
+  Observation seen;
+  for (const LaserLogStep& step : log.steps) {
+    seen.time_s = step.scan.time_s;
+    seen.odometry = compose(seen.odometry, step.motion);
+    seen.motion = step.motion;
+    seen.scan = step.scan;
+    records.push_back(seen);
+  }
+  return records;
+}
+
+/// The mission, with the times of its steps.
+struct TimedMission {
+  std::optional<Command> step(const Observation& seen) {
+    const double begin_s = processor_s();
+    auto command = mission.step(seen);
+    if (!command) return command;
+    const double spent_s = processor_s() - begin_s;
+    time_s += spent_s;
+    max_step_s = std::max(max_step_s, spent_s);
+    return command;
+  }
+
+  LaserMission mission;
+  const std::function<double()>& processor_s;
+  double time_s = 0.0;
+  double max_step_s = 0.0;
+};
+
 }  // namespace
 
 Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options, const LaserWatch& watch,
                                 const std::function<double()>& processor_s) {
+  if (watch.stop.stop_requested())
+    return fault(FaultCode::cancelled, "it was cancelled before the first scan");
   LaserSlamOptions used = options;
   if (used.trust_odometry) used.draw_late = false;  // nothing is matched that settle() would draw
   auto begun = LaserSlam::begin(used, {});
   if (!begun) return pass_on(begun);
-  LaserRun run{std::move(*begun), 0, 0, 0, 0.0, 0.0, 0.0, {}, {}, {}};
-  const auto timed = [&](const auto& work) {
-    const double begin = processor_s();
-    work();
-    const double spent_s = processor_s() - begin;
-    run.time_s += spent_s;
-    run.max_step_s = std::max(run.max_step_s, spent_s);
-  };
-  for (std::size_t i = 0; i < log.steps.size() && !watch.stop.stop_requested(); ++i) {
-    Outcome<LaserSlamStep> step;
-    timed([&] { step = run.slam.advance(log.steps[i].motion, log.steps[i].scan); });
-    if (!step) return pass_on(step);
-    ++run.steps;
-    run.matched += step->matched ? 1 : 0;
-    run.lost += step->lost ? 1 : 0;
-    if (watch.stepped) watch.stepped(run.slam, i, *step);
-    if (watch.progress) watch.progress(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
-  }
-  if (run.steps == 0) return fault(FaultCode::cancelled, "it was cancelled before the first scan");
-  const double step_s = run.max_step_s;
-  timed([&] { run.slam.settle(); });
-  run.max_step_s = step_s;  // settling is no step
-  run.log_s = std::max(0.0, log.steps[run.steps - 1].scan.time_s - log.steps.front().scan.time_s);
+  RecordedRobot robot(records_of(log));
+  TimedMission timed{LaserMission(std::move(*begun)), processor_s};
+  LaserMission& mission = timed.mission;
+  run_mission(timed, robot, watch.stop, [&](const Observation&, const Command* command) {
+    if (command == nullptr) return;
+    if (watch.stepped) watch.stepped(mission.slam, mission.scans - 1, *mission.newest);
+    if (watch.progress)
+      watch.progress(static_cast<double>(mission.scans) / static_cast<double>(log.steps.size()));
+  });
+  if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
+  const double begin_s = processor_s();
+  mission.slam.settle();
+  timed.time_s += processor_s() - begin_s;
+  const double log_s =
+      std::max(0.0, log.steps[mission.scans - 1].scan.time_s - log.steps.front().scan.time_s);
+  LaserRun run{std::move(mission.slam),
+               mission.scans,
+               mission.matched,
+               mission.lost,
+               timed.time_s,
+               timed.max_step_s,
+               log_s,
+               {},
+               {},
+               {}};
   compare(run, log.reference);
   return run;
 }

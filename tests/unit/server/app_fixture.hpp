@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app.hpp"
+#include "outrider/jobs/catalog.hpp"
 
 namespace outrider::server {
 
@@ -75,7 +76,7 @@ class AppTest : public testing::Test {
     return answer_reading(question, folder);
   }
 
-  AppSettings settings_{"1.2.3", "", {{"cover", "", {}}, {"guard", "", {}}}, {}, {}, read_here};
+  AppSettings settings_{"1.2.3", "", jobs(), {}, {}, read_here};
   std::unique_ptr<App> app_;
 };
 

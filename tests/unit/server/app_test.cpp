@@ -67,7 +67,7 @@ TEST_F(AppTest, FilesHaveAKind) {
   const std::map<std::string, std::string> expected = {{"a/dance.yaml", "other dance"},
                                                        {"a/gains.yaml", "other "},
                                                        {"a/map.yaml", "map "},
-                                                       {"a/plain.yaml", "scenario guard"},
+                                                       {"a/plain.yaml", "other "},
                                                        {"a/scenario.yaml", "scenario cover"},
                                                        {"notes.txt", "other "},
                                                        {"out/other.json", "other "},
@@ -192,7 +192,7 @@ TEST_F(AppTest, ATraceTellsWhatTheSearchDid) {
           R"(,"start":[1.1,1.1],"goal":[1.1,9.1],"planner":"a_star","model":"cells","radius_m":0,"trace":100000})");
   ASSERT_EQ(plan["status"], "done");
   std::map<std::pair<int, int>, double> cost;
-  for (const Json& row : plan["trace"]["rows"]) {
+  for (const Json& row : plan["view"]["trace"]["rows"]) {
     const std::pair<int, int> v = {row[0], row[1]}, parent = {row[2], row[3]};
     if (cost.empty()) {
       EXPECT_EQ(v, parent);
@@ -205,18 +205,18 @@ TEST_F(AppTest, ATraceTellsWhatTheSearchDid) {
     cost[v] = row[5];
   }
   const std::pair<int, int> goal = {2, 18};
-  EXPECT_NEAR(0.5 * cost.at(goal), plan["cost"].get<double>(), 1e-9);
+  EXPECT_NEAR(0.5 * cost.at(goal), plan["rows"][0]["cost"].get<double>(), 1e-9);
   const Json part =
       json("POST", "/api/v1/plan",
            "{\"grid\":" + grid +
                R"(,"start":[1.1,1.1],"goal":[1.1,9.1],"planner":"a_star","radius_m":0,"trace":5})");
-  EXPECT_EQ(part["trace"]["rows"].size(), 5U);
-  EXPECT_EQ(part["trace"]["truncated"], true);
+  EXPECT_EQ(part["view"]["trace"]["rows"].size(), 5U);
+  EXPECT_EQ(part["view"]["trace"]["truncated"], true);
 }
 
 TEST_F(AppTest, MapsArePackedAndUnpackedAsTheyAre) {
-  KnownMap cells{{}, "a.pgm", CellMap{{}, 0.25}, {"a warning"}, 0.5};
-  auto& occupancy = std::get<CellMap>(cells.shape).occupancy;
+  KnownMap cells{{}, "a.pgm", MapCells{{}, 0.25}, {"a warning"}, 0.5};
+  auto& occupancy = std::get<MapCells>(cells.shape).occupancy;
   occupancy.frame = {{1.0 / 3.0, -2.0}, 0.1, 3, 2};
   occupancy.cells = {0, 1, 2, 2, 1, 0};
   const auto again = unpacked(Json::parse(packed(cells).dump()));

@@ -189,7 +189,7 @@ TEST_F(AppTest, ARunThatTheServerLosesIsNoneOfTheOthers) {
   write_tool("echo $$ > pid\nexec sleep 1000\n");
   settings_.runs.at_once = 1;
   const Folder folder = *Folder::open(home_.path().string());
-  Runs runs(folder, settings_.runs);
+  Runs runs(folder, settings_.runs, settings_.jobs);
   const auto here = std::this_thread::get_id();
   std::atomic<int> heard = 0;
   runs.on_change([&] {
@@ -341,6 +341,18 @@ TEST_F(AppTest, WhatIsWrittenOverAScenarioComesTooLateForItsRun) {
   write("go", "");
   EXPECT_EQ(ended(first)["summary"]["text"], "job: guard seed: 1");
   EXPECT_EQ(ended(second)["summary"]["text"], "job: guard seed: 1");
+}
+
+/// The same sentences as `outrider run` has.
+TEST_F(AppTest, AScenarioWithoutAJobIsRefused) {
+  write_tool("cat > /dev/null\necho '{\"status\":\"done\"}'\n");
+  write("plain.yaml", "seed: 1\nworld: yard.sdf\n");
+  write("dance.yaml", "job: dance\n");
+  const Json missing = json("POST", "/api/v1/runs", R"({"scenario":"plain.yaml"})", 400);
+  EXPECT_EQ(missing["error"], job_of_scenario(jobs(), path("plain.yaml")).error().sentence);
+  EXPECT_EQ(missing["where"], "plain.yaml");
+  const Json unknown = json("POST", "/api/v1/runs", R"({"scenario":"dance.yaml"})", 400);
+  EXPECT_EQ(unknown["error"], job_of_scenario(jobs(), path("dance.yaml")).error().sentence);
 }
 
 TEST_F(AppTest, AnUnsavedScenarioLeavesNoFileInTheFolder) {

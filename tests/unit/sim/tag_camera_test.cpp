@@ -118,8 +118,8 @@ TEST(TagCamera, BoxesShowWhatTheWholeImageShows) {
   const Pose3 from = camera_at({{0.2, 0.4}, 0.7}), to = camera_at({{0.21, 0.4}, 0.71});
   const auto boxes = tag_boxes(small, scene, from, to, options);
   ASSERT_FALSE(boxes.empty());
-  const TagImage parts = render_tags(small, scene, from, to, boxes, options, Rng(1));
-  const TagImage whole = render_tags(small, scene, from, to, {{0, 0, 480, 270}}, options, Rng(1));
+  const RenderedImage parts = render_tags(small, scene, from, to, boxes, options, Rng(1));
+  const RenderedImage whole = render_tags(small, scene, from, to, {{0, 0, 480, 270}}, options, Rng(1));
   for (const PixelBox& b : boxes) {
     for (int y = b.top; y < b.bottom; ++y) {
       for (int x = b.left; x < b.right; ++x) {

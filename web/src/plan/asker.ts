@@ -1,6 +1,7 @@
 // Plans while one drags: one question at a time on its way, and after its answer the newest, if there is one.
 import type { PlanAnswer, PlanRequest } from "../api";
 import { Socket, type Message } from "../live/socket";
+import { shownAnswer, type Shown } from "./shown";
 
 export class Asker {
   private socket: Socket;
@@ -8,7 +9,7 @@ export class Asker {
   private asked: { id: number; request: PlanRequest } | null = null;
   private id = 0;
 
-  constructor(private answered: (answer: PlanAnswer, request: PlanRequest) => void) {
+  constructor(private answered: (answer: Shown, request: PlanRequest) => void) {
     this.socket = new Socket(() => this.resumed(), (message) => this.hear(message));
   }
 
@@ -40,9 +41,9 @@ export class Asker {
     if (!this.asked || message.id !== this.asked.id) return;
     const { request } = this.asked;
     this.asked = null;
-    if (message.type === "plan" && message.result) this.answered(message.result as PlanAnswer, request);
+    if (message.type === "plan" && message.result) this.answered(shownAnswer(message.result as PlanAnswer), request);
     if (message.type === "error") {
-      this.answered({ status: "refused", planner: request.planner, error: String(message.error), where: String(message.where ?? "") }, request);
+      this.answered({ planner: request.planner, status: String(message.code), reason: String(message.error), where: String(message.where ?? "") }, request);
     }
     this.send();
   }

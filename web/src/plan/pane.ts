@@ -4,7 +4,7 @@ import { h, iconButton } from "../base/dom";
 import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { onTheme, theme } from "../base/theme";
-import type { Piece, PlanAnswer } from "../api";
+import type { Piece } from "../api";
 import { disk } from "../watch/layer";
 import { placeTip } from "../watch/plan_view";
 import { drawScales } from "../watch/scale_layer";
@@ -12,6 +12,7 @@ import { cellsOf, type Ground } from "./ground";
 import { drawHandle } from "./handle";
 import { paintBlocked, paintCells, paintTrace, Picture } from "./painter";
 import { drawPlaces } from "./places";
+import type { Shown } from "./shown";
 import { Trace } from "./trace";
 
 /** What all panes show, and what the hand does on any of them. */
@@ -39,7 +40,7 @@ export class Pane {
   readonly element: HTMLElement;
   readonly canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": "Map with the plan" });
   readonly camera: Camera;
-  answer: PlanAnswer | null = null;
+  answer: Shown | null = null;
   trace: Trace | null = null;
   private tip = h("div", { class: "tip", hidden: true });
   private name = h("p", { class: "pane-name" });
@@ -73,7 +74,7 @@ export class Pane {
     this.camera.close();
   }
 
-  take(answer: PlanAnswer): void {
+  take(answer: Shown): void {
     this.answer = answer;
     this.answers += 1;
     this.trace = answer.trace && answer.trace.rows.length > 0 ? new Trace(answer.trace) : null;
@@ -254,9 +255,9 @@ export class Pane {
 }
 
 /** Which end an answer found fault with: it is blocked or outside the map. */
-export function faultAt({ status, code = "", error = "" }: PlanAnswer): "S" | "G" | null {
+export function faultAt({ status, reason }: Shown): "S" | "G" | null {
   if (status === "done") return null;
-  const end = code.match(/^(start|goal)/)?.[1] ?? error.match(/^the (start|goal)/)?.[1];
+  const end = status.match(/^(start|goal)/)?.[1] ?? reason.match(/^the (start|goal)/)?.[1];
   return end === "start" ? "S" : end === "goal" ? "G" : null;
 }
 

@@ -1,10 +1,10 @@
 // The map and its path as an SVG drawing in metres, for papers.
-import type { PlanAnswer } from "../api";
 import type { Scene } from "./pane";
+import type { Shown } from "./shown";
 
 const digits = (value: number): string => String(+value.toFixed(4));
 
-export function pathSvg(scene: Scene, answer: PlanAnswer | null): string {
+export function pathSvg(scene: Scene, answer: Shown | null): string {
   const { ground } = scene;
   const [x0, y0, x1, y1] = ground.box;
   const shapes: string[] = [];
@@ -25,7 +25,7 @@ export function pathSvg(scene: Scene, answer: PlanAnswer | null): string {
     for (const polygon of ground.obstacles) if (polygon) shapes.push(`<polygon points="${points(polygon)}" fill="#5d6d7a"/>`);
   }
   const pen = Math.max(x1 - x0, y1 - y0) / 200;
-  if (answer?.waypoints) {
+  if (answer?.waypoints?.length) {
     shapes.push(`<polyline points="${points(answer.waypoints)}" fill="none" stroke="#6b4000" stroke-width="${digits(pen)}" stroke-linejoin="round"/>`);
   }
   for (const [place, colour] of [[scene.start, "#6b4000"], [scene.goal, "#00785a"]] as const) {

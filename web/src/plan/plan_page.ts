@@ -1,5 +1,5 @@
 // Plan: the ground, one or two planners on the same question, their answers and their searches; it plans as one drags.
-import { send, type MapAnswer, type PlanAnswer, type PlannerRow, type PlanRequest } from "../api";
+import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
 import type { Vec2 } from "../base/outline";
@@ -14,6 +14,7 @@ import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
 import { resultTable } from "./results";
 import { SaveForm } from "./save_form";
+import type { Shown } from "./shown";
 import { Steps } from "./steps";
 import { pathSvg } from "./path_svg";
 import { headingTo, turned } from "./turning";
@@ -61,7 +62,7 @@ export class PlanPage {
     this.ground = ground;
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
     const [start, goal] = ground.ends();
-    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m ?? 0.18), selected: "goal", heading_rad: null };
+    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m), selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));
@@ -182,7 +183,7 @@ export class PlanPage {
     this.invalidate();
   }
 
-  private take(pane: Pane, answer: PlanAnswer, request: PlanRequest): void {
+  private take(pane: Pane, answer: Shown, request: PlanRequest): void {
     if (answer.where === "map" && !answer.trace) {
       void this.postAgain();
       return;
@@ -195,7 +196,7 @@ export class PlanPage {
     }
     this.results.replaceChildren(resultTable(this.seats.map((seat) => seat.pane.answer)));
     const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
-    this.sentence.textContent = failed?.error ?? this.aboutSearch();
+    this.sentence.textContent = failed?.reason ?? this.aboutSearch();
     this.sentence.classList.toggle("refused", failed !== undefined);
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
   }

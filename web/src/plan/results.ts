@@ -1,22 +1,25 @@
 // What the planners answered, side by side.
-import type { PlanAnswer } from "../api";
 import { h } from "../base/dom";
 import { fixed } from "../base/numbers";
+import type { Shown } from "./shown";
 
-type Row = [string, (answer: PlanAnswer) => string];
+type Row = [string, (answer: Shown) => string];
+
+/** Codes of a search that ended without a path. */
+const searched = new Set(["no_path", "budget_exhausted"]);
 
 const rows: Row[] = [
-  ["answer", (one) => (one.status === "done" ? "path found" : one.status === "not_done" ? "no path" : "refused")],
+  ["answer", (one) => (one.status === "done" ? "path found" : searched.has(one.status) ? "no path" : "refused")],
   ["cost", (one) => (one.cost == null ? "\u2013" : `${fixed(one.cost, 3)} ${one.cost_unit ?? ""}`)],
   ["lower bound", (one) => (one.lower_bound == null ? "\u2013" : `${fixed(one.lower_bound, 3)} ${one.cost_unit ?? ""}`)],
   ["length", (one) => (one.length_m == null ? "\u2013" : `${fixed(one.length_m, 3)} m`)],
   ["clearance", (one) => (one.clearance_m == null ? "\u2013" : `${fixed(one.clearance_m, 3)} m`)],
-  ["expansions", (one) => one.counters?.expansions?.toLocaleString("en") ?? "\u2013"],
-  ["lines of sight", (one) => one.counters?.line_of_sight_checks?.toLocaleString("en") ?? "\u2013"],
-  ["time", (one) => (one.time_ms === undefined ? "\u2013" : `${fixed(one.time_ms, 2)} ms`)],
+  ["expansions", (one) => one.expansions?.toLocaleString("en") ?? "\u2013"],
+  ["lines of sight", (one) => one.line_of_sight_checks?.toLocaleString("en") ?? "\u2013"],
+  ["time", (one) => (one.time_s === undefined ? "\u2013" : `${fixed(1000 * one.time_s, 2)} ms`)],
 ];
 
-export function resultTable(answers: (PlanAnswer | null)[]): HTMLElement {
+export function resultTable(answers: (Shown | null)[]): HTMLElement {
   const given = answers.filter((one) => one !== null);
   return h("table", { class: "result" },
     h("thead", {}, h("tr", {}, h("th"), ...given.map((one) => h("th", { scope: "col" }, one.planner)))),

@@ -39,7 +39,7 @@ export class YardPage {
   constructor(private scenario: YardScenario) {
     this.yard = new Yard(scenario);
     const ground = new PolygonGround({ ...scenario.map.polygons!, obstacles: scenario.fixed });
-    this.scene = { ground, start: this.yard.start, goal: null, heading_rad: this.yard.heading_rad, radius_m: scenario.map.radius_m ?? 0, selected: "start",
+    this.scene = { ground, start: this.yard.start, goal: null, heading_rad: this.yard.heading_rad, radius_m: scenario.map.radius_m, selected: "start",
       layer: (ctx, camera) => drawYard(ctx, camera, this.yard, this.selected) };
     this.pane = new Pane(this.scene, { redraw: () => this.invalidate(), grab: (at, reach) => this.grab(at, reach), drag: (at) => this.drag(at), drop: () => { this.held = null; } }, () => 0);
     const run = h("button", { type: "button", class: "button", title: "Save it, then run the mission (R)", onclick: () => void this.run() }, "Save and run");

@@ -1,12 +1,13 @@
 // @vitest-environment jsdom
 import { describe, expect, it, vi } from "vitest";
-import type { Edit, OptionRow, PlanAnswer } from "../../src/api";
+import type { Edit, OptionRow } from "../../src/api";
 import { optionForm, valueOf, type Values } from "../../src/plan/form";
 import { free, GridGround, groundOf, occupied, PolygonGround } from "../../src/plan/ground";
 import { newName, suggestedName } from "../../src/plan/names";
 import { pathSvg } from "../../src/plan/path_svg";
 import { resultTable } from "../../src/plan/results";
 import { SaveForm } from "../../src/plan/save_form";
+import type { Shown } from "../../src/plan/shown";
 
 const grid = { origin: [0, 0] as [number, number], resolution_m: 1, width: 8, height: 6, runs: [0, 20, 1, 4, 0, 24] };
 
@@ -63,8 +64,8 @@ describe("polygons", () => {
 
 describe("grounds", () => {
   it("are refused with a sentence", () => {
-    expect(groundOf({ id: "", name: "m", warnings: [], grid: { ...grid, yaw_rad: 0.3 } })).toMatch(/turned by 0.3 rad/);
-    expect(groundOf({ id: "", name: "m", warnings: [] })).toMatch(/neither cells nor polygons/);
+    expect(groundOf({ id: "", name: "m", radius_m: 0, warnings: [], grid: { ...grid, yaw_rad: 0.3 } })).toMatch(/turned by 0.3 rad/);
+    expect(groundOf({ id: "", name: "m", radius_m: 0, warnings: [] })).toMatch(/neither cells nor polygons/);
   });
 });
 
@@ -135,11 +136,11 @@ describe("saving a scenario", () => {
 });
 
 describe("answers", () => {
-  const answer: PlanAnswer = { status: "done", planner: "a_star", cost: 3, cost_unit: "m", waypoints: [[0, 0], [3, 0]], time_ms: 0.5 };
+  const answer: Shown = { status: "done", reason: "", planner: "a_star", cost: 3, cost_unit: "m", waypoints: [[0, 0], [3, 0]], time_s: 0.0005 };
 
   it("stand side by side", () => {
-    const table = resultTable([answer, null, { status: "not_done", planner: "dijkstra", error: "no way" }]);
-    expect([...table.querySelectorAll('[data-row="answer"]')].map((cell) => cell.textContent)).toEqual(["path found", "no path"]);
+    const table = resultTable([answer, null, { status: "no_path", planner: "dijkstra", reason: "no way" }, { status: "start_blocked", planner: "safest", reason: "no" }]);
+    expect([...table.querySelectorAll('[data-row="answer"]')].map((cell) => cell.textContent)).toEqual(["path found", "no path", "refused"]);
   });
 
   it("become a drawing", () => {

@@ -10,6 +10,8 @@
 // covered that is not, and what is left out is at most 0.3 % of the disk at each end of the way.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/jobs/cover/region.hpp"
 
 namespace outrider {
@@ -25,8 +27,9 @@ struct Coverage {
 };
 
 /// What a disk of the radius covers of `area` on the way through those points. O(n log^2 n) for ways that
-/// cross themselves little.
-Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area);
+/// cross themselves little. Once `stop` is raised it ends soon, and the answer is of no use.
+Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area,
+                     const std::stop_token& stop = {});
 
 struct CoverageSums {
   double covered_m2 = 0.0;
@@ -35,8 +38,9 @@ struct CoverageSums {
 
 /// The areas within `area` after each of the stretches, which go on where the one before ended and have a
 /// point at least. They never shrink; the last are those of coverage_of() the whole way, but for the ends of
-/// capsules. O(n log^2 n) where a stretch comes near few others.
+/// capsules. O(n log^2 n) where a stretch comes near few others. Once `stop` is raised it ends soon, and the
+/// answer is of no use.
 std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
-                                         const Region& area);
+                                         const Region& area, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -70,6 +70,6 @@ struct CoverProof {
 /// The judge. Refuses a track whose pieces do not join, that comes nearer to an edge than the radius, begins
 /// outside or in a hole, or leaves more than `leave` of the reach and 0.1 % within the sure radius of the
 /// standing room.
-Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem);
+Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "outrider/jobs/cover/drive.hpp"
+#include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/cover/time_bound.hpp"
 #include "outrider/report/report.hpp"
+#include "outrider/sim/piece_body.hpp"
 
 namespace outrider {
 
@@ -15,8 +16,11 @@ struct CoverRun {
   CoverPlan plan;
   CoverProof proof;
   TimeBound bound;
-  CoverDrive drive;
+  PieceDrive drive;
   Coverage driven;  ///< by the drive, of the reach
+
+  /// False where the drive was stopped.
+  [[nodiscard]] bool finished() const { return drive.ends_s.size() == plan.track.pieces.size(); }
 };
 
 /// How much was covered by then is measured at 61 equal times (coverage_along()). The metrics are:
@@ -27,6 +31,6 @@ struct CoverRun {
 ///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_twice_m2 by its disk;
 /// - whatever a robot does within stray_m: sure_fraction of the reach, sure_inner_fraction off its rim.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-                    const std::string& name);
+                    const std::string& name, const std::stop_token& stop = {});
 
 }  // namespace outrider

@@ -21,20 +21,9 @@
 
 #include "outrider/control/timed_drive.hpp"
 #include "outrider/jobs/drive/task.hpp"
+#include "outrider/robot/mission.hpp"
 
 namespace outrider {
-
-struct DriveObservation {
-  double time_s = 0.0;
-  double seen_at_s = -std::numeric_limits<double>::infinity();  ///< when the newest image was taken
-  std::vector<TagSighting> sightings = {};                      ///< in it
-};
-
-/// Wheel speeds to command until a time at which the robot wants to sense again.
-struct DriveCommand {
-  WheelSpeeds4 wheels{};
-  double until_s = 0.0;
-};
 
 /// A stop that was reached.
 struct DriveArrival {
@@ -46,6 +35,11 @@ struct DriveArrival {
 enum class DriveEnd { none, done, lost, stuck };
 
 struct DriveMission {
+  /// The next DriveWheels, or nothing when the mission is over: see `end`. The task has a waypoint, and the
+  /// last one is a stop.
+  std::optional<Command> step(const Observation& seen);
+
+  DriveTask task;
   Reckoning reckoning;
   Follower follower;
   std::vector<TimedMotion> motions;  ///< of the open loop
@@ -58,29 +52,11 @@ struct DriveMission {
   std::int64_t used = 0;     ///< of these, with a tag that told where the robot is
   std::int64_t refused = 0;  ///< of these, the last ones in a row that told what cannot be
   std::vector<DriveArrival> arrivals;
-  bool greeted = false;
+  bool initial_stop_sent = false;
   DriveEnd end = DriveEnd::none;
   std::string reason;  ///< why it ended without success
 };
 
-DriveMission begin(const DriveTask& task);
-
-/// The next command, or nothing when the mission is over: see mission.end. Changes `mission` only. The task
-/// has a waypoint, and the last one is a stop.
-std::optional<DriveCommand> step(DriveMission& mission, const DriveObservation& seen, const DriveTask& task);
-
-/// The port behind which a simulator or hardware drives.
-class WheeledRobot {
- public:
-  virtual ~WheeledRobot() = default;
-  virtual DriveObservation sense() = 0;
-  /// Returns at command.until_s.
-  virtual void act(const DriveCommand& command) = 0;
-
- protected:
-  WheeledRobot() = default;
-  WheeledRobot(const WheeledRobot&) = default;
-  WheeledRobot& operator=(const WheeledRobot&) = default;
-};
+DriveMission begin(DriveTask task);
 
 }  // namespace outrider

@@ -22,6 +22,7 @@
 #include "outrider/core/options.hpp"
 #include "outrider/jobs/drive/route.hpp"
 #include "outrider/jobs/drive/task.hpp"
+#include "outrider/sim/drive_sim_params.hpp"
 
 namespace outrider {
 
@@ -44,7 +45,7 @@ struct DriveScenario {
   std::string calibration;        ///< path of a calibration file; empty: none
   std::int64_t seed = 1;
   DriveRouteOptions route;
-  DriveTruth truth;
+  DriveSimParams sim;
   DriveTask task;  ///< the rest of what is set
 };
 
@@ -54,7 +55,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario);
 /// All that a run is made of.
 struct DriveSetup {
   DriveTask task;
-  DriveTruth truth;
+  DriveSimParams sim;
   bool rendered = true;
   std::optional<Plan> plan;           ///< of the path, where a planner was asked
   double path_clearance_m = 0.0;      ///< of its legs, from the robot's disk

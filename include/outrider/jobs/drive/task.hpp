@@ -1,4 +1,4 @@
-// DriveTask: all that a robot on wheels knows of where to drive and how, and DriveTruth, what it does not.
+// DriveTask: all that a robot on wheels knows of where to drive and how.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,6 @@
 #include "outrider/estimate/camera.hpp"
 #include "outrider/estimate/localise.hpp"
 #include "outrider/jobs/drive/dead_reckoning.hpp"
-#include "outrider/motion/wheel_faults.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {
@@ -56,18 +55,5 @@ struct DriveTask {
   TagEye eye;
   DriveRules rules;
 };
-
-/// What happens to a simulated robot without being told.
-struct DriveTruth {
-  WheelFaults wheels;
-  LinkFaults link;
-  double corner_sigma_px = 0.2;   ///< of a corner, where images are not rendered
-  double missed = 0.02;           ///< part of the tags in view that are not detected there
-  double blind_from_s = 1e9;      ///< from then on nothing is seen
-  double kidnapped_at_s = 1e9;    ///< then the robot is put elsewhere:
-  double kidnapped_by_m = 0.8;    ///< so far to its left,
-  double kidnapped_by_rad = 0.8;  ///< and turned by so much
-};
-std::vector<Option> describe(DriveTruth& truth);
 
 }  // namespace outrider

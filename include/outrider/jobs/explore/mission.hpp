@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "outrider/jobs/explore/task.hpp"
-#include "outrider/robot/explorer.hpp"
+#include "outrider/robot/mission.hpp"
 
 namespace outrider {
 
@@ -38,8 +38,12 @@ struct ExploreEvent {
 };
 
 struct ExploreMission {
-  explicit ExploreMission(LaserSlam mapping, const ExploreTask& task);
+  ExploreMission(LaserSlam mapping, ExploreTask given);
 
+  /// perceive(), then respond().
+  std::optional<Command> step(const Observation& seen);
+
+  ExploreTask task;
   LaserSlam slam;
   FrontierMap frontiers;
   Blacklist blacklist;
@@ -51,15 +55,15 @@ struct ExploreMission {
   Pose2 odometry;          ///< of the observation before
   Pose2 odometry_of_slam;  ///< of the scan before
   std::optional<double> started_s;
-  double scan_s = 0.0;     ///< when the newest scan of use came
-  double range_m = 3.5;    ///< of the range finder
-  double driven_m = 0.0;   ///< by the wheels
-  std::vector<Vec2> seen;  ///< ends of the beams of the newest scan of use, in the world as it was then
+  double scan_s = 0.0;          ///< when the newest scan of use came
+  double range_m = 3.5;         ///< of the range finder
+  double driven_m = 0.0;        ///< by the wheels
+  std::vector<Vec2> beam_ends;  ///< ends of the beams of the newest scan of use, in the world as it was then
   bool touching = false;
   bool looked = false;              ///< a scan came since the last response
   bool wants_settling = false;      ///< with the next scan, SLAM brings all poses to their best
   std::optional<double> settled_m;  ///< driven when it last did, since the goal before
-  MapUpdate news;                   ///< of the map, that the frontiers do not know yet
+  MapUpdate changed;                ///< of the map, by the newest scan
 
   ExploreStage stage = ExploreStage::seek;
   Decision decision;  ///< the newest
@@ -86,11 +90,8 @@ struct ExploreMission {
 /// Faults: bad_input on a strategy or a planner that there is not.
 Outcome<ExploreMission> begin(const ExploreTask& task);
 
-void perceive(ExploreMission& mission, const ExplorerObservation& seen, const ExploreTask& task);
+void perceive(ExploreMission& mission, const Observation& seen);
 /// The next command, or nothing when the mission is over.
-std::optional<ExplorerCommand> respond(ExploreMission& mission, const ExploreTask& task);
-/// Both.
-std::optional<ExplorerCommand> step(ExploreMission& mission, const ExplorerObservation& seen,
-                                    const ExploreTask& task);
+std::optional<Command> respond(ExploreMission& mission);
 
 }  // namespace outrider

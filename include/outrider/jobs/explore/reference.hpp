@@ -1,10 +1,11 @@
-// ExploreTruth: what of a world a robot with a range finder can see at all, and how good a map of it is.
+// ExplorationReference: what of a world a robot with a range finder can see at all, and how good a map of it
+// is.
 //
 // Places lie at the centres of the cells of a lattice through the origin of the world. The robot can be at a
 // place when its disk can be swept there, exactly, along steps between neighbouring places (four each), from
 // a place beside its start. A place can be seen when a line of sight at the laser's height, no longer than
 // its range, leads from there to a place where the robot can be: one of the nearest twelve, or one along 720
-// directions. Sought are the neighbours, in sight, of places that can be seen.
+// directions. Finds visible neighbours of visible cells.
 //
 // O(places x obstacles near them), plus O(directions x range / resolution) for each place seen from afar
 // only.
@@ -14,7 +15,8 @@
 
 #include "outrider/core/outcome.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/sim/explorer.hpp"
+#include "outrider/sim/open_ground.hpp"
+#include "outrider/sim/range_finder.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider {
@@ -26,7 +28,7 @@ enum Seeable : std::uint8_t {
   reachable = 3,
 };
 
-struct ExploreTruth {
+struct ExplorationReference {
   Grid<std::uint8_t> places;  ///< values of Seeable, for the centres of the cells
   double reachable_m2 = 0.0;  ///< where the middle of the robot can be
   double seeable_m2 = 0.0;    ///< all that can be seen, that included
@@ -37,8 +39,8 @@ struct ExploreTruth {
 
 /// Faults: start_blocked when the robot touches something at its start, with the nearest place where it would
 /// not; bad_input when the world is larger than 25 million places.
-Outcome<ExploreTruth> explore_truth(const RangeFinder& laser, const ExplorerGround& ground, Vec2 start,
-                                    double resolution_m = 0.05);
+Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
+                                                    Vec2 start, double resolution_m = 0.05);
 
 struct MapQuality {
   /// Part of the places that are only_seeable or reachable which the map knows to be free; 1 without any.
@@ -51,7 +53,7 @@ struct MapQuality {
 };
 
 /// `occupancy` holds values of Occupancy, in the frame of the world. O(cells).
-MapQuality map_quality(const ExploreTruth& truth, const RangeFinder& laser,
+MapQuality map_quality(const ExplorationReference& truth, const RangeFinder& laser,
                        const Grid<std::uint8_t>& occupancy);
 
 }  // namespace outrider

@@ -7,15 +7,16 @@
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/explore/mission.hpp"
 #include "outrider/jobs/explore/reference.hpp"
+#include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
 
 /// Called after each scan.
-using ScanHook = std::function<void(const ExploreMission&, const SimulatedExplorer&)>;
+using ScanHook = std::function<void(const ExploreMission&, const SimulatedRobot&)>;
 
 struct ExploreRun {
   Report report;
-  std::string stop_reason;   ///< of explore_mission.hpp
+  std::string stop_reason;   ///< of jobs/explore/mission.hpp
   Grid<std::uint8_t> map;    ///< values of Occupancy, in the frame of the world
   std::vector<Pose2> track;  ///< as SLAM knows it in the end: the start, and the pose at each scan
   Pose2 pose;                ///< believed in the end
@@ -27,7 +28,7 @@ struct ExploreRun {
 /// end: there it turns back, with "leak" for a reason, once its map is larger than the box of all that stands
 /// and twice the range of the laser, whatever most_extent allows. A pure function of its arguments, the
 /// machine_times left out. The map that an observer sees has at most 40,000 cells. Faults: those of begin()
-/// and of explore_truth(). Metrics:
+/// and of exploration_reference(). Metrics:
 ///   explored_fraction, map_error_m, mapped_free_m2   of reference.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end
 ///   decisions, max_decision_s        times that it thought where to go, and the longest in processor time,
@@ -38,7 +39,7 @@ struct ExploreRun {
 ///   home_error_m                     distance of its true from its believed position in the end
 ///   stuck, bad_scans, loops          times that it got stuck; scans not of use; loops closed
 /// and report.explore has the map, the beliefs, the decisions and the frontiers refused.
-Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerTruth& truth,
+Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
                                 std::uint64_t seed, const RunWatch& watch = {}, const ScanHook& scanned = {});
 
 }  // namespace outrider

@@ -25,7 +25,7 @@ struct ExploreScenario {
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees
   std::int64_t seed = 1;
   bool perfect_pose = false;  ///< wheels that count right and are believed: no SLAM
-  ExplorerTruth truth;
+  ExplorerSimParams sim;
   ExploreTask task;  ///< the rest of what is set; its start comes from the text
 };
 
@@ -36,7 +36,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario);
 struct ExploreSetup {
   World world;
   ExploreTask task;
-  ExplorerTruth truth;
+  ExplorerSimParams sim;
   std::vector<std::string> warnings;  ///< what was repaired in the world or left out of it
 };
 

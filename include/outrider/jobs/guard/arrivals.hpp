@@ -12,6 +12,7 @@
 
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/site.hpp"
+#include "outrider/sim/intruders.hpp"
 
 namespace outrider {
 
@@ -19,15 +20,6 @@ namespace outrider {
 struct Entrance {
   std::string name;
   Vec2 position;
-};
-
-struct Intruder {
-  std::string name;       ///< of its place; the second one there is called "fox_2", and so on
-  std::size_t place = 0;  ///< index of the target in whose box it stays
-  std::string entrance;
-  Vec2 from;               ///< where that is
-  double enters_s = 0.0;   ///< when it comes in, and is known
-  double settles_s = 0.0;  ///< when it is in its place
 };
 
 /// What is made least: the sum over the intruders of their time inside, or the time of the last hit.
@@ -82,9 +74,6 @@ struct Watch {
 
 /// One intruder at each target, from the start.
 std::vector<Intruder> settled_intruders(const GuardProblem& problem);
-
-/// Where one who is hit at `place` goes, if it does not leave: another place, drawn uniformly; there is one.
-std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng);
 
 /// Refused when targets block: who is inside changes, and with it what stands in the way. The regions
 /// are those of the places: nothing is surveyed again. O(intruders x cells).

@@ -35,7 +35,8 @@ struct MovingPlan {
 /// Surveys from where the regions of a map can be hit, by targets of the size of the first. Refused as
 /// survey() and look_out().
 Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
-                                const GuardOptions& options, const WanderOptions& wander);
+                                const GuardOptions& options, const WanderOptions& wander,
+                                const Budget& budget = {});
 
 struct MovingTargets {
   std::vector<Track> tracks;  ///< by target, as seen

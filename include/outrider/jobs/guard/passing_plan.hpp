@@ -1,6 +1,8 @@
 // The plan of a guard mission with shots in passing: what can be hit from the way needs no stop.
 #pragma once
 
+#include <stop_token>
+
 #include "outrider/jobs/guard/plan.hpp"
 
 namespace outrider {
@@ -10,8 +12,10 @@ namespace outrider {
 /// the way past it found anew. Never longer than `plan`, by the judge that counted the cost of that.
 /// Both lower bounds become moving_bound(): what is proven of a tour holds for shots from rest.
 /// A plan over terrain or with stops that fill stores is returned with its hits as they are.
+/// Once `stop` is raised no shorter plan is looked for.
 /// O(hits^2) assemblies, in each O(stops) routes and the shots that are new.
-GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan);
+GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+                           const std::stop_token& stop = {});
 
 /// A lower bound on the time of every mission that hits those targets, standing or in passing, from anywhere:
 /// the longest of the drives, in a straight line and from rest, that bring each within reach of a ball with

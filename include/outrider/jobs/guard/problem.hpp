@@ -9,17 +9,10 @@
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/robot/supplies.hpp"
+#include "outrider/sim/execution_errors.hpp"
 #include "outrider/world/world.hpp"
 
 namespace outrider {
-
-/// Largest errors of the execution; each true error is drawn uniformly within them.
-struct ExecutionErrors {
-  double position_m = 0.1;     ///< of the place where a drive ends
-  double heading_rad = 0.005;  ///< of the heading there
-  AimErrors aim;
-  double timing_s = 0.02;  ///< of the moment at which a shot leaves a robot that drives
-};
 
 struct GuardProblem {
   World world;
@@ -50,7 +43,6 @@ struct GuardOptions {
   bool shoot_on_the_move = false;  ///< hit from the way what makes the mission shorter (passing_plan.hpp)
 };
 
-std::vector<Option> describe(ExecutionErrors& errors);
 std::vector<Option> describe(GuardOptions& options);
 
 }  // namespace outrider

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "outrider/job/watch.hpp"
-#include "outrider/jobs/guard/guard_robot.hpp"
 #include "outrider/jobs/guard/mission.hpp"
+#include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/survivors.hpp"
 
 namespace outrider {

@@ -45,8 +45,8 @@ struct GuardScenario {
   std::vector<double> preferences;  ///< of `wander`, once loaded
   std::vector<Track> history;       ///< of `wander`, once loaded
   ScoutOptions scout;
-  ExplorerTruth sensors;  ///< of a robot that scouts
-  bool regions = false;   ///< draw firing_regions.svg
+  ExplorerSimParams sensors;  ///< of a robot that scouts
+  bool regions = false;       ///< draw firing_regions.svg
   PddlOptions pddl;
 };
 

@@ -17,7 +17,7 @@ namespace outrider {
 
 struct ScoutTask {
   ExploreTask explore;  ///< its start and robot are those of the guard problem
-  ExplorerTruth sensors;
+  ExplorerSimParams sensors;
   ScoutOptions options;
 };
 

@@ -50,7 +50,7 @@ enum class RegionSearch : std::uint8_t {
 /// Refused: an empty or too fine grid (memory), a start that is blocked or outside, a target whose
 /// centre is inside a solid, numbers that are not finite or out of the range of their option. O(cells x
 /// targets); regions in parallel, with the same result for any number of threads.
-Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options,
+Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, const Budget& budget = {},
                      RegionSearch search = RegionSearch::proven);
 
 }  // namespace outrider

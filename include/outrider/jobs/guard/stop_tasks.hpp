@@ -11,6 +11,7 @@
 
 #include <deque>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct StopTasks {
   std::vector<std::size_t> stands_at;  ///< by record: the target of the problem that stands for it now, where
                                        ///< that is not the one of its own index; empty: none has moved
   std::optional<Routes> routes;        ///< of the plan
+  std::stop_token stop = {};           ///< once raised, the next command comes soon and is of no use
 };
 
 /// The target of the problem that stands for a record.

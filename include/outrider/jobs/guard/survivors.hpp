@@ -32,9 +32,10 @@ struct ExpectedTime {
 };
 
 /// The time of the last hit, in the model, for a manner: the mean over `missions` of them. Of the options,
-/// leave, walk, group and beam count. A pure function of the arguments, for any number of threads.
+/// leave, walk, group and beam count. A pure function of the arguments, for any number of threads. Once
+/// `stop` is raised no more missions begin, and the answer is of no use.
 ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                           const Manner& manner, std::size_t missions);
+                           const Manner& manner, std::size_t missions, const std::stop_token& stop = {});
 
 /// The manner with the least mean, and its expected time by draws of its own: the least of several means is
 /// below the mean of what was chosen.
@@ -43,7 +44,7 @@ struct BestManner {
   ExpectedTime time;
 };
 BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                       std::size_t missions);
+                       std::size_t missions, const std::stop_token& stop = {});
 
 /// Refused: a probability of 0 or too small to end, and nowhere else to go.
 Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);

@@ -42,6 +42,6 @@ using Track = std::vector<Glimpse>;
 /// Refused: a target that does not stand on the floor or has no room to walk, targets that block.
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const Site& site,
                                       const std::vector<double>& weights, const WanderOptions& options,
-                                      std::uint64_t seed, double until_s);
+                                      std::uint64_t seed, double until_s, const Budget& budget = {});
 
 }  // namespace outrider

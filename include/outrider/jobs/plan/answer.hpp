@@ -1,4 +1,5 @@
-// What path planners answer: the one form of it for the tool, scenarios and the server.
+// What path planners answer: the one form of it for the tool, scenarios and the server. As JSON it is
+// run_json() of plan_report() and table_of().
 //
 // Every plan is judged before anybody sees it: by check(), by the exact shapes of a world where there are
 // some, and on polygons by exact distances, also the plans on their grid. A plan that the judge refuses is a
@@ -7,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +17,7 @@
 #include "outrider/job/table.hpp"
 #include "outrider/jobs/plan/ground.hpp"
 #include "outrider/jobs/plan/scenario.hpp"
+#include "outrider/report/report.hpp"
 
 namespace outrider {
 
@@ -25,7 +28,7 @@ struct PlanQuery {
 };
 
 struct PlanQuestion {
-  PlanGround ground;
+  std::shared_ptr<const PlanGround> ground;  ///< may be shared by many questions
   std::vector<ChosenPlanner> planners;
   std::vector<PlanQuery> queries;
 };
@@ -81,6 +84,9 @@ Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools 
 /// Refuses a query from or to where the robot cannot stand. Faults: outside_map, start_blocked,
 /// goal_blocked, which name the end and the point, as in "from 1,2".
 Status check_query(const PlanGround& ground, const PlanQuery& query);
+
+/// The verdict: status, reason and metrics, those of the shortest path that was found.
+Report plan_report(const PlanQuestion& question, const PlanAnswer& answer);
 
 /// The table "rows": a column for each member of PlanRow down to the pieces, the same in words and units.
 Table table_of(const PlanAnswer& answer);

@@ -46,6 +46,6 @@ struct PlanGroundOptions {
 
 /// Faults: bad_input on numbers that make no ground; changes that leave the grid, or of a map without cells.
 /// O(cells) and what the makers of grids and polygons say.
-Outcome<PlanGround> plan_ground(const LoadedMap& map, const PlanGroundOptions& options);
+Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options);
 
 }  // namespace outrider

@@ -51,6 +51,13 @@ std::vector<OptionGroup> describe(PlanScenario& scenario);
 /// Refuses what is missing, and keys that exclude each other, as far as that can be told without the map.
 Status check(const PlanScenario& scenario);
 
+/// The grid of that name; the fault names the key "model".
+Outcome<GridModel> find_grid_model(const std::string& name);
+
+/// Refuses a planner that takes no such grid, nor the polygons of a map that has some; the fault names the
+/// key "planner".
+Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons);
+
 /// The scenario with the defaults of that kind of map for all that is not `given`: a radius of 0 on MovingAI
 /// maps and 0.18 m on polygons; on polygons the planner visibility_graph_reduced, and corners of 0.05 m for
 /// planners that need a grid.

@@ -1,76 +1,137 @@
-// The execution of a pursuit: a pure step, one call of the planner and the seconds that it costs.
+// PursuitMission: plan, go, see more of the target, plan again, until the catch or the target's last second.
 //
-// Accounting, as the reference's test bench counts: a call of less than 2 s costs one second, of 2 to 3 s
-// two, and so on; each second charges the cell in which the robot was before it; the catch is tested
-// after each second, second 0 does not count, and the last that does is that of the target's last cell.
+// On the virtual clock planning is free. On the wall clock each planning call costs what it takes
+// (jobs/pursue/state.hpp); the robot goes on along the best way known meanwhile. The anytime search works in
+// calls of `call_s`; a call that brings no proof is continued from a place further along the way, twice as
+// far ahead each time. Other planners are asked once, from far enough ahead that their answer is not late.
 //
-// While the planner thinks, the robot goes on along the way it has. What a call brings is taken up where
-// the robot is or will be on that way (the splice), and only if the catch that it leads to is cheaper
-// than the one under way: no proposal makes things worse. A robot without a way waits.
+// With `known_s` seconds of the future known, the rest is believed to be as the forecast says; when a
+// second that is revealed differs from what was believed, there is a new forecast and a new plan. A target
+// believed to be out of reach for good is believed to stay instead. The length of the trajectory is known.
 //
-// Several robots: one is on duty, goes, pays and catches; the others are parked and pay nothing. Duty passes
-// when another robot's catch is cheaper than what is left of the present one. With the whole future known
-// it does not pass: the team's cost is then the least that any of its robots can do alone.
+// Thread rule: no shared state. The library reads no clock: time comes from the StopWatch.
 #pragma once
 
-#include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
-#include "outrider/pursuit/plan.hpp"
+#include "outrider/core/budget.hpp"
+#include "outrider/jobs/pursue/state.hpp"
+#include "outrider/jobs/pursue/target_belief.hpp"
+#include "outrider/pursuit/anytime.hpp"
+#include "outrider/robot/mission.hpp"
 
 namespace outrider {
 
-/// Seconds that a planning call costs: truncated to whole ones, at least 1. A call that is not over in
-/// 10^9 s, or took no number of seconds, costs 10^9.
-int seconds_charged(double planning_s);
+enum class PursuitClock { free_planning, wall };
 
-struct PursuitMission {
-  std::vector<Cell> robots;              ///< where each is now
-  std::vector<std::vector<Cell>> paths;  ///< of each, at second 0, 1, ..., time_s
-  std::size_t duty = 0;                  ///< the robot that goes and pays
-  std::vector<std::size_t> duties;       ///< who paid for second 1, 2, ..., time_s
-  int time_s = 0;
-  std::uint64_t cost = 0;
-  int moves = 0;  ///< seconds in which the robot on duty changed its cell
-  bool caught = false;
-  std::vector<Cell> ahead;  ///< of the robot on duty at time_s + 1, time_s + 2, ...; empty: it waits
-  int handovers = 0;        ///< times that duty has passed
+/// The port to a clock.
+class StopWatch {
+ public:
+  virtual ~StopWatch() = default;
+  /// Seconds since the last call, or since it was made.
+  virtual double lap_s() = 0;
+  /// What has passed since then is in no lap.
+  virtual void restart() = 0;
+
+ protected:
+  StopWatch() = default;
+  StopWatch(const StopWatch&) = default;
+  StopWatch& operator=(const StopWatch&) = default;
 };
 
-/// A robot's own way from a second on, as a planner proposes it.
-struct PursuitProposal {
-  std::size_t robot = 0;
-  PursuitPlan plan;
-  int start_s = 0;  ///< the second of plan.path[0]
+using PursuitAsk = std::function<Outcome<PursuitPlan>(const PursuitProblem&, const Budget&)>;
+
+struct PursuitRules {
+  PursuitClock clock = PursuitClock::free_planning;
+  int known_s = std::numeric_limits<int>::max();  ///< seconds of the target's future that are known
+  TargetForecast forecast;                        ///< of the rest; the first of the catalogue unless set
+  PursuitAsk ask;                                 ///< a planner; empty: the anytime search
+  double call_s = 1.5;                            ///< of a call of the anytime search on the wall clock
+  Budget budget;                                  ///< of each call, beside `call_s`
 };
 
-PursuitMission begin_pursuit(std::vector<Cell> robots);
+/// What was known at one moment of planning.
+struct PursuitMoment {
+  int time_s = 0;                     ///< of the mission
+  double planning_s = 0.0;            ///< spent on planning until then
+  std::uint64_t expansions = 0;       ///< by all calls until then; repeats exactly
+  std::optional<std::uint64_t> cost;  ///< of the whole mission by the best catch known
+  std::uint64_t lower_bound = 0;      ///< proven for the whole mission; 0 where the future is not known
+};
 
-/// Caught, or the target is gone.
-bool is_over(const PursuitMission& mission, const PursuitProblem& problem);
+struct PursuitRun {
+  PursuitState state;
+  std::vector<PursuitMoment> moments;
+  std::uint64_t lower_bound = 0;   ///< proven for the whole mission; 0 where the future is not known
+  int earliest_catch_s = -1;       ///< the first second in which a catch is possible; -1: not known
+  double first_feasible_s = -1.0;  ///< of planning, until the first catch was known; -1: never
+  double planning_s = 0.0;         ///< in all
+  int calls = 0;                   ///< of the planner
+  std::uint64_t expansions = 0;    ///< over all calls
+};
 
-/// Where a robot will be `lead_s` seconds from now when nothing new comes.
-Cell robot_at(const PursuitMission& mission, std::size_t robot, int lead_s);
+class PursuitMission {
+ public:
+  /// The target's path has so many seconds, second 0 included; that of `map` is not looked at. `look` is
+  /// shown the run so far whenever planning knows more; what it takes is not charged. References must outlive
+  /// the mission.
+  PursuitMission(const PursuitProblem& map, std::size_t seconds, const PursuitRules& rules, StopWatch& watch,
+                 std::function<void(const PursuitRun&)> look = {});
 
-/// The question whose answer can be spliced `lead_s` seconds from now: `believed` from that robot and second.
-PursuitProblem question(const PursuitMission& mission, const PursuitProblem& believed, std::size_t robot,
-                        int lead_s);
+  /// The next StepToCell, or nothing when it is over: caught, the target gone, or no catch possible any more.
+  /// It takes a GridObservation each second.
+  std::optional<Command> step(const Observation& seen);
 
-/// Paid from now until the catch along `ahead`, if the target moves as believed; nothing when the way
-/// leads to no catch.
-std::optional<std::uint64_t> cost_ahead(const PursuitMission& mission, const PursuitProblem& believed);
+  PursuitRun run;
+  std::optional<Fault> fault;  ///< of the planner in its first call, which ends the mission
 
-/// Takes the proposal up where it meets the robot's way, if that makes the catch cheaper; says whether it
-/// did.
-bool splice(PursuitMission& mission, const PursuitProblem& believed, const PursuitProposal& proposal);
+ private:
+  /// The work on one question.
+  struct Session {
+    std::size_t robot = 0;
+    PursuitProblem problem;
+    std::optional<AnytimePursuit> search;  ///< none for other planners
+    std::optional<PursuitPlan> answer;
+    std::optional<Fault> fault;
+    bool done = false;  ///< nothing more will come
+    std::uint64_t lower_bound = 0;
+    int earliest_catch_s = -1;
+  };
 
-/// One second passes, judged by where the target really is. Does nothing when the mission is over.
-void pass_second(PursuitMission& mission, const PursuitProblem& truth);
+  void take_in(const GridObservation& grid);
+  [[nodiscard]] bool is_over() const;
+  bool plan();
+  [[nodiscard]] Command go() const;
+  void show();
+  void open_sessions();
+  [[nodiscard]] bool all_failed() const;
+  double call();
+  void work_on(Session& session);
+  void ask_for(Session& session);
+  void search_in(Session& session);
+  void keep_bounds();
+  void note_answer(const Session& session);
+  void note();
+  bool first_answer();
+  void splice_answers();
+  void settle();
 
-/// A planning call that took so long: all its seconds but one pass, what it brought is spliced, the last
-/// second passes. Says whether anything was taken up.
-bool step(PursuitMission& mission, const PursuitProblem& truth, const PursuitProblem& believed,
-          const std::vector<PursuitProposal>& proposals, double planning_s);
+  const PursuitRules& rules_;
+  StopWatch& watch_;
+  std::function<void(const PursuitRun&)> look_;
+  std::size_t seconds_;
+  std::vector<Cell> target_;  ///< as far as it is known
+  TargetBelief belief_;
+  std::vector<Session> sessions_;
+  int lead_s_ = 0;
+  bool settled_ = false;     ///< nothing is left to think about
+  int thinking_s_ = 0;       ///< seconds that the present call still costs before its answer comes
+  bool called_ = false;      ///< the last second of a call is passing
+  double planning_s_ = 0.0;  ///< of the newest call
+  bool taken_ = false;       ///< its answer was taken up
+};
 
 }  // namespace outrider

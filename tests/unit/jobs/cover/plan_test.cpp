@@ -36,7 +36,7 @@ double sampled_clearance(const CoverPlan& plan, const CoverProblem& problem) {
       least = std::min(least, distance(p, Segment{ring[i], ring[(i + 1) % ring.size()]}));
     }
   };
-  const auto points = points_along(plan.track, radians(2.0));
+  const auto points = points_along(plan.track.start.position, plan.track.pieces, radians(2.0));
   for (std::size_t i = 1; i < points.size(); ++i) {
     const int steps = 1 + static_cast<int>(distance(points[i - 1], points[i]) / (0.05 * problem.width_m));
     for (int k = 0; k <= steps; ++k) {
@@ -98,7 +98,7 @@ TEST(CoverPlan, RandomAreasAgainstARaster) {
     ASSERT_TRUE(proof) << k << ": " << to_string(proof.error());
     EXPECT_GE(proof->planned.fraction, 0.995) << k;
     EXPECT_GE(sampled_clearance(plan, problem), problem.radius_m() * (1.0 - 2e-4)) << k;
-    const auto way = points_along(plan.track, radians(2.0));
+    const auto way = points_along(plan.track.start.position, plan.track.pieces, radians(2.0));
     const double cell = 0.1 * problem.width_m;
     double reach = 0.0, covered = 0.0, twice = 0.0;
     for (double x = -6.0; x < 6.0; x += cell) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/units.hpp"
+#include "outrider/jobs/cover/mission.hpp"
 #include "outrider/report/json.hpp"
 #include "support/cover_areas.hpp"
 #include "support/random_cases.hpp"

@@ -6,6 +6,7 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
+#include "outrider/sim/drive_sim_params.hpp"
 
 namespace outrider {
 namespace {
@@ -37,6 +38,24 @@ std::vector<TagSighting> seen_from_pose(const DriveTask& task, const Pose2& pose
   return sightings;
 }
 
+Observation at(double time_s) {
+  Observation seen;
+  seen.time_s = time_s;
+  return seen;
+}
+Observation at(double time_s, double taken_s, const std::vector<TagSighting>& sightings) {
+  Observation seen = at(time_s);
+  seen.image = TagImage{taken_s, sightings};
+  return seen;
+}
+
+/// The next command, where there is one.
+std::optional<DriveWheels> step(DriveMission& mission, const Observation& seen) {
+  const auto command = mission.step(seen);
+  if (!command) return std::nullopt;
+  return std::get<DriveWheels>(*command);
+}
+
 TEST(DriveMission, TheFirstAndTheLastCommandAreToRest) {
   for (const bool closed : {true, false}) {
     DriveTask task = task_with({{{{0, 0}, 0}}});
@@ -44,7 +63,7 @@ TEST(DriveMission, TheFirstAndTheLastCommandAreToRest) {
     DriveMission mission = begin(task);
     std::vector<WheelSpeeds4> commands;
     double time_s = 0.0;
-    while (const auto command = step(mission, {time_s}, task)) {
+    while (const auto command = step(mission, at(time_s))) {
       EXPECT_GT(command->until_s, time_s);
       time_s = command->until_s;
       commands.push_back(command->wheels);
@@ -54,7 +73,7 @@ TEST(DriveMission, TheFirstAndTheLastCommandAreToRest) {
     EXPECT_EQ(commands.back(), WheelSpeeds4{});
     EXPECT_EQ(mission.end, DriveEnd::done);
     EXPECT_EQ(mission.arrivals.size(), 1U);
-    EXPECT_FALSE(step(mission, {time_s}, task));
+    EXPECT_FALSE(step(mission, at(time_s)));
   }
 }
 
@@ -62,13 +81,13 @@ TEST(DriveMission, ATagPoseIsUsedOnceAndOnlyWhileFresh) {
   const DriveTask task = task_with({{{{1, 0}, 0}}});
   const auto sightings = seen_from_pose(task, {{0.0, 0.0}, 0.0});
   DriveMission mission = begin(task);
-  ASSERT_TRUE(step(mission, {0.0}, task));
-  ASSERT_TRUE(step(mission, {0.05, 0.0249, sightings}, task));
+  ASSERT_TRUE(step(mission, at(0.0)));
+  ASSERT_TRUE(step(mission, at(0.05, 0.0249, sightings)));
   EXPECT_EQ(mission.used, 0) << "older than half a period";
-  ASSERT_TRUE(step(mission, {0.10, 0.0751, sightings}, task));
+  ASSERT_TRUE(step(mission, at(0.10, 0.0751, sightings)));
   EXPECT_EQ(mission.used, 1);
   EXPECT_EQ(mission.tag_s, 0.0751);
-  ASSERT_TRUE(step(mission, {0.11, 0.0751, sightings}, task));
+  ASSERT_TRUE(step(mission, at(0.11, 0.0751, sightings)));
   EXPECT_EQ(mission.used, 1) << "the same image again";
   EXPECT_EQ(mission.reckoning.time_s, 0.11) << "the model carries on";
 }
@@ -79,7 +98,7 @@ TEST(DriveMission, LooksMakeTheBeliefSharper) {
   mission.reckoning.belief.world_T_robot = {{0.02, -0.03}, 0.02};
   mission.reckoning.belief.covariance *= 25.0;
   const auto sightings = seen_from_pose(task, {});
-  for (int i = 0; i < 10; ++i) (void)step(mission, {0.1 * i, 0.1 * i, sightings}, task);
+  for (int i = 0; i < 10; ++i) (void)step(mission, at(0.1 * i, 0.1 * i, sightings));
   EXPECT_LT(norm(mission.arrivals.empty() ? mission.reckoning.belief.world_T_robot.position
                                           : mission.arrivals[0].belief.world_T_robot.position),
             0.01);
@@ -94,7 +113,7 @@ TEST(DriveMission, StopsWhenImagesContradictTheBelief) {
   double time_s = 0.0;
   WheelSpeeds4 last{};
   for (int i = 0; i < 20; ++i) {
-    const auto command = step(mission, {time_s, time_s, elsewhere}, task);
+    const auto command = step(mission, at(time_s, time_s, elsewhere));
     if (!command) break;
     last = command->wheels;
     time_s = command->until_s;
@@ -112,15 +131,15 @@ TEST(DriveMission, GivesUpWhenItsPatienceEnds) {
   task.reckoning.lost_rad = pi;
   DriveMission mission = begin(task);
   double time_s = 0.0;
-  while (const auto command = step(mission, {time_s}, task)) time_s = command->until_s;
+  while (const auto command = step(mission, at(time_s))) time_s = command->until_s;
   EXPECT_EQ(mission.end, DriveEnd::stuck);
   EXPECT_NE(mission.reason.find("waypoint 1"), std::string::npos);
 }
 
 TEST(DriveTask, DefaultsLieInTheirRanges) {
   DriveTask task;
-  DriveTruth truth;
-  for (const auto& options : {describe(task.eye), describe(task.rules), describe(truth),
+  DriveSimParams params;
+  for (const auto& options : {describe(task.eye), describe(task.rules), describe(params),
                               describe(task.follow), describe(task.pid), describe(task.reckoning)}) {
     for (const Option& option : options) {
       EXPECT_TRUE(assign(option, value_text(option))) << option.name;

@@ -23,18 +23,18 @@ DriveTask waypoints() {
   return task;
 }
 
-DriveTruth faults() {
-  DriveTruth truth;
-  truth.wheels.gains = {0.985, 1.012, 1.003, 0.989};
-  truth.wheels.backwards = 0.985;
-  truth.wheels.dead_time_s = 0.08;
-  truth.wheels.lag_s = 0.08;
-  truth.wheels.deadband_radps = 0.05;
-  truth.wheels.sag_per_min = 0.006;
-  truth.wheels.strafe_slip = 0.1;
-  truth.wheels.noise = 0.005;
-  truth.link = {1, 0.05, 0.01};
-  return truth;
+DriveSimParams faults() {
+  DriveSimParams params;
+  params.wheels.gains = {0.985, 1.012, 1.003, 0.989};
+  params.wheels.backwards = 0.985;
+  params.wheels.dead_time_s = 0.08;
+  params.wheels.lag_s = 0.08;
+  params.wheels.deadband_radps = 0.05;
+  params.wheels.sag_per_min = 0.006;
+  params.wheels.strafe_slip = 0.1;
+  params.wheels.noise = 0.005;
+  params.link = {1, 0.05, 0.01};
+  return params;
 }
 
 struct Worst {
@@ -112,9 +112,9 @@ TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
 }
 
 TEST(DriveRun, ABlindedRobotStopsAndSaysSo) {
-  DriveTruth truth = faults();
-  truth.blind_from_s = 8.0;
-  const Report report = run_drive(waypoints(), truth, false, 1);
+  DriveSimParams params = faults();
+  params.sight.blind_from_s = 8.0;
+  const Report report = run_drive(waypoints(), params, false, 1);
   EXPECT_EQ(report.status, "not_done");
   EXPECT_NE(report.reason.find("lost: the belief"), std::string::npos) << report.reason;
   const Pose2 last = report.track.back().pose, before = report.track[report.track.size() - 2].pose;
@@ -124,9 +124,9 @@ TEST(DriveRun, ABlindedRobotStopsAndSaysSo) {
 
 TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
   for (int seed = 1; seed <= testing::cases(5); ++seed) {
-    DriveTruth truth = faults();
-    truth.kidnapped_at_s = 6.0;
-    const Report report = run_drive(waypoints(), truth, false, static_cast<std::uint64_t>(seed));
+    DriveSimParams params = faults();
+    params.kidnapping.at_s = 6.0;
+    const Report report = run_drive(waypoints(), params, false, static_cast<std::uint64_t>(seed));
     EXPECT_EQ(report.status, "not_done");
     EXPECT_NE(report.reason.find("lost"), std::string::npos) << report.reason;
     EXPECT_EQ(report.events.back().kind, "lost");

@@ -46,8 +46,8 @@ struct RobotAmongBoxes {
     return least - radius_m;
   }
 
-  ExplorerObservation sense() {
-    ExplorerObservation seen{time_s, pose, std::nullopt, false};
+  Observation sense() {
+    Observation seen{.time_s = time_s, .odometry = pose};
     if (touches > 0 && time_s > 5.0) seen.touching = touches-- > 0;
     if (time_s < 0.2 * scans - 1e-9) return seen;
     LaserScan scan{time_s, 0.0, 2.0 * pi / 360.0, 0.12, range_m, {}};
@@ -60,7 +60,7 @@ struct RobotAmongBoxes {
     return seen;
   }
 
-  void act(const ExplorerCommand& command) {
+  void act(const DriveTwist& command) {
     if (!held) pose = moved(pose, command.twist, command.until_s - time_s);
     time_s = command.until_s;
   }
@@ -86,7 +86,7 @@ ExploreTask task_of(const RobotAmongBoxes& robot) {
 
 struct Told {
   ExploreMission mission;
-  std::vector<ExplorerCommand> commands;
+  std::vector<DriveTwist> commands;
   double least_gap_m = 10.0;
 };
 
@@ -97,20 +97,20 @@ Told explore(RobotAmongBoxes robot, const ExploreTask& task, Spoil spoil) {
   const Pose2 start = robot.pose;
   Told told{*begin(task), {}};
   while (told.commands.size() < 20000) {
-    ExplorerObservation seen = robot.sense();
+    Observation seen = robot.sense();
     seen.odometry = relative_pose(start, seen.odometry);
     spoil(seen, robot);
-    const auto command = step(told.mission, seen, task);
+    const auto command = told.mission.step(seen);
     if (!command) break;
-    told.commands.push_back(*command);
-    robot.act(*command);
+    told.commands.push_back(std::get<DriveTwist>(*command));
+    robot.act(told.commands.back());
     told.least_gap_m = std::min(told.least_gap_m, robot.gap(task.robot.radius_m));
   }
   EXPECT_EQ(told.mission.stage, ExploreStage::over);
   return told;
 }
 Told explore(const RobotAmongBoxes& robot, const ExploreTask& task) {
-  return explore(robot, task, [](ExplorerObservation&, RobotAmongBoxes&) {});
+  return explore(robot, task, [](Observation&, RobotAmongBoxes&) {});
 }
 
 /// Free cells of the map, of all that the two rooms and their door have.
@@ -152,7 +152,7 @@ TEST(ExploreMission, SaysTheSameTwice) {
 
 TEST(ExploreMission, ABadScanNeverEndsIt) {
   const auto robot = in_two_rooms();
-  const Told told = explore(robot, task_of(robot), [](ExplorerObservation& seen, RobotAmongBoxes& sim) {
+  const Told told = explore(robot, task_of(robot), [](Observation& seen, RobotAmongBoxes& sim) {
     if (!seen.scan || sim.scans % 3 != 0) return;
     LaserScan& scan = *seen.scan;
     switch (sim.scans / 3 % 5) {
@@ -172,7 +172,7 @@ TEST(ExploreMission, ABadScanNeverEndsIt) {
 TEST(ExploreMission, OdometryThatIsNoNumberIsLeftOut) {
   const auto robot = in_two_rooms();
   int count = 0;
-  const Told told = explore(robot, task_of(robot), [&](ExplorerObservation& seen, RobotAmongBoxes&) {
+  const Told told = explore(robot, task_of(robot), [&](Observation& seen, RobotAmongBoxes&) {
     if (++count % 7 == 0) seen.odometry.position.x = std::numeric_limits<double>::quiet_NaN();
     if (count % 7 == 0) seen.scan.reset();
   });
@@ -183,14 +183,13 @@ TEST(ExploreMission, OdometryThatIsNoNumberIsLeftOut) {
 TEST(ExploreMission, StandsStillAndEndsWithoutScans) {
   const auto robot = in_two_rooms();
   const ExploreTask task = task_of(robot);
-  const Told told = explore(robot, task, [](ExplorerObservation& seen, RobotAmongBoxes& sim) {
+  const Told told = explore(robot, task, [](Observation& seen, RobotAmongBoxes& sim) {
     if (sim.time_s > 2.0) seen.scan.reset();
   });
   EXPECT_EQ(told.mission.stop_reason, "blind");
   EXPECT_EQ(told.commands.back().twist, Twist2{});
   EXPECT_LT(told.mission.time_s, 2.0 + 11.0 * task.rules.blind_s);
-  const Told never =
-      explore(robot, task, [](ExplorerObservation& seen, RobotAmongBoxes&) { seen.scan.reset(); });
+  const Told never = explore(robot, task, [](Observation& seen, RobotAmongBoxes&) { seen.scan.reset(); });
   EXPECT_EQ(never.mission.stop_reason, "blind");
 }
 
@@ -231,7 +230,7 @@ TEST(ExploreMission, GoesBackALittleFromWhatItTouches) {
   EXPECT_EQ(told.mission.stop_reason, "complete");
   EXPECT_EQ(told.mission.stuck, 1);
   EXPECT_TRUE(
-      std::ranges::any_of(told.commands, [](const ExplorerCommand& c) { return c.twist.ahead_mps < 0.0; }));
+      std::ranges::any_of(told.commands, [](const DriveTwist& c) { return c.twist.ahead_mps < 0.0; }));
   EXPECT_EQ(std::ranges::count(told.mission.events, std::string("touch"), &ExploreEvent::kind), 1);
 }
 

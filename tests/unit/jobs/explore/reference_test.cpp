@@ -33,18 +33,18 @@ World room(double width_m, double depth_m) {
 
 struct Eyes {
   RangeFinder laser;
-  ExplorerGround ground;
+  OpenGround ground;
 };
 
 Eyes eyes(const World& world, double most_m = 3.5) {
   RangeFinderModel model;
   model.most_m = most_m;
-  return {RangeFinder(world, model), ExplorerGround(world, burger())};
+  return {RangeFinder(world, model), OpenGround(world, burger())};
 }
 
-TEST(ExploreTruth, ARoomIsSeenWhole) {
+TEST(ExplorationReference, ARoomIsSeenWhole) {
   const Eyes it = eyes(room(3.0, 2.0));
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_TRUE(truth);
   EXPECT_NEAR(truth->seeable_m2, 6.0, 1e-9);
   // The centres of 56 x 36 cells of 5 cm are no nearer to a wall than the radius of 0.105 m.
@@ -52,12 +52,12 @@ TEST(ExploreTruth, ARoomIsSeenWhole) {
   EXPECT_FALSE(truth->leaks);
 }
 
-TEST(ExploreTruth, WhatLiesBehindANarrowGapIsSeenOnly) {
+TEST(ExplorationReference, WhatLiesBehindANarrowGapIsSeenOnly) {
   World world = room(4.0, 2.0);  // a wall across at 2 m, with a gap of 10 cm, less than the robot
   world.solids.push_back(block({2.0, 0.0}, {2.1, 0.95}));
   world.solids.push_back(block({2.0, 1.05}, {2.1, 2.0}));
   const Eyes it = eyes(world);
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_TRUE(truth);
   const auto at = [&](Vec2 p) { return truth->places[truth->places.frame.cell_at(p)]; };
   EXPECT_EQ(at({1.0, 1.0}), reachable);
@@ -69,11 +69,11 @@ TEST(ExploreTruth, WhatLiesBehindANarrowGapIsSeenOnly) {
   EXPECT_LT(truth->seeable_m2, 8.0);
 }
 
-TEST(ExploreTruth, AnOpenDoorLeaks) {
+TEST(ExplorationReference, AnOpenDoorLeaks) {
   World world = room(3.0, 2.0);
   world.solids.back() = block({3.0, 0.5}, {3.1, 2.0});
   const Eyes it = eyes(world);
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_TRUE(truth);
   EXPECT_TRUE(truth->leaks);
   const Box2 standing{{-wall_m, -wall_m}, {3.0 + wall_m, 2.0 + wall_m}};
@@ -83,9 +83,9 @@ TEST(ExploreTruth, AnOpenDoorLeaks) {
   EXPECT_LT(distance(truth->standing.low, standing.low), 1e-9);
 }
 
-TEST(ExploreTruth, AStartInAWallIsRefusedWithAPlaceThatFits) {
+TEST(ExplorationReference, AStartInAWallIsRefusedWithAPlaceThatFits) {
   const Eyes it = eyes(room(3.0, 2.0));
-  const auto truth = explore_truth(it.laser, it.ground, {0.05, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {0.05, 1.0});
   ASSERT_FALSE(truth);
   EXPECT_EQ(truth.error().code, FaultCode::start_blocked);
   EXPECT_EQ(
@@ -94,17 +94,17 @@ TEST(ExploreTruth, AStartInAWallIsRefusedWithAPlaceThatFits) {
       "is 0.125,1.025");
 }
 
-TEST(ExploreTruth, AWorldTooLargeIsRefused) {
+TEST(ExplorationReference, AWorldTooLargeIsRefused) {
   World world = room(3.0, 2.0);
   world.solids.push_back(block({1e5, 1e5}, {1e5 + 1, 1e5 + 1}));
   const Eyes it = eyes(world);
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_FALSE(truth);
   EXPECT_EQ(truth.error().code, FaultCode::bad_input);
 }
 
 /// All pairs of places, and every solid between them.
-TEST(ExploreTruth, IsWhatAllPairsOfPlacesSay) {
+TEST(ExplorationReference, IsWhatAllPairsOfPlacesSay) {
   Rng rng(11);
   for (int i = 0; i < cases(3); ++i) {
     World world = room(2.0, 1.6);
@@ -117,7 +117,7 @@ TEST(ExploreTruth, IsWhatAllPairsOfPlacesSay) {
     Vec2 start{1.0, 0.8};
     while (it.ground.gap_m(start) < 0.0) start = {rng.uniform(0.2, 1.8), rng.uniform(0.2, 1.4)};
     const double cell_m = 0.08;
-    const auto truth = explore_truth(it.laser, it.ground, start, cell_m);
+    const auto truth = exploration_reference(it.laser, it.ground, start, cell_m);
     ASSERT_TRUE(truth);
     const std::vector<RoundedPolygon> pieces = cut_at(world, 0.18);
     const GridFrame& frame = truth->places.frame;
@@ -138,9 +138,9 @@ TEST(ExploreTruth, IsWhatAllPairsOfPlacesSay) {
   }
 }
 
-TEST(ExploreTruth, MapsAreJudged) {
+TEST(ExplorationReference, MapsAreJudged) {
   const Eyes it = eyes(room(3.0, 2.0));
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_TRUE(truth);
   Grid<std::uint8_t> map({{-0.5, -0.5}, 0.05, 80, 60}, unknown_cell);
   EXPECT_EQ(map_quality(*truth, it.laser, map).explored_fraction, 0.0);
@@ -164,11 +164,11 @@ TEST(ExploreTruth, MapsAreJudged) {
   EXPECT_NEAR(quality.wrongly_free_m2, 0.2 * 0.2, 1e-9);
 }
 
-TEST(ExploreTruth, ATableIsDrivenUnderOnlyWhereItIsHigh) {
+TEST(ExplorationReference, ATableIsDrivenUnderOnlyWhereItIsHigh) {
   World world = room(3.0, 2.0);
   world.solids.push_back(block({1.5, 0.0}, {3.0, 2.0}, 0.185));  // above the laser, below the robot's top
   const Eyes it = eyes(world);
-  const auto truth = explore_truth(it.laser, it.ground, {1.0, 1.0});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
   ASSERT_TRUE(truth);
   EXPECT_NEAR(truth->seeable_m2, 6.0, 1e-9) << "the laser looks under it";
   EXPECT_LT(truth->reachable_m2, 1.5 * 2.0);

@@ -61,7 +61,7 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   testing::Curious curious;
   watch.observer = &curious;
   const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch,
-                               [&](const ExploreMission&, const SimulatedExplorer&) { ++scans; });
+                               [&](const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
   EXPECT_EQ(to_json(one->report), to_json(two->report));
   EXPECT_EQ(one->map.cells, two->map.cells);
@@ -77,7 +77,7 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
   watch.stop = source.get_token();
   int scans = 0;
   const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch,
-                               [&](const ExploreMission&, const SimulatedExplorer&) {
+                               [&](const ExploreMission&, const SimulatedRobot&) {
                                  if (++scans == 20) source.request_stop();
                                });
   ASSERT_TRUE(run);

@@ -22,9 +22,9 @@ TEST(ExploreScenario, KeysAndTextsBecomeASetup) {
   const auto setup = load_explore(job.scenario);
   ASSERT_TRUE(setup) << to_string(setup.error());
   EXPECT_EQ(setup->task.start, (Pose2{{1.0, 2.0}, radians(90.0)}));
-  EXPECT_EQ(setup->truth.laser.most_m, 5.0);
-  EXPECT_EQ(setup->truth.wheels.scale_error, 0.0);
-  EXPECT_EQ(setup->truth.laser.robot_T_laser.position.x, 0.1) << "as the robot knows it";
+  EXPECT_EQ(setup->sim.laser.most_m, 5.0);
+  EXPECT_EQ(setup->sim.wheels.scale_error, 0.0);
+  EXPECT_EQ(setup->sim.laser.robot_T_laser.position.x, 0.1) << "as the robot knows it";
   EXPECT_FALSE(setup->task.rules.return_home);
   EXPECT_EQ(setup->task.robot.radius_m, 0.105) << "a TurtleBot3 burger";
 }
@@ -38,7 +38,7 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
     return setup ? "none" : to_string(setup.error());
   };
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
-  EXPECT_EQ(fault([](auto& s) { s.truth.laser.least_m = 4.0; }),
+  EXPECT_EQ(fault([](auto& s) { s.sim.laser.least_m = 4.0; }),
             "laser.least: '4' is no good; it takes less than laser.most, which is 3.5 m");
   EXPECT_EQ(fault([](auto& s) { s.world.world = ""; }),
             "world: missing; give the file of the world to explore");

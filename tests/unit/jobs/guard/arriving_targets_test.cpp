@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "outrider/jobs/guard/guard_robot.hpp"
+#include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
@@ -133,7 +133,7 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
     ASSERT_TRUE(watch.has_value());
     const auto policy = find_watch_policy("each_arrival");
     const ArrivalPlan plan{*watch, yard.outlook, *policy};
-    SimulatedGuard robot(watch->problem, watch->site, 1, {.intruders = watch->intruders});
+    auto robot = simulated_guard(watch->problem, watch->site, 1, {.intruders = watch->intruders});
     GuardMission mission(plan);
     bool aimed = false;
     while (const auto command = mission.step(robot.sense())) {

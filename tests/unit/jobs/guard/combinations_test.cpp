@@ -217,7 +217,7 @@ TEST(Combinations, IntrudersWalkAboutInWind) {
     problem.air = {0.02, 1.5, radians(40.0 + 90.0 * i)};
     GuardOptions options = coarse();
     options.pitch_step_rad = radians(7.5);
-    const auto site = survey(problem, options, RegionSearch::none);
+    const auto site = survey(problem, options, {}, RegionSearch::none);
     ASSERT_TRUE(site) << to_string(site.error());
     WanderOptions wander;
     wander.speed_mps = 0.5;

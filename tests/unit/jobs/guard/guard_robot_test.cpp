@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/guard_robot.hpp"
+#include "outrider/jobs/guard/robot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Site site_of(const GuardProblem& problem) {
 TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
   const GuardProblem problem = open_yard();
   const Site site = site_of(problem);
-  SimulatedGuard robot(problem, site, 5);
+  auto robot = simulated_guard(problem, site, 5);
   const int drives = 4000;
   std::array<int, 4> rings{};
   std::array<int, 4> quadrants{};
@@ -68,7 +68,7 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
   for (int i = 0; i < cases(5); ++i) {
     const auto problem = random_guard_problem(rng, 10, 0, 2.0);
     const Site site = site_of(problem);
-    SimulatedGuard robot(problem, site, static_cast<std::uint64_t>(i));
+    auto robot = simulated_guard(problem, site, static_cast<std::uint64_t>(i));
     for (int k = 0; k < 300; ++k) {
       const std::size_t cell = rng.below(site.frame.size());
       const Vec2 goal = site.frame.centre(site.frame.cell(cell));
@@ -88,7 +88,7 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
   GuardProblem problem = open_yard();
   problem.errors = {0.0, 0.0, {0.0, 0.0}};
   const Site site = site_of(problem);
-  SimulatedGuard robot(problem, site, 1);
+  auto robot = simulated_guard(problem, site, 1);
   const std::vector<Vec2> way{{0, 0}, {0.3, 0.3}, {0.3, 3.0}, {-2.0, 3.0}, {-2.0, -1.0}};
   robot.act(FollowWaypoints{way});
   double time = 0.0;
@@ -129,7 +129,7 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
 TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
   const GuardProblem problem = open_yard();
   const Site site = site_of(problem);
-  SimulatedGuard robot(problem, site, 1);
+  auto robot = simulated_guard(problem, site, 1);
   robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
   const double begin = robot.sense().time_s;
   const double heading = robot.sense().odometry.heading_rad;
@@ -145,7 +145,7 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
   const GuardProblem problem = open_yard();
   const Site site = site_of(problem);
-  SimulatedGuard robot(problem, site, 9);
+  auto robot = simulated_guard(problem, site, 9);
   const Shot shot{0.0, 0.2, 6.5};
   robot.act(AimGun{0.0, 0.2});
   const int shots = 2000;
@@ -190,7 +190,7 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
   for (int i = 0; i < cases(100); ++i) {
     problem.targets[0].base = {rng.uniform(1.0, 4.0), 0.0, rng.uniform(0.0, 1.5)};
     const Site site = site_of(problem);
-    SimulatedGuard robot(problem, site, static_cast<std::uint64_t>(i));
+    auto robot = simulated_guard(problem, site, static_cast<std::uint64_t>(i));
     robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
     const ReportShot& fired = robot.record.shots.back();
     double nearest = 1e9;
@@ -211,7 +211,7 @@ TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
   const GuardProblem problem = open_yard();
   const Site site = site_of(problem);
   const auto end = [&](std::uint64_t seed) {
-    SimulatedGuard robot(problem, site, seed);
+    auto robot = simulated_guard(problem, site, seed);
     robot.act(FollowWaypoints{{{0, 0}, {1, 0}}});
     robot.act(Fire{0, {0.0, 0.1, 6.0}});
     return robot.record.shots.back().contact_point;

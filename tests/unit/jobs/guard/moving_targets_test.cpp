@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "outrider/jobs/guard/guard_robot.hpp"
+#include "outrider/jobs/guard/robot.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
 #include "support/guard_runs.hpp"
@@ -203,7 +203,7 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const std::vector<Walk> walks = {{{{0.0, from}, {60.0, from + 60.0 * velocity}}}};
     const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value());
-    SimulatedGuard robot(problem, *site, 1, {.walks = walks, .look_s = wander.look_s});
+    auto robot = simulated_guard(problem, *site, 1, {.walks = walks, .look_s = wander.look_s});
     robot.act(Wait{0.75});  // two looks: the way is known
     GuardMission mission(*plan);
     const auto command = mission.step(robot.sense());

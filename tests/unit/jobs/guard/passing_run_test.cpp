@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "outrider/jobs/guard/guard_robot.hpp"
 #include "outrider/jobs/guard/mission.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
+#include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
@@ -125,7 +125,7 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
   shaky.errors.aim = {0.12, 0.05};
   int missed = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    SimulatedGuard robot(shaky, p.site, seed);
+    auto robot = simulated_guard(shaky, p.site, seed);
     GuardMission mission(p.problem, p.site, p.plan);
     while (const auto command = mission.step(robot.sense())) robot.act(*command);
     for (std::size_t t = 0; t < mission.tasks.records.size(); ++t) {

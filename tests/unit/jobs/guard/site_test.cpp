@@ -252,8 +252,8 @@ TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
     options.resolution_m = 0.4;
     options.pitch_step_rad = radians(7.5);
     const auto proven = survey(problem, options);
-    const auto centres = survey(problem, options, RegionSearch::centres_only);
-    const auto none = survey(problem, options, RegionSearch::none);
+    const auto centres = survey(problem, options, {}, RegionSearch::centres_only);
+    const auto none = survey(problem, options, {}, RegionSearch::none);
     ASSERT_TRUE(proven && centres && none);
     EXPECT_EQ(proven->reachable, none->reachable);
     EXPECT_EQ(proven->standable, none->standable);

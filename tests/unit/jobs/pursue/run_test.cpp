@@ -16,15 +16,12 @@ namespace {
 class ToldWatch : public StopWatch {
  public:
   explicit ToldWatch(std::vector<double> laps = {0.0}) : laps_(std::move(laps)) {}
-  double lap_s() override {
-    if (std::exchange(fresh_, false)) return 0.0;
-    return laps_[next_++ % laps_.size()];
-  }
+  double lap_s() override { return laps_[next_++ % laps_.size()]; }
+  void restart() override {}
 
  private:
   std::vector<double> laps_;
   std::size_t next_ = 0;
-  bool fresh_ = true;
 };
 
 PursuitRun run(const PursuitProblem& problem, const PursuitRules& rules, std::vector<double> laps = {0.0},
@@ -46,7 +43,7 @@ PursuitProblem catchable(Rng& rng, int side, int seconds) {
 }
 
 /// What the reference's test bench would count along the robot's path.
-void expect_honest(const PursuitMission& mission, const PursuitProblem& problem) {
+void expect_honest(const PursuitState& mission, const PursuitProblem& problem) {
   const std::vector<Cell>& path = mission.paths.front();
   ASSERT_EQ(path.size(), static_cast<std::size_t>(mission.time_s) + 1);
   std::uint64_t cost = 0;
@@ -65,11 +62,11 @@ TEST(PursuitRun, FreePlanningIsOptimalAndHonest) {
     const PursuitProblem problem = catchable(rng, 7, 16);
     const PursuitRun done = run(problem, {});
     const auto truth = testing::slow_catch(problem);
-    EXPECT_TRUE(done.mission.caught);
-    EXPECT_EQ(done.mission.cost, truth->cost);
+    EXPECT_TRUE(done.state.caught);
+    EXPECT_EQ(done.state.cost, truth->cost);
     EXPECT_EQ(done.lower_bound, truth->cost);
     EXPECT_EQ(done.earliest_catch_s, truth->earliest_s);
-    expect_honest(done.mission, problem);
+    expect_honest(done.state, problem);
   }
 }
 
@@ -83,7 +80,7 @@ TEST(PursuitRun, ThinkingForLessThanTwoSecondsCostsNothing) {
       Workspace workspace;
       return optimal_pursuit(asked, {}, budget, workspace);
     };
-    EXPECT_EQ(run(problem, rules, {1.999}).mission.cost, testing::slow_catch(problem)->cost);
+    EXPECT_EQ(run(problem, rules, {1.999}).state.cost, testing::slow_catch(problem)->cost);
   }
 }
 
@@ -99,10 +96,10 @@ TEST(PursuitRun, SlowThinkingIsPaidForAndStillHonest) {
       return optimal_pursuit(asked, {}, budget, workspace);
     };
     const PursuitRun done = run(problem, rules, {3.5});
-    expect_honest(done.mission, problem);
-    if (!done.mission.caught) continue;
+    expect_honest(done.state, problem);
+    if (!done.state.caught) continue;
     ++caught;
-    EXPECT_GE(done.mission.cost, testing::slow_catch(problem)->cost);
+    EXPECT_GE(done.state.cost, testing::slow_catch(problem)->cost);
   }
   EXPECT_GT(caught, 50);
 }
@@ -118,8 +115,8 @@ TEST(PursuitRun, TheFirstLateAnswerIsAskedAgainFromFurtherAhead) {
     return optimal_pursuit(asked, {}, budget, workspace);
   };
   const PursuitRun done = run(problem, rules, {4.0});
-  EXPECT_TRUE(done.mission.caught);
-  expect_honest(done.mission, problem);
+  EXPECT_TRUE(done.state.caught);
+  expect_honest(done.state, problem);
 }
 
 TEST(PursuitRun, ImprovementsNeverMakeItWorse) {
@@ -131,7 +128,7 @@ TEST(PursuitRun, ImprovementsNeverMakeItWorse) {
     rules.call_s = 0.5;
     rules.budget.expansions = 5;  // very little in a call, so that many are needed
     const PursuitRun done = run(problem, rules, {0.6});
-    expect_honest(done.mission, problem);
+    expect_honest(done.state, problem);
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
     for (const PursuitMoment& moment : done.moments) {
       if (!moment.cost || done.calls == 0) continue;
@@ -147,7 +144,7 @@ TEST(PursuitRun, KnowingEverySecondIsKnowingAll) {
     const PursuitProblem problem = catchable(rng, 7, 16);
     PursuitRules rules;
     rules.known_s = problem.last_s();
-    EXPECT_EQ(run(problem, rules).mission.cost, testing::slow_catch(problem)->cost);
+    EXPECT_EQ(run(problem, rules).state.cost, testing::slow_catch(problem)->cost);
   }
 }
 
@@ -184,9 +181,9 @@ TEST(PursuitRun, MoreKnowledgeIsNeverWorseOnAverage) {
         rules.known_s = known_s;
         rules.forecast = forecast;
         const PursuitRun done = run(problem, rules);
-        expect_honest(done.mission, problem);
+        expect_honest(done.state, problem);
         // Without a catch all was paid for nothing: as if the worst cell had been paid throughout.
-        sum += done.mission.caught ? static_cast<double>(done.mission.cost) : 9.0 * 80.0;
+        sum += done.state.caught ? static_cast<double>(done.state.cost) : 9.0 * 80.0;
       }
       if (testing::in_full()) {
         EXPECT_LE(sum, before) << forecast.name << ", " << known_s << " s known";
@@ -212,13 +209,13 @@ TEST(PursuitRun, MoreChasersAreNeverLaterNorDearer) {
       if (const auto truth = testing::slow_catch(alone)) least = std::min(least, truth->cost);
       const PursuitRun done =
           run(problem, {}, {0.0}, {team.begin(), team.begin() + static_cast<std::ptrdiff_t>(count)});
-      EXPECT_TRUE(done.mission.caught);
-      EXPECT_EQ(done.mission.cost, least);
+      EXPECT_TRUE(done.state.caught);
+      EXPECT_EQ(done.state.cost, least);
       EXPECT_EQ(done.lower_bound, least);
-      EXPECT_LE(done.mission.cost, cost);
+      EXPECT_LE(done.state.cost, cost);
       EXPECT_LE(done.earliest_catch_s, earliest_s);
-      EXPECT_EQ(done.mission.handovers, 0);
-      cost = done.mission.cost;
+      EXPECT_EQ(done.state.handovers, 0);
+      cost = done.state.cost;
       earliest_s = done.earliest_catch_s;
     }
   }

@@ -1,0 +1,93 @@
+// A run as JSON: the one form of it, which the tool prints with --json and the server sends.
+//
+//   {"status", "job", "reason", "metrics": {...}, the tables by their names, "files": {...}, "warnings":
+//   [...]}
+//
+// Numbers that are not known are null, counts have no decimal point. `Json` is a type with the interface of
+// nlohmann::ordered_json, so that only who asks for it needs that library.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "outrider/core/overload.hpp"
+#include "outrider/job/table.hpp"
+#include "outrider/report/report.hpp"
+
+namespace outrider {
+
+/// What stands in a folder, and where: "report", "picture", "page", and what the job made by its names.
+using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
+
+template <class Json>
+Json number_json(double value) {
+  constexpr double exact = 9e15;
+  if (!std::isfinite(value)) return nullptr;
+  if (std::abs(value) < exact && value == std::floor(value)) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+template <class Json>
+Json point_json(Vec2 p) {
+  return {number_json<Json>(p.x), number_json<Json>(p.y)};
+}
+
+template <class Json>
+Json piece_json(const TableArc& piece) {
+  Json object = {{"from", point_json<Json>(piece.from)}, {"to", point_json<Json>(piece.to)}};
+  if (piece.turn_rad != 0.0) object["centre"] = point_json<Json>(piece.centre);
+  if (piece.turn_rad != 0.0) object["turn_rad"] = piece.turn_rad;
+  return object;
+}
+
+template <class Json>
+Json table_value_json(const TableValue& value) {
+  return std::visit(Overload{[](double number) { return number_json<Json>(number); },
+                             [](const std::string& text) { return Json(text); },
+                             [](Vec2 point) { return point_json<Json>(point); },
+                             [](const std::vector<Vec2>& points) {
+                               Json list = Json::array();
+                               for (const Vec2 p : points) list.push_back(point_json<Json>(p));
+                               return list;
+                             },
+                             [](const std::vector<TableArc>& pieces) {
+                               Json list = Json::array();
+                               for (const TableArc& piece : pieces) list.push_back(piece_json<Json>(piece));
+                               return list;
+                             }},
+                    value);
+}
+
+/// A list of objects, with a member for each column.
+template <class Json>
+Json table_json(const Table& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      object[table.columns[i]] = table_value_json<Json>(row[i]);
+    }
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+/// The object above.
+template <class Json>
+Json run_json(const Report& report, const std::vector<Table>& tables, const WrittenFiles& files = {}) {
+  Json metrics = Json::object(), paths = Json::object();
+  for (const auto& [name, value] : report.metrics) metrics[name] = number_json<Json>(value);
+  for (const auto& [name, value] : report.machine_times) metrics[name] = number_json<Json>(value);
+  for (const auto& [name, path] : files) paths[name] = path;
+  Json object = {
+      {"status", report.status}, {"job", report.job}, {"reason", report.reason}, {"metrics", metrics}};
+  for (const Table& table : tables) object[table.name] = table_json<Json>(table);
+  object["files"] = std::move(paths);
+  object["warnings"] = report.warnings;
+  return object;
+}
+
+}  // namespace outrider

@@ -1,0 +1,43 @@
+// SimulatedTagCamera: a camera on a robot, which takes images at its own rate and tells the tags in them.
+//
+// The images are rendered and the tags detected in them (tag_camera.hpp), or what is seen comes from a model
+// without images (tag_model.hpp).
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "outrider/robot/observation.hpp"
+#include "outrider/sim/drive_sim_params.hpp"
+#include "outrider/sim/tag_camera.hpp"
+#include "outrider/world/ground.hpp"
+
+namespace outrider {
+
+class SimulatedTagCamera {
+ public:
+  /// Draws from the children `camera` and `sight` of the stream.
+  SimulatedTagCamera(const TagScene& scene, const RobotCamera& camera, const TagCameraOptions& options,
+                     const TagSightFaults& faults, bool rendered, const Rng& rng);
+
+  /// When the next image is taken.
+  [[nodiscard]] double due_s() const { return static_cast<double>(images_ + 1) / options_.rate_hz; }
+  /// Takes it, from a robot that is at that pose now and moves.
+  void take(const Pose2& world_T_robot, const Twist2& twist, double time_s);
+
+  [[nodiscard]] const std::optional<TagImage>& newest() const { return newest_; }
+  [[nodiscard]] std::int64_t images() const { return images_; }  ///< taken so far
+
+ private:
+  TagMap tags_;
+  RobotCamera camera_;
+  TagCameraOptions options_;
+  TagSightFaults faults_;
+  Ground sight_lines_;                    // what stands at the height of the camera
+  std::unique_ptr<TagCamera> rendering_;  // where images are rendered
+  Rng sight_rng_;
+  std::int64_t images_ = 0;
+  std::optional<TagImage> newest_;
+};
+
+}  // namespace outrider

@@ -1,0 +1,200 @@
+// What a SimulatedRobot with a WaypointBody does: drive to waypoints, aim, shoot, wait, fill its stores.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/core/overload.hpp"
+#include "outrider/sim/simulated_robot.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double sample_period_s = 0.1;
+constexpr double at_station_m = 1e-6;  // beside the error of a drive that ends there
+
+void log(SimRecord& record, double time_s, std::string kind, std::string text) {
+  record.events.push_back({time_s, std::move(kind), std::move(text)});
+}
+
+std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target) {
+  if (impact.hit) return target.name;
+  return impact.solid ? space.solids()[*impact.solid].name : "nothing";
+}
+
+}  // namespace
+
+/// Commands for devices that it does not carry are ignored.
+void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
+  std::visit(Overload{[&](const FollowWaypoints& c) { follow(body, c); },
+                      [&](const AimGun& c) {
+                        if (devices_.gun) aim(body, c);
+                      },
+                      [&](const Fire& c) {
+                        if (devices_.gun) fire(body, c);
+                      },
+                      [&](const Wait& c) { wait(body, c); },
+                      [&](const Fill& c) {
+                        if (devices_.stores) fill(body, c);
+                      },
+                      [](const auto&) {}},
+             command);
+  gauge();
+}
+
+void SimulatedRobot::sample() {
+  const auto& waypoints = body<WaypointBody>();
+  const Pose2& pose = waypoints.pose();
+  const Shot barrel =
+      devices_.gun ? devices_.gun->barrel(waypoints.stance(), pose.heading_rad) : Shot{pose.heading_rad};
+  record.track.push_back({waypoints.time_s(), pose, barrel.yaw_rad, barrel.pitch_rad});
+}
+
+/// Takes what has been used until now out of the stores.
+void SimulatedRobot::gauge() {
+  const auto& waypoints = body<WaypointBody>();
+  record.driven_m = waypoints.driven_m();
+  record.turned_rad = waypoints.turned_rad();
+  if (!devices_.stores) return;
+  devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots.size());
+  record.levels.push_back({waypoints.time_s(), devices_.stores->water(), devices_.stores->charge_j()});
+}
+
+/// Drives a straight, and shoots on the way.
+void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<const FireInPassing> shots) {
+  const StraightDrive drive = body.begin_straight(goal, [this] { sample(); });
+  if (drive.length_m == 0.0) return;
+  int samples = 1;
+  double last_shot = 0.0;
+  for (const FireInPassing& shot : shots) {
+    SimulatedGun& gun = *devices_.gun;
+    const GunState rest = gun.state();
+    const GunState aim{shot.shot.yaw_rad - body.pose().heading_rad, shot.shot.pitch_rad};
+    const auto point = [&](double t) {
+      body.be_on(drive, t);
+      gun.be_between(rest, aim, t - last_shot);
+      sample();
+    };
+    const double at = std::clamp(shot.after_s + gun.draw_delay_s(), last_shot, drive.total_s);
+    for (; samples * sample_period_s < at; ++samples) point(samples * sample_period_s);
+    point(at);
+    const Vec2 velocity = body.velocity_on(drive, at);
+    const Shot barrel{wrap_angle(body.pose().heading_rad + gun.state().yaw_rad), gun.state().pitch_rad,
+                      shot.shot.speed_mps};
+    shoot({shot.target, barrel}, velocity);
+    last_shot = at;
+  }
+  for (; samples * sample_period_s < drive.total_s; ++samples) {
+    body.be_on(drive, samples * sample_period_s);
+    sample();
+  }
+  body.end_straight(drive);
+  sample();
+}
+
+void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
+  if (command.waypoints.size() < 2) return;
+  const std::vector<Vec2> waypoints = body.strayed_way(command.waypoints);
+  ReportPath path{body.time_s(), 0.0, waypoints};
+  log(record, body.time_s(), "drive",
+      fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    const auto shots = std::ranges::equal_range(command.shots, i, {}, &FireInPassing::leg);
+    drive_straight(body, waypoints[i], {shots.begin(), shots.end()});
+    if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) {
+      path.waypoints.resize(i + 1);
+      break;
+    }
+  }
+  body.end_way();
+  path.end_s = body.time_s();
+  record.paths.push_back(std::move(path));
+  if (!landed_.empty()) await_balls(body);
+}
+
+/// Stands until the balls of the shots in passing have landed, and puts the events in their order.
+void SimulatedRobot::await_balls(WaypointBody& body) {
+  double until_s = body.time_s();
+  for (const ShotResult& shot : landed_) until_s = std::max(until_s, shot.landed_s);
+  body.wait_until(until_s);
+  sample();
+  std::ranges::stable_sort(record.events, {}, &ReportEvent::time_s);
+}
+
+void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
+  SimulatedGun& gun = *devices_.gun;
+  const SimulatedGun::Turn turn =
+      gun.turn_towards(command.yaw_rad, command.pitch_rad, body.stance(), body.pose().heading_rad);
+  sample();
+  const double begin = body.time_s();
+  // Each joint moves at its own rate, so the path bends once, where the faster one arrives.
+  for (const double t : {std::min(turn.yaw_s, turn.pitch_s), turn.total_s}) {
+    body.wait_until(begin + t);
+    gun.be_on(turn, t);
+    sample();
+  }
+}
+
+/// Throws a ball from where the robot is, at that velocity. Time does not go on.
+Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
+  const auto& from = body<WaypointBody>();
+  SimulatedGun& gun = *devices_.gun;
+  const auto& targets = devices_.targets;
+  const std::size_t stand_in = targets ? targets->stand_in(command.target) : command.target;
+  const Walk* const walk = targets ? targets->walk(command.target) : nullptr;
+  const double time_s = from.time_s();
+  const auto thrown = gun.throw_ball(command.shot, command.target, stand_in, from.pose().position,
+                                     velocity_mps, walk, time_s);
+  const FlightSpace& space = gun.scene().space(stand_in);
+  const auto& [flight, impact, muzzle_mps, target] = thrown;
+  ReportShot shot = shot_record(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
+                                contact_of(impact, space, target));
+  shot.target = target.name;
+  shot.attempt = gun.next_attempt(command.target);
+  shot.time_s = time_s;
+  const double speed = norm(velocity_mps);
+  if (speed > 0.0) shot.platform_velocity_mps = velocity_mps;
+  log(record, time_s, "shot",
+      fmt::format("shoots at {} with {:.2f} m/s{}", target.name, muzzle_mps,
+                  speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
+  log(record, time_s + impact.time_s, impact.hit ? "hit" : "miss",
+      impact.hit ? fmt::format("hits {}", target.name)
+                 : fmt::format("misses {}: touches {}", target.name, shot.contact));
+  record.shots.push_back(std::move(shot));
+  landed_.push_back({command.target, impact.hit, time_s + impact.time_s});
+  return impact;
+}
+
+void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
+  const Impact impact = shoot(command, {});
+  body.wait_until(body.time_s() + impact.time_s);
+  sample();
+  if (impact.hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), record);
+}
+
+void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {
+  double until_s = command.until_s;
+  if (devices_.targets) until_s = std::min(until_s, devices_.targets->next_entry_s());
+  if (!std::isfinite(until_s) || until_s <= body.time_s()) return;
+  log(record, body.time_s(), "wait", fmt::format("waits until {:.1f} s", until_s));
+  sample();
+  body.wait_until(until_s);
+  sample();
+}
+
+void SimulatedRobot::fill(WaypointBody& body, const Fill& command) {
+  gauge();
+  const StationCall& call = command.call;
+  const Station& station = devices_.stores->station(call.station);
+  if (distance(body.pose().position, station.position) > body.position_error_m() + at_station_m) {
+    log(record, body.time_s(), "no_fill",
+        fmt::format("is too far from {} to take in {}", station.name, to_string(call.store)));
+    return;
+  }
+  log(record, body.time_s(), "fill", fmt::format("takes in {} at {}", to_string(call.store), station.name));
+  sample();
+  body.wait_until(body.time_s() + devices_.stores->fill(call.store));
+  sample();
+}
+
+}  // namespace outrider

@@ -1,0 +1,48 @@
+#include "outrider/sim/open_ground.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double farthest_m = 1.0;  ///< that gap_m() tells
+
+/// What the solids put in the way between what the wheels climb and the robot's top.
+std::vector<RoundedPolygon> obstacles(const World& world, const RobotModel& robot, double climbs_m) {
+  return Ground::of(world, robot.height_m, climbs_m, robot.max_slope_rad).obstacles();
+}
+
+Box2 box_around(const std::vector<RoundedPolygon>& pieces) {
+  Box2 box;
+  for (const RoundedPolygon& piece : pieces) {
+    box.include(piece.bounds().low);
+    box.include(piece.bounds().high);
+  }
+  return box;
+}
+
+}  // namespace
+
+OpenGround::OpenGround(const World& world, const RobotModel& robot, double climbs_m)
+    : radius_m_(robot.radius_m), ground_({{0.0, 0.0}, {0.0, 0.0}}, {}) {
+  std::vector<RoundedPolygon> pieces = obstacles(world, robot, climbs_m);
+  bounds_ = box_around(pieces);
+  if (!bounds_.empty()) ground_ = Ground(bounds_.grown(2.0 * (radius_m_ + farthest_m)), std::move(pieces));
+}
+
+bool OpenGround::free(Segment s) const {
+  if (bounds_.empty()) return true;
+  const Box2 near = bounds_.grown(radius_m_ + farthest_m);
+  if (near.contains(s.a) && near.contains(s.b)) return ground_.segment_free(s, radius_m_);
+  const std::vector<Vec2> corners = {
+      near.low, {near.high.x, near.low.y}, near.high, {near.low.x, near.high.y}};
+  const auto inside = cut(corners, s.a, s.b - s.a, 0.0, 1.0);
+  if (!inside) return true;
+  const auto at = [&](double t) { return s.a + t * (s.b - s.a); };
+  return ground_.segment_free({at(inside->low), at(inside->high)}, radius_m_);
+}
+
+double OpenGround::gap_m(Vec2 centre) const {
+  if (bounds_.empty() || !bounds_.grown(radius_m_ + farthest_m).contains(centre)) return farthest_m;
+  return ground_.clearance(centre, radius_m_ + farthest_m) - radius_m_;
+}
+
+}  // namespace outrider

@@ -1,0 +1,97 @@
+#include "outrider/sim/simulated_gun.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "outrider/ballistics/contact.hpp"
+#include "outrider/sim/profile.hpp"
+
+namespace outrider {
+namespace {
+
+/// The reference report's own idea of a hit: the ball's centre comes within 0.5 m of the target's base.
+bool hits_by_reference_rule(const Flight& flight, const Target& target, double until_s) {
+  constexpr double near_m = 0.5;
+  const Solid base{target.name, {target.base, {}}, SphereShape{0.0}};
+  return contact_time(flight, near_m, base, 0.0, until_s).has_value();
+}
+
+}  // namespace
+
+ReportShot shot_record(const Flight& flight, const Impact& impact, const FlightSpace& space,
+                       const Target& target, double ball_radius_m, std::string contact) {
+  ReportShot shot;
+  shot.flight_s = impact.time_s;
+  shot.muzzle = flight.muzzle;
+  shot.velocity_mps = flight.velocity_mps;
+  shot.contact = std::move(contact);
+  shot.contact_point = impact.position;
+  shot.hit = impact.hit;
+  shot.hit_by_reference_rule = hits_by_reference_rule(flight, target, impact.time_s);
+  shot.clearance_m = impact.hit ? space.clearance(flight, ball_radius_m, impact.time_s, 1.0).distance_m : 0.0;
+  shot.profile = profile_of(flight, impact, space, target);
+  shot.path = path_of(flight, impact);
+  return shot;
+}
+
+SimulatedGun::SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun,
+                           const Rng& timing)
+    : scene_(scene),
+      errors_(errors),
+      gun_rng_(gun),
+      timing_rng_(timing),
+      attempts_(scene.targets.size(), 0) {}
+
+SimulatedGun::Turn SimulatedGun::turn_towards(double yaw_rad, double pitch_rad, const Stance& stance,
+                                              double heading_rad) const {
+  const GunModel& gun = scene_.rules.gun;
+  const GunAngles to = angles_of(stance, {yaw_rad, pitch_rad, 0.0});
+  Turn turn{state_};
+  turn.yaw_rad = wrap_angle(to.yaw_rad - heading_on(stance, heading_rad) - state_.yaw_rad);
+  turn.pitch_rad = to.pitch_rad - state_.pitch_rad;
+  turn.yaw_s = std::abs(turn.yaw_rad) / gun.yaw_rate_radps;
+  turn.pitch_s = std::abs(turn.pitch_rad) / gun.pitch_rate_radps;
+  turn.total_s = aim_time(gun, turn.yaw_rad, turn.pitch_rad);
+  return turn;
+}
+
+void SimulatedGun::be_on(const Turn& turn, double after_s) {
+  const auto part = [after_s](double total_s) {
+    return total_s > 0.0 ? std::min(1.0, after_s / total_s) : 1.0;
+  };
+  state_.yaw_rad = wrap_angle(turn.from.yaw_rad + turn.yaw_rad * part(turn.yaw_s));
+  state_.pitch_rad = turn.from.pitch_rad + turn.pitch_rad * part(turn.pitch_s);
+}
+
+void SimulatedGun::be_between(GunState from, GunState to, double after_s) {
+  const double yaw = scene_.rules.gun.yaw_rate_radps * after_s;
+  const double pitch = scene_.rules.gun.pitch_rate_radps * after_s;
+  state_ = {wrap_angle(from.yaw_rad + std::clamp(wrap_angle(to.yaw_rad - from.yaw_rad), -yaw, yaw)),
+            from.pitch_rad + std::clamp(to.pitch_rad - from.pitch_rad, -pitch, pitch)};
+}
+
+Shot SimulatedGun::barrel(const Stance& stance, double heading_rad) const {
+  const double yaw = wrap_angle(heading_on(stance, heading_rad) + state_.yaw_rad);
+  return shot_of(stance, {yaw, state_.pitch_rad}, 0.0);
+}
+
+double SimulatedGun::draw_delay_s() { return errors_.timing_s * timing_rng_.uniform(-1.0, 1.0); }
+
+SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in,
+                                              Vec2 position, Vec2 velocity_mps, const Walk* walk,
+                                              double fired_s) {
+  const ShotRules& rules = scene_.rules;
+  Target box = scene_.targets[stand_in];
+  box.name = scene_.targets[target].name;
+  const Shot actual = strayed(shot, errors_.aim, gun_rng_, stance_at(rules, position));
+  const Flight flight = launch(rules, {position, velocity_mps}, box, actual);
+  const FlightSpace& space = scene_.space(stand_in);
+  const double radius = rules.gun.ball_radius_m;
+  const Impact impact = walk != nullptr ? fly_at(flight, radius, space, box, *walk, fired_s, rules.floor_z_m)
+                                        : fly(flight, radius, space, box, rules.floor_z_m);
+  if (walk != nullptr) box = moved_to(box, walk->at(fired_s + impact.time_s));
+  return {flight, impact, actual.speed_mps, std::move(box)};
+}
+
+}  // namespace outrider

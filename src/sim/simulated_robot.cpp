@@ -1,0 +1,81 @@
+#include "outrider/sim/simulated_robot.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace outrider {
+namespace {
+
+constexpr double instant_s = 1e-9;  ///< times closer than this are one
+
+void sense_body(TwistBody& body, Observation& seen) {
+  seen.odometry = body.odometry();
+  seen.touching = body.take_touch();
+}
+/// Nobody counts the turns of its wheels: its odometry stays at the start.
+void sense_body(const WheelBody&, Observation&) {}
+/// It is localised.
+void sense_body(const PieceBody& body, Observation& seen) { seen.odometry = body.pose(); }
+void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = body.pose(); }
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping)
+    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping) {
+  if (!std::holds_alternative<WaypointBody>(body_)) return;
+  gauge();
+  sample();
+}
+
+double SimulatedRobot::time_s() const {
+  return std::visit([](const auto& body) { return body.time_s(); }, body_);
+}
+
+const Pose2& SimulatedRobot::pose() const {
+  return std::visit([](const auto& body) -> const Pose2& { return body.pose(); }, body_);
+}
+
+Observation SimulatedRobot::sense() {
+  Observation seen;
+  seen.time_s = time_s();
+  std::visit([&](auto& body) { sense_body(body, seen); }, body_);
+  if (devices_.laser) seen.scan = devices_.laser->look(pose(), seen.time_s);
+  if (devices_.camera) seen.image = devices_.camera->newest();
+  if (devices_.gun) seen.gun = devices_.gun->state();
+  if (devices_.stores) seen.stores = {devices_.stores->water(), devices_.stores->charge_j()};
+  if (devices_.targets) seen.targets = devices_.targets->look(seen.time_s);
+  seen.shots = std::exchange(landed_, {});
+  return seen;
+}
+
+void SimulatedRobot::act(const Command& command) {
+  if (auto* body = std::get_if<WaypointBody>(&body_)) {
+    act_on(*body, command);
+    return;
+  }
+  const double until_s = std::visit([&](auto& body) { return body.begin(command); }, body_);
+  auto& camera = devices_.camera;
+  while (time_s() < until_s - instant_s) {
+    const bool image_due = camera && camera->due_s() <= until_s + instant_s;
+    run_until(image_due ? std::min(camera->due_s(), until_s) : until_s);
+    if (!image_due) continue;
+    std::visit([&](const auto& body) { camera->take(body.pose(), body.twist(), body.time_s()); }, body_);
+  }
+}
+
+void SimulatedRobot::run_until(double time_s) {
+  std::visit([&](auto& body) { body.run_until(time_s); }, body_);
+  auto* body = std::get_if<WheelBody>(&body_);
+  if (body == nullptr || kidnapped_ || body->time_s() < kidnapping_.at_s) return;
+  kidnapped_ = true;
+  body->put(compose(body->pose(), {{0.0, kidnapping_.by_m}, kidnapping_.by_rad}));
+}
+
+SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
+                                  const ExplorerSimParams& params, std::uint64_t seed) {
+  const Rng rng(seed);
+  return SimulatedRobot(TwistBody(world, start, robot, params.wheels, rng.child("wheels")),
+                        {.laser = SimulatedLaser(world, params.laser, rng.child("laser"))});
+}
+
+}  // namespace outrider

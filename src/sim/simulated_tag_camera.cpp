@@ -1,0 +1,46 @@
+#include "outrider/sim/simulated_tag_camera.hpp"
+
+#include "outrider/sim/tag_model.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double band_m = 0.01;  ///< of heights about the camera, in which sight lines are sought
+
+/// The parts of the world at the height of the camera, as obstacles to sight.
+Ground sight_lines(const World& world, double height_m) {
+  std::vector<RoundedPolygon> obstacles;
+  const double z_m = world.floor_z_m + height_m;
+  for (const Solid& solid : world.solids) {
+    for (RoundedPolygon& piece : footprint(solid, z_m - band_m, z_m + band_m)) {
+      obstacles.push_back(std::move(piece));
+    }
+  }
+  constexpr double beyond_m = 10.0;  // tags hang on walls, which may stand on the edge
+  return {world.bounds.grown(beyond_m), std::move(obstacles)};
+}
+
+}  // namespace
+
+SimulatedTagCamera::SimulatedTagCamera(const TagScene& scene, const RobotCamera& camera,
+                                       const TagCameraOptions& options, const TagSightFaults& faults,
+                                       bool rendered, const Rng& rng)
+    : tags_(scene.tags),
+      camera_(camera),
+      options_(options),
+      faults_(faults),
+      sight_lines_(sight_lines(scene.world, camera.robot_T_camera.position.z)),
+      rendering_(rendered ? std::make_unique<TagCamera>(scene, camera, options, rng.child("camera"))
+                          : nullptr),
+      sight_rng_(rng.child("sight")) {}
+
+void SimulatedTagCamera::take(const Pose2& world_T_robot, const Twist2& twist, double time_s) {
+  ++images_;
+  newest_ = TagImage{time_s, {}};
+  if (time_s >= faults_.blind_from_s) return;
+  newest_->sightings =
+      rendering_ ? rendering_->look(moved(world_T_robot, twist, -options_.exposure_s), world_T_robot)
+                 : modelled_sightings(tags_, camera_, faults_, sight_lines_, world_T_robot, sight_rng_);
+}
+
+}  // namespace outrider

@@ -1,0 +1,78 @@
+#include "outrider/sim/simulated_targets.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "outrider/sim/execution_errors.hpp"
+
+namespace outrider {
+
+std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng) {
+  const std::size_t other = rng.below(places - 1);
+  return other < place ? other : other + 1;
+}
+
+SimulatedTargets::SimulatedTargets(const std::vector<Target>& targets, TargetSimParams params,
+                                   std::uint64_t seed)
+    : targets_(targets),
+      params_(std::move(params)),
+      survival_rng_(Rng(seed).child("survival")),
+      sight_rng_(Rng(seed).child("sight")),
+      gone_(params_.walks.size(), 0) {
+  for (std::size_t i = 0; i < targets.size(); ++i) stands_at_.push_back(i);
+}
+
+bool SimulatedTargets::somebody_entered(double time_s) const {
+  return told_ < params_.intruders.size() && (params_.foreseen || next_entry_s() <= time_s);
+}
+
+double SimulatedTargets::next_entry_s() const {
+  const auto& intruders = params_.intruders;
+  return told_ < intruders.size() ? intruders[told_].enters_s : std::numeric_limits<double>::infinity();
+}
+
+TargetReport SimulatedTargets::look(double time_s) {
+  TargetReport report;
+  for (; somebody_entered(time_s); ++told_) {
+    const Intruder& one = params_.intruders[told_];
+    report.arrivals.push_back({told_, one.settles_s, one.place});
+  }
+  report.arrivals.insert(report.arrivals.end(), survived_.begin(), survived_.end());
+  survived_.clear();
+  report.more_to_come = told_ < params_.intruders.size();
+  if (params_.walks.empty()) return report;
+  for (; static_cast<double>(looks_) * params_.look_s <= time_s; ++looks_) {
+    const double when_s = static_cast<double>(looks_) * params_.look_s;
+    for (std::size_t who = 0; who < params_.walks.size(); ++who) {
+      const Vec2 off = in_disk(sight_rng_, params_.sight_m);
+      if (gone_[who] == 0) report.seen.push_back({who, when_s, params_.walks[who].at(when_s) + off});
+    }
+  }
+  return report;
+}
+
+void SimulatedTargets::hit(std::size_t who, double time_s, SimRecord& record) {
+  if (!gone_.empty()) gone_[who] = 1;
+  const std::size_t first = params_.intruders.size();
+  if (who >= first) return;
+  if (params_.survival.leave >= 1.0 || survival_rng_.uniform() < params_.survival.leave) return;
+  const std::size_t place = stands_at_[who] < first ? params_.intruders[who].place : stands_at_[who] - first;
+  const std::size_t next = elsewhere(place, targets_.size() - first, survival_rng_);
+  stands_at_[who] = first + next;
+  const Vec2 from = xy(targets_[first + place].base);
+  const Vec2 to = xy(targets_[first + next].base);
+  const double walk_mps = params_.survival.walk_mps;
+  const double walk_s = walk_mps > 0.0 ? distance(from, to) / walk_mps : 0.0;
+  survived_.push_back({who, time_s + walk_s, next});
+  record.events.push_back({time_s, "survive",
+                           fmt::format("{} does not leave: it goes to the place of {}",
+                                       params_.intruders[who].name, targets_[first + next].name)});
+  auto& moves = record.moves[who];
+  if (moves.empty()) moves.push_back({params_.intruders[who].settles_s, from, from});
+  moves.push_back({time_s, from, from});
+  moves.push_back({time_s + walk_s, to, to});
+}
+
+}  // namespace outrider

@@ -1,0 +1,93 @@
+#include "outrider/sim/twist_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace outrider {
+namespace {
+
+constexpr double step_s = 0.005;
+constexpr double instant_s = 1e-9;  ///< times closer than this are one
+constexpr double apart_m = 1e-3;    ///< a robot so far from everything touches it no more
+constexpr int halvings = 20;        ///< with which the place of a contact is found
+
+double nearer_by(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+}  // namespace
+
+TwistBody::TwistBody(const World& world, const Pose2& start, const RobotModel& robot,
+                     const ExplorerWheels& wheels, const Rng& wheel_rng)
+    : robot_(robot),
+      wheels_(wheels),
+      ground_(world, robot, wheels.climbs_m),
+      wheel_rng_(wheel_rng),
+      pose_(start) {
+  left_scale_ += wheels_.scale_error * wheel_rng_.normal();
+  right_scale_ += wheels_.scale_error * wheel_rng_.normal();
+}
+
+double TwistBody::begin(const Command& command) {
+  const auto* drive = std::get_if<DriveTwist>(&command);
+  if (drive == nullptr) return time_s_;
+  wanted_ = drive->twist;
+  return drive->until_s;
+}
+
+void TwistBody::run_until(double time_s) {
+  while (time_s_ < time_s - instant_s) {
+    const bool last = time_s - time_s_ < step_s + instant_s;
+    const double duration_s = last ? time_s - time_s_ : step_s;
+    speed_up(duration_s);
+    pass(duration_s);
+    time_s_ = last ? time_s : time_s_ + step_s;
+  }
+}
+
+bool TwistBody::take_touch() {
+  const bool touched = touching_ || touched_;
+  touched_ = false;
+  return touched;
+}
+
+void TwistBody::speed_up(double duration_s) {
+  const double ahead = std::clamp(wanted_.ahead_mps, -robot_.speed_mps, robot_.speed_mps);
+  const double turn = std::clamp(wanted_.turn_radps, -robot_.turn_rate_radps, robot_.turn_rate_radps);
+  twist_.ahead_mps = nearer_by(twist_.ahead_mps, ahead, robot_.acceleration_mps2 * duration_s);
+  twist_.turn_radps = nearer_by(twist_.turn_radps, turn, robot_.turn_acceleration_radps2 * duration_s);
+}
+
+void TwistBody::pass(double duration_s) {
+  count_wheels(duration_s);
+  Pose2 next = moved(pose_, twist_, duration_s);
+  const Vec2 here = pose_.position;
+  const Vec2 way = next.position - here;
+  if (!ground_.free({here, next.position})) {
+    double free = 0.0;
+    double part = 0.5;
+    for (int i = 0; i < halvings; ++i, part *= 0.5) {
+      if (ground_.free({here, here + (free + part) * way})) free += part;
+    }
+    next.position = here + free * way;
+    if (!touching_) ++contacts_;
+    touching_ = touched_ = true;
+  } else if (touching_) {
+    touching_ = ground_.gap_m(next.position) < apart_m;
+  }
+  driven_m_ += distance(here, next.position);
+  turned_rad_ += std::abs(next.heading_rad - pose_.heading_rad);
+  pose_ = next;
+}
+
+/// The way of a wheel as the robot counts it.
+double TwistBody::counted_m(double way_m, double scale) {
+  return scale * way_m + wheels_.noise_m * std::sqrt(std::abs(way_m)) * wheel_rng_.normal();
+}
+
+void TwistBody::count_wheels(double duration_s) {
+  const double aside = 0.5 * wheels_.track_m * twist_.turn_radps;
+  const double left_m = counted_m((twist_.ahead_mps - aside) * duration_s, left_scale_);
+  const double right_m = counted_m((twist_.ahead_mps + aside) * duration_s, right_scale_);
+  odometry_ = moved(odometry_, {0.5 * (left_m + right_m), 0.0, (right_m - left_m) / wheels_.track_m}, 1.0);
+}
+
+}  // namespace outrider

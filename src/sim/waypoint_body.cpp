@@ -1,0 +1,72 @@
+#include "outrider/sim/waypoint_body.hpp"
+
+#include <cmath>
+
+#include "outrider/motion/profile.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double sample_period_s = 0.1;
+
+}  // namespace
+
+WaypointBody::WaypointBody(const RobotModel& robot, const BodyGround& on, const Pose2& start,
+                           const ExecutionErrors& errors, const Rng& rng)
+    : robot_(robot), on_(on), errors_(errors), rng_(rng), pose_(start) {}
+
+std::vector<Vec2> WaypointBody::strayed_way(std::vector<Vec2> waypoints) {
+  const Vec2 error = in_disk(rng_, errors_.position_m);
+  heading_error_rad_ = errors_.heading_rad * rng_.uniform(-1.0, 1.0);
+  waypoints.back() = strayed_goal(waypoints, robot_.radius_m, on_.ground, on_.rules, error);
+  return waypoints;
+}
+
+void WaypointBody::turn_to(double heading_rad, const std::function<void()>& sample) {
+  const double from = pose_.heading_rad;
+  const double turn = wrap_angle(heading_rad - from);
+  const double total = duration(std::abs(turn), robot_.turning());
+  const double begin = time_s_;
+  for (int i = 1; i * sample_period_s < total; ++i) {
+    const double t = i * sample_period_s;
+    const double done = covered(std::abs(turn), robot_.turning(), t);
+    time_s_ = begin + t;
+    pose_.heading_rad = wrap_angle(from + std::copysign(done, turn));
+    sample();
+  }
+  time_s_ = begin + total;
+  pose_.heading_rad = heading_rad;
+  turned_rad_ += std::abs(turn);
+  if (total > 0.0) sample();
+}
+
+StraightDrive WaypointBody::begin_straight(Vec2 goal, const std::function<void()>& sample) {
+  const Vec2 from = pose_.position;
+  const double length = on_.ground.length({from, goal});
+  if (length == 0.0) return {from, goal, 0.0, time_s_, 0.0};
+  turn_to(heading_of(goal - from), sample);
+  return {from, goal, length, time_s_, duration(length, robot_.straight())};
+}
+
+void WaypointBody::be_on(const StraightDrive& drive, double after_s) {
+  const HeightField* const terrain = on_.ground.terrain();
+  time_s_ = drive.begin_s + after_s;
+  const double way = covered(drive.length_m, robot_.straight(), after_s);
+  pose_.position = terrain != nullptr ? terrain->walked({drive.from, drive.goal}, way)
+                                      : drive.from + way / drive.length_m * (drive.goal - drive.from);
+}
+
+Vec2 WaypointBody::velocity_on(const StraightDrive& drive, double after_s) const {
+  const Vec2 along = 1.0 / drive.length_m * (drive.goal - drive.from);
+  return speed_after(drive.length_m, robot_.straight(), after_s) * along;
+}
+
+void WaypointBody::end_straight(const StraightDrive& drive) {
+  time_s_ = drive.begin_s + drive.total_s;
+  pose_.position = drive.goal;
+  driven_m_ += drive.length_m;
+}
+
+void WaypointBody::end_way() { pose_.heading_rad = wrap_angle(pose_.heading_rad + heading_error_rad_); }
+
+}  // namespace outrider

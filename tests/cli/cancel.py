@@ -1,0 +1,132 @@
+"""Stops runs with Ctrl-C at chosen moments, and checks what they leave behind."""
+import dataclasses
+import json
+import os
+import pathlib
+import select
+import signal
+import subprocess
+import tempfile
+import time
+
+from tool import SOURCE, TOOL
+
+WITHIN_S = 0.2  # a run ends so soon after the signal, on a machine that does nothing else
+MOST_S = 60.0  # whatever takes longer is killed
+
+
+def scenarios():
+    """Every published scenario."""
+    return sorted((SOURCE / "scenarios").rglob("*.yaml"))
+
+
+def scenario_jobs():
+    """The scenarios that name a job, with it: the rest are maps and calibrations."""
+    for path in scenarios():
+        for line in path.read_text().splitlines():
+            if line.startswith("job:"):
+                yield path, line.split(":", 1)[1].split("#")[0].strip()
+
+
+@dataclasses.dataclass
+class Stopped:
+    """A run that was sent a signal."""
+    words: list
+    moment_s: float
+    status: int
+    latency_s: float  # from the signal to the exit; 0 of a run that was done before
+    worked_s: float  # of that, by the processors: what other programs take is not in it
+    complaint: str  # what was wrong with it; "" if nothing
+
+
+def more_runs():
+    """What no published scenario does: (name, words)."""
+    yard = str(SOURCE / "scenarios/yard/yard.yaml")
+    gallery = str(SOURCE / "scenarios/maps/gallery.map")
+    unknown = str(SOURCE / "scenarios/explore/unknown_yard.yaml")
+    return [("plan, every planner", ["plan", gallery, "--from", "1,1", "--to", "30,14", "--compare"]),
+            ("guard, fine", ["run", yard, "--plan-resolution", "0.04"]),
+            ("guard, proven", ["run", yard, "--plan-prove"]),
+            ("guard, in physics", ["run", str(SOURCE / "scenarios/driveby/driveby.yaml"), "--sim", "physics",
+                                   "--plan-shoot-on-the-move=false"]),
+            ("guard, unknown and fine", ["run", unknown, "--plan-resolution", "0.04"]),
+            ("guard, as PDDL", ["run", yard, "--pddl"]),
+            ("explore, by tours", ["run", str(SOURCE / "scenarios/explore/office.yaml"), "--explore-strategy", "tour"]),
+            ("slam, a log", ["run", str(SOURCE / "scenarios/slam/office.yaml")])]
+
+
+def complaint_of(status, output, errors, folder):
+    if status not in (0, 1):
+        return f"exit status {status}: {errors.strip()}"
+    try:
+        answer = json.loads(output)
+    except json.JSONDecodeError:
+        return f"no JSON on standard output: {output[:200]!r} {errors[:200]!r}"
+    if answer["status"] not in ("done", "not_done", "cancelled"):
+        return f"status {answer['status']}"
+    if (status == 0) != (answer["status"] == "done"):
+        return f"exit status {status} with status {answer['status']}"
+    named = {pathlib.Path(path).name for path in answer.get("files", {}).values()}
+    found = {path.name for path in folder.rglob("*") if path.is_file()}
+    if found != named:
+        return f"files {sorted(found)} where {sorted(named)} were named"
+    for path in folder.rglob("*.json"):
+        try:
+            json.loads(path.read_text())
+        except json.JSONDecodeError as broken:
+            return f"{path.name} is not whole: {broken}"
+    return ""
+
+
+def processor_s(pid):
+    """What a process has worked so far, to 10 ms."""
+    try:
+        fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def hold_back():
+    """While a program is loaded nobody listens, and a signal would end it: it waits until somebody does."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+
+
+def stop_at(words, moment_s):
+    """Runs the tool in a folder of its own and sends it SIGINT after so long."""
+    with tempfile.TemporaryDirectory(prefix="outrider-cancel-") as home:
+        folder = pathlib.Path(home) / "out"
+        folder.mkdir()
+        with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+            process = subprocess.Popen([TOOL, *words, "--json", "--out", str(folder)], stdout=output, stderr=errors,
+                                       stdin=subprocess.DEVNULL, preexec_fn=hold_back)
+            ended = os.pidfd_open(process.pid)
+            latency_s = before_s = 0.0
+            if not select.select([ended], [], [], moment_s)[0]:
+                before_s = processor_s(process.pid)
+                sent_s = time.monotonic()
+                process.send_signal(signal.SIGINT)
+                select.select([ended], [], [], MOST_S)
+                latency_s = time.monotonic() - sent_s
+            os.close(ended)
+            os.kill(process.pid, signal.SIGKILL)  # of no effect on what has ended
+            _, code, used = os.wait4(process.pid, 0)
+            status = process.returncode = os.waitstatus_to_exitcode(code)
+            worked_s = max(0.0, used.ru_utime + used.ru_stime - before_s) if latency_s > 0.0 else 0.0
+            output.seek(0)
+            errors.seek(0)
+            complaint = complaint_of(status, output.read(), errors.read(), folder)
+    return Stopped(words, moment_s, status, latency_s, worked_s, complaint)
+
+
+def usual_s(words, most_s=60.0):
+    """How long the run takes when nobody stops it; at most `most_s`."""
+    began_s = time.monotonic()
+    process = subprocess.Popen([TOOL, *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               stdin=subprocess.DEVNULL)
+    try:
+        process.wait(most_s)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+    return time.monotonic() - began_s

@@ -1,0 +1,71 @@
+"""A run that is stopped ends soon, and leaves nothing half-written: a few moments of a scenario of each job."""
+import json
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from cancel import more_runs, scenario_jobs, stop_at, usual_s
+from tool import SOURCE, TOOL, ToolTest, main
+
+PARTS = (0.1, 0.4, 0.8)  # of the usual time
+MOST_S = 2.0  # from the signal to the end, however busy the machine is; cancel_soak.py asks for less
+
+
+def one_of_each_job():
+    rows = {}
+    for path, job in scenario_jobs():
+        rows.setdefault(job, []).append(path)
+    small = {"guard": "driveby", "drive": "open_loop", "cover": "cover_room", "explore": "leaking_yard"}
+    for job, paths in rows.items():
+        yield job, next((path for path in paths if small.get(job, "") in path.stem), paths[0])
+
+
+class Cancel(ToolTest):
+    def test_each_job_at_some_moments(self):
+        runs = [(job, ["run", str(path)]) for job, path in one_of_each_job()] + more_runs()[:1]
+        for name, words in runs:
+            usual = usual_s(words)
+            for part in PARTS:
+                with self.subTest(run=name, part=part):
+                    stopped = stop_at(words, part * usual)
+                    self.assertEqual(stopped.complaint, "")
+                    self.assertLess(stopped.latency_s, MOST_S)
+
+    def test_from_the_first_moment(self):
+        """A signal that waits when the tool begins raises the token: blocked before, it is not lost."""
+        scenario = str(SOURCE / "scenarios/yard/yard.yaml")
+        process = subprocess.Popen([TOOL, "run", scenario, "--json", "--out", "out"], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
+                                   preexec_fn=lambda: (signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT]),
+                                                       os.kill(os.getpid(), signal.SIGINT)))
+        began = time.monotonic()
+        output, errors = process.communicate(timeout=60)
+        self.assertLess(time.monotonic() - began, MOST_S)
+        self.assertEqual(process.returncode, 1, errors)
+        answer = json.loads(output)
+        self.assertEqual((answer["status"], answer["job"], answer["files"]), ("cancelled", "guard", {}))
+        self.assertIn("nothing was written", " ".join(answer["warnings"]))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_what_an_earlier_run_left_stays_whole(self):
+        words = self.guard("--out", "out")
+        self.assertEqual(self.run_tool(*words).returncode, 0)
+        before = self.tree()
+        scenario = SOURCE / "scenarios/yard/yard.yaml"
+        process = subprocess.Popen([TOOL, "run", str(scenario), "--out", "out", "--plan-resolution", "0.05"],
+                                   cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   stdin=subprocess.DEVNULL)
+        time.sleep(0.3)  # it surveys the yard then
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1, errors)
+        self.assertIn("cancelled", output)
+        self.assertIn("nothing was written to out", errors)
+        self.assertEqual(self.tree(), before)
+        self.assertEqual(self.run_tool("replay", "out/guard.json").returncode, 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,29 @@
+#include "outrider/robot/recorded_robot.hpp"
+
+#include <gtest/gtest.h>
+
+namespace outrider {
+namespace {
+
+TEST(RecordedRobot, EachCommandLeadsToTheNextRecordAndAfterTheLastNothingIsSensed) {
+  std::vector<Observation> records(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    records[i].time_s = 0.5 * static_cast<double>(i);
+    records[i].odometry.position.x = static_cast<double>(i);
+    records[i].scan.emplace();
+  }
+  RecordedRobot robot(records);
+  EXPECT_EQ(robot.sense().odometry.position.x, 0.0);
+  robot.act(Wait{});
+  EXPECT_EQ(robot.sense().odometry.position.x, 1.0);
+  EXPECT_TRUE(robot.sense().scan);
+  robot.act(Wait{});
+  const Observation after = robot.sense();
+  EXPECT_EQ(after.time_s, 0.5);
+  EXPECT_EQ(after.odometry.position.x, 1.0);
+  EXPECT_FALSE(after.scan);
+  EXPECT_FALSE(RecordedRobot({}).sense().scan);
+}
+
+}  // namespace
+}  // namespace outrider
