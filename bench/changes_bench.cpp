@@ -32,7 +32,7 @@ struct Changing {
 };
 
 /// A problem whose answer takes no search.
-Problem at_rest(std::shared_ptr<const GridGround> ground) {
+Problem at_rest(std::shared_ptr<const GridMap> ground) {
   Cell v;
   while (!ground->place(v)) v = v.x < ground->frame.width ? Cell{v.x + 1, v.y} : Cell{0, v.y + 1};
   const Vec2 p = ground->point(v);
@@ -40,7 +40,7 @@ Problem at_rest(std::shared_ptr<const GridGround> ground) {
 }
 
 /// A block of cells of which most are free, far from the first free cell.
-CellChange some_block(Rng& rng, const GridGround& ground) {
+CellChange some_block(Rng& rng, const GridMap& ground) {
   for (;;) {
     const auto below = [&](int n) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(n))); };
     const CellChange change{
@@ -58,12 +58,12 @@ CellChange some_block(Rng& rng, const GridGround& ground) {
 
 Changing changing_grid(const Grid<std::uint8_t>& blocked, GridModel model) {
   Rng rng = Rng(3).child("blocks");
-  const auto base = std::make_shared<const GridGround>(GridGround::of(blocked, model).value());
+  const auto base = std::make_shared<const GridMap>(GridMap::of(blocked, model).value());
   Changing changing;
   for (std::size_t i = 0; i < places; ++i) {
     changing.problems.push_back(at_rest(base));
     changing.problems.push_back(
-        at_rest(std::make_shared<const GridGround>(base->with({some_block(rng, *base)}).value())));
+        at_rest(std::make_shared<const GridMap>(base->with({some_block(rng, *base)}).value())));
   }
   return changing;
 }
@@ -118,7 +118,7 @@ void ask(benchmark::State& state, const ConfiguredPlanner& planner, const Grid<s
          bool all) {
   constexpr int blocks = 64, queries = 300;
   Rng rng = Rng(5).child("queries");
-  auto ground = std::make_shared<const GridGround>(GridGround::of(blocked, GridModel::corners).value());
+  auto ground = std::make_shared<const GridMap>(GridMap::of(blocked, GridModel::corners).value());
   const auto point = [&] {
     return Vec2{rng.uniform(0, blocked.frame.width), rng.uniform(0, blocked.frame.height)};
   };
@@ -126,7 +126,7 @@ void ask(benchmark::State& state, const ConfiguredPlanner& planner, const Grid<s
   for (int i = 0; i <= blocks; ++i) {
     if (all || i == blocks) benchmark::DoNotOptimize(planner.plan(at_rest(ground), {}, workspace));
     if (i < blocks)
-      ground = std::make_shared<const GridGround>(ground->with({some_block(rng, *ground)}).value());
+      ground = std::make_shared<const GridMap>(ground->with({some_block(rng, *ground)}).value());
   }
   Changing asked;
   while (asked.problems.size() < queries) {
@@ -165,11 +165,11 @@ void add_grid(const std::string& name, const std::string& file) {
   }
   add(name + "/ground/with", [map](benchmark::State& state) {
     Rng rng = Rng(3).child("with");
-    const GridGround base = GridGround::of(*map, GridModel::cells).value();
+    const GridMap base = GridMap::of(*map, GridModel::cells).value();
     for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(base.with({some_block(rng, base)}));
   });
   add(name + "/ground/anew", [map](benchmark::State& state) {
-    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(GridGround::of(*map, GridModel::cells));
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(GridMap::of(*map, GridModel::cells));
   });
 }
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/job.hpp"
-#include "outrider/jobs/guard/site.hpp"
 
 namespace outrider {
 namespace {
@@ -25,10 +25,10 @@ void survey_of_yard(benchmark::State& state) {
   scenario.options.resolution_m = static_cast<double>(state.range(0)) / 1000.0;
   std::size_t hits = 0;
   for (auto _ : state) {
-    const auto site = survey(scenario.problem, scenario.options);
-    if (!site) return state.SkipWithError(site.error().sentence.c_str());
+    const auto firing_map = build_firing_map(scenario.problem, scenario.options);
+    if (!firing_map) return state.SkipWithError(firing_map.error().sentence.c_str());
     hits = 0;
-    for (const FiringRegion& region : site->regions) hits += region.hits;
+    for (const FiringRegion& region : firing_map->regions) hits += region.hits;
   }
   state.counters["hits"] = static_cast<double>(hits);
 }

@@ -82,9 +82,9 @@ void run(const std::string& data) {
   for (const char* name : {"dao/lak303d.map", "random/random512-10-0.map.gz"}) {
     const auto map = load_movingai_map(fmt::format("{}/grids/{}", data, name));
     if (!map) continue;
-    auto ground = GridGround::of(*map, GridModel::cells);
+    auto ground = GridMap::of(*map, GridModel::cells);
     if (!ground) continue;
-    const Problem problem{std::make_shared<const GridGround>(std::move(*ground)), {}, {}};
+    const Problem problem{std::make_shared<const GridMap>(std::move(*ground)), {}, {}};
     compare(std::string(name).substr(std::string(name).find('/') + 1, 12), "dijkstra", problem,
             problem.grid->frame.bounds());
   }

@@ -16,7 +16,7 @@ constexpr int side = 512;
 constexpr std::size_t query_count = 24;
 
 /// Rooms without order: blocks of 1 to 24 cells over about a third of the map.
-std::shared_ptr<const GridGround> generated_map(GridModel model) {
+std::shared_ptr<const GridMap> generated_map(GridModel model) {
   Rng rng = Rng(1).child("map");
   Grid<std::uint8_t> blocked(GridFrame{{}, 1.0, side, side});
   for (int i = 0; i < 700; ++i) {
@@ -26,11 +26,11 @@ std::shared_ptr<const GridGround> generated_map(GridModel model) {
       for (int x = x0; x < std::min(side, x0 + w); ++x) blocked[{x, y}] = 1;
     }
   }
-  return std::make_shared<const GridGround>(*GridGround::of(blocked, model));
+  return std::make_shared<const GridMap>(*GridMap::of(blocked, model));
 }
 
 /// Queries that have an answer and lead across at least half of the map.
-std::vector<Problem> long_queries(const std::shared_ptr<const GridGround>& ground) {
+std::vector<Problem> long_queries(const std::shared_ptr<const GridMap>& ground) {
   Rng rng = Rng(1).child("queries");
   const ConfiguredPlanner judge = find_path_planner("a_star")->configure();
   Workspace workspace;

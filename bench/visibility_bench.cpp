@@ -127,7 +127,7 @@ void measure(const World& world) {
       rounds, [&] { made = PolygonGround::of(world.map.boundary, world.map.obstacles, world.radius_m); });
   const auto ground = std::make_shared<const PolygonGround>(std::move(*made));
   auto blocked = blocked_for_disk(*ground, {.resolution_m = world.cell_m});
-  const auto grid = std::make_shared<const GridGround>(*GridGround::of(*blocked, GridModel::corners));
+  const auto grid = std::make_shared<const GridMap>(*GridMap::of(*blocked, GridModel::corners));
   std::vector<Problem> problems, on_grid;
   for (const PointQuery& query : world.map.queries) {
     problems.push_back({nullptr, query.start, query.goal, ground});

@@ -1,7 +1,7 @@
 // What a robot can bump into, and how far it is from it.
 #include <fmt/format.h>
 
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 using namespace outrider;
 
@@ -12,7 +12,7 @@ int main() {
   yard = yard.with({"table top", {{-2.0, 0.0, 0.8}, {}}, BoxShape{{1.0, 1.0, 0.05}}});
   yard = yard.with({"table leg", {{-2.0, 0.0, 0.4}, {}}, CylinderShape{0.1, 0.4}});
 
-  const Ground ground = Ground::of(yard, /*robot_height_m=*/0.2);
+  const CollisionMap ground = CollisionMap::of(yard, /*robot_height_m=*/0.2);
   fmt::print("obstacles for a low robot: {}\n", ground.obstacles().size());
   fmt::print("clearance at the origin: {:.2f} m\n", ground.clearance({0.0, 0.0}, /*most_m=*/5.0));
   const auto drive = [&](const char* way, Segment s) {

@@ -13,9 +13,9 @@ int main() {
   Grid<std::uint8_t> occupied(GridFrame{{0.0, 0.0}, 0.1, 60, 40});
   for (int y = 10; y < 40; ++y) occupied[{30, y}] = 1;
 
-  auto ground = GridGround::of(occupied, GridModel::cells);
+  auto ground = GridMap::of(occupied, GridModel::cells);
   if (!ground) return 1;
-  const Problem problem{std::make_shared<const GridGround>(std::move(*ground)), {0.55, 3.55}, {5.55, 3.55}};
+  const Problem problem{std::make_shared<const GridMap>(std::move(*ground)), {0.55, 3.55}, {5.55, 3.55}};
 
   for (const char* name : {"a_star", "theta_star"}) {
     const auto planner = find_path_planner(name);

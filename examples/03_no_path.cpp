@@ -12,9 +12,9 @@ using namespace outrider;
 int main() {
   Grid<std::uint8_t> occupied(GridFrame{{0.0, 0.0}, 1.0, 9, 5});
   for (int y = 0; y < 5; ++y) occupied[{4, y}] = 1;
-  auto ground = GridGround::of(occupied, GridModel::cells);
+  auto ground = GridMap::of(occupied, GridModel::cells);
   if (!ground) return 1;
-  const auto shared = std::make_shared<const GridGround>(std::move(*ground));
+  const auto shared = std::make_shared<const GridMap>(std::move(*ground));
 
   Workspace workspace;
   const auto ask = [&](Vec2 start, Vec2 goal) {

@@ -16,12 +16,12 @@ int main() {
   problem.start = {{-2.0, -2.0}, radians(90.0)};
 
   const GuardOptions options;
-  const auto site = survey(problem, options);
-  if (!site) return 1;
-  const auto plan = plan_guard(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  if (!firing_map) return 1;
+  const auto plan = plan_guard(problem, *firing_map, options, {});
   if (!plan) return 1;
-  const auto run =
-      run_guard({.problem = problem, .site = *site, .plan = *plan, .options = options, .seed = 1});
+  const auto run = run_guard(
+      {.problem = problem, .firing_map = *firing_map, .plan = *plan, .options = options, .seed = 1});
   if (!run) return 1;
   const Report& report = *run;
 

@@ -47,7 +47,7 @@ class PatrolJob final : public JobTask {
     auto loaded = load_world(world_file_);
     if (!loaded) return pass_on(loaded);
     world_ = std::move(loaded->world);
-    const Ground ground = Ground::of(world_, robot_.height_m);
+    const CollisionMap ground = CollisionMap::of(world_, robot_.height_m);
     Vec2 from = start_.position;
     for (std::size_t i = 0; i <= points_.size(); ++i) {  // the last way leads back to the first point
       const Vec2 to = points_[i % points_.size()];
@@ -63,7 +63,7 @@ class PatrolJob final : public JobTask {
   }
 
   Outcome<Run> run(const RunWatch& watch) override {
-    const Ground ground = Ground::of(world_, robot_.height_m);
+    const CollisionMap ground = CollisionMap::of(world_, robot_.height_m);
     const ShotRules level;
     const Rng rng(static_cast<std::uint64_t>(seed_));
     SimulatedRobot robot(WaypointBody(robot_, {ground, level}, start_, errors_, rng.child("arrival")));

@@ -31,7 +31,7 @@ std::vector<std::string> grounds_of(const PathPlanner& planner) {
 
 nlohmann::ordered_json policies_json() {
   auto policies = nlohmann::ordered_json::array();
-  for (const WatchPolicy& policy : watch_policies()) {
+  for (const ReplanPolicy& policy : replan_policies()) {
     policies.push_back({{"name", policy.name}, {"sentence", policy.sentence}, {"source", policy.source}});
   }
   return policies;
@@ -39,7 +39,7 @@ nlohmann::ordered_json policies_json() {
 
 void list_policies() {
   show("\nGuard policies, when intruders keep coming (outrider guard --arrivals-policy NAME)\n");
-  for (const WatchPolicy& policy : watch_policies()) {
+  for (const ReplanPolicy& policy : replan_policies()) {
     show("  {}\n      {}\n      Source: {}.\n", policy.name, policy.sentence, policy.source);
   }
 }

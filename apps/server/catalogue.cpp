@@ -45,7 +45,7 @@ Json planner_json(const PathPlanner& planner) {
             {"measure", name_of(planner.guarantee.measure)},
             {"cost_unit", unit_of(planner.guarantee.measure)}}},
           {"grounds", std::move(grounds)},
-          {"traces", planner.tells != Tells::lookup},
+          {"traces", planner.tells != TraceKind::lookup},
           {"tells", to_string(planner.tells)},
           {"index", planner.index},
           {"options", options_json(planner.configure().options)}};

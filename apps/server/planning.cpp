@@ -101,7 +101,7 @@ Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory
 }
 
 /// x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue.
-Json openings_json(const Trace& trace, const GridGround& grid) {
+Json openings_json(const Trace& trace, const GridMap& grid) {
   Json list = Json::array();
   for (const Opening& opening : trace.openings) {
     const Cell v = grid.at(opening.state);
@@ -130,7 +130,7 @@ Json placed_trace_json(const Trace& trace, Measure measure) {
 }
 
 Json trace_json(const Trace& trace, const PlanGround& ground) {
-  const GridGround& grid = *ground.grid;
+  const GridMap& grid = *ground.grid;
   Json rows = Json::array();
   for (const Expansion& expansion : trace.expansions) {
     const Cell v = grid.at(expansion.state), parent = grid.at(expansion.parent);

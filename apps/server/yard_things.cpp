@@ -18,7 +18,7 @@ Json polygons_json(const GuardProblem& yard, std::vector<Solid> solids) {
   World part = yard.world;
   part.solids = std::move(solids);
   Json polygons = Json::array();
-  const Ground ground = Ground::of(part, yard.robot.height_m);
+  const CollisionMap ground = CollisionMap::of(part, yard.robot.height_m);
   for (const RoundedPolygon& obstacle : ground.obstacles()) {
     Json corners = Json::array();
     for (const Vec2 p : outline(obstacle)) corners.push_back({p.x, p.y});

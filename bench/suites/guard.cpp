@@ -109,19 +109,20 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
                     const std::vector<GuardPlanner>& planners, const BenchObserver& observer,
                     std::vector<Row>& rows) {
   const Stopwatch watch;
-  auto site = survey(yard.problem, yard.options);
-  if (!site) return pass_on(site);
+  auto firing_map = build_firing_map(yard.problem, yard.options);
+  if (!firing_map) return pass_on(firing_map);
   const double survey_s = watch.seconds();
   const std::size_t first = rows.size();
   for (const GuardPlanner& planner : planners) {
     next_step(observer, fmt::format("{} in {}", planner.name, yard.problem.world.name));
     const Stopwatch planning;
-    auto plan = planner.plan(yard.problem, *site, yard.options, {});
+    auto plan = planner.plan(yard.problem, *firing_map, yard.options, {});
     if (!plan) return pass_on(plan);
     const double planning_s = survey_s + planning.seconds();
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
       const Report report =
-          run_guard({yard.problem, *site, *plan, yard.options, static_cast<std::uint64_t>(seed)}).value();
+          run_guard({yard.problem, *firing_map, *plan, yard.options, static_cast<std::uint64_t>(seed)})
+              .value();
       rows.push_back(row_of(yard, planner, report, planning_s));
     }
   }

@@ -8,10 +8,10 @@
 
 #include "outrider/core/parallel.hpp"
 #include "outrider/job/run_job.hpp"
+#include "outrider/jobs/guard/arrival_bound.hpp"
 #include "outrider/jobs/guard/arrivals_file.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/jobs/guard/watch_bound.hpp"
 
 namespace outrider::bench {
 namespace {
@@ -28,9 +28,9 @@ struct Sample {
 
 struct Yard {
   GuardScenario scenario;
-  Site site;
-  Outlook outlook;
-  std::vector<Watch> watches;  // by seed
+  FiringMap firing_map;
+  PrecomputedStops precomputed;
+  std::vector<ArrivalYard> watches;  // by seed
 };
 
 Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
@@ -39,36 +39,36 @@ Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {
   if (auto ok = job.load(); !ok) return pass_on(ok);
   GuardScenario& scenario = job.scenario;
   if (!scenario.arrivals.any()) return bad_input("nobody comes; give arrivals.count", path);
-  auto site = survey(scenario.problem, scenario.options);
-  if (!site) return pass_on(site);
-  auto plan = plan_guard(scenario.problem, *site, scenario.options, {});
+  auto firing_map = build_firing_map(scenario.problem, scenario.options);
+  if (!firing_map) return pass_on(firing_map);
+  auto plan = plan_guard(scenario.problem, *firing_map, scenario.options, {});
   if (!plan) return pass_on(plan);
-  auto outlook = look_out(scenario.problem, *site, *plan, scenario.arrivals, {});
-  if (!outlook) return pass_on(outlook);
-  Yard yard{std::move(scenario), std::move(*site), std::move(*outlook), {}};
+  auto precomputed = precompute_stops(scenario.problem, *firing_map, *plan, scenario.arrivals, {});
+  if (!precomputed) return pass_on(precomputed);
+  Yard yard{std::move(scenario), std::move(*firing_map), std::move(*precomputed), {}};
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
     auto intruders =
         load_arrivals(yard.scenario.problem, yard.scenario.arrivals, static_cast<std::uint64_t>(seed));
     if (!intruders) return pass_on(intruders);
-    auto watch = watch_over(yard.scenario.problem, yard.site, std::move(*intruders));
+    auto watch = arrival_yard(yard.scenario.problem, yard.firing_map, std::move(*intruders));
     if (!watch) return pass_on(watch);
     yard.watches.push_back(std::move(*watch));
   }
   return yard;
 }
 
-Sample sample_of(const Yard& yard, std::size_t i, const WatchPolicy& policy, WatchObjective objective) {
-  const Watch& watch = yard.watches[i];
+Sample sample_of(const Yard& yard, std::size_t i, const ReplanPolicy& policy, ArrivalObjective objective) {
+  const ArrivalYard& watch = yard.watches[i];
   const ArrivalOptions& arrivals = yard.scenario.arrivals;
   const ArrivalPlan plan{watch,
-                         yard.outlook,
+                         yard.precomputed,
                          policy,
                          objective,
                          static_cast<std::size_t>(arrivals.group),
                          static_cast<std::size_t>(arrivals.beam)};
   const GuardPlan none;
   const Report report =
-      run_guard({watch.problem, watch.site, none, yard.scenario.options, i + 1, plan}).value();
+      run_guard({watch.problem, watch.firing_map, none, yard.scenario.options, i + 1, plan}).value();
   const double inside = metric(report, "intruder_seconds");
   const double makespan = metric(report, "makespan_s");
   const double count = metric(report, "targets") - metric(report, "unreachable");
@@ -80,9 +80,10 @@ Sample sample_of(const Yard& yard, std::size_t i, const WatchPolicy& policy, Wat
           inside < metric(report, "intruder_seconds_bound") || makespan < metric(report, "makespan_bound_s")};
 }
 
-Sample bound_of(const Watch& watch) {
-  const WatchBound bound = watch_bound(watch);
-  const auto count = std::ranges::count_if(watch.site.regions, [](const auto& r) { return r.hits > 0; });
+Sample bound_of(const ArrivalYard& watch) {
+  const ArrivalBound bound = arrival_bound(watch);
+  const auto count =
+      std::ranges::count_if(watch.firing_map.regions, [](const auto& r) { return r.hits > 0; });
   Sample sample;
   sample.inside_s = bound.time_inside_s / std::max(1.0, static_cast<double>(count));
   sample.makespan_s = bound.makespan_s - watch.intruders.back().enters_s;
@@ -134,8 +135,8 @@ Outcome<std::vector<ArrivalsRow>> measure_arrivals(const std::string& scenario_p
   std::vector<ArrivalsRow> rows;
   std::vector<Sample> samples(yard->watches.size());
   for (const auto& [objective, name] :
-       {std::pair{WatchObjective::time_inside, "time_inside"}, {WatchObjective::makespan, "makespan"}}) {
-    for (const WatchPolicy& policy : watch_policies()) {
+       {std::pair{ArrivalObjective::time_inside, "time_inside"}, {ArrivalObjective::makespan, "makespan"}}) {
+    for (const ReplanPolicy& policy : replan_policies()) {
       parallel_for(samples.size(),
                    [&](std::size_t i) { samples[i] = sample_of(*yard, i, policy, objective); });
       rows.push_back(row_of(*yard, std::string(policy.name), name, samples));

@@ -47,7 +47,7 @@ std::string guarantee_of(const PathPlanner& planner) {
 }
 
 /// In `corners`, from and to the top left corners of the cells.
-Problem problem_of(const std::shared_ptr<const GridGround>& ground, const GridQueryRow& row) {
+Problem problem_of(const std::shared_ptr<const GridMap>& ground, const GridQueryRow& row) {
   const int up = ground->model == GridModel::corners ? 1 : 0;
   return {ground, ground->point({row.start.x, row.start.y + up}),
           ground->point({row.goal.x, row.goal.y + up})};
@@ -111,7 +111,7 @@ Timed timed(const ConfiguredPlanner& planner, const Problem& problem, Workspace&
 }
 
 Row measure(const PathRequest& request, const GridFiles& files, const PublishedGrid& grid,
-            const PathPlanner& planner, const std::shared_ptr<const GridGround>& ground) {
+            const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
   Row row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
   row.times_us.reserve(grid.rows.size());
   row.ratios.reserve(grid.rows.size());
@@ -233,14 +233,14 @@ Status measure_map(const PathRequest& request, const GridFiles& files,
   auto grid = load_grid(files, request.queries, request.all_rows);
   if (!grid) return pass_on(grid);
   for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-    std::shared_ptr<const GridGround> ground;
+    std::shared_ptr<const GridMap> ground;
     for (const PathPlanner& planner : planners) {
       if (model_for(planner) != model) continue;
       next_step(observer, fmt::format("{} on {}", planner.name, files.name));
       if (!ground) {
-        auto made = GridGround::of(grid->blocked, model);
+        auto made = GridMap::of(grid->blocked, model);
         if (!made) return bad_input(made.error().sentence, files.map);
-        ground = std::make_shared<const GridGround>(std::move(*made));
+        ground = std::make_shared<const GridMap>(std::move(*made));
       }
       if (!grid->rows.empty()) rows.push_back(measure(request, files, *grid, planner, ground));
     }

@@ -130,7 +130,7 @@ std::optional<Aimed> aim_through(const ShotRules& rules, const Platform& from, d
   return std::nullopt;
 }
 
-double spread(const ShotRules& rules, const Target& target, const Aimed& aimed) {
+double error_ratio(const ShotRules& rules, const Target& target, const Aimed& aimed) {
   const Arrival& at = aimed.at;
   const Vec2 velocity = xy(at.velocity_mps);
   const Vec2 along = 1.0 / norm(velocity) * velocity;

@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr double good_spread = 0.7;
+constexpr double good_error_ratio = 0.7;
 
 std::vector<Elevation> elevations(const ShotRules& rules) {
   std::vector<Elevation> all;
@@ -20,7 +20,7 @@ std::vector<Elevation> elevations(const ShotRules& rules) {
 
 struct Choice {
   std::uint8_t pitch = FiringRegion::no_shot;
-  float spread = std::numeric_limits<float>::infinity();
+  float error_ratio = std::numeric_limits<float>::infinity();
   bool in_range = false;
   const Blocker* blocker = nullptr;  ///< of the flattest arc
 };
@@ -55,8 +55,8 @@ Choice choose(const ShotRules& rules, Sight& sight, const std::vector<Elevation>
     }
     const auto arc = sight.arc(leaning ? *leaning : lattice[i], aim.z);
     if (!arc) continue;
-    const auto spread = [&] { return static_cast<float>(sight.spread(*arc)); };
-    if (choice.pitch != FiringRegion::no_shot && spread() >= choice.spread) continue;
+    const auto error_ratio = [&] { return static_cast<float>(sight.error_ratio(*arc)); };
+    if (choice.pitch != FiringRegion::no_shot && error_ratio() >= choice.error_ratio) continue;
     Window* stop = last != nullptr && sight.stops(*last, *arc) ? last : sight.stopped_by(*arc);
     if (!choice.in_range && stop != nullptr) choice.blocker = stop->blocker;
     choice.in_range = true;
@@ -64,9 +64,9 @@ Choice choose(const ShotRules& rules, Sight& sight, const std::vector<Elevation>
       last = stop;
       continue;
     }
-    choice.spread = spread();
+    choice.error_ratio = error_ratio();
     choice.pitch = static_cast<std::uint8_t>(i);
-    if (choice.spread <= good_spread) break;
+    if (choice.error_ratio <= good_error_ratio) break;
   }
   return choice;
 }
@@ -91,7 +91,7 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
   const Vec3 centre = target.centre();
   FiringRegion region;
   region.pitch.assign(frame.size(), FiringRegion::no_shot);
-  region.spread.assign(frame.size(), std::numeric_limits<float>::infinity());
+  region.error_ratio.assign(frame.size(), std::numeric_limits<float>::infinity());
   region.blocked_by.assign(space.solids().size(), 0);
   for (const std::uint8_t cell : standable) region.places += cell;
 
@@ -106,7 +106,7 @@ FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, con
           here.floor_z_m = stance.ground_z_m;
           const Choice choice = choose(here, sight, lattice, {stance, position, near}, centre);
           region.pitch[cell] = choice.pitch;
-          region.spread[cell] = choice.spread;
+          region.error_ratio[cell] = choice.error_ratio;
           region.in_range += choice.in_range ? 1 : 0;
           region.hits += choice.pitch != FiringRegion::no_shot ? 1 : 0;
           if (choice.blocker != nullptr) ++region.blocked_by[choice.blocker->solid];

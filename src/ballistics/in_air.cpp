@@ -12,7 +12,7 @@ namespace outrider {
 namespace {
 
 constexpr double coarse = 5e-5;  // accuracy of a track: 1 mm after 1.5 s
-constexpr double good_spread = 0.7;
+constexpr double good_error_ratio = 0.7;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Between which distances from the yaw axis flights at full speed come to a height, by pitch and bearing. A
@@ -199,7 +199,7 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
                                   const std::stop_token& stop) {
   FiringRegion region;
   region.pitch.assign(frame.size(), FiringRegion::no_shot);
-  region.spread.assign(frame.size(), std::numeric_limits<float>::infinity());
+  region.error_ratio.assign(frame.size(), std::numeric_limits<float>::infinity());
   region.blocked_by.assign(space.solids().size(), 0);
   Range range(rules, space, target);
   const Vec3 centre = target.centre();
@@ -213,19 +213,20 @@ FiringRegion firing_region_in_air(const ShotRules& rules, const FlightSpace& spa
     const Vec2 sight = xy(centre) - position;
     if (norm(sight) > longest || !clear_of(rules, target, position)) continue;
     bool in_range = false;
-    for (std::size_t i = 0; i < range.pitches.size() && region.spread[cell] > good_spread; ++i) {
+    for (std::size_t i = 0; i < range.pitches.size() && region.error_ratio[cell] > good_error_ratio; ++i) {
       if (!reach.holds(i, sight)) continue;
       const auto aimed = range.aim(position, i, centre, last[i]);
       if (!aimed) continue;
-      const auto shot_spread = static_cast<float>(spread(rules, target, *aimed));
+      const auto shot_error_ratio = static_cast<float>(error_ratio(rules, target, *aimed));
       const bool first = !in_range;
       in_range = true;
-      if (region.pitch[cell] != FiringRegion::no_shot && shot_spread >= region.spread[cell]) continue;
+      if (region.pitch[cell] != FiringRegion::no_shot && shot_error_ratio >= region.error_ratio[cell])
+        continue;
       if (const auto solid = range.stopped_by(position, aimed->shot)) {
         if (first) ++region.blocked_by[*solid];
         continue;
       }
-      region.spread[cell] = shot_spread;
+      region.error_ratio[cell] = shot_error_ratio;
       region.pitch[cell] = static_cast<std::uint8_t>(i);
     }
     region.in_range += in_range ? 1 : 0;

@@ -14,7 +14,7 @@
 namespace outrider {
 namespace {
 
-constexpr double forgiving = 0.7;  // largest spread of a shot chosen for its time
+constexpr double forgiving = 0.7;  // largest error_ratio of a shot chosen for its time
 constexpr double fine_pitch_rad = radians(0.5);
 constexpr std::size_t most_rated = 4;         // of these the hit rate is found when none survives
 constexpr std::size_t most_off_centre = 200;  // candidates flown beside a shot at the centre that may miss
@@ -22,15 +22,15 @@ constexpr std::size_t most_flown = 48;  // shots that fly but forgive too little
 
 struct Candidate {
   Shot shot;
-  double spread;
+  double error_ratio;
   double time_s;  ///< to raise the barrel and to fly
 };
 
 bool better(const Candidate& a, const Candidate& b) {
-  const bool a_forgives = a.spread <= forgiving;
-  const bool b_forgives = b.spread <= forgiving;
+  const bool a_forgives = a.error_ratio <= forgiving;
+  const bool b_forgives = b.error_ratio <= forgiving;
   if (a_forgives != b_forgives) return a_forgives;
-  return a_forgives ? a.time_s < b.time_s : a.spread < b.spread;
+  return a_forgives ? a.time_s < b.time_s : a.error_ratio < b.error_ratio;
 }
 
 /// A point on a target, seen from the gun.
@@ -85,7 +85,7 @@ std::optional<Candidate> candidate(const ShotRules& rules, const Target& target,
   if (!speed) return std::nullopt;
   const Shot shot{heading_of(aim.sight), pitch, *speed};
   const double flight = (range - muzzle(rules.gun, pitch).x) / (*speed * std::cos(pitch));
-  return Candidate{shot, spread(rules, target, position, shot), flight};
+  return Candidate{shot, error_ratio(rules, target, position, shot), flight};
 }
 
 /// The same on a slope.
@@ -102,7 +102,7 @@ std::optional<Candidate> candidate_leaning(const ShotRules& rules, const Stance&
   const Vec2 along = 1.0 / norm(sight) * sight;
   return Candidate{
       {heading_of(sight), at.pitch_rad, forward / at.cosine},
-      spread(rules, target, outline(target, direction(target.yaw_rad), along), norm(sight), at, drop),
+      error_ratio(rules, target, outline(target, direction(target.yaw_rad), along), norm(sight), at, drop),
       s / forward};
 }
 
@@ -113,7 +113,7 @@ std::optional<Candidate> candidate_in_air(const ShotRules& rules, const Target& 
   last = aim_through(rules, {position, {}}, pitch, {ground.x, ground.y, aim.height_m + rules.floor_z_m},
                      last ? &*last : nullptr);
   if (!last) return std::nullopt;
-  return Candidate{last->shot, spread(rules, target, *last), last->flight_s};
+  return Candidate{last->shot, error_ratio(rules, target, *last), last->flight_s};
 }
 
 /// Every shot at one of the pitches that passes one of the aim points, the best first.
@@ -129,7 +129,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
                    : !stance.level() ? candidate_leaning(rules, stance, target, position, pitch, aim)
                                      : candidate(rules, target, position, pitch, aim);
       if (!found) continue;
-      found->spread += aim.off_centre;
+      found->error_ratio += aim.off_centre;
       found->time_s += aim_time(rules.gun, 0.0, pitch - pitch_rad);
       result.push_back(*found);
     }
@@ -184,7 +184,7 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                      *touch,
                      flight.position(*touch),
                      0.0,
-                     candidate.spread,
+                     candidate.error_ratio,
                      false,
                      0.0};
 }
@@ -246,11 +246,11 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
   return {false, end, flight.position(end), {}};
 }
 
-double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot) {
+double error_ratio(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot) {
   const Elevation at = elevation(rules, shot.pitch_rad);
   const double forward = shot.speed_mps * at.cosine;
-  return spread(rules, target, outline(target, direction(target.yaw_rad), direction(shot.yaw_rad)),
-                distance(position, xy(target.base)), at, rules.gravity_mps2 / (2.0 * forward * forward));
+  return error_ratio(rules, target, outline(target, direction(target.yaw_rad), direction(shot.yaw_rad)),
+                     distance(position, xy(target.base)), at, rules.gravity_mps2 / (2.0 * forward * forward));
 }
 
 std::optional<PlannedShot> best_shot(const ShotRules& given, const FlightSpace& space, const Target& target,

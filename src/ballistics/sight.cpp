@@ -174,8 +174,8 @@ bool Sight::touches(const Window& window, const Arc& arc, double from_m, double 
   return touch && !outrider::touches(flight, ball, box_, open_s, *touch);
 }
 
-double Sight::spread(const Arc& arc) const {
-  return outrider::spread(rules_, target_, outline(target_, axis_, along_), aim_m_, *arc.at, arc.drop);
+double Sight::error_ratio(const Arc& arc) const {
+  return outrider::error_ratio(rules_, target_, outline(target_, axis_, along_), aim_m_, *arc.at, arc.drop);
 }
 
 Outline outline(const Target& target, Vec2 axis, Vec2 sight) {
@@ -187,8 +187,8 @@ Outline outline(const Target& target, Vec2 axis, Vec2 sight) {
   return {std::min(length / std::max(c, tiny), width / std::max(s, tiny)), length * s + width * c};
 }
 
-double spread(const ShotRules& rules, const Target& target, const Outline& half, double range_m,
-              const Elevation& at, double drop) {
+double error_ratio(const ShotRules& rules, const Target& target, const Outline& half, double range_m,
+                   const Elevation& at, double drop) {
   const double s = range_m - at.tip.x;
   const double slope = at.tangent - 2.0 * drop * s;
   // z(s) = h + s tan p - k s^2, where dh/dp = tip.x and ds/dp = tip.y - pivot:

@@ -127,7 +127,7 @@ Outcome<MapKind> map_kind(std::string_view content, const std::string& path) {
 }
 
 Outcome<PolygonMap> polygons_of(const World& world, double height_m) {
-  auto polygons = polygons_from_world(Ground::of(world, height_m), any_radius_m);
+  auto polygons = polygons_from_world(CollisionMap::of(world, height_m), any_radius_m);
   if (!polygons) return pass_on(polygons);
   return PolygonMap{std::move(polygons->boundary), std::move(polygons->obstacles), {}};
 }

@@ -12,10 +12,11 @@ namespace {
 
 constexpr double usual_radius_m = 0.26;
 
-Outcome<GridGround> grid_of(const LoadedMap& map, const std::string& path, const MapOptions& options) {
+Outcome<GridMap> grid_of(const LoadedMap& map, const std::string& path, const MapOptions& options) {
   if (const auto* world = std::get_if<World>(&map.shape)) {
-    return grid_from_world(Ground::of(*world, options.height_m), options.radius_m.value_or(usual_radius_m),
-                           options.model, {.resolution_m = options.resolution_m});
+    return grid_from_world(CollisionMap::of(*world, options.height_m),
+                           options.radius_m.value_or(usual_radius_m), options.model,
+                           {.resolution_m = options.resolution_m});
   }
   const auto& cells = std::get<MapCells>(map.shape);
   if (cells.yaw_rad != 0.0) {
@@ -44,7 +45,7 @@ Outcome<Problem> load_path_problem(const std::string& path, Vec2 start, Vec2 goa
   }
   auto grid = grid_of(*map, path, options);
   if (!grid) return pass_on(grid);
-  problem.grid = std::make_shared<const GridGround>(std::move(*grid));
+  problem.grid = std::make_shared<const GridMap>(std::move(*grid));
   return problem;
 }
 

@@ -111,7 +111,7 @@ std::vector<PathPlanner> planners_on_grids() {
        {GridModel::corners},
        true,
        false,
-       Tells::lookup},
+       TraceKind::lookup},
       {"safest",
        "Keeps the largest clearance that can be kept, then is as short and as far from everything as can be.",
        "Pollack, The maximum capacity through a network, 1960; Wein, van den Berg and Halperin, Planning "
@@ -192,7 +192,8 @@ std::vector<PathPlanner> planners_that_sample() {
       "asymptotically complete and optimal; nothing is proven after finitely many points"};
   const auto row = [&](std::string_view name, std::string_view sentence, std::string_view paper,
                        Planner<SamplingOptions> planner) {
-    return PathPlanner{name, sentence, paper, guarantee, with_options(planner), {}, false, true, Tells::tree};
+    return PathPlanner{name, sentence, paper, guarantee,      with_options(planner),
+                       {},   false,    true,  TraceKind::tree};
   };
   const std::string_view karaman =
       "Karaman and Frazzoli, Sampling-based algorithms for optimal motion planning, 2011";
@@ -211,11 +212,11 @@ std::vector<PathPlanner> planners_that_sample() { return {}; }
 
 }  // namespace
 
-std::string_view to_string(Tells tells) {
+std::string_view to_string(TraceKind tells) {
   switch (tells) {
-    case Tells::search: return "search";
-    case Tells::tree: return "tree";
-    case Tells::lookup: return "lookup";
+    case TraceKind::search: return "search";
+    case TraceKind::tree: return "tree";
+    case TraceKind::lookup: return "lookup";
   }
   return "";
 }

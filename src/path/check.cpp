@@ -48,7 +48,7 @@ bool meets(Half a, Half b, Cell c, GridModel model) {
 }
 
 /// Whether the leg meets no blocked cell: row by row, the columns that the leg has in that row.
-bool clear_of_cells(const GridGround& ground, Half a, Half b) {
+bool clear_of_cells(const GridMap& ground, Half a, Half b) {
   if (a.y > b.y) std::swap(a, b);
   for (std::int64_t row = floor_divide(a.y - 1, 2); row <= floor_divide(b.y, 2); ++row) {
     std::int64_t low_x = std::min(a.x, b.x), high_x = std::max(a.x, b.x);
@@ -68,7 +68,7 @@ bool clear_of_cells(const GridGround& ground, Half a, Half b) {
   return true;
 }
 
-bool is_pinch(const GridGround& ground, Cell v) {
+bool is_pinch(const GridMap& ground, Cell v) {
   const bool ne = ground.blocked({v.x, v.y}), sw = ground.blocked({v.x - 1, v.y - 1});
   const bool nw = ground.blocked({v.x - 1, v.y}), se = ground.blocked({v.x, v.y - 1});
   return ne == sw && nw == se && ne != nw;
@@ -76,7 +76,7 @@ bool is_pinch(const GridGround& ground, Cell v) {
 
 /// Corners: no unit of a leg along a lattice line runs between two blocked cells, and no lattice
 /// point strictly between the ends is a pinch.
-bool clear_of_borders(const GridGround& ground, Cell a, Cell b) {
+bool clear_of_borders(const GridMap& ground, Cell a, Cell b) {
   const int count = std::gcd(b.x - a.x, b.y - a.y);
   const Cell step{(b.x - a.x) / count, (b.y - a.y) / count};
   for (int i = 0; i < count; ++i) {
@@ -89,14 +89,14 @@ bool clear_of_borders(const GridGround& ground, Cell a, Cell b) {
   return true;
 }
 
-bool legal(const GridGround& ground, Cell a, Cell b) {
+bool legal(const GridMap& ground, Cell a, Cell b) {
   if (!ground.contains(a) || !ground.contains(b) || a == b) return false;
   if (!clear_of_cells(ground, half(a, ground.model), half(b, ground.model))) return false;
   return ground.model == GridModel::cells || clear_of_borders(ground, a, b);
 }
 
 /// Whether a path may stand on v; only its ends may be pinches.
-bool stands(const GridGround& ground, Cell v, bool is_end) {
+bool stands(const GridMap& ground, Cell v, bool is_end) {
   if (ground.model == GridModel::cells) return !ground.blocked(v);
   const bool touches_free = !ground.blocked({v.x, v.y}) || !ground.blocked({v.x - 1, v.y}) ||
                             !ground.blocked({v.x, v.y - 1}) || !ground.blocked({v.x - 1, v.y - 1});
@@ -104,7 +104,7 @@ bool stands(const GridGround& ground, Cell v, bool is_end) {
 }
 
 /// Whether v is the vertex of p: p lies within half a cell of it along both axes.
-bool stands_for(const GridGround& ground, Cell v, Vec2 p) {
+bool stands_for(const GridMap& ground, Cell v, Vec2 p) {
   const Vec2 apart = ground.point(v) - p;
   const double most = ground.frame.resolution_m * (0.5 + 1e-6);
   return std::abs(apart.x) <= most && std::abs(apart.y) <= most;
@@ -181,7 +181,7 @@ Status check(const Plan& plan, const Problem& problem) {
     return check_numbers(plan, problem);
   }
   if (!problem.grid) return bad_input("the problem has no grid to check the plan on");
-  const GridGround& ground = *problem.grid;
+  const GridMap& ground = *problem.grid;
   if (plan.waypoints.empty() || plan.waypoints.size() != plan.vertices.size()) {
     return refused(fmt::format("{} waypoints came with {} vertices; give as many, and at least one",
                                plan.waypoints.size(), plan.vertices.size()));
@@ -207,7 +207,7 @@ Status check(const Plan& plan, const Problem& problem) {
   return check_numbers(plan, problem);
 }
 
-Status check(const Plan& plan, const Ground& ground, double radius_m) {
+Status check(const Plan& plan, const CollisionMap& ground, double radius_m) {
   if (plan.waypoints.empty()) return refused("it has no waypoints");
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const Segment leg{plan.waypoints[i == 0 ? 0 : i - 1], plan.waypoints[i]};

@@ -58,7 +58,7 @@ void block_outside(Grid<std::uint8_t>& blocked, const Box2& box) {
   }
 }
 
-Outcome<GridFrame> frame_for(const Ground& ground, double radius_m, const GridOptions& options) {
+Outcome<GridFrame> frame_for(const CollisionMap& ground, double radius_m, const GridOptions& options) {
   const bool good_radius = radius_m >= 0.0 && radius_m <= 1e6;
   if (!good_radius) {
     return bad_input(fmt::format("a robot radius of {} m is no good; it takes 0 to 1e6", radius_m));
@@ -99,7 +99,7 @@ std::vector<Option> describe(GridOptions& options) {
   };
 }
 
-Outcome<Grid<std::uint8_t>> blocked_for_disk(const Ground& ground, double radius_m,
+Outcome<Grid<std::uint8_t>> blocked_for_disk(const CollisionMap& ground, double radius_m,
                                              const GridOptions& options) {
   auto frame = frame_for(ground, radius_m, options);
   if (!frame) return pass_on(frame);
@@ -109,11 +109,11 @@ Outcome<Grid<std::uint8_t>> blocked_for_disk(const Ground& ground, double radius
   return blocked;
 }
 
-Outcome<GridGround> grid_from_world(const Ground& ground, double radius_m, GridModel model,
-                                    const GridOptions& options) {
+Outcome<GridMap> grid_from_world(const CollisionMap& ground, double radius_m, GridModel model,
+                                 const GridOptions& options) {
   auto blocked = blocked_for_disk(ground, radius_m, options);
   if (!blocked) return pass_on(blocked);
-  return GridGround::of(*blocked, model);
+  return GridMap::of(*blocked, model);
 }
 
 }  // namespace outrider

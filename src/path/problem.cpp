@@ -5,7 +5,7 @@
 namespace outrider {
 namespace {
 
-Outcome<Cell> vertex(const GridGround& ground, Vec2 p, std::string_view name, FaultCode blocked) {
+Outcome<Cell> vertex(const GridMap& ground, Vec2 p, std::string_view name, FaultCode blocked) {
   const std::optional<Cell> v = ground.vertex_at(p);
   const Box2 bounds = ground.frame.bounds();
   if (!v) {

@@ -20,7 +20,7 @@ double to_square(Vec2 p, Cell c) {
 }
 
 /// To the nearest blocked cell, cells: ring by ring of cells about that of p.
-double clearance_on_grid(const GridGround& ground, Vec2 p) {
+double clearance_on_grid(const GridMap& ground, Vec2 p) {
   const Cell home{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
   double least = infinite;
   const auto look = [&](Cell c) {
@@ -48,7 +48,7 @@ double to_square(const Segment& leg, Cell c) {
 }
 
 /// The least clearance along a leg in cells, no more than `least`.
-double clearance_on_grid(const GridGround& ground, const Segment& leg, double least) {
+double clearance_on_grid(const GridMap& ground, const Segment& leg, double least) {
   const auto cell = [](double t) { return static_cast<int>(std::floor(t)); };
   const auto [low_x, high_x] = std::minmax(leg.a.x, leg.b.x);
   const auto [low_y, high_y] = std::minmax(leg.a.y, leg.b.y);
@@ -111,7 +111,7 @@ Safety safety_of(const Plan& plan, const Problem& problem) {
       add_exposure(safety, piece, [&](Vec2 p) { return ground.edge_distance(p); });
       continue;
     }
-    const GridGround& ground = *problem.grid;
+    const GridMap& ground = *problem.grid;
     const double resolution = ground.frame.resolution_m;
     piece.from = (1.0 / resolution) * (piece.from - ground.frame.origin);
     piece.to = (1.0 / resolution) * (piece.to - ground.frame.origin);

@@ -23,7 +23,7 @@ Vec2 in_disk(Rng& rng, double radius_m) {
   return r * direction(rng.uniform(0.0, 2.0 * pi));
 }
 
-Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const Ground& ground,
+Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
                   const ShotRules& rules, Vec2 error) {
   constexpr double least_m2 = 1e-12;
   const Vec2 before = waypoints[waypoints.size() - 2];

@@ -7,7 +7,7 @@ constexpr double farthest_m = 1.0;  ///< that gap_m() tells
 
 /// What the solids put in the way between what the wheels climb and the robot's top.
 std::vector<RoundedPolygon> obstacles(const World& world, const RobotModel& robot, double climbs_m) {
-  return Ground::of(world, robot.height_m, climbs_m, robot.max_slope_rad).obstacles();
+  return CollisionMap::of(world, robot.height_m, climbs_m, robot.max_slope_rad).obstacles();
 }
 
 Box2 box_around(const std::vector<RoundedPolygon>& pieces) {
@@ -25,7 +25,8 @@ OpenGround::OpenGround(const World& world, const RobotModel& robot, double climb
     : radius_m_(robot.radius_m), ground_({{0.0, 0.0}, {0.0, 0.0}}, {}) {
   std::vector<RoundedPolygon> pieces = obstacles(world, robot, climbs_m);
   bounds_ = box_around(pieces);
-  if (!bounds_.empty()) ground_ = Ground(bounds_.grown(2.0 * (radius_m_ + farthest_m)), std::move(pieces));
+  if (!bounds_.empty())
+    ground_ = CollisionMap(bounds_.grown(2.0 * (radius_m_ + farthest_m)), std::move(pieces));
 }
 
 bool OpenGround::free(Segment s) const {

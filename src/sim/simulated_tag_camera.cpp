@@ -8,7 +8,7 @@ namespace {
 constexpr double band_m = 0.01;  ///< of heights about the camera, in which sight lines are sought
 
 /// The parts of the world at the height of the camera, as obstacles to sight.
-Ground sight_lines(const World& world, double height_m) {
+CollisionMap sight_lines(const World& world, double height_m) {
   std::vector<RoundedPolygon> obstacles;
   const double z_m = world.floor_z_m + height_m;
   for (const Solid& solid : world.solids) {

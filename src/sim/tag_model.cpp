@@ -30,7 +30,7 @@ std::optional<std::array<Vec2, 4>> corners_in_image(const Tag& tag, const Camera
 
 }  // namespace
 
-bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const Ground& ground) {
+bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const CollisionMap& ground) {
   const Vec3 sight = world_T_camera.position - tag.world_T_tag.position;
   const Vec3 out = -1.0 * tag.world_T_tag.rotation.axes[2];
   if (dot(sight, out) < least_cosine * norm(sight)) return false;
@@ -44,7 +44,7 @@ bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, 
 }
 
 std::vector<TagSighting> modelled_sightings(const TagMap& tags, const RobotCamera& camera,
-                                            const TagSightFaults& faults, const Ground& ground,
+                                            const TagSightFaults& faults, const CollisionMap& ground,
                                             const Pose2& world_T_robot, Rng& rng) {
   std::vector<TagSighting> sightings;
   const Pose3 world_T_camera = upright(world_T_robot) * camera.robot_T_camera;

@@ -51,7 +51,7 @@ class Refuelling {
     if (serve(supplied_, served, supplied_.instance.nodes[node])) add({served, node, label});
     if (depth == limits_.chain) return;
     for (std::uint32_t d = 0; d < supplied_.depots.size(); ++d) {
-      const Depot& depot = supplied_.depots[d];
+      const FuelStation& depot = supplied_.depots[d];
       Fuel filled = labels_[label].fuel;
       const double level = depot.store == Store::water ? filled.water : filled.charge;
       const double full = depot.store == Store::water ? supplied_.water : supplied_.charge;

@@ -25,7 +25,7 @@ void pass(const Supplied& supplied, Fuel& fuel, double seconds) {
 
 Outcome<Supplied> compile(const SupplyProblem& problem) {
   std::vector<std::size_t> kept;
-  for (const Filler& filler : problem.fillers) kept.push_back(filler.stop);
+  for (const TourStation& station : problem.stations) kept.push_back(station.stop);
   auto instance = compile(problem.table, kept);
   if (!instance) return pass_on(instance);
   Supplied supplied{std::move(*instance),
@@ -44,13 +44,13 @@ Outcome<Supplied> compile(const SupplyProblem& problem) {
       supplied.metres.push_back(problem.lengths_m[from * problem.table.services.size() + to]);
     }
   }
-  for (std::size_t f = 0; f < problem.fillers.size(); ++f) {
-    const Filler& filler = problem.fillers[f];
-    const auto stop = std::ranges::find(names, filler.stop);
+  for (std::size_t f = 0; f < problem.stations.size(); ++f) {
+    const TourStation& station = problem.stations[f];
+    const auto stop = std::ranges::find(names, station.stop);
     if (stop == names.end()) continue;
-    supplied.depots.push_back({static_cast<std::uint32_t>(stop - names.begin()), filler.store, filler.fixed_s,
-                               filler.per_unit_s, f});
-    supplied.returns = supplied.returns || filler.store == Store::charge;
+    supplied.depots.push_back({static_cast<std::uint32_t>(stop - names.begin()), station.store,
+                               station.fixed_s, station.per_unit_s, f});
+    supplied.returns = supplied.returns || station.store == Store::charge;
   }
   return supplied;
 }
@@ -62,7 +62,7 @@ Fuel full_at_start(const Supplied& supplied) {
 double charge_home(const Supplied& supplied, const State& state) {
   if (!supplied.returns) return 0.0;
   double least = infinity;
-  for (const Depot& depot : supplied.depots) {
+  for (const FuelStation& depot : supplied.depots) {
     if (depot.store != Store::charge) continue;
     Fuel fuel{state, 0.0, 0.0, 0.0};
     go(supplied, fuel, depot.stop);
@@ -80,7 +80,7 @@ bool serve(const Supplied& supplied, Fuel& fuel, const Node& node) {
   return std::isinf(fuel.charge) || holds(fuel.charge - charge_home(supplied, fuel.state), supplied.charge);
 }
 
-bool fill(const Supplied& supplied, Fuel& fuel, const Depot& depot) {
+bool fill(const Supplied& supplied, Fuel& fuel, const FuelStation& depot) {
   go(supplied, fuel, depot.stop);
   State& state = fuel.state;
   pass(supplied, fuel, aim_time(supplied.instance, wrap_angle(state.yaw), state.pitch, 0.0, 0.0));
@@ -99,13 +99,13 @@ std::vector<SupplyStep> steps_of(const Supplied& supplied, const std::vector<std
   std::vector<SupplyStep> steps;
   for (const std::uint32_t choice : choices) {
     if (choice >= instance.nodes.size()) {
-      const Depot& depot = supplied.depots[choice - instance.nodes.size()];
+      const FuelStation& depot = supplied.depots[choice - instance.nodes.size()];
       steps.push_back({instance.stop_name[depot.stop], {}, depot.name});
       continue;
     }
     const Node& node = instance.nodes[choice];
     const std::size_t stop = instance.stop_name[node.stop];
-    if (steps.empty() || steps.back().filler || steps.back().stop != stop) steps.push_back({stop, {}, {}});
+    if (steps.empty() || steps.back().station || steps.back().stop != stop) steps.push_back({stop, {}, {}});
     steps.back().goals.push_back(node.goal);
   }
   return steps;

@@ -8,8 +8,8 @@
 
 namespace outrider::tour {
 
-/// A filler at a stop of the instance.
-struct Depot {
+/// A station at a stop of the instance.
+struct FuelStation {
   std::uint32_t stop = 0;
   Store store = Store::water;
   double fixed = 0.0;
@@ -18,7 +18,7 @@ struct Depot {
 };
 
 struct Supplied {
-  Instance instance;           // the stops of fillers are kept
+  Instance instance;           // the stops of stations are kept
   std::vector<double> metres;  // [from * stops + to]
   double water = 0.0;
   double charge = 0.0;
@@ -26,8 +26,8 @@ struct Supplied {
   double charge_per_shot = 0.0;
   double per_metre = 0.0;
   double per_second = 0.0;
-  std::vector<Depot> depots;  // those that the start reaches
-  bool returns = false;       // some depot gives charge, and the charge can run out
+  std::vector<FuelStation> depots;  // those that the start reaches
+  bool returns = false;             // some depot gives charge, and the charge can run out
 };
 
 /// The problem has passed check(). Fault no_path when a goal cannot be served.
@@ -50,7 +50,7 @@ double charge_home(const Supplied& supplied, const State& state);
 bool serve(const Supplied& supplied, Fuel& fuel, const Node& node);
 
 /// Drives to the depot, brings the gun to rest and fills up; false when the charge does not suffice.
-bool fill(const Supplied& supplied, Fuel& fuel, const Depot& depot);
+bool fill(const Supplied& supplied, Fuel& fuel, const FuelStation& depot);
 
 /// Reading steps as the nodes and, behind all nodes, the depots that they are made of.
 std::vector<SupplyStep> steps_of(const Supplied& supplied, const std::vector<std::uint32_t>& choices);

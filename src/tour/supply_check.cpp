@@ -38,17 +38,17 @@ Status check_rates(const SupplyProblem& problem) {
 }
 
 Status check_fillers(const SupplyProblem& problem) {
-  for (std::size_t f = 0; f < problem.fillers.size(); ++f) {
-    const Filler& filler = problem.fillers[f];
-    if (filler.stop >= problem.table.services.size() || !is_amount(filler.fixed_s) ||
-        !is_amount(filler.per_unit_s)) {
+  for (std::size_t f = 0; f < problem.stations.size(); ++f) {
+    const TourStation& station = problem.stations[f];
+    if (station.stop >= problem.table.services.size() || !is_amount(station.fixed_s) ||
+        !is_amount(station.per_unit_s)) {
       return bad_input(
-          fmt::format("filler {} is at stop {} and takes {} s and {} s a unit; give one of the {} stops and "
+          fmt::format("station {} is at stop {} and takes {} s and {} s a unit; give one of the {} stops and "
                       "times that are finite and not negative",
-                      f, filler.stop, filler.fixed_s, filler.per_unit_s, problem.table.services.size()));
+                      f, station.stop, station.fixed_s, station.per_unit_s, problem.table.services.size()));
     }
-    if (std::isinf(filler.store == Store::water ? problem.water : problem.charge)) {
-      return bad_input(fmt::format("filler {} fills a store that has no end; leave it out", f));
+    if (std::isinf(station.store == Store::water ? problem.water : problem.charge)) {
+      return bad_input(fmt::format("station {} fills a store that has no end; leave it out", f));
     }
   }
   return {};
@@ -79,7 +79,7 @@ class Walk {
   Status take(const SupplyStep& step) {
     now_.filling_s = 0.0;
     if (auto ok = drive_to(step.stop); !ok) return ok;
-    if (step.filler) return fill(step);
+    if (step.station) return fill(step);
     for (const std::uint32_t goal : step.goals) {
       if (auto ok = serve(goal); !ok) return ok;
     }
@@ -140,25 +140,25 @@ class Walk {
   [[nodiscard]] double way_home() const {
     double least = std::numeric_limits<double>::infinity();
     bool any = false;
-    for (const Filler& filler : problem_.fillers) {
-      if (filler.store != Store::charge || !std::isfinite(problem_.table.drives[filler.stop].time_s))
+    for (const TourStation& station : problem_.stations) {
+      if (station.store != Store::charge || !std::isfinite(problem_.table.drives[station.stop].time_s))
         continue;
       any = true;
-      const auto [seconds, metres] = way(filler.stop);
+      const auto [seconds, metres] = way(station.stop);
       least = std::min(least, problem_.charge_per_second * seconds + problem_.charge_per_metre * metres);
     }
     return any ? least : 0.0;
   }
   Status fill(const SupplyStep& step) {
-    if (*step.filler >= problem_.fillers.size() || problem_.fillers[*step.filler].stop != stop_) {
-      return no(fmt::format("filler {} is not at stop {}", *step.filler, stop_));
+    if (*step.station >= problem_.stations.size() || problem_.stations[*step.station].stop != stop_) {
+      return no(fmt::format("station {} is not at stop {}", *step.station, stop_));
     }
-    const Filler& filler = problem_.fillers[*step.filler];
+    const TourStation& station = problem_.stations[*step.station];
     turn_gun(0.0, 0.0);
-    if (runs_dry()) return no(fmt::format("the battery runs out at filler {}", *step.filler));
-    double& level = filler.store == Store::water ? now_.water : now_.charge;
-    const double full = filler.store == Store::water ? problem_.water : problem_.charge;
-    now_.filling_s = filler.fixed_s + filler.per_unit_s * (full - level);
+    if (runs_dry()) return no(fmt::format("the battery runs out at station {}", *step.station));
+    double& level = station.store == Store::water ? now_.water : now_.charge;
+    const double full = station.store == Store::water ? problem_.water : problem_.charge;
+    now_.filling_s = station.fixed_s + station.per_unit_s * (full - level);
     now_.time_s += now_.filling_s;
     level = full;
     return {};

@@ -26,7 +26,7 @@ struct Label {
 RelaxedDrives by_depots(const Supplied& supplied) {
   RelaxedDrives drives = sectored(supplied.instance, 1);
   const std::uint32_t stops = supplied.instance.stops;
-  for (const Depot& depot : supplied.depots) {
+  for (const FuelStation& depot : supplied.depots) {
     for (std::uint32_t to = 0; to < stops; ++to) {
       const float onward = drives.time_to[std::size_t{to} * stops + depot.stop];
       for (std::uint32_t from = 0; from < stops; ++from) {
@@ -49,7 +49,7 @@ class Search {
         beside_depot_(instance_.stops, false),
         newest_((std::size_t{all_} + 1) * instance_.stops, none) {
     for (std::uint32_t stop = 0; stop < instance_.stops; ++stop) {
-      for (const Depot& depot : supplied.depots) {
+      for (const FuelStation& depot : supplied.depots) {
         if (depot.stop == stop || instance_.time[instance_.arc(stop, depot.stop)] == 0.0) {
           beside_depot_[stop] = true;
         }

@@ -16,9 +16,9 @@ namespace {
 constexpr double tiny = 1e-9;
 
 Problem problem_on(const Grid<std::uint8_t>& blocked, GridModel model, Cell start, Cell goal) {
-  auto ground = GridGround::of(blocked, model);
+  auto ground = GridMap::of(blocked, model);
   EXPECT_TRUE(ground.has_value());
-  auto shared = std::make_shared<const GridGround>(std::move(*ground));
+  auto shared = std::make_shared<const GridMap>(std::move(*ground));
   return {shared, shared->point(start), shared->point(goal)};
 }
 

@@ -110,7 +110,7 @@ TEST_P(PolygonContract, BudgetCancellationAndRepeats) {
   Trace trace;
   fresh.trace = &trace;
   EXPECT_EQ(*configured().plan(problem, {}, fresh), *answer);
-  if (path_planners()[GetParam()].tells == Tells::search) {
+  if (path_planners()[GetParam()].tells == TraceKind::search) {
     EXPECT_EQ(trace.expansions.size(), answer->counters.expansions);
   }
   const bool complete = path_planners()[GetParam()].guarantee.complete;
@@ -146,7 +146,7 @@ const std::vector<Question>& questions() {
 }
 
 /// What a path costs at the prices of a fare of time: its length and its turning; the first turn is free.
-double priced(const Plan& path, const Fare& fare) {
+double priced(const Plan& path, const CostWeights& fare) {
   double turning_rad = 0.0;
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     turning_rad += std::abs(path.pieces[i].turn_rad);

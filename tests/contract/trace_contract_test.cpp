@@ -81,18 +81,18 @@ TEST(TraceContract, PlannersOnGridsTellTheirQueue) {
       for (const GridModel model : row.models) {
         SCOPED_TRACE(std::string(row.name) + " on " + std::string(to_string(model)) + " of grid " +
                      std::to_string(i));
-        auto ground = GridGround::of(grid, model);
+        auto ground = GridMap::of(grid, model);
         ASSERT_TRUE(ground.has_value());
-        const auto shared = std::make_shared<const GridGround>(std::move(*ground));
+        const auto shared = std::make_shared<const GridMap>(std::move(*ground));
         const Cell far{grid.frame.width - 1, grid.frame.height - 1};
         const auto [plan, trace] = traced(row, {shared, shared->point({0, 0}), shared->point(far)});
         EXPECT_TRUE(trace.places.empty());
-        if (row.tells == Tells::lookup) {
+        if (row.tells == TraceKind::lookup) {
           EXPECT_LE(trace.expansions.size(), 1U);
           EXPECT_TRUE(trace.openings.empty());
           continue;
         }
-        ASSERT_EQ(row.tells, Tells::search);
+        ASSERT_EQ(row.tells, TraceKind::search);
         expect_a_search(trace);
         if (!plan) continue;
         EXPECT_EQ(trace.expansions.size(), plan->counters.expansions);
@@ -121,7 +121,7 @@ TEST(TraceContract, PlannersOnPolygonsTellWhereTheirStatesAre) {
     const auto [plan, trace] = traced(row, problem);
     ASSERT_TRUE(plan.has_value());
     EXPECT_EQ(*plan, *row.configure().plan(problem, {}, *std::make_unique<Workspace>()));
-    if (row.tells == Tells::tree) {
+    if (row.tells == TraceKind::tree) {
       expect_a_tree(trace, *ground);
       continue;
     }
@@ -161,8 +161,8 @@ TEST(TraceContract, AWayFromTheGoalLeadsBackToTheStart) {
 
 TEST(TraceContract, OnlyThatWhichLooksUpTellsNothing) {
   for (const PathPlanner& row : path_planners()) {
-    EXPECT_EQ(row.tells == Tells::lookup, row.name == "hub_labels") << row.name;
-    EXPECT_EQ(row.tells == Tells::tree,
+    EXPECT_EQ(row.tells == TraceKind::lookup, row.name == "hub_labels") << row.name;
+    EXPECT_EQ(row.tells == TraceKind::tree,
               row.paper.find("Karaman") != std::string_view::npos || row.name == "bit_star")
         << row.name;
   }

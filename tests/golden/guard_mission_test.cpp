@@ -19,11 +19,11 @@ namespace {
 
 struct Mission {
   GuardScenario scenario;
-  std::optional<Site> site;
+  std::optional<FiringMap> firing_map;
   GuardPlan plan;
 
   [[nodiscard]] Report run(std::uint64_t seed) const {
-    return testing::run_still(scenario.problem, *site, plan, scenario.options, seed);
+    return testing::run_still(scenario.problem, *firing_map, plan, scenario.options, seed);
   }
 };
 
@@ -32,11 +32,11 @@ Mission prepared(GuardScenario scenario) {
   auto warnings = load_problem(mission.scenario);
   EXPECT_TRUE(warnings.has_value()) << to_string(warnings.error());
   mission.scenario.options.gap = 1.0;  // the bound of the tour has tests of its own
-  auto site = survey(mission.scenario.problem, mission.scenario.options);
-  EXPECT_TRUE(site.has_value()) << to_string(site.error());
-  auto plan = plan_guard(mission.scenario.problem, *site, mission.scenario.options, {});
+  auto firing_map = build_firing_map(mission.scenario.problem, mission.scenario.options);
+  EXPECT_TRUE(firing_map.has_value()) << to_string(firing_map.error());
+  auto plan = plan_guard(mission.scenario.problem, *firing_map, mission.scenario.options, {});
   EXPECT_TRUE(plan.has_value()) << to_string(plan.error());
-  mission.site = std::move(*site);
+  mission.firing_map = std::move(*firing_map);
   mission.plan = std::move(*plan);
   return mission;
 }
@@ -57,7 +57,7 @@ void expect_replays(const Mission& mission, const Report& report) {
     ASSERT_NE(target, problem.targets.end());
     const auto index = static_cast<std::size_t>(target - problem.targets.begin());
     const Solid box = solid_of(*target);
-    const auto& solids = mission.site->space(index).solids();
+    const auto& solids = mission.firing_map->space(index).solids();
     const auto end =
         testing::fly_fine(shot.muzzle, shot.velocity_mps, problem.world.gravity_mps2,
                           problem.gun.ball_radius_m, solids, &box, problem.world.floor_z_m - 1.0);
@@ -68,7 +68,7 @@ void expect_replays(const Mission& mission, const Report& report) {
   }
   // Where the robot was, it fitted.
   for (const TrackSample& sample : report.track) {
-    ASSERT_GE(mission.site->ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+    ASSERT_GE(mission.firing_map->ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
   }
 }
 

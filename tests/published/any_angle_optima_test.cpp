@@ -43,7 +43,7 @@ TEST(AnyAngleOptima, AreReachedOnEveryPublishedQuery) {
     const auto optima = movingai::text_of(std::string("anyangle/") + table + ".csv");
     ASSERT_TRUE(text && optima) << map;
     const auto ground =
-        std::make_shared<const GridGround>(*GridGround::of(movingai::read_map(*text), GridModel::corners));
+        std::make_shared<const GridMap>(*GridMap::of(movingai::read_map(*text), GridModel::corners));
     const int top = ground->frame.height;
     const auto published = movingai::read_any_angle(*optima);
     EXPECT_GE(published.size(), 100U) << map;

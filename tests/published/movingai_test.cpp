@@ -20,11 +20,11 @@ struct Published {
   std::size_t queries;
 };
 
-std::shared_ptr<const GridGround> ground_of(const std::string& map, GridModel model) {
+std::shared_ptr<const GridMap> ground_of(const std::string& map, GridModel model) {
   const auto text = movingai::text_of(map);
   if (!text) return nullptr;
-  auto ground = GridGround::of(movingai::read_map(*text), model);
-  return ground ? std::make_shared<const GridGround>(std::move(*ground)) : nullptr;
+  auto ground = GridMap::of(movingai::read_map(*text), model);
+  return ground ? std::make_shared<const GridMap>(std::move(*ground)) : nullptr;
 }
 
 const std::vector<Published> octile_lengths = {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider::oracle {
 

@@ -5,22 +5,23 @@
 
 namespace outrider::testing {
 
-inline Report run_still(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+inline Report run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                         const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
-  return run_guard({problem, site, plan, options, seed}, watch).value();
+  return run_guard({problem, firing_map, plan, options, seed}, watch).value();
 }
 
 inline Report run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
                            const Survival& survival = {}, const RunWatch& watch = {}) {
   const GuardPlan none;
-  return run_guard({plan.yard.problem, plan.yard.site, none, options, seed, plan, survival}, watch).value();
+  return run_guard({plan.yard.problem, plan.yard.firing_map, none, options, seed, plan, survival}, watch)
+      .value();
 }
 
 inline Report run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
                           std::uint64_t seed, const RunWatch& watch = {}) {
   const GuardPlan none;
   const GuardRun run{.problem = plan.problem,
-                     .site = plan.site,
+                     .firing_map = plan.firing_map,
                      .plan = none,
                      .options = options,
                      .seed = seed,

@@ -35,7 +35,7 @@ struct Aimed {
 std::optional<Aimed> aim_through(const ShotRules& rules, const Platform& from, double pitch_rad, Vec3 point,
                                  const Aimed* guess = nullptr);
 
-/// spread() (shot.hpp) of a shot that is aimed at the target's centre.
-double spread(const ShotRules& rules, const Target& target, const Aimed& aimed);
+/// error_ratio() (shot.hpp) of a shot that is aimed at the target's centre.
+double error_ratio(const ShotRules& rules, const Target& target, const Aimed& aimed);
 
 }  // namespace outrider

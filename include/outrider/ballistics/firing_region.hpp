@@ -26,17 +26,17 @@ struct FiringRegion {
   static constexpr std::uint8_t no_shot = 255;
 
   std::vector<std::uint8_t> pitch;        ///< by cell: index on the pitch lattice, or no_shot
-  std::vector<float> spread;              ///< by cell: of that shot (shot.hpp); infinite without one
+  std::vector<float> error_ratio;         ///< by cell: of that shot (shot.hpp); infinite without one
   std::size_t places = 0;                 ///< standable cells
   std::size_t in_range = 0;               ///< of these, within reach if nothing stood in the way
   std::size_t hits = 0;                   ///< of these, with a shot
   std::vector<std::uint32_t> blocked_by;  ///< by solid: places where it stops the flattest shot
 };
 
-/// All places, clear of the target, from which a shot at the target's centre hits; the flattest with a spread
-/// of at most 0.7, else the one with the least spread. `standable` is 1 where the robot may stand, by cell.
-/// Once `stop` is raised no more places are tried, and the region is of no use.
-/// O(places in reach x blockers in the line of sight); thread-safe for const arguments.
+/// All places, clear of the target, from which a shot at the target's centre hits; the flattest with a
+/// error_ratio of at most 0.7, else the one with the least error_ratio. `standable` is 1 where the robot may
+/// stand, by cell. Once `stop` is raised no more places are tried, and the region is of no use. O(places in
+/// reach x blockers in the line of sight); thread-safe for const arguments.
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
                            const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                            const std::stop_token& stop = {});

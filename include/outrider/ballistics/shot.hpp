@@ -52,7 +52,7 @@ Impact fly(const Flight& flight, double ball_radius_m, const FlightSpace& space,
 
 /// Worst deviation at the target under the largest errors, as a part of what the target's size
 /// forgives; below 1 a shot aimed at the centre still touches the box, to first order in each error alone.
-double spread(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot);
+double error_ratio(const ShotRules& rules, const Target& target, Vec2 position, const Shot& shot);
 
 /// The angles that the joints of the gun make.
 struct GunAngles {
@@ -66,15 +66,15 @@ struct PlannedShot {
   double flight_s = 0.0;     ///< until the ball touches the target
   Vec3 contact;              ///< centre of the ball then
   double clearance_m = 0.0;  ///< of the flight until then, cut off at 1 m
-  double spread = 0.0;       ///< as above, and how far off the centre the aim is (1: at the edge)
+  double error_ratio = 0.0;  ///< as above, and how far off the centre the aim is (1: at the edge)
   bool survives = false;     ///< the eight extreme combinations of the errors hit as well
   double hit_rate = 0.0;  ///< part of the shots that hit under errors within the bounds; taken for 1 when it
                           ///< survives, else over the midpoints of 27 equal parts of the box of errors
 };
 
 /// The soonest of the shots from `position` that forgive enough. Of the shots at the target's centre,
-/// with pitches every half degree, those with a spread of at most 0.7 come first, by the time to bring
-/// the barrel there from `pitch_rad` and to fly, then the others by their spread. They are flown exactly
+/// with pitches every half degree, those with a error_ratio of at most 0.7 come first, by the time to bring
+/// the barrel there from `pitch_rad` and to fly, then the others by their error_ratio. They are flown exactly
 /// in that order until one keeps the margin and survives all extreme errors. After 48 that keep the margin
 /// only, 19 aim points around the centre are tried in the same way (the first 200 shots, if one at the
 /// centre does keep it), and the shot with the highest hit

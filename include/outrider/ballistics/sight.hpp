@@ -87,8 +87,8 @@ class Sight {
   /// aim, so what is in between two of them is seen there as well. Never says that an arc is not stopped.
   void trim(Window& window, const Elevation& at, const std::vector<double>& aim_z_m, std::size_t& first,
             std::size_t& last);
-  /// spread() of an arc whose aim point is the target's centre.
-  [[nodiscard]] double spread(const Arc& arc) const;
+  /// error_ratio() of an arc whose aim point is the target's centre.
+  [[nodiscard]] double error_ratio(const Arc& arc) const;
 
  private:
   [[nodiscard]] double fall(const Elevation& at, double reach_m, double aim_z_m) const {
@@ -122,9 +122,9 @@ struct Outline {
 
 Outline outline(const Target& target, Vec2 axis, Vec2 sight);
 
-/// spread() (shot.hpp) of the arc with that drop at the target whose centre is `range_m` away.
-double spread(const ShotRules& rules, const Target& target, const Outline& half, double range_m,
-              const Elevation& at, double drop);
+/// error_ratio() (shot.hpp) of the arc with that drop at the target whose centre is `range_m` away.
+double error_ratio(const ShotRules& rules, const Target& target, const Outline& half, double range_m,
+                   const Elevation& at, double drop);
 
 /// Middles of the chords that lines of sight from `position` cut from the target's footprint, from its
 /// right edge to its left, the line to its centre among them; at that distance they are at most `step_m`

@@ -31,12 +31,12 @@ enum class Measure {
 std::string_view unit_of(Measure measure);
 
 /// What a planner tells a Trace of how it found its answer.
-enum class Tells {
+enum class TraceKind {
   search,  ///< each expansion, and each state when it is first put into the queue
   tree,    ///< each point that it joined to the start, with its parent; it has no queue
   lookup,  ///< nothing: it finds its answer in an index, without a search
 };
-std::string_view to_string(Tells tells);
+std::string_view to_string(TraceKind tells);
 
 /// What a planner promises with its default options.
 struct Guarantee {
@@ -71,7 +71,7 @@ struct PathPlanner {
   std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< grids; others are bad_input
   bool index = false;     ///< builds something that outlasts the first query on a ground, for the next ones
   bool polygons = false;  ///< takes polygons as its ground
-  Tells tells = Tells::search;
+  TraceKind tells = TraceKind::search;
 
   [[nodiscard]] bool takes(GridModel model) const {
     return std::find(models.begin(), models.end(), model) != models.end();

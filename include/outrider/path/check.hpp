@@ -11,7 +11,7 @@
 #pragma once
 
 #include "outrider/path/plan.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -22,6 +22,6 @@ double clearance_m(const Plan& plan, const PolygonGround& ground);
 
 /// Whether a disk of that radius follows the waypoints without touching an obstacle, by the exact
 /// shapes of the world instead of the grid.
-Status check(const Plan& plan, const Ground& ground, double radius_m);
+Status check(const Plan& plan, const CollisionMap& ground, double radius_m);
 
 }  // namespace outrider

@@ -12,8 +12,8 @@
 #pragma once
 
 #include "outrider/core/options.hpp"
-#include "outrider/path/grid/grid_ground.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -24,11 +24,11 @@ struct GridOptions {
 std::vector<Option> describe(GridOptions& options);
 
 /// 1 where the centre of a disk of that radius must not be, cell by cell as above.
-Outcome<Grid<std::uint8_t>> blocked_for_disk(const Ground& ground, double radius_m,
+Outcome<Grid<std::uint8_t>> blocked_for_disk(const CollisionMap& ground, double radius_m,
                                              const GridOptions& options);
 
 /// The same prepared for searching.
-Outcome<GridGround> grid_from_world(const Ground& ground, double radius_m, GridModel model,
-                                    const GridOptions& options);
+Outcome<GridMap> grid_from_world(const CollisionMap& ground, double radius_m, GridModel model,
+                                 const GridOptions& options);
 
 }  // namespace outrider

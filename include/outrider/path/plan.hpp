@@ -33,12 +33,12 @@ double length_of(const PathPiece& piece);
 double turn_between(const PathPiece& piece, const PathPiece& next);
 
 /// What cost counts: the length alone, m, unless a planner of least time or of safe paths gives its prices.
-struct Fare {
+struct CostWeights {
   double per_m = 1.0;
   double per_rad = 0.0;               ///< of turning, in place or along an arc
   std::optional<double> heading_rad;  ///< before the first leg; without one the first turn is free
   double per_exposure_m = 0.0;        ///< of the integral of 1 / clearance along the path
-  friend bool operator==(const Fare&, const Fare&) = default;
+  friend bool operator==(const CostWeights&, const CostWeights&) = default;
 };
 
 struct Plan {
@@ -50,7 +50,7 @@ struct Plan {
   PlanCounters counters;
   std::vector<PathPiece> pieces;  ///< the path itself on polygons; none on a grid, where the waypoints are it
   double waypoint_error_m = 0.0;  ///< no point of the legs between waypoints is farther from the pieces
-  Fare fare;
+  CostWeights fare;
   double exposure =
       0.0;  ///< the integral of 1 / clearance as the planner counts it, where the fare prices it
   friend bool operator==(const Plan&, const Plan&) = default;

@@ -6,13 +6,13 @@
 
 #include <memory>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 
 namespace outrider {
 
 struct Problem {
-  std::shared_ptr<const GridGround> grid;
+  std::shared_ptr<const GridMap> grid;
   Vec2 start;  ///< m
   Vec2 goal;   ///< m
   std::shared_ptr<const PolygonGround> polygons = nullptr;
@@ -20,7 +20,7 @@ struct Problem {
 
 /// The same question in vertices of the grid.
 struct GridQuery {
-  const GridGround& ground;
+  const GridMap& ground;
   Cell start;
   Cell goal;
 };

@@ -6,7 +6,7 @@
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/core/options.hpp"
 #include "outrider/core/rng.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -25,7 +25,7 @@ Vec2 in_disk(Rng& rng, double radius_m);
 /// Where a drive over these waypoints ends when it should end `error` off the last one: there, or nearer to
 /// it where an obstacle would have stopped the disk. On a slope (of the rules' terrain) the error lies on the
 /// surface.
-Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const Ground& ground,
+Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
                   const ShotRules& rules, Vec2 error);
 
 /// The shot as it leaves the gun when that one was meant: both joints and the speed are off.

@@ -5,7 +5,7 @@
 
 #include "outrider/motion/robot_model.hpp"
 #include "outrider/sim/explorer_sim_params.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -25,7 +25,7 @@ class OpenGround {
  private:
   double radius_m_;
   Box2 bounds_;
-  Ground ground_;  // within bounds far enough from everything
+  CollisionMap ground_;  // within bounds far enough from everything
 };
 
 }  // namespace outrider

@@ -10,7 +10,7 @@
 #include "outrider/robot/observation.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
 #include "outrider/sim/tag_camera.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -33,7 +33,7 @@ class SimulatedTagCamera {
   RobotCamera camera_;
   TagCameraOptions options_;
   TagSightFaults faults_;
-  Ground sight_lines_;                    // what stands at the height of the camera
+  CollisionMap sight_lines_;              // what stands at the height of the camera
   std::unique_ptr<TagCamera> rendering_;  // where images are rendered
   Rng sight_rng_;
   std::int64_t images_ = 0;

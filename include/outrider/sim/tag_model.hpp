@@ -10,16 +10,16 @@
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag.hpp"
 #include "outrider/sim/drive_sim_params.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
 /// Whether the tag is in view of a camera at that pose.
-bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const Ground& ground);
+bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const CollisionMap& ground);
 
 /// What a robot with that camera sees from a pose. The faults tell nothing of time here.
 std::vector<TagSighting> modelled_sightings(const TagMap& tags, const RobotCamera& camera,
-                                            const TagSightFaults& faults, const Ground& ground,
+                                            const TagSightFaults& faults, const CollisionMap& ground,
                                             const Pose2& world_T_robot, Rng& rng);
 
 }  // namespace outrider

@@ -17,8 +17,8 @@ namespace outrider {
 
 /// What the body drives on.
 struct BodyGround {
-  const Ground& ground;    ///< for the disk of the robot
-  const ShotRules& rules;  ///< with the terrain, where there is one
+  const CollisionMap& ground;  ///< for the disk of the robot
+  const ShotRules& rules;      ///< with the terrain, where there is one
 };
 
 /// A straight under way.

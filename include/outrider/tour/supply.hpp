@@ -30,7 +30,7 @@ namespace outrider {
 enum class Store : std::uint8_t { water, charge };
 
 /// A stop of the table where a store is filled.
-struct Filler {
+struct TourStation {
   std::size_t stop = 0;
   Store store = Store::water;
   double fixed_s = 0.0;
@@ -46,14 +46,14 @@ struct SupplyProblem {
   double charge_per_metre = 0.0;   ///< J/m
   double charge_per_second = 0.0;  ///< W
   double charge_per_shot = 0.0;    ///< J
-  std::vector<Filler> fillers;
+  std::vector<TourStation> stations;
 };
 
-/// A part of a tour: goals served at a stop, or one store filled at a filler.
+/// A part of a tour: goals served at a stop, or one store filled at a station.
 struct SupplyStep {
   std::size_t stop = 0;
-  std::vector<std::uint32_t> goals;   ///< in the order of serving; empty at a filler
-  std::optional<std::size_t> filler;  ///< index in the problem
+  std::vector<std::uint32_t> goals;    ///< in the order of serving; empty at a station
+  std::optional<std::size_t> station;  ///< index in the problem
   friend bool operator==(const SupplyStep&, const SupplyStep&) = default;
 };
 
@@ -72,7 +72,7 @@ struct SupplyLevel {
   double time_s = 0.0;
   double water = 0.0;
   double charge = 0.0;
-  double filling_s = 0.0;  ///< at a filler, of the time
+  double filling_s = 0.0;  ///< at a station, of the time
 };
 
 struct SupplyOptions {
@@ -85,7 +85,7 @@ struct SupplyOptions {
 std::vector<Option> describe(SupplyOptions& options);
 
 /// Refuses what check(TourProblem) refuses, wrong sizes, numbers that are negative or not finite (but for the
-/// capacities), a tank or a battery that is too small for any service, and fillers of a store without end.
+/// capacities), a tank or a battery that is too small for any service, and stations of a store without end.
 Status check(const SupplyProblem& problem);
 
 /// Levels after each step under the model; written apart from the solvers, to judge them. Fault no_path with

@@ -22,7 +22,7 @@ struct Strides {
 };
 
 /// The points of the standing room whose distance from a lap along its border is at least `depth_m`.
-Region core_of(const CoverProblem& problem, const CoverGround& ground, double depth_m) {
+Region core_of(const CoverProblem& problem, const CoverageArea& ground, double depth_m) {
   const Strides strides(problem);
   const Region deep =
       shrunk(ground.area, problem.radius_m() + depth_m + strides.slack_m, 0.25 * strides.slack_m);
@@ -129,7 +129,7 @@ double leave_out(CellChoices& cells, double most_m2) {
 }
 
 /// Orders laps and cells into one track.
-Outcome<CoverPlan> assembled(CoverGround ground, const std::vector<Lap>& laps, CellChoices cells,
+Outcome<CoverPlan> assembled(CoverageArea ground, const std::vector<Lap>& laps, CellChoices cells,
                              const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
@@ -176,7 +176,7 @@ Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions
 }
 
 /// Laps along the border and inwards, each a stride from the one before.
-Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverGround& ground,
+Outcome<std::vector<Lap>> spiral_laps(const CoverProblem& problem, const CoverageArea& ground,
                                       const std::stop_token& stop) {
   std::vector<Lap> all = laps_within(*ground.ground, ground.standing, ground.arc_m);
   for (int k = 1;; ++k) {

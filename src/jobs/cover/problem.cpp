@@ -99,12 +99,12 @@ Outcome<Region> part_of(const CoverProblem& problem, const PolygonGround& ground
 
 }  // namespace
 
-Outcome<CoverGround> cover_ground(const CoverProblem& problem) {
+Outcome<CoverageArea> cover_ground(const CoverProblem& problem) {
   if (auto good = check_numbers(problem); !good) return pass_on(good);
   if (auto good = check_polygons(problem); !good) return pass_on(good);
   auto ground = PolygonGround::of(problem.boundary, problem.holes, problem.radius_m());
   if (!ground) return pass_on(ground);
-  CoverGround made;
+  CoverageArea made;
   made.arc_m = arc_part * problem.stride_m();
   made.area = region_of(problem.boundary, problem.holes);
   const Region standing = shrunk(made.area, problem.radius_m(), made.arc_m);

@@ -138,7 +138,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
                     const std::string& name, const std::stop_token& stop) {
-  const CoverGround& ground = run.plan.ground;
+  const CoverageArea& ground = run.plan.ground;
   Report report;
   report.status = "done";
   report.job = "cover";

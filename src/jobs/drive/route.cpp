@@ -13,8 +13,8 @@
 namespace outrider {
 namespace {
 
-Outcome<Problem> problem_for(const PathPlanner& planner, const Ground& ground, double radius_m, Vec2 start,
-                             Vec2 goal, double resolution_m) {
+Outcome<Problem> problem_for(const PathPlanner& planner, const CollisionMap& ground, double radius_m,
+                             Vec2 start, Vec2 goal, double resolution_m) {
   Problem problem{nullptr, start, goal};
   if (planner.polygons) {
     auto polygons = polygons_from_world(ground, radius_m);
@@ -27,12 +27,12 @@ Outcome<Problem> problem_for(const PathPlanner& planner, const Ground& ground, d
   options.resolution_m = resolution_m;
   auto grid = grid_from_world(ground, radius_m, model, options);
   if (!grid) return pass_on(grid);
-  problem.grid = std::make_shared<const GridGround>(std::move(*grid));
+  problem.grid = std::make_shared<const GridMap>(std::move(*grid));
   return problem;
 }
 
 void thin(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double thin_m,
-          const Ground& ground, double radius_m, std::vector<Vec2>& kept) {
+          const CollisionMap& ground, double radius_m, std::vector<Vec2>& kept) {
   const Segment leg{points[first], points[last]};
   std::size_t farthest = first;
   double most_m = -1.0;
@@ -52,7 +52,7 @@ void thin(const std::vector<Vec2>& points, std::size_t first, std::size_t last, 
 }
 
 /// The heading towards the nearest tag whose face is in sight from there; nothing where there is none.
-std::optional<double> towards_a_tag(const DriveTask& task, const Ground& ground, Vec2 from) {
+std::optional<double> towards_a_tag(const DriveTask& task, const CollisionMap& ground, Vec2 from) {
   constexpr double before_wall_m = 0.01;
   constexpr double least_cosine = 0.5;  // a tag seen at a flatter angle says little
   std::optional<double> heading;
@@ -80,7 +80,7 @@ std::vector<Option> describe(DriveRouteOptions& options) {
   };
 }
 
-std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const Ground& ground,
+std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const CollisionMap& ground,
                           double radius_m) {
   if (points.size() < 3) return points;
   std::vector<Vec2> kept = {points.front()};
@@ -88,7 +88,7 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const 
   return kept;
 }
 
-double way_clearance_m(const std::vector<Vec2>& points, const Ground& ground) {
+double way_clearance_m(const std::vector<Vec2>& points, const CollisionMap& ground) {
   double clearance_m = std::numeric_limits<double>::infinity();
   const Box2& bounds = ground.bounds();
   for (const Vec2 p : points) {  // a leg is nearest to a straight edge at one of its ends
@@ -104,7 +104,7 @@ double way_clearance_m(const std::vector<Vec2>& points, const Ground& ground) {
   return clearance_m;
 }
 
-Outcome<DriveRoute> plan_route(const DriveTask& task, const Ground& ground, const Pose2& goal,
+Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground, const Pose2& goal,
                                const std::string& planner, const DriveRouteOptions& options) {
   auto row = find_path_planner(planner);
   if (!row) return pass_on(row);
@@ -128,7 +128,7 @@ Outcome<DriveRoute> plan_route(const DriveTask& task, const Ground& ground, cons
   return route;
 }
 
-Status check_waypoints(const DriveTask& task, const Ground& ground) {
+Status check_waypoints(const DriveTask& task, const CollisionMap& ground) {
   Vec2 from = task.start.position;
   for (std::size_t i = 0; i <= task.waypoints.size(); ++i) {
     const Vec2 at = i == 0 ? from : task.waypoints[i - 1].pose.position;

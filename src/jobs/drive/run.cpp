@@ -50,7 +50,7 @@ ReportCamera camera_entry(const TagEye& eye) {
 /// What is noted while the robot drives.
 class Recorder {
  public:
-  Recorder(const DriveTask& task, const Ground& ground, Report& report)
+  Recorder(const DriveTask& task, const CollisionMap& ground, Report& report)
       : task_(task), ground_(ground), report_(report) {
     for (const Tag& tag : task.tags.tags) {
       report.drive->tags.push_back({tag.id, xy(tag.world_T_tag.position),
@@ -97,7 +97,7 @@ class Recorder {
   }
 
   const DriveTask& task_;
-  const Ground& ground_;
+  const CollisionMap& ground_;
   Report& report_;
   std::size_t arrivals_ = 0;
   std::int64_t used_ = 0;
@@ -171,7 +171,7 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  const RunWatch& watch) {
   Report report = opened(task, seed);
-  const Ground ground = Ground::of(task.world, task.eye.height_m);
+  const CollisionMap ground = CollisionMap::of(task.world, task.eye.height_m);
   SimulatedRobot robot = simulated_robot(task, params, rendered, seed);
   DriveMission mission = begin(task);
   Recorder recorder(task, ground, report);

@@ -198,7 +198,7 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
     goal = *pose;
   }
   if (auto ok = load_ground(scenario, goal, setup); !ok) return pass_on(ok);
-  const Ground ground = Ground::of(setup.task.world, scenario.height_m);
+  const CollisionMap ground = CollisionMap::of(setup.task.world, scenario.height_m);
   if (goal) {
     auto route = plan_route(setup.task, ground, *goal, scenario.planner, scenario.route);
     if (!route) return pass_on(route);

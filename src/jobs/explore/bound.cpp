@@ -62,8 +62,8 @@ Grid<std::uint8_t> deep(const Grid<std::uint8_t>& solid) {
 struct Scene {
   const Grid<std::uint8_t>& solid;
   Grid<std::uint8_t> inside;
-  GridGround corners;  ///< where its centre may be
-  double range;        ///< cells
+  GridMap corners;  ///< where its centre may be
+  double range;     ///< cells
 };
 
 /// The places from where a cell may be seen.
@@ -86,7 +86,7 @@ std::vector<Cell> viewers(const Scene& scene, Cell seen) {
 }
 
 /// From the corners of some cells to all others along the eight moves, in cells.
-std::vector<double> distances(const GridGround& ground, const std::vector<Cell>& from) {
+std::vector<double> distances(const GridMap& ground, const std::vector<Cell>& from) {
   using Entry = std::pair<double, std::uint32_t>;
   std::vector<double> least(ground.moves.size(), infinity);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -113,7 +113,7 @@ std::vector<double> distances(const GridGround& ground, const std::vector<Cell>&
 }
 
 /// A lower bound between points of the cells from which the distances were counted and of those, in cells.
-double least_between(const GridGround& ground, const std::vector<double>& away, const std::vector<Cell>& to) {
+double least_between(const GridMap& ground, const std::vector<double>& away, const std::vector<Cell>& to) {
   double least = infinity;
   for (const Cell cell : to) {
     for (int k = 0; k < 4; ++k) least = std::min(least, away[ground.index({cell.x + k % 2, cell.y + k / 2})]);
@@ -122,7 +122,7 @@ double least_between(const GridGround& ground, const std::vector<double>& away, 
 }
 
 /// The cells that the robot reaches whatever the approximations, as vertices.
-std::vector<Cell> surely_reached(const GridGround& ground, Cell start) {
+std::vector<Cell> surely_reached(const GridMap& ground, Cell start) {
   std::vector<std::uint8_t> met(ground.moves.size(), 0);
   std::vector<Cell> cells{start};
   met[ground.index(start)] = 1;
@@ -175,10 +175,10 @@ Outcome<ExploreBound> explore_bound(const Grid<std::uint8_t>& solid, Vec2 start,
                                     const RobotModel& robot, const ExploreBoundOptions& options) {
   auto sure = grid_from_occupancy(solid, robot.radius_m, GridModel::cells);
   if (!sure) return pass_on(sure);
-  const auto ground = std::make_shared<const GridGround>(*std::move(sure));
+  const auto ground = std::make_shared<const GridMap>(*std::move(sure));
   const auto query = grid_query({ground, start, start});
   if (!query) return tl::unexpected<Fault>(query.error());
-  auto corners = GridGround::of(surely_blocked(solid, robot.radius_m), GridModel::corners);
+  auto corners = GridMap::of(surely_blocked(solid, robot.radius_m), GridModel::corners);
   if (!corners) return pass_on(corners);
   const double resolution = solid.frame.resolution_m;
   const Scene scene{solid, deep(solid), *std::move(corners), range_m / resolution};

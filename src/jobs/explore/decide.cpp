@@ -14,7 +14,7 @@ namespace outrider {
 namespace {
 
 /// The vertices of a path without those that a straight leg between others makes needless.
-std::vector<Cell> pulled(const GridGround& ground, const std::vector<Cell>& vertices) {
+std::vector<Cell> pulled(const GridMap& ground, const std::vector<Cell>& vertices) {
   std::vector<Cell> all;  // cell by cell, so that a leg may end between turns
   for (const Cell& turn : vertices) {
     while (!all.empty() && !(all.back() == turn)) {
@@ -37,7 +37,7 @@ std::vector<Cell> pulled(const GridGround& ground, const std::vector<Cell>& vert
   return kept;
 }
 
-Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridGround>& ground, Vec2 from, Vec2 to,
+Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridMap>& ground, Vec2 from, Vec2 to,
                                        const std::string& planner, Workspace& workspace) {
   const auto is_free = [&](Cell c) { return ground->place(c); };
   const auto start = nearest_cell(ground->frame, from, is_free);
@@ -56,7 +56,7 @@ Outcome<std::vector<Vec2>> way_between(const std::shared_ptr<const GridGround>& 
 }
 
 std::optional<Decision> leaked(const ExploreState& state, const ExploreOptions& options) {
-  const KnownGround& ground = state.map.ground();
+  const TraversabilityGrid& ground = state.map.ground();
   const double width = (ground.highest().x - ground.lowest().x + 1) * ground.frame().resolution_m;
   const double height = (ground.highest().y - ground.lowest().y + 1) * ground.frame().resolution_m;
   if (std::max(width, height) <= options.most_extent_m) return std::nullopt;

@@ -26,12 +26,13 @@ const std::uint8_t* at(const Grid<std::uint8_t>& blocks, std::uint32_t block) {
 }
 
 std::uint32_t price(std::uint8_t block, const Step& step, std::uint32_t near_factor) {
-  return block == KnownGround::near_block ? near_factor * step.cost : step.cost;
+  return block == TraversabilityGrid::near_block ? near_factor * step.cost : step.cost;
 }
 
 bool passes(const std::uint8_t* block, const Step& step) {
-  return block[step.to] != KnownGround::no_block && block[step.beside[0]] != KnownGround::no_block &&
-         block[step.beside[1]] != KnownGround::no_block;
+  return block[step.to] != TraversabilityGrid::no_block &&
+         block[step.beside[0]] != TraversabilityGrid::no_block &&
+         block[step.beside[1]] != TraversabilityGrid::no_block;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include <limits>
 #include <vector>
 
-#include "outrider/jobs/explore/known_ground.hpp"
+#include "outrider/jobs/explore/traversability_grid.hpp"
 
 namespace outrider {
 

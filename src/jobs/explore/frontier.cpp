@@ -169,7 +169,7 @@ bool FrontierMap::borders(std::uint32_t cell) const {
 
 bool FrontierMap::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update) {
   const GridFrame before = frame();
-  const KnownGround::Change change = ground_.update(occupancy, update);
+  const TraversabilityGrid::Change change = ground_.update(occupancy, update);
   if (change.reframed) reframe(before, change);
 
   std::set<std::uint32_t> groups;    // that change
@@ -252,7 +252,7 @@ void FrontierMap::sort_anew(const std::set<std::uint32_t>& groups, std::vector<s
 }
 
 /// Cells are counted otherwise from now on.
-void FrontierMap::reframe(const GridFrame& before, const KnownGround::Change& change) {
+void FrontierMap::reframe(const GridFrame& before, const TraversabilityGrid::Change& change) {
   owner_.assign(frame().size(), 0);
   pursuits_ = moved_cells(pursuits_, before, frame(), change.shift, std::uint16_t{0});
   std::map<std::uint32_t, Frontier> kept;

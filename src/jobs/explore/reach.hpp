@@ -41,10 +41,10 @@ std::optional<Cell> nearest_cell(const GridFrame& frame, Vec2 point, Good good) 
 }
 
 /// The nearest block that is free.
-inline std::optional<std::uint32_t> free_block_near(const KnownGround& ground, Vec2 point) {
+inline std::optional<std::uint32_t> free_block_near(const TraversabilityGrid& ground, Vec2 point) {
   const Grid<std::uint8_t>& blocks = ground.blocks();
   const auto block =
-      nearest_cell(blocks.frame, point, [&](Cell c) { return blocks[c] != KnownGround::no_block; });
+      nearest_cell(blocks.frame, point, [&](Cell c) { return blocks[c] != TraversabilityGrid::no_block; });
   if (!block) return std::nullopt;
   return static_cast<std::uint32_t>(blocks.frame.index(*block));
 }

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> spread(const std::vector<std::uint32_t>& all, std::si
 
 /// As the ground is now.
 FrontierSight made(const Frontier& frontier, const FrontierMap& map, SightMemory& memory) {
-  const KnownGround& ground = map.ground();
+  const TraversabilityGrid& ground = map.ground();
   const Grid<std::uint8_t>& known = ground.known();
   memory.entry.resize(std::max(memory.entry.size(), ground.blocks().cells.size()), 0);
   memory.seats.clear();

@@ -25,7 +25,7 @@ struct FrontierSight {
 /// Of one map, kept between calls: the sights, while nothing changes that they are made of, and scratch.
 struct SightMemory {
   struct Known {
-    std::uint64_t clock = 0;           ///< KnownGround::clock() when it was made
+    std::uint64_t clock = 0;           ///< TraversabilityGrid::clock() when it was made
     std::vector<std::uint32_t> cells;  ///< of the frontier then
     FrontierSight sight;
   };

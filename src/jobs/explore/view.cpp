@@ -34,7 +34,7 @@ struct Finder {
   const Flood& flood;
   const RayFan& fan;
   SightMemory& sights;
-  const KnownGround& ground = state.map.ground();
+  const TraversabilityGrid& ground = state.map.ground();
   double per_cost_s = ground.blocks().frame.resolution_m / Flood::per_block / state.robot.speed_mps;
 
   [[nodiscard]] RefusedFrontier refusal(const Frontier& frontier, std::string reason) const {
@@ -178,7 +178,7 @@ void prepare(FrontierMap& map, const ExploreOptions& options) {
 
 Views find_views(const ExploreState& state, const ExploreOptions& options, Workspace& workspace) {
   Views found;
-  const KnownGround& ground = state.map.ground();
+  const TraversabilityGrid& ground = state.map.ground();
   RayFan& fan = workspace.get<GainMemory>().fan;
   const int range = static_cast<int>(state.range_m / ground.frame().resolution_m);
   if (fan.cells != range) fan = RayFan::of(range, gain_rays);

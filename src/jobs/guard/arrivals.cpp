@@ -35,9 +35,9 @@ std::vector<Option> describe(ArrivalOptions& options) {
   };
 }
 
-Outcome<WatchObjective> find_objective(const std::string& name) {
-  if (name == "time_inside") return WatchObjective::time_inside;
-  if (name == "makespan") return WatchObjective::makespan;
+Outcome<ArrivalObjective> find_objective(const std::string& name) {
+  if (name == "time_inside") return ArrivalObjective::time_inside;
+  if (name == "makespan") return ArrivalObjective::makespan;
   return bad_input(fmt::format("'{}' is no objective; take time_inside or makespan", name),
                    "arrivals.objective");
 }
@@ -100,20 +100,21 @@ std::vector<Intruder> settled_intruders(const GuardProblem& problem) {
   return intruders;
 }
 
-Outcome<Watch> watch_over(const GuardProblem& problem, const Site& site, std::vector<Intruder> intruders) {
+Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
+                                  std::vector<Intruder> intruders) {
   if (problem.targets_block) {
     return bad_input("targets that come and go cannot block; leave one of targets_block and arrivals out",
                      "targets_block");
   }
-  Watch watch{problem, site, std::move(intruders)};
+  ArrivalYard watch{problem, firing_map, std::move(intruders)};
   watch.problem.targets.clear();
-  watch.site.regions.clear();
-  watch.site.proofs.clear();
+  watch.firing_map.regions.clear();
+  watch.firing_map.proofs.clear();
   const auto add = [&](std::size_t place, const std::string& name) {
     watch.problem.targets.push_back(problem.targets[place]);
     watch.problem.targets.back().name = name;
-    watch.site.regions.push_back(site.regions[place]);
-    watch.site.proofs.push_back(site.proofs[place]);
+    watch.firing_map.regions.push_back(firing_map.regions[place]);
+    watch.firing_map.proofs.push_back(firing_map.proofs[place]);
   };
   for (const Intruder& intruder : watch.intruders) add(intruder.place, intruder.name);
   for (std::size_t place = 0; place < problem.targets.size(); ++place) {

@@ -127,7 +127,7 @@ Outcome<std::vector<Intruder>> arrivals_from_text(std::string_view text, const s
 
 Outcome<std::vector<Intruder>> load_arrivals(const GuardProblem& problem, const ArrivalOptions& options,
                                              std::uint64_t seed) {
-  if (auto policy = find_watch_policy(options.policy); !policy) return pass_on(policy);
+  if (auto policy = find_replan_policy(options.policy); !policy) return pass_on(policy);
   if (auto objective = find_objective(options.objective); !objective) return pass_on(objective);
   if (auto ok = check_survivors(problem, options); !ok) return pass_on(ok);
   auto entrances = entrances_from_text(options.entrances, problem.world.bounds);

@@ -20,7 +20,8 @@ void forget_the_done(ArrivingTargets& targets, const StopTasks& tasks) {
 }
 
 /// Somebody was hit and goes elsewhere: all begins again for it, with the shots it has had.
-void go_on(ArrivingTargets& targets, StopTasks& tasks, const TargetArrival& arrival, const Watch& yard) {
+void go_on(ArrivingTargets& targets, StopTasks& tasks, const TargetArrival& arrival,
+           const ArrivalYard& yard) {
   for (std::size_t i = tasks.stands_at.size(); i < tasks.records.size(); ++i) tasks.stands_at.push_back(i);
   ++targets.survived;
   std::erase_if(targets.inside, [&](const TargetArrival& s) { return s.target == arrival.target; });
@@ -42,39 +43,40 @@ std::optional<std::size_t> stop_here(const StopTasks& tasks, const Observation& 
 }
 
 /// From where the robot is; from the nearest stop where no corner is seen from there.
-Drive drive_from(const Pose2& pose, std::size_t stop, const Watch& watch, const Outlook& outlook) {
-  const auto& stops = outlook.stops;
-  const auto route = outlook.routes.route(pose, stops[stop]);
+Drive drive_from(const Pose2& pose, std::size_t stop, const ArrivalYard& watch,
+                 const PrecomputedStops& precomputed) {
+  const auto& stops = precomputed.stops;
+  const auto route = precomputed.routes.route(pose, stops[stop]);
   if (!route) {
     const auto nearest = std::min_element(stops.begin(), stops.end(), [&](Vec2 a, Vec2 b) {
       return distance(a, pose.position) < distance(b, pose.position);
     });
-    return outlook.routes.between(static_cast<std::size_t>(nearest - stops.begin()), stop);
+    return precomputed.routes.between(static_cast<std::size_t>(nearest - stops.begin()), stop);
   }
   if (route->waypoints.size() < 2) return {0.0, pose.heading_rad, pose.heading_rad};
   const auto& way = route->waypoints;
   const double departure = heading_of(way[1] - way[0]);
-  const DriveCost cost = drive_cost(watch.problem.robot, departure, way, watch.site.ground.terrain());
+  const DriveCost cost = drive_cost(watch.problem.robot, departure, way, watch.firing_map.ground.terrain());
   return {cost.time_s, departure, cost.heading_rad};
 }
 
-Standing standing(const StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
-                  const std::vector<Wanted>& wanted) {
-  const Outlook& outlook = plan.stops;
-  Standing from{seen.time_s, seen.odometry.heading_rad, seen.gun->yaw_rad, seen.gun->pitch_rad, {}};
+RobotState state_of(const StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
+                    const std::vector<PendingTarget>& pending) {
+  const PrecomputedStops& precomputed = plan.stops;
+  RobotState from{seen.time_s, seen.odometry.heading_rad, seen.gun->yaw_rad, seen.gun->pitch_rad, {}};
   const auto here = stop_here(tasks, seen, plan);
-  for (std::size_t stop = 0; stop < outlook.stops.size(); ++stop) {
-    const auto& services = outlook.table.services[stop];
+  for (std::size_t stop = 0; stop < precomputed.stops.size(); ++stop) {
+    const auto& services = precomputed.table.services[stop];
     const bool useful = std::any_of(services.begin(), services.end(), [&](const Service& service) {
-      return std::any_of(wanted.begin(), wanted.end(),
-                         [&](const Wanted& w) { return w.goal == service.goal; });
+      return std::any_of(pending.begin(), pending.end(),
+                         [&](const PendingTarget& w) { return w.goal == service.goal; });
     });
     Drive drive;
     if (useful && here) {
-      drive = outlook.routes.between(*here, stop);
+      drive = precomputed.routes.between(*here, stop);
       if (*here == stop) drive.time_s = 0.0;
     } else if (useful) {
-      drive = drive_from(seen.odometry, stop, plan.yard, outlook);
+      drive = drive_from(seen.odometry, stop, plan.yard, precomputed);
     }
     from.drives.push_back(drive);
   }
@@ -83,26 +85,27 @@ Standing standing(const StopTasks& tasks, const Observation& seen, const Arrival
 
 /// The tour answers this very question: all its targets there at the start, and the makespan.
 bool is_the_still_yard(const ArrivingTargets& targets, const ArrivalPlan& plan,
-                       const std::vector<Wanted>& wanted, double time_s) {
+                       const std::vector<PendingTarget>& pending, double time_s) {
   std::size_t toured = 0;
   for (const Visit& visit : plan.stops.tour) toured += visit.goals.size();
-  return plan.objective == WatchObjective::makespan && targets.plans == 0 && wanted.size() == toured &&
-         std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& w) { return w.settles_s <= time_s; });
+  return plan.objective == ArrivalObjective::makespan && targets.plans == 0 && pending.size() == toured &&
+         std::all_of(pending.begin(), pending.end(),
+                     [&](const PendingTarget& w) { return w.settles_s <= time_s; });
 }
 
 /// Plans for the first `count` of those inside and sets the tasks.
 void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen, const ArrivalPlan& plan,
                std::size_t count) {
-  std::vector<Wanted> wanted;
+  std::vector<PendingTarget> pending;
   count = std::min({count, targets.inside.size(), most_planned});
   for (std::size_t i = 0; i < count; ++i) {
     const TargetArrival& arrival = targets.inside[i];
-    wanted.push_back({static_cast<std::uint32_t>(arrival.place), arrival.settles_s});
+    pending.push_back({static_cast<std::uint32_t>(arrival.place), arrival.settles_s});
   }
   const TourProblem& table = plan.stops.table;
-  const Standing from = standing(tasks, seen, plan, wanted);
-  const Sequence best = sequence_beside(plan.stops.tour, table, wanted, from, plan.objective, plan.beam,
-                                        is_the_still_yard(targets, plan, wanted, seen.time_s));
+  const RobotState from = state_of(tasks, seen, plan, pending);
+  const Sequence best = sequence_beside(plan.stops.tour, table, pending, from, plan.objective, plan.beam,
+                                        is_the_still_yard(targets, plan, pending, seen.time_s));
   if (best.visits.empty()) {
     TargetRecord& record = tasks.records[targets.inside.front().target];
     record = {TargetStatus::failed, "no way to a place with a shot", 0, 0, {}, seen.odometry, seen.time_s};
@@ -111,7 +114,7 @@ void plan_anew(ArrivingTargets& targets, StopTasks& tasks, const Observation& se
   for (const Visit& visit : best.visits) {
     StopTask task{plan.stops.stops[visit.stop]};
     for (const std::uint32_t who : visit.goals) {
-      const auto service = std::ranges::find(table.services[visit.stop], wanted[who].goal, &Service::goal);
+      const auto service = std::ranges::find(table.services[visit.stop], pending[who].goal, &Service::goal);
       task.targets.push_back(targets.inside[who].target);
       task.pitches.push_back(service->pitch_rad);
     }
@@ -178,7 +181,7 @@ void note_arrivals(ArrivingTargets& targets, StopTasks& tasks, const Observation
 
 std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, const Observation& seen,
                                     const ArrivalPlan& plan) {
-  const auto& [problem, site, intruders] = plan.yard;
+  const auto& [problem, firing_map, intruders] = plan.yard;
   while (tasks.more_to_come) {
     if (!is_busy(tasks)) {
       const std::size_t count =
@@ -186,7 +189,7 @@ std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, 
       if (count > 0) plan_anew(targets, tasks, seen, plan, count);
     }
     if (const auto until_s = to_wait_for(targets, tasks, seen)) return Wait{*until_s};
-    if (auto command = next_command(tasks, seen, problem, site)) {
+    if (auto command = next_command(tasks, seen, problem, firing_map)) {
       if (auto* follow = std::get_if<FollowWaypoints>(&*command)) {
         follow->until_arrival = plan.policy.interrupts;
       }
@@ -197,7 +200,7 @@ std::optional<Command> next_command(ArrivingTargets& targets, StopTasks& tasks, 
     if (seen.targets->more_to_come) return Wait{never_s};
     tasks.more_to_come = false;
   }
-  return next_command(tasks, seen, problem, site);
+  return next_command(tasks, seen, problem, firing_map);
 }
 
 }  // namespace outrider

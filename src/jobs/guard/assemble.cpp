@@ -9,10 +9,10 @@ namespace outrider {
 namespace {
 
 /// Joins the stops, from the start on, by the drives that are fastest with the turn before them.
-Status join(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
+Status join(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget, GuardPlan& plan) {
   std::vector<Vec2> places{problem.start.position};
   for (const PlannedStop& stop : plan.stops) places.push_back(stop.position);
-  auto routes = site_routes(problem, site, places, budget);
+  auto routes = yard_routes(problem, firing_map, places, budget);
   if (!routes) return pass_on(routes);
   double heading = problem.start.heading_rad;
   for (std::size_t i = 0; i < plan.stops.size(); ++i) {
@@ -27,26 +27,26 @@ Status join(const GuardProblem& problem, const Site& site, const Budget& budget,
 
 }  // namespace
 
-GuardPlan begin_plan(const GuardProblem& problem, const Site& site, const GuardOptions& options) {
+GuardPlan begin_plan(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options) {
   GuardPlan plan;
-  for (const std::uint8_t cell : site.reachable) plan.places += cell;
+  for (const std::uint8_t cell : firing_map.reachable) plan.places += cell;
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    if (site.regions[t].hits > 0) continue;
-    plan.unreachable.push_back({t, why_unreachable(problem, site, options, t)});
+    if (firing_map.regions[t].hits > 0) continue;
+    plan.unreachable.push_back({t, why_unreachable(problem, firing_map, options, t)});
   }
   return plan;
 }
 
-double mission_time(const GuardProblem& problem, const Site& site, const GuardPlan& plan) {
+double mission_time(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan) {
   double time = 0.0;
   double heading = problem.start.heading_rad;
   GunState rest;
   for (const PlannedStop& stop : plan.stops) {
-    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, site.ground.terrain());
+    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, firing_map.ground.terrain());
     time += std::max(drive.time_s, last_landing_s(stop.passing));
     rest = gun_after(stop.waypoints, stop.passing, rest);
     heading = drive.heading_rad;
-    const double forward = heading_on(stance_at(site.rules, stop.position), heading);
+    const double forward = heading_on(stance_at(firing_map.rules, stop.position), heading);
     for (const PlannedHit& hit : stop.hits) {
       const GunAngles& gun = hit.shot.gun;
       const double relative = gun.yaw_rad - forward;
@@ -58,9 +58,10 @@ double mission_time(const GuardProblem& problem, const Site& site, const GuardPl
   return time;
 }
 
-Status finish_plan(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan) {
-  if (auto ok = join(problem, site, budget, plan); !ok) return ok;
-  plan.cost_s = mission_time(problem, site, plan);
+Status finish_plan(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget,
+                   GuardPlan& plan) {
+  if (auto ok = join(problem, firing_map, budget, plan); !ok) return ok;
+  plan.cost_s = mission_time(problem, firing_map, plan);
   return {};
 }
 

@@ -6,14 +6,15 @@
 namespace outrider {
 
 /// A plan without stops: its places counted, the targets without a firing region told unreachable.
-GuardPlan begin_plan(const GuardProblem& problem, const Site& site, const GuardOptions& options);
+GuardPlan begin_plan(const GuardProblem& problem, const FiringMap& firing_map, const GuardOptions& options);
 
 /// Time of the plan if nothing goes wrong: turns, drives, aims and flights in their order, shots in passing
 /// beside the drives.
-double mission_time(const GuardProblem& problem, const Site& site, const GuardPlan& plan);
+double mission_time(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
 
 /// Joins the stops, from the start on, by the drives that are fastest with the turn before them, and finds
-/// the cost of the whole. Refused as site_routes().
-Status finish_plan(const GuardProblem& problem, const Site& site, const Budget& budget, GuardPlan& plan);
+/// the cost of the whole. Refused as yard_routes().
+Status finish_plan(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget,
+                   GuardPlan& plan);
 
 }  // namespace outrider

@@ -57,7 +57,7 @@ std::size_t without(std::size_t set, std::size_t bit) { return set & ~(std::size
 /// The mission without turns, aims and halts at bends, over the targets chosen so far. Times are in units.
 class Relaxed {
  public:
-  Relaxed(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets);
+  Relaxed(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<std::size_t>& targets);
 
   /// Takes one more target in; false, and nothing done, when the budget ends first or the token is raised.
   bool choose(std::size_t index, BudgetMeter& meter, const std::stop_token& stop);
@@ -85,18 +85,19 @@ class Relaxed {
   std::vector<Field> value_;          // set -> by cell, the least time to hit it
 };
 
-Relaxed::Relaxed(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets)
-    : lattice_(site, problem.robot.radius_m),
-      flight_(targets.size(), Field(site.frame.size(), endless)),
+Relaxed::Relaxed(const GuardProblem& problem, const FiringMap& firing_map,
+                 const std::vector<std::size_t>& targets)
+    : lattice_(firing_map, problem.robot.radius_m),
+      flight_(targets.size(), Field(firing_map.frame.size(), endless)),
       least_(targets.size(), endless),
-      value_(1, Field(site.frame.size(), 0)) {
+      value_(1, Field(firing_map.frame.size(), 0)) {
   const Limits straight = problem.robot.straight();
   unit_s_ = lattice_.unit_m() / straight.speed;
   overhead_ =
       static_cast<std::uint32_t>(std::min<double>(endless, straight.speed / straight.acceleration / unit_s_));
-  const auto place = [&](std::size_t c) { return site.frame.centre(site.frame.cell(c)); };
+  const auto place = [&](std::size_t c) { return firing_map.frame.centre(firing_map.frame.cell(c)); };
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < site.frame.size(); ++c) {
+  for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
     const double way = distance(place(c), problem.start.position);
     if (way < nearest) home_ = c;
     nearest = std::min(nearest, way);
@@ -104,9 +105,9 @@ Relaxed::Relaxed(const GuardProblem& problem, const Site& site, const std::vecto
   to_home_s_ = 2.0 * nearest / straight.speed;
   parallel_for(targets.size(), [&](std::size_t i) {
     const std::size_t t = targets[i];
-    for (std::size_t c = 0; c < site.frame.size(); ++c) {
-      if (site.regions[t].pitch[c] == FiringRegion::no_shot) continue;
-      const double units = least_flight(site.rules, problem.targets[t], place(c)) / unit_s_;
+    for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
+      if (firing_map.regions[t].pitch[c] == FiringRegion::no_shot) continue;
+      const double units = least_flight(firing_map.rules, problem.targets[t], place(c)) / unit_s_;
       flight_[i][c] = static_cast<std::uint16_t>(std::min<double>(endless - 1, units));
       least_[i] = std::min(least_[i], flight_[i][c]);
     }
@@ -129,9 +130,9 @@ Field Relaxed::arrived(std::size_t set) const {
 /// than the lesser of 2 d / v, the chord of the true time up to v^2 / a, and d / v + v / a, the time beyond.
 void Relaxed::drive(Field& value) const {
   Field driven = value;
-  lattice_.spread(driven, 1);
+  lattice_.error_ratio(driven, 1);
   for (std::size_t c = 0; c < value.size(); ++c) driven[c] = std::min(value[c], sum(driven[c], overhead_));
-  lattice_.spread(value, 2, &driven);
+  lattice_.error_ratio(value, 2, &driven);
   for (std::size_t c = 0; c < value.size(); ++c) value[c] = std::min(value[c], driven[c]);
 }
 
@@ -218,13 +219,14 @@ std::optional<std::size_t> Relaxed::hardest() const {
 
 }  // namespace
 
-double mission_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets,
-                     const GuardOptions& options, const Budget& budget) {
+double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                     const std::vector<std::size_t>& targets, const GuardOptions& options,
+                     const Budget& budget) {
   const double room = 0.5 * static_cast<double>(options.memory_mib) * 1048576.0;
-  const double field = sizeof(std::uint16_t) * static_cast<double>(site.frame.size());
+  const double field = sizeof(std::uint16_t) * static_cast<double>(firing_map.frame.size());
   const std::size_t most = options.prove ? most_chosen : usual_chosen;
   BudgetMeter meter(budget);
-  Relaxed relaxed(problem, site, targets);
+  Relaxed relaxed(problem, firing_map, targets);
   while (relaxed.chosen() < most && std::ldexp(field, static_cast<int>(relaxed.chosen()) + 1) <= room) {
     const auto next = relaxed.hardest();
     if (!next || !relaxed.choose(*next, meter, budget.stop)) break;

@@ -17,7 +17,7 @@ constexpr double good_rate = 0.85;      // least hit rate of a shot that is plan
 /// Everything that solving over one set of cells after another has in common.
 struct Drafting {
   const GuardProblem& problem;
-  const Site& site;
+  const FiringMap& firing_map;
   const GuardOptions& options;
   const Budget& budget;
   ShotBook& book;
@@ -25,7 +25,9 @@ struct Drafting {
   std::vector<std::size_t> targets;  // by goal
   std::vector<std::size_t> needed;   // cells that are always among the stops
 
-  [[nodiscard]] Vec2 place(std::size_t cell) const { return site.frame.centre(site.frame.cell(cell)); }
+  [[nodiscard]] Vec2 place(std::size_t cell) const {
+    return firing_map.frame.centre(firing_map.frame.cell(cell));
+  }
 };
 
 tl::unexpected<Fault> cancelled() {
@@ -43,29 +45,31 @@ Status fill(const Drafting& drafting, const std::vector<std::size_t>& cells) {
       if (added) missing.push_back(entry);
     }
   }
-  const Site& site = drafting.site;
-  const auto pitches = pitch_lattice(site.rules);
+  const FiringMap& firing_map = drafting.firing_map;
+  const auto pitches = pitch_lattice(firing_map.rules);
   const bool done = parallel_for(missing.size(), drafting.budget.stop, [&](std::size_t i) {
     const auto [cell, t] = missing[i]->first;
-    missing[i]->second = best_shot(site.rules, site.space(t), drafting.problem.targets[t],
-                                   drafting.place(cell), pitches[site.regions[t].pitch[cell]]);
+    missing[i]->second = best_shot(firing_map.rules, firing_map.space(t), drafting.problem.targets[t],
+                                   drafting.place(cell), pitches[firing_map.regions[t].pitch[cell]]);
   });
   return done ? Status{} : Status(cancelled());
 }
 
-/// The cell of a target's region with the least spread from which it has an exact shot, which joins the book.
+/// The cell of a target's region with the least error_ratio from which it has an exact shot, which joins the
+/// book.
 std::optional<std::size_t> any_cell_with_shot(Drafting& drafting, std::size_t t) {
-  const FiringRegion& region = drafting.site.regions[t];
+  const FiringRegion& region = drafting.firing_map.regions[t];
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < region.pitch.size(); ++i) {
     if (region.pitch[i] != FiringRegion::no_shot) cells.push_back(i);
   }
-  std::stable_sort(cells.begin(), cells.end(),
-                   [&](std::size_t a, std::size_t b) { return region.spread[a] < region.spread[b]; });
+  std::stable_sort(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+    return region.error_ratio[a] < region.error_ratio[b];
+  });
   for (const std::size_t cell : cells) {
     if (drafting.budget.stop.stop_requested()) return std::nullopt;
-    const auto shot = best_shot(drafting.site.rules, drafting.site.space(t), drafting.problem.targets[t],
-                                drafting.place(cell), 0.0);
+    const auto shot = best_shot(drafting.firing_map.rules, drafting.firing_map.space(t),
+                                drafting.problem.targets[t], drafting.place(cell), 0.0);
     if (!shot) continue;
     drafting.book[{cell, t}] = shot;
     drafting.hits.add(cell, t);
@@ -126,7 +130,7 @@ Outcome<Draft> solve_over(const Drafting& drafting, const std::vector<std::size_
     draft.cells.push_back(cell);
     places.push_back(drafting.place(cell));
   }
-  const auto routes = site_routes(problem, drafting.site, places, drafting.budget);
+  const auto routes = yard_routes(problem, drafting.firing_map, places, drafting.budget);
   if (!routes) return tl::unexpected(routes.error());
 
   TourProblem& tour = draft.offered;
@@ -197,9 +201,10 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
     cells.push_back(draft.cells[visit.stop]);
     around.push_back(drafting.place(cells.back()));
   }
-  const double tile = 2.0 * drafting.site.frame.resolution_m;
+  const double tile = 2.0 * drafting.firing_map.frame.resolution_m;
   const auto most = static_cast<std::size_t>(drafting.options.stops);
-  for (const std::size_t cell : choose_stops(drafting.site, drafting.hits, tile, most, around, near_m)) {
+  for (const std::size_t cell :
+       choose_stops(drafting.firing_map, drafting.hits, tile, most, around, near_m)) {
     cells.push_back(cell);
   }
   std::sort(cells.begin(), cells.end());
@@ -209,16 +214,16 @@ std::vector<std::size_t> cells_near(const Drafting& drafting, const Draft& draft
 
 }  // namespace
 
-Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
-                          const Budget& budget, ShotBook& book) {
-  Drafting drafting{problem, site, options, budget, book, sure_hits(problem, site), {}, {}};
-  for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    if (site.regions[t].hits > 0) drafting.targets.push_back(t);
+Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
+                          const GuardOptions& options, const Budget& budget, ShotBook& book) {
+  Drafting drafting{problem, firing_map, options, budget, book, sure_hits(problem, firing_map), {}, {}};
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (firing_map.regions[t].hits > 0) drafting.targets.push_back(t);
   }
   auto most = static_cast<std::size_t>(options.stops);
   // Among fewer stops a search finds better which parts of the yard to go to; near these it then gets all.
   if (drafting.targets.size() > most_alone) most = most * 2 / 5;
-  auto cells = choose_stops(site, drafting.hits, coarse_tile_m, most, {}, 0.0);
+  auto cells = choose_stops(firing_map, drafting.hits, coarse_tile_m, most, {}, 0.0);
   if (auto ok = cover_all(drafting, cells); !ok) return pass_on(ok);
   auto best = solve_over(drafting, cells);
   for (std::int64_t i = 0; best && i < options.refinements; ++i) {

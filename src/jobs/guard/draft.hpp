@@ -1,4 +1,4 @@
-// Drafts: the best tours over some cells of a site, with the shots that make them up.
+// Drafts: the best tours over some cells of a firing_map, with the shots that make them up.
 #pragma once
 
 #include <map>
@@ -24,10 +24,10 @@ struct Draft {
   Tour tour;
 };
 
-/// The best tour found by looking at a spread of stops first, then closer around the stops of the best
+/// The best tour found by looking at a error_ratio of stops first, then closer around the stops of the best
 /// tour, again and again until that no longer helps. Over the stops looked at last the tour then gets its
 /// bound, and is improved once more where that finds a better one. `book` holds the shot of each hit.
-Outcome<Draft> draft_tour(const GuardProblem& problem, const Site& site, const GuardOptions& options,
-                          const Budget& budget, ShotBook& book);
+Outcome<Draft> draft_tour(const GuardProblem& problem, const FiringMap& firing_map,
+                          const GuardOptions& options, const Budget& budget, ShotBook& book);
 
 }  // namespace outrider

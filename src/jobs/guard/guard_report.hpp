@@ -7,7 +7,7 @@ namespace outrider {
 
 /// The yard as it really is.
 const GuardProblem& true_problem(const GuardRun& run);
-const Site& true_site(const GuardRun& run);
+const FiringMap& true_map(const GuardRun& run);
 /// What the simulated robot is told of the intruders.
 TargetSimParams target_params(const GuardRun& run);
 

@@ -19,24 +19,24 @@ namespace outrider {
 namespace {
 
 /// The yard is still, or intruders come, or walk about, or those who are hit may survive.
-Outcome<Report> carry_out(const GuardScenario& scenario, const Site& site, const GuardPlan& plan,
+Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing_map, const GuardPlan& plan,
                           const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const GuardProblem& problem = scenario.problem;
   const ArrivalOptions& arrivals = scenario.arrivals;
   if (scenario.wander.any()) {
-    return simulate_moving_targets(problem, site, scenario.preferences, scenario.history, scenario.wander,
-                                   scenario.options, seed, watch);
+    return simulate_moving_targets(problem, firing_map, scenario.preferences, scenario.history,
+                                   scenario.wander, scenario.options, seed, watch);
   }
   if (arrivals.any()) {
-    return simulate_arriving_targets(problem, site, plan, scenario.intruders, arrivals, scenario.options,
-                                     seed, watch);
+    return simulate_arriving_targets(problem, firing_map, plan, scenario.intruders, arrivals,
+                                     scenario.options, seed, watch);
   }
   if (arrivals.leave < 1.0) {
-    return simulate_surviving_targets(problem, site, plan, arrivals, scenario.options, seed, watch);
+    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, watch);
   }
   return run_guard({.problem = problem,
-                    .site = site,
+                    .firing_map = firing_map,
                     .plan = plan,
                     .options = scenario.options,
                     .seed = seed,
@@ -56,24 +56,26 @@ Report exploring_of(Report report) {
 }
 
 Run finished(Report report, double planning_s, const GuardScenario& scenario, const GuardProblem& problem,
-             const Site& site) {
+             const FiringMap& firing_map) {
   report.machine_times.insert(report.machine_times.begin(), {"planning_s", planning_s});
   Run run{std::move(report)};
   if (run.report.explore) run.parts.push_back(exploring_of(run.report));
-  if (scenario.regions) run.files.push_back({"firing_regions.svg", regions_svg(problem, site)});
+  if (scenario.regions) run.files.push_back({"firing_regions.svg", regions_svg(problem, firing_map)});
   return run;
 }
 
 /// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
 /// from the start and leaves when hit; else the mission goes to them as it must. Walkers need no plan of it.
 Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardProblem& problem,
-                                   const Site& site, const GuardPlanner& planner, const RunWatch& watch) {
-  if (auto ok = check_supplies(problem, site); !ok) return pass_on(ok);
+                                   const FiringMap& firing_map, const GuardPlanner& planner,
+                                   const RunWatch& watch) {
+  if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   if (scenario.wander.any()) return GuardPlan{};
-  auto plan = planner.plan(problem, site, scenario.options, watch.budget());
+  auto plan = planner.plan(problem, firing_map, scenario.options, watch.budget());
   if (!plan || scenario.arrivals.any() || scenario.arrivals.leave < 1.0) return plan;
-  plan = supply_plan(problem, site, std::move(*plan), watch.budget());
-  if (plan && scenario.options.shoot_on_the_move) plan = shoot_in_passing(problem, site, *plan, watch.stop);
+  plan = supply_plan(problem, firing_map, std::move(*plan), watch.budget());
+  if (plan && scenario.options.shoot_on_the_move)
+    plan = shoot_in_passing(problem, firing_map, *plan, watch.stop);
   return plan;
 }
 
@@ -84,18 +86,18 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
   // Who walks about is not shot at by the regions of where it stood first.
   const bool needs_regions = !scenario.wander.any() || scenario.regions;
-  auto site = survey(scenario.problem, scenario.options, watch.budget(),
-                     needs_regions ? RegionSearch::proven : RegionSearch::none);
-  if (!site) return pass_on(site);
+  auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
+                                     needs_regions ? RegionSearch::proven : RegionSearch::none);
+  if (!firing_map) return pass_on(firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
-  auto plan = plan_still_yard(scenario, scenario.problem, *site, planner, watch);
+  auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch);
   if (!plan) return pass_on(plan);
   const double planned_s = wall_s();
   if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
-  auto report = carry_out(scenario, *site, *plan, steps.inner());
+  auto report = carry_out(scenario, *firing_map, *plan, steps.inner());
   if (!report) return pass_on(report);
   if (report->sim) report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
-  return finished(std::move(*report), planned_s - began_s, scenario, scenario.problem, *site);
+  return finished(std::move(*report), planned_s - began_s, scenario, scenario.problem, *firing_map);
 }
 
 /// Plans and shoots on what was found.
@@ -103,19 +105,19 @@ Outcome<Run> guard_found_yard(const GuardScenario& scenario, const GuardPlanner&
                               RunSteps& steps, const RunWatch& watch) {
   if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
   const double began_s = wall_s();
-  const auto site = survey(yard.found.problem, scenario.options, watch.budget());
-  if (!site) return tl::unexpected<Fault>(site.error());
-  yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *site);
+  const auto firing_map = build_firing_map(yard.found.problem, scenario.options, watch.budget());
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
   const GuardProblem found = yard.found.problem;
-  const auto plan = plan_still_yard(scenario, found, *site, planner, watch);
+  const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
   if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  auto report = run_guard_on_map(scenario.problem, std::move(yard), *site, *plan, scenario.options, seed,
-                                 steps.inner());
+  auto report = run_guard_on_map(scenario.problem, std::move(yard), *firing_map, *plan, scenario.options,
+                                 seed, steps.inner());
   if (!report) return pass_on(report);
-  return finished(std::move(*report), planning_s, scenario, found, *site);
+  return finished(std::move(*report), planning_s, scenario, found, *firing_map);
 }
 
 /// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps

@@ -35,8 +35,8 @@ constexpr std::size_t ring = 32;  // above the weight of any move, twice
 /// Which dual squares are open. Square (x, y) has the centre of cell (x, y) as its lowest corner.
 class Squares {
  public:
-  Squares(const Site& site, double radius_m) : site_(site) {
-    const double step = site.frame.resolution_m;
+  Squares(const FiringMap& firing_map, double radius_m) : site_(firing_map) {
+    const double step = firing_map.frame.resolution_m;
     // A robot so small that it leaves the hull of the centres: nothing stands in the way.
     least_ = radius_m < 0.5 * step ? -1e30 : radius_m - std::sqrt(0.5) * step - 1e-6;
   }
@@ -63,28 +63,28 @@ class Squares {
   }
 
  private:
-  const Site& site_;
+  const FiringMap& site_;
   double least_ = 0.0;
 };
 
 }  // namespace
 
-Lattice::Lattice(const Site& site, double radius_m)
-    : moves_(site.frame.size(), 0), unit_m_(site.frame.resolution_m / (5.0 * std::sqrt(1.04))) {
-  const Squares squares(site, radius_m);
+Lattice::Lattice(const FiringMap& firing_map, double radius_m)
+    : moves_(firing_map.frame.size(), 0), unit_m_(firing_map.frame.resolution_m / (5.0 * std::sqrt(1.04))) {
+  const Squares squares(firing_map, radius_m);
   for (std::size_t d = 0; d < directions; ++d) {
-    step_[d] = static_cast<std::ptrdiff_t>(moves[d].by.y) * site.frame.width + moves[d].by.x;
+    step_[d] = static_cast<std::ptrdiff_t>(moves[d].by.y) * firing_map.frame.width + moves[d].by.x;
   }
   for (std::size_t c = 0; c < moves_.size(); ++c) {
     for (std::size_t d = 0; d < directions; ++d) {
-      if (squares.allow(site.frame.cell(c), moves[d].by)) {
+      if (squares.allow(firing_map.frame.cell(c), moves[d].by)) {
         moves_[c] = static_cast<std::uint16_t>(moves_[c] | 1U << d);
       }
     }
   }
 }
 
-void Lattice::spread(Field& field, std::uint32_t scale, const Field* ceiling) const {
+void Lattice::error_ratio(Field& field, std::uint32_t scale, const Field* ceiling) const {
   std::vector<std::uint32_t> first(std::size_t{endless} + 1, 0);  // value -> its first seed
   for (const std::uint16_t value : field) ++first[value];
   std::exclusive_scan(first.begin(), first.end(), first.begin(), std::uint32_t{0});

@@ -1,4 +1,4 @@
-// Lattice: from below, how far the robot drives between the cells of a site, around the obstacles.
+// Lattice: from below, how far the robot drives between the cells of a firing_map, around the obstacles.
 //
 // Vertices are the centres of cells. A dual square, between four of them, is open when some point of it
 // may be free: one of its corners has a clearance of the radius less half the diagonal. So every drive
@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 namespace outrider {
 
@@ -28,14 +28,14 @@ inline constexpr std::uint16_t endless = 65535;
 
 class Lattice {
  public:
-  Lattice(const Site& site, double radius_m);
+  Lattice(const FiringMap& firing_map, double radius_m);
 
   /// No drive of one unit is shorter, m.
   [[nodiscard]] double unit_m() const { return unit_m_; }
   /// Lowers each value until none exceeds another by more than `scale` times the weight of the moves
   /// between them; a value that would not fall below its `ceiling` is left alone and goes no further. The
   /// sums saturate. Dijkstra's algorithm with buckets (Dial, 1969): O(cells + largest value).
-  void spread(Field& field, std::uint32_t scale, const Field* ceiling = nullptr) const;
+  void error_ratio(Field& field, std::uint32_t scale, const Field* ceiling = nullptr) const;
 
  private:
   static constexpr std::size_t directions = 16;

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "guard_report.hpp"
-#include "outrider/jobs/guard/watch_bound.hpp"
+#include "outrider/jobs/guard/arrival_bound.hpp"
 
 namespace outrider {
 namespace {
@@ -80,8 +80,8 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const Report& r
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
                         const Report& report, const SimRecord& record) {
-  const WatchBound bound = watch_bound(run.arrivals->yard);
-  const bool makespan = run.arrivals->objective == WatchObjective::makespan;
+  const ArrivalBound bound = arrival_bound(run.arrivals->yard);
+  const bool makespan = run.arrivals->objective == ArrivalObjective::makespan;
   Metrics metrics = {{"targets", tally.targets},
                      {"reached", tally.reached},
                      {"failed", tally.failed},

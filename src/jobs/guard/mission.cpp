@@ -4,14 +4,14 @@
 
 namespace outrider {
 
-GuardMission::GuardMission(const GuardProblem& problem, const Site& site, const GuardPlan& plan)
-    : tasks(tasks_of(problem, plan)), problem_(&problem), site_(&site) {}
+GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
+    : tasks(tasks_of(problem, plan)), problem_(&problem), site_(&firing_map) {}
 
 GuardMission::GuardMission(const ArrivalPlan& plan)
-    : tasks(tasks_of(plan)), problem_(&plan.yard.problem), site_(&plan.yard.site), arrivals_(&plan) {}
+    : tasks(tasks_of(plan)), problem_(&plan.yard.problem), site_(&plan.yard.firing_map), arrivals_(&plan) {}
 
 GuardMission::GuardMission(const MovingPlan& plan)
-    : moving(begin_moving(plan)), problem_(&plan.problem), site_(&plan.site), walkers_(&plan) {
+    : moving(begin_moving(plan)), problem_(&plan.problem), site_(&plan.firing_map), walkers_(&plan) {
   tasks.records.resize(plan.problem.targets.size());
 }
 

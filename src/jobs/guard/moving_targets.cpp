@@ -44,7 +44,7 @@ void note_seen(MovingTargets& targets, const Observation& seen, const WanderOpti
 /// `options.chance` as soon as that is certain to be too much.
 double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size_t who, const LedShot& led,
                  Vec2 position, Rng rng) {
-  const ShotRules& rules = plan.site.rules;
+  const ShotRules& rules = plan.firing_map.rules;
   const Stride stride = stride_of(targets.tracks[who], plan.options);
   std::size_t hits = 0;
   for (std::size_t i = 0; i < flown; ++i) {
@@ -54,8 +54,8 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
     shot.pitch_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
     shot.speed_mps *= 1.0 + rules.errors.speed_ratio * rng.uniform(-1.0, 1.0);
     const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse);
-    hits += fly_at(flight, rules.gun.ball_radius_m, plan.site.space(who), plan.problem.targets[who], walk,
-                   led.fires_s, rules.floor_z_m)
+    hits += fly_at(flight, rules.gun.ball_radius_m, plan.firing_map.space(who), plan.problem.targets[who],
+                   walk, led.fires_s, rules.floor_z_m)
                     .hit
                 ? 1U
                 : 0U;
@@ -92,11 +92,11 @@ std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& task
     if (!is_wanted(targets, tasks, who)) continue;
     const Stride stride = stride_of(targets.tracks[who], plan.options);
     const Walk walk = straight_on(stride, seen.time_s + flight_horizon_s);
-    const double soonest_s =
-        soonest_meeting_s(plan.site.rules, plan.problem.targets[who], walk, norm(stride.velocity_mps), seen);
+    const double soonest_s = soonest_meeting_s(plan.firing_map.rules, plan.problem.targets[who], walk,
+                                               norm(stride.velocity_mps), seen);
     if (is_out_of_range(plan, who, walk, seen) || (best && best->meets_s <= soonest_s)) continue;
-    const auto led = led_shot(plan.site.rules, plan.site.space(who), plan.problem.targets[who], walk,
-                              seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
+    const auto led = led_shot(plan.firing_map.rules, plan.firing_map.space(who), plan.problem.targets[who],
+                              walk, seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
     if (!led || (best && best->meets_s <= led->meets_s)) continue;
     const double chance = chance_of(targets, plan, who, *led, seen.odometry.position, rng.child(who));
     if (chance < plan.options.chance) continue;
@@ -167,16 +167,16 @@ double expected_wait(const std::vector<char>& hit_from_here, const std::vector<s
 std::size_t best_stop(const MovingTargets& targets, const StopTasks& tasks, const Observation& seen,
                       const MovingPlan& plan, const Rng& rng) {
   const auto all = imagine(targets, tasks, seen.time_s, plan, rng);
-  const Outlook& outlook = plan.stops;
+  const PrecomputedStops& precomputed = plan.stops;
   std::size_t best = targets.stop;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < outlook.stops.size(); ++i) {
+  for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {
     const std::size_t stop = i == 0 ? targets.stop : i == targets.stop ? 0 : i;  // this one first
     std::vector<char> hit_from_here(targets.map.regions.size(), 0);
-    for (const Service& service : outlook.table.services[stop]) hit_from_here[service.goal] = 1;
+    for (const Service& service : precomputed.table.services[stop]) hit_from_here[service.goal] = 1;
     double there_s = seen.time_s + plan.options.look_s;
     if (stop != targets.stop) {
-      const Drive drive = outlook.routes.between(targets.stop, stop);
+      const Drive drive = precomputed.routes.between(targets.stop, stop);
       if (!std::isfinite(drive.time_s)) continue;
       there_s = seen.time_s + drive.time_s +
                 duration(std::abs(wrap_angle(drive.departure_rad - seen.odometry.heading_rad)),
@@ -200,7 +200,7 @@ void give_up(StopTasks& tasks, double now_s, const WanderOptions& options) {
 
 }  // namespace
 
-Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
+Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& firing_map, const VisitMap& map,
                                 const GuardOptions& options, const WanderOptions& wander,
                                 const Budget& budget) {
   GuardProblem regions = problem;
@@ -208,23 +208,23 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, c
   for (const Vec2 region : map.regions) {
     Target target = moved_to(problem.targets.front(), region);
     target.name = fmt::format("region_{}", regions.targets.size());
-    target.base.z = site.rules.floor_z_m;
+    target.base.z = firing_map.rules.floor_z_m;
     regions.targets.push_back(std::move(target));
   }
   GuardOptions coarse = options;
   // Stops need not be finer than that beside regions 1.5 m apart; in air each place takes far longer.
   coarse.resolution_m = std::max(options.resolution_m, problem.air.none() ? 0.2 : 0.3);
   // In air it takes long to prove that a region cannot be hit, and a stop is all that a proof could find.
-  auto surveyed =
-      survey(regions, coarse, budget, problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
+  auto surveyed = build_firing_map(regions, coarse, budget,
+                                   problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
   if (!surveyed) return pass_on(surveyed);
-  auto outlook = look_out(regions, *surveyed, {}, {}, budget);
-  if (!outlook) return pass_on(outlook);
+  auto precomputed = precompute_stops(regions, *surveyed, {}, {}, budget);
+  if (!precomputed) return pass_on(precomputed);
   std::vector<double> longest_m;
   if (!problem.air.none()) {
-    for (const Target& target : problem.targets) longest_m.push_back(longest_range(site.rules, target));
+    for (const Target& target : problem.targets) longest_m.push_back(longest_range(firing_map.rules, target));
   }
-  return MovingPlan{problem, site, map, std::move(*outlook), wander, std::move(longest_m)};
+  return MovingPlan{problem, firing_map, map, std::move(*precomputed), wander, std::move(longest_m)};
 }
 
 MovingTargets begin_moving(const MovingPlan& plan) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double moment_s = 0.2;
 constexpr double settle_s = 0.1;       // that the gun is in its place before a shot
-constexpr double forgiving = 0.7;      // largest spread
+constexpr double forgiving = 0.7;      // largest error_ratio
 constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
 
 /// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
@@ -52,7 +52,7 @@ bool survives(const ShotRules& rules, const FlightSpace& space, const Target& ta
 
 struct Candidate {
   Aimed aimed;
-  double spread = 0.0;
+  double error_ratio = 0.0;
 };
 
 /// The shots at the target's centre that forgive enough, the soonest there first.
@@ -64,7 +64,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
     if (!aimed && before) aimed = aim_through(rules, platform, pitch, target.centre());
     before = aimed;
     if (!aimed) continue;
-    const double off = spread(rules, target, *aimed);
+    const double off = error_ratio(rules, target, *aimed);
     if (off <= forgiving) found.push_back({*aimed, off});
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
@@ -87,7 +87,7 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                      *touch,
                      flight.position(*touch),
                      space.clearance(flight, radius, *touch, 1.0).distance_m,
-                     candidate.spread,
+                     candidate.error_ratio,
                      true,
                      1.0};
 }
@@ -152,20 +152,23 @@ GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<Passing
   return {wrap_angle(last.shot.gun.yaw_rad - heading), last.shot.gun.pitch_rad};
 }
 
-std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Site& site, std::size_t target,
-                                        const Straight& straight, bool last, double after_s) {
+std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
+                                        std::size_t target, const Straight& straight, bool last,
+                                        double after_s) {
   const Target& aim = problem.targets[target];
   const Platform platform = platform_on(problem.robot, straight.from, straight.to, after_s);
-  const Cell cell = site.frame.cell_at(platform.position);
-  if (!site.frame.contains(cell) || !clear_of(site.rules, aim, platform.position)) return std::nullopt;
-  if (site.regions[target].pitch[site.frame.index(cell)] == FiringRegion::no_shot) return std::nullopt;
+  const Cell cell = firing_map.frame.cell_at(platform.position);
+  if (!firing_map.frame.contains(cell) || !clear_of(firing_map.rules, aim, platform.position))
+    return std::nullopt;
+  if (firing_map.regions[target].pitch[firing_map.frame.index(cell)] == FiringRegion::no_shot)
+    return std::nullopt;
 
-  const FlightSpace& space = site.space(target);
+  const FlightSpace& space = firing_map.space(target);
   const auto strayed = strayed_platforms(problem, straight, last, after_s);
-  const auto shots = candidates(site.rules, aim, platform);
+  const auto shots = candidates(firing_map.rules, aim, platform);
   for (std::size_t i = 0; i < std::min(shots.size(), most_flown); ++i) {
-    const auto shot = flown(site.rules, space, aim, platform, shots[i]);
-    if (shot && survives(site.rules, space, aim, shot->shot, strayed)) return shot;
+    const auto shot = flown(firing_map.rules, space, aim, platform, shots[i]);
+    if (shot && survives(firing_map.rules, space, aim, shot->shot, strayed)) return shot;
   }
   return std::nullopt;
 }

@@ -51,8 +51,9 @@ std::vector<Choice> lighter(const Choice& choice) {
 /// Makes plans of choices.
 class Assembly {
  public:
-  Assembly(const GuardProblem& problem, const Site& site, const GuardPlan& plan, const Routes& routes)
-      : problem_(problem), site_(site), plan_(plan), routes_(routes), passing_(problem, site) {}
+  Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
+           const Routes& routes)
+      : problem_(problem), site_(firing_map), plan_(plan), routes_(routes), passing_(problem, firing_map) {}
 
   /// Nothing when some target cannot be hit in passing.
   std::optional<GuardPlan> plan_of(const Choice& choice) {
@@ -100,7 +101,7 @@ class Assembly {
   }
 
   const GuardProblem& problem_;
-  const Site& site_;
+  const FiringMap& site_;
   const GuardPlan& plan_;
   const Routes& routes_;
   PassingShots passing_;
@@ -109,7 +110,7 @@ class Assembly {
 
 }  // namespace
 
-GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop) {
   GuardPlan best = plan;
   std::vector<std::size_t> targets;
@@ -119,14 +120,14 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const 
     for (const PlannedHit& hit : planned.hits) targets.push_back(hit.target);
   }
   best.expected_s.reset();
-  best.lower_bound_s = moving_bound(problem, site, targets);
+  best.lower_bound_s = moving_bound(problem, firing_map, targets);
   best.anywhere_lower_bound_s = best.lower_bound_s;
   best.tour_proven = false;
   best.stops_offered = 0;
   const GuardPlan standing = best;
-  if (targets.empty() || fills || site.rules.terrain || !standing.routes) return best;
+  if (targets.empty() || fills || firing_map.rules.terrain || !standing.routes) return best;
 
-  Assembly assembly(problem, site, standing, *standing.routes);
+  Assembly assembly(problem, firing_map, standing, *standing.routes);
   Choice choice = choice_of(plan);
   for (bool shorter = true; std::exchange(shorter, false);) {
     Choice chosen;
@@ -143,9 +144,10 @@ GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const 
   return best;
 }
 
-double moving_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets) {
-  if (!site.rules.air.none()) return 0.0;
-  ShotRules fastest = site.rules;
+double moving_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                    const std::vector<std::size_t>& targets) {
+  if (!firing_map.rules.air.none()) return 0.0;
+  ShotRules fastest = firing_map.rules;
   fastest.gun.muzzle_speed_mps += problem.robot.speed_mps;
   double bound = 0.0;
   for (const std::size_t t : targets) {

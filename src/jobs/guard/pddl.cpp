@@ -24,11 +24,11 @@ std::string plain(double value) {
 struct Ends {
   bool water;
   bool charge;
-  bool fillers;
+  bool stations;
   explicit Ends(const SupplyProblem& problem)
       : water(std::isfinite(problem.water)),
         charge(std::isfinite(problem.charge)),
-        fillers(!problem.fillers.empty()) {}
+        stations(!problem.stations.empty()) {}
 };
 
 constexpr const char* head = R"(; The mission of a robot with a water gun, as durative actions.
@@ -80,7 +80,7 @@ std::string shoot_action(const Ends& ends) {
   std::vector<std::string> effects{"at start (not (waits ?t))", "at end (hit ?t)",
                                    "at end (assign (gun-yaw) (shot-yaw ?p ?t))",
                                    "at end (assign (gun-pitch) (shot-pitch ?p ?t))"};
-  if (ends.fillers) effects.emplace_back("at start (not (rested))");
+  if (ends.stations) effects.emplace_back("at start (not (rested))");
   if (ends.water) {
     conditions.emplace_back("at start (>= (water) (shot-water))");
     effects.emplace_back("at start (decrease (water) (shot-water))");
@@ -107,7 +107,7 @@ std::string rest_action(const Ends& ends) {
 std::string fill_action(Store store) {
   const std::string what(to_string(store));
   return action(
-      pddl_fill(store), "?f - filler ?p - pose",
+      pddl_fill(store), "?f - station ?p - pose",
       fmt::format("(= ?duration (+ (fill-time ?f) (* (fill-time-per-unit ?f) (- (full-{0}) ({0})))))", what),
       {"at start (robot-at ?p)", fmt::format("at start (gives-{} ?f ?p)", what), "at start (rested)"},
       {fmt::format("at end (assign ({0}) (full-{0}))", what)});
@@ -126,24 +126,24 @@ std::string beginning(const TemporalProblem& problem, const Ends& ends, const Pd
   for (const WayRound way : {WayRound::direct, WayRound::plus, WayRound::minus}) {
     text += value(fmt::format("full-turn {}", pddl_name(way)), turn_of(way));
   }
-  if (ends.fillers) text += "    (rested)\n";
+  if (ends.stations) text += "    (rested)\n";
   if (ends.water) text += value("water", supplies.water) + value("shot-water", supplies.water_per_shot);
   if (ends.charge) {
     text += value("charge", supplies.charge) + value("shot-charge", supplies.charge_per_shot) +
             value("power", supplies.charge_per_second);
   }
-  for (std::size_t f = 0; f < supplies.fillers.size(); ++f) {
-    const Filler& filler = supplies.fillers[f];
-    const std::string store(to_string(filler.store));
-    text += value("fill-time " + names.fillers[f], filler.fixed_s) +
-            value("fill-time-per-unit " + names.fillers[f], filler.per_unit_s);
+  for (std::size_t f = 0; f < supplies.stations.size(); ++f) {
+    const TourStation& station = supplies.stations[f];
+    const std::string store(to_string(station.store));
+    text += value("fill-time " + names.stations[f], station.fixed_s) +
+            value("fill-time-per-unit " + names.stations[f], station.per_unit_s);
     for (std::size_t p = 0; p < problem.poses.size(); ++p) {
-      if (problem.poses[p].stop != filler.stop) continue;
-      text += fmt::format("    (gives-{} {} {})\n", store, names.fillers[f], names.poses[p]);
+      if (problem.poses[p].stop != station.stop) continue;
+      text += fmt::format("    (gives-{} {} {})\n", store, names.stations[f], names.poses[p]);
     }
   }
-  if (ends.fillers && ends.water) text += value("full-water", supplies.water);
-  if (ends.fillers && ends.charge) text += value("full-charge", supplies.charge);
+  if (ends.stations && ends.water) text += value("full-water", supplies.water);
+  if (ends.stations && ends.charge) text += value("full-charge", supplies.charge);
   for (const std::string& target : names.targets) text += fmt::format("    (waits {})\n", target);
   return text;
 }
@@ -187,7 +187,7 @@ std::string comments(const TemporalProblem& problem, const PddlNotes& notes, con
     text += fmt::format("; t{} is {}\n", g, excerpt(notes.targets[g]));
   for (std::size_t f = 0; f < notes.stations.size(); ++f) {
     text += fmt::format("; f{} is {}, which gives {}\n", f, excerpt(notes.stations[f]),
-                        to_string(problem.supplies.fillers[f].store));
+                        to_string(problem.supplies.stations[f].store));
   }
   for (std::size_t p = 0; p < problem.poses.size() && !notes.places.empty(); ++p) {
     const Vec2 place = notes.places[problem.poses[p].stop];
@@ -207,14 +207,14 @@ std::string objects(const std::vector<std::string>& names, const char* type) {
 std::string pddl_domain(const TemporalProblem& problem) {
   const Ends ends(problem.supplies);
   std::string text = head;
-  text += ends.fillers ? "  (:types pose target way filler)\n" : "  (:types pose target way)\n";
+  text += ends.stations ? "  (:types pose target way station)\n" : "  (:types pose target way)\n";
   text +=
       "  (:constants direct plus minus - way)\n  (:predicates (free) (robot-at ?p - pose) (road ?from ?to - "
       "pose)\n"
       "    (sees ?p - pose ?t - target) (waits ?t - target) (hit ?t - target)";
-  if (ends.fillers) text += "\n    (rested)";
-  if (ends.fillers && ends.water) text += " (gives-water ?f - filler ?p - pose)";
-  if (ends.fillers && ends.charge) text += " (gives-charge ?f - filler ?p - pose)";
+  if (ends.stations) text += "\n    (rested)";
+  if (ends.stations && ends.water) text += " (gives-water ?f - station ?p - pose)";
+  if (ends.stations && ends.charge) text += " (gives-charge ?f - station ?p - pose)";
   text +=
       ")\n  (:functions (drive-time ?from ?to - pose) (gun-yaw) (gun-pitch) (yaw-time) (pitch-time)\n"
       "    (full-turn ?w - way) (shot-yaw ?p - pose ?t - target) (shot-pitch ?p - pose ?t - target)\n"
@@ -225,11 +225,11 @@ std::string pddl_domain(const TemporalProblem& problem) {
         "\n    (charge) (full-charge) (shot-charge) (power) (drive-charge ?from ?to - pose) (homeward-charge "
         "?p - pose)";
   }
-  if (ends.fillers) text += "\n    (fill-time ?f - filler) (fill-time-per-unit ?f - filler)";
+  if (ends.stations) text += "\n    (fill-time ?f - station) (fill-time-per-unit ?f - station)";
   text += ")\n" + drive_action(ends) + shoot_action(ends);
-  if (ends.fillers) text += rest_action(ends);
-  if (ends.fillers && ends.water) text += fill_action(Store::water);
-  if (ends.fillers && ends.charge) text += fill_action(Store::charge);
+  if (ends.stations) text += rest_action(ends);
+  if (ends.stations && ends.water) text += fill_action(Store::water);
+  if (ends.stations && ends.charge) text += fill_action(Store::charge);
   return text + ")\n";
 }
 
@@ -238,7 +238,7 @@ std::string pddl_problem(const TemporalProblem& problem, const PddlNotes& notes)
   const PddlNames names(problem);
   std::string text = comments(problem, notes, names);
   text += "(define (problem yard) (:domain guard)\n  (:objects\n" + objects(names.poses, "pose") +
-          objects(names.targets, "target") + objects(names.fillers, "filler") + "  )\n  (:init\n";
+          objects(names.targets, "target") + objects(names.stations, "station") + "  )\n  (:init\n";
   text += beginning(problem, ends, names) + shots(problem, names) + roads(problem, ends, names) +
           "  )\n  (:goal (and";
   for (const std::string& target : names.targets) text += fmt::format(" (hit {})", target);

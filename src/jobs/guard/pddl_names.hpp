@@ -14,7 +14,7 @@ namespace outrider {
 struct PddlNames {
   std::vector<std::string> poses;
   std::vector<std::string> targets;
-  std::vector<std::string> fillers;
+  std::vector<std::string> stations;
 
   explicit PddlNames(const TemporalProblem& problem) {
     std::map<std::size_t, std::size_t> headings;
@@ -22,8 +22,8 @@ struct PddlNames {
       poses.push_back(fmt::format("p{}-{}", pose.stop, headings[pose.stop]++));
     }
     for (std::size_t g = 0; g < problem.supplies.table.goals; ++g) targets.push_back(fmt::format("t{}", g));
-    for (std::size_t f = 0; f < problem.supplies.fillers.size(); ++f)
-      fillers.push_back(fmt::format("f{}", f));
+    for (std::size_t f = 0; f < problem.supplies.stations.size(); ++f)
+      stations.push_back(fmt::format("f{}", f));
   }
 };
 

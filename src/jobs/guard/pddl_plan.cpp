@@ -32,8 +32,8 @@ std::string phrase_of(const TemporalProblem& problem, const PddlNames& names, co
                          pddl_name(action.way));
     case TemporalVerb::rest: return fmt::format("(rest {})", pddl_name(action.way));
     default:
-      return fmt::format("({} {} {})", pddl_fill(problem.supplies.fillers[action.object].store),
-                         names.fillers[action.object], names.poses[action.pose]);
+      return fmt::format("({} {} {})", pddl_fill(problem.supplies.stations[action.object].store),
+                         names.stations[action.object], names.poses[action.pose]);
   }
 }
 
@@ -78,7 +78,7 @@ class Reader {
         names_(problem),
         poses_(index_of(names_.poses)),
         targets_(index_of(names_.targets)),
-        fillers_(index_of(names_.fillers)) {}
+        fillers_(index_of(names_.stations)) {}
 
   Outcome<TemporalAction> action_of(const Parts& parts, const std::string& where) const {
     const auto said = words(parts.phrase);
@@ -99,8 +99,8 @@ class Reader {
     }
     if ((verb == "fill-water" || verb == "fill-charge") && said.size() == 3) {
       action.verb = TemporalVerb::fill;
-      const bool filler = find(fillers_, said[1], action.object);
-      const bool gives = filler && verb == pddl_fill(problem_.supplies.fillers[action.object].store);
+      const bool station = find(fillers_, said[1], action.object);
+      const bool gives = station && verb == pddl_fill(problem_.supplies.stations[action.object].store);
       return both(action, find(poses_, said[2], action.pose), gives, {said[0], said[2], said[1]}, where);
     }
     return bad_input(

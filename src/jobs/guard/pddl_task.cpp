@@ -18,13 +18,13 @@ Outcome<TemporalMission> mission_of(const GuardScenario& scenario, const RunWatc
   if (!planner) return pass_on(planner);
   RunSteps steps(watch, 3);
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  auto site = survey(scenario.problem, scenario.options, watch.budget());
-  if (!site) return pass_on(site);
+  auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget());
+  if (!firing_map) return pass_on(firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
-  auto plan = planner->plan(scenario.problem, *site, scenario.options, watch.budget());
+  auto plan = planner->plan(scenario.problem, *firing_map, scenario.options, watch.budget());
   if (!plan) return pass_on(plan);
   if (auto ok = steps.next("solving the tour of the stops offered"); !ok) return pass_on(ok);
-  return temporal_mission(scenario.problem, *site, *plan, scenario.options,
+  return temporal_mission(scenario.problem, *firing_map, *plan, scenario.options,
                           static_cast<std::size_t>(scenario.pddl.stops), watch.budget());
 }
 

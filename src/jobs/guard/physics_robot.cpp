@@ -29,10 +29,10 @@ double covered_rate(double distance, const Limits& limits, double time_s) {
 
 }  // namespace
 
-PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const Site& site, RigidWorld& bodies,
+PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
                            std::uint64_t seed)
     : problem_(problem),
-      site_(site),
+      site_(firing_map),
       bodies_(bodies),
       wheels_(wheel_base(problem.robot)),
       arrival_rng_(Rng(seed).child("arrival")),

@@ -10,13 +10,14 @@ namespace outrider {
 namespace {
 
 /// The stops of a draft with their shots, still without ways between them.
-std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site, const Draft& draft,
-                                  const ShotBook& book) {
+std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& firing_map,
+                                  const Draft& draft, const ShotBook& book) {
   std::vector<PlannedStop> stops;
   for (const Visit& visit : draft.tour.visits) {
     const std::size_t cell = draft.cells[visit.stop];
     const bool at_start = visit.stop == 0;
-    PlannedStop stop{at_start ? problem.start.position : site.frame.centre(site.frame.cell(cell)), {}, {}};
+    PlannedStop stop{
+        at_start ? problem.start.position : firing_map.frame.centre(firing_map.frame.cell(cell)), {}, {}};
     for (const std::uint32_t goal : visit.goals) {
       const std::size_t target = draft.targets[goal];
       stop.hits.push_back({target, *book.at({cell, target})});
@@ -28,25 +29,26 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site,
 
 }  // namespace
 
-Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, const GuardOptions& options,
-                              const Budget& budget) {
-  GuardPlan plan = begin_plan(problem, site, options);
+Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firing_map,
+                              const GuardOptions& options, const Budget& budget) {
+  GuardPlan plan = begin_plan(problem, firing_map, options);
   if (plan.unreachable.size() == problem.targets.size()) return plan;
 
   ShotBook book;
-  const auto draft = draft_tour(problem, site, options, budget, book);
+  const auto draft = draft_tour(problem, firing_map, options, budget, book);
   if (!draft) return tl::unexpected(draft.error());
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     const auto& planned = draft->targets;
-    if (site.regions[t].hits == 0 || std::find(planned.begin(), planned.end(), t) != planned.end()) continue;
+    if (firing_map.regions[t].hits == 0 || std::find(planned.begin(), planned.end(), t) != planned.end())
+      continue;
     plan.unreachable.push_back({t, "its only shots keep the margin by less than the contact tolerance"});
   }
-  plan.stops = stops_of(problem, site, *draft, book);
+  plan.stops = stops_of(problem, firing_map, *draft, book);
   plan.tour_proven = draft->tour.proven_optimal;
   plan.stops_offered = draft->cells.size() - 1;
-  if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
+  if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
   if (!options.shoot_on_the_move) {  // else shoot_in_passing() has a bound of its own
-    plan.anywhere_lower_bound_s = mission_bound(problem, site, draft->targets, options, budget);
+    plan.anywhere_lower_bound_s = mission_bound(problem, firing_map, draft->targets, options, budget);
   }
   plan.expected_s = draft->tour.cost_s;
   plan.lower_bound_s =

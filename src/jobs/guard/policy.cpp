@@ -7,20 +7,20 @@
 namespace outrider {
 namespace {
 
-std::size_t whenever_someone_enters(const WatchNews& news) {
+std::size_t whenever_someone_enters(const ReplanState& news) {
   return news.idle || news.entered > 0 ? news.inside : 0;
 }
 
 }  // namespace
 
-const std::vector<WatchPolicy>& watch_policies() {
-  static const std::vector<WatchPolicy> policies = {
+const std::vector<ReplanPolicy>& replan_policies() {
+  static const std::vector<ReplanPolicy> policies = {
       {"groups", "When idle, plan for the few who have been inside longest; finish that before the next few.",
        "the reference report's groups of k targets, k being arrivals.group",
-       [](const WatchNews& news) { return news.idle ? std::min(news.inside, news.group) : 0; }},
+       [](const ReplanState& news) { return news.idle ? std::min(news.inside, news.group) : 0; }},
       {"when_idle", "When idle, plan for everybody inside; finish that before looking again.",
        "the gated policy of polling systems, Takagi, 1986",
-       [](const WatchNews& news) { return news.idle ? news.inside : 0; }},
+       [](const ReplanState& news) { return news.idle ? news.inside : 0; }},
       {"each_arrival",
        "Plan anew for everybody inside whenever someone enters, at the next waypoint or after the shot.",
        "re-optimization as in Bertsimas and van Ryzin, Operations Research 39(4), 1991",
@@ -32,8 +32,8 @@ const std::vector<WatchPolicy>& watch_policies() {
   return policies;
 }
 
-Outcome<WatchPolicy> find_watch_policy(std::string_view name) {
-  return find_row(watch_policies(), "policy", name, "arrivals.policy");
+Outcome<ReplanPolicy> find_replan_policy(std::string_view name) {
+  return find_row(replan_policies(), "policy", name, "arrivals.policy");
 }
 
 }  // namespace outrider

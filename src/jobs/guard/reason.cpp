@@ -9,12 +9,13 @@
 
 namespace outrider {
 
-std::string why_unreachable(const GuardProblem& problem, const Site& site, const GuardOptions& options,
-                            std::size_t target) {
-  const Exhausted& proof = *site.proofs[target].exhausted;
+std::string why_unreachable(const GuardProblem& problem, const FiringMap& firing_map,
+                            const GuardOptions& options, std::size_t target) {
+  const Exhausted& proof = *firing_map.proofs[target].exhausted;
   if (proof.places == 0) {
     return fmt::format("no place that can be driven to is within reach of it ({:.1f} m at {:g} m/s)",
-                       longest_range(site.rules, problem.targets[target]), problem.gun.muzzle_speed_mps);
+                       longest_range(firing_map.rules, problem.targets[target]),
+                       problem.gun.muzzle_speed_mps);
   }
   std::vector<std::size_t> order;
   for (std::size_t s = 0; s < proof.blocked_by.size(); ++s) {
@@ -25,7 +26,7 @@ std::string why_unreachable(const GuardProblem& problem, const Site& site, const
   std::string who;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, order.size()); ++i) {
     who += fmt::format(
-        "{}{} stops {:.0f} %", i == 0 ? "" : ", ", site.space(target).solids()[order[i]].name,
+        "{}{} stops {:.0f} %", i == 0 ? "" : ", ", firing_map.space(target).solids()[order[i]].name,
         100.0 * static_cast<double>(proof.blocked_by[order[i]]) / static_cast<double>(proof.flights));
   }
   return fmt::format(
@@ -33,7 +34,8 @@ std::string why_unreachable(const GuardProblem& problem, const Site& site, const
       "{:g} m, pitches every {:g} degrees, aim points every {:g} m{}",
       proof.flights, proof.places, options.margin_m, who, options.resolution_m,
       degrees(options.pitch_step_rad), options.aim_step_m,
-      site.proofs[target].from_elsewhere ? "; from ground that cannot be driven to it could be hit" : "");
+      firing_map.proofs[target].from_elsewhere ? "; from ground that cannot be driven to it could be hit"
+                                               : "");
 }
 
 }  // namespace outrider

@@ -22,34 +22,38 @@ struct Post {
 };
 
 /// The post at a cell, unless no shot at the target from there keeps the margin.
-std::optional<Post> post_at(const GuardProblem& problem, const Site& site, std::size_t target,
+std::optional<Post> post_at(const GuardProblem& problem, const FiringMap& firing_map, std::size_t target,
                             std::size_t cell, double pitch_rad) {
-  if (site.regions[target].pitch[cell] == FiringRegion::no_shot) return std::nullopt;
-  const Vec2 place = site.frame.centre(site.frame.cell(cell));
-  auto shot = best_shot(site.rules, site.space(target), problem.targets[target], place, pitch_rad);
+  if (firing_map.regions[target].pitch[cell] == FiringRegion::no_shot) return std::nullopt;
+  const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+  auto shot =
+      best_shot(firing_map.rules, firing_map.space(target), problem.targets[target], place, pitch_rad);
   if (!shot) return std::nullopt;
   return Post{place, {target, *shot}};
 }
 
 /// The first post found on circles that shrink around a target.
-std::optional<Post> first_on_circles(const GuardProblem& problem, const Site& site, std::size_t t) {
+std::optional<Post> first_on_circles(const GuardProblem& problem, const FiringMap& firing_map,
+                                     std::size_t t) {
   const Target& target = problem.targets[t];
-  for (double radius = longest_range(site.rules, target); radius > 0.0; radius -= circle_step_m) {
+  for (double radius = longest_range(firing_map.rules, target); radius > 0.0; radius -= circle_step_m) {
     for (int i = 0; i < bearings; ++i) {
-      const Cell cell = site.frame.cell_at(xy(target.base) + radius * direction(2.0 * pi * i / bearings));
-      if (!site.frame.contains(cell)) continue;
-      if (auto post = post_at(problem, site, t, site.frame.index(cell), 0.0)) return post;
+      const Cell cell =
+          firing_map.frame.cell_at(xy(target.base) + radius * direction(2.0 * pi * i / bearings));
+      if (!firing_map.frame.contains(cell)) continue;
+      if (auto post = post_at(problem, firing_map, t, firing_map.frame.index(cell), 0.0)) return post;
     }
   }
   return std::nullopt;
 }
 
 /// Posts on the circles, by target as listed; what has none joins the unreachable.
-std::vector<Post> posts_on_circles(const GuardProblem& problem, const Site& site, GuardPlan& plan) {
+std::vector<Post> posts_on_circles(const GuardProblem& problem, const FiringMap& firing_map,
+                                   GuardPlan& plan) {
   std::vector<Post> posts;
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    if (site.regions[t].hits == 0) continue;
-    if (auto post = first_on_circles(problem, site, t)) {
+    if (firing_map.regions[t].hits == 0) continue;
+    if (auto post = first_on_circles(problem, firing_map, t)) {
       posts.push_back(*std::move(post));
     } else {
       plan.unreachable.push_back({t, "none of the places on the circles around it has a shot"});
@@ -124,7 +128,7 @@ Outcome<std::vector<std::size_t>> order_by_tour(const GuardProblem& problem, con
 }
 
 /// The plan that stops at the posts in their order; neighbours at one place are one stop.
-Outcome<GuardPlan> plan_of(const GuardProblem& problem, const Site& site, const Budget& budget,
+Outcome<GuardPlan> plan_of(const GuardProblem& problem, const FiringMap& firing_map, const Budget& budget,
                            std::vector<Post> posts, GuardPlan plan) {
   for (Post& post : posts) {
     if (plan.stops.empty() || plan.stops.back().position != post.place) {
@@ -133,7 +137,7 @@ Outcome<GuardPlan> plan_of(const GuardProblem& problem, const Site& site, const 
     plan.stops.back().hits.push_back(std::move(post.hit));
   }
   if (plan.stops.empty()) return plan;
-  if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
+  if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
   return plan;
 }
 
@@ -146,42 +150,42 @@ std::vector<Post> reordered(std::vector<Post> posts, const std::vector<std::size
 
 }  // namespace
 
-Outcome<GuardPlan> shrinking_circles(const GuardProblem& problem, const Site& site,
+Outcome<GuardPlan> shrinking_circles(const GuardProblem& problem, const FiringMap& firing_map,
                                      const GuardOptions& options, const Budget& budget) {
-  GuardPlan plan = begin_plan(problem, site, options);
-  auto posts = posts_on_circles(problem, site, plan);
-  auto routes = site_routes(problem, site, places_of(problem, posts), budget);
+  GuardPlan plan = begin_plan(problem, firing_map, options);
+  auto posts = posts_on_circles(problem, firing_map, plan);
+  auto routes = yard_routes(problem, firing_map, places_of(problem, posts), budget);
   if (!routes) return pass_on(routes);
   const auto order = order_in_groups(*routes, posts.size(), static_cast<std::size_t>(options.group));
-  return plan_of(problem, site, budget, reordered(std::move(posts), order), std::move(plan));
+  return plan_of(problem, firing_map, budget, reordered(std::move(posts), order), std::move(plan));
 }
 
-Outcome<GuardPlan> circles_in_order(const GuardProblem& problem, const Site& site,
+Outcome<GuardPlan> circles_in_order(const GuardProblem& problem, const FiringMap& firing_map,
                                     const GuardOptions& options, const Budget& budget) {
-  GuardPlan plan = begin_plan(problem, site, options);
-  auto posts = posts_on_circles(problem, site, plan);
+  GuardPlan plan = begin_plan(problem, firing_map, options);
+  auto posts = posts_on_circles(problem, firing_map, plan);
   if (posts.empty()) return plan;
-  auto routes = site_routes(problem, site, places_of(problem, posts), budget);
+  auto routes = yard_routes(problem, firing_map, places_of(problem, posts), budget);
   if (!routes) return pass_on(routes);
   auto order = order_by_tour(problem, options, *routes, posts, budget);
   if (!order) return pass_on(order);
-  return plan_of(problem, site, budget, reordered(std::move(posts), *order), std::move(plan));
+  return plan_of(problem, firing_map, budget, reordered(std::move(posts), *order), std::move(plan));
 }
 
-Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Site& site,
+Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const FiringMap& firing_map,
                                        const GuardOptions& options, const Budget& budget) {
-  GuardPlan plan = begin_plan(problem, site, options);
-  const int stride = std::max(1, static_cast<int>(std::lround(table_step_m / site.frame.resolution_m)));
+  GuardPlan plan = begin_plan(problem, firing_map, options);
+  const int stride = std::max(1, static_cast<int>(std::lround(table_step_m / firing_map.frame.resolution_m)));
   struct Entry {
     std::size_t cell;
     std::size_t target;
   };
   std::vector<Entry> table;  // by cell, then by target
-  for (std::size_t cell = 0; cell < site.frame.size(); ++cell) {
-    const Cell c = site.frame.cell(cell);
+  for (std::size_t cell = 0; cell < firing_map.frame.size(); ++cell) {
+    const Cell c = firing_map.frame.cell(cell);
     if (c.x % stride != 0 || c.y % stride != 0) continue;
-    for (std::size_t t = 0; t < site.regions.size(); ++t) {
-      if (site.regions[t].pitch[cell] != FiringRegion::no_shot) table.push_back({cell, t});
+    for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+      if (firing_map.regions[t].pitch[cell] != FiringRegion::no_shot) table.push_back({cell, t});
     }
   }
   std::vector<Post> posts;
@@ -189,12 +193,12 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Site& 
   Vec2 here = problem.start.position;
   while (!table.empty()) {
     const auto away = [&](const Entry& e) {
-      return distance(here, site.frame.centre(site.frame.cell(e.cell)));
+      return distance(here, firing_map.frame.centre(firing_map.frame.cell(e.cell)));
     };
     const auto next = std::ranges::min_element(table, {}, away);
     const std::size_t t = next->target;
     const double pitch = posts.empty() ? 0.0 : posts.back().hit.shot.gun.pitch_rad;
-    auto post = post_at(problem, site, t, next->cell, pitch);
+    auto post = post_at(problem, firing_map, t, next->cell, pitch);
     if (!post) {
       table.erase(next);
       continue;
@@ -205,10 +209,10 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Site& 
     std::erase_if(table, [t](const Entry& e) { return e.target == t; });
   }
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    if (served[t] != 0 || site.regions[t].hits == 0) continue;
+    if (served[t] != 0 || firing_map.regions[t].hits == 0) continue;
     plan.unreachable.push_back({t, "none of the places in the table has a shot at it"});
   }
-  return plan_of(problem, site, budget, std::move(posts), std::move(plan));
+  return plan_of(problem, firing_map, budget, std::move(posts), std::move(plan));
 }
 
 }  // namespace outrider

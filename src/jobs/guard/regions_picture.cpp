@@ -110,38 +110,39 @@ std::string words(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, escaped(text));
 }
 
-bool hits(const Site& site, std::size_t t, std::size_t cell) {
-  return site.regions[t].pitch[cell] != FiringRegion::no_shot;
+bool hits(const FiringMap& firing_map, std::size_t t, std::size_t cell) {
+  return firing_map.regions[t].pitch[cell] != FiringRegion::no_shot;
 }
 
 /// How many targets can be hit from each cell.
-std::vector<int> counts(const Site& site) {
-  std::vector<int> all(site.frame.size(), 0);
+std::vector<int> counts(const FiringMap& firing_map) {
+  std::vector<int> all(firing_map.frame.size(), 0);
   for (std::size_t c = 0; c < all.size(); ++c) {
-    for (std::size_t t = 0; t < site.regions.size(); ++t) all[c] += hits(site, t, c) ? 1 : 0;
+    for (std::size_t t = 0; t < firing_map.regions.size(); ++t) all[c] += hits(firing_map, t, c) ? 1 : 0;
   }
   return all;
 }
 
-std::string large_map(const GuardProblem& problem, const Site& site, const std::vector<int>& count,
+std::string large_map(const GuardProblem& problem, const FiringMap& firing_map, const std::vector<int>& count,
                       int most) {
   std::vector<std::string> colours;
   for (int i = 0; i <= most; ++i) colours.push_back(i == 0 ? "#1f2d3a" : heat(static_cast<double>(i) / most));
-  std::string content = fields(site.frame, 1, colours, [&](Cell c) {
-    const std::size_t i = site.frame.index(c);
-    return site.reachable[i] != 0 ? count[i] : -1;
+  std::string content = fields(firing_map.frame, 1, colours, [&](Cell c) {
+    const std::size_t i = firing_map.frame.index(c);
+    return firing_map.reachable[i] != 0 ? count[i] : -1;
   });
-  content += solids(problem, site.frame);
-  for (std::size_t t = 0; t < problem.targets.size(); ++t) content += target_box(problem, site.frame, t);
+  content += solids(problem, firing_map.frame);
+  for (std::size_t t = 0; t < problem.targets.size(); ++t)
+    content += target_box(problem, firing_map.frame, t);
   return content;
 }
 
-/// The spreads of one target's shots, in ten colours; a spread of 1 and more is the last.
-std::string small_map(const GuardProblem& problem, const Site& site, std::size_t t) {
+/// The spreads of one target's shots, in ten colours; a error_ratio of 1 and more is the last.
+std::string small_map(const GuardProblem& problem, const FiringMap& firing_map, std::size_t t) {
   std::vector<std::string> colours;
   for (int i = 0; i < 10; ++i) colours.push_back(heat(1.0 - i / 9.0));
   colours.push_back("#1f2d3a");
-  const GridFrame& frame = site.frame;
+  const GridFrame& frame = firing_map.frame;
   const int size = std::max(1, std::max(frame.width, frame.height) / small_fields);
   const std::string content = fields(frame, size, colours, [&](Cell c) {
     int paint = -1;
@@ -149,8 +150,8 @@ std::string small_map(const GuardProblem& problem, const Site& site, std::size_t
     for (int y = c.y; y < std::min(c.y + size, frame.height); ++y) {
       for (int x = c.x; x < std::min(c.x + size, frame.width); ++x) {
         const std::size_t i = frame.index({x, y});
-        if (site.reachable[i] != 0) paint = 10;
-        if (hits(site, t, i)) least = std::min(least, site.regions[t].spread[i]);
+        if (firing_map.reachable[i] != 0) paint = 10;
+        if (hits(firing_map, t, i)) least = std::min(least, firing_map.regions[t].error_ratio[i]);
       }
     }
     return std::isfinite(least) ? static_cast<int>(9.0F * std::min(1.0F, least)) : paint;
@@ -172,15 +173,15 @@ std::string legend(double top, int most) {
 
 }  // namespace
 
-std::string regions_svg(const GuardProblem& problem, const Site& site) {
-  const GridFrame& frame = site.frame;
-  const auto count = counts(site);
+std::string regions_svg(const GuardProblem& problem, const FiringMap& firing_map) {
+  const GridFrame& frame = firing_map.frame;
+  const auto count = counts(firing_map);
   const int most = std::max(1, count.empty() ? 1 : *std::max_element(count.begin(), count.end()));
   const double aspect = static_cast<double>(frame.height) / frame.width;
   const double small_px = (large_px - (columns - 1) * gap_px) / columns;
 
   std::string body =
-      placed(frame, gap_px, gap_px, large_px / frame.width, large_map(problem, site, count, most));
+      placed(frame, gap_px, gap_px, large_px / frame.width, large_map(problem, firing_map, count, most));
   double top = 2.0 * gap_px + large_px * aspect;
   body += legend(top, most);
   top += 12.0 + 2.0 * gap_px;
@@ -189,7 +190,7 @@ std::string regions_svg(const GuardProblem& problem, const Site& site) {
   top += text_px + gap_px;
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     const double left = gap_px + static_cast<double>(t % columns) * (small_px + gap_px);
-    body += placed(frame, left, top, small_px / frame.width, small_map(problem, site, t));
+    body += placed(frame, left, top, small_px / frame.width, small_map(problem, firing_map, t));
     body += words(left, top + small_px * aspect + text_px, problem.targets[t].name);
     if (t % columns == columns - 1 || t + 1 == problem.targets.size())
       top += small_px * aspect + text_px + gap_px;

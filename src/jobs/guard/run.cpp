@@ -24,7 +24,7 @@ double settled_part(const GuardMission& mission) {
 GuardMission mission_of(const GuardRun& run, const GuardProblem& problem) {
   if (run.walkers) return GuardMission(run.walkers->plan);
   if (run.arrivals) return GuardMission(*run.arrivals);
-  return {problem, run.site, run.plan};
+  return {problem, run.firing_map, run.plan};
 }
 
 void tell_of_aim(SimRecord& record, const MovingTargets& targets, const GuardProblem& problem) {
@@ -81,10 +81,10 @@ Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch) {
     if (!bodies) return pass_on(bodies);
     GuardProblem yielding = run.problem;
     yielding.robot.radius_m *= way_radius;
-    PhysicsGuard robot(run.problem, run.site, **bodies, run.seed);
+    PhysicsGuard robot(run.problem, run.firing_map, **bodies, run.seed);
     return carry_out(run, yielding, robot, robot.record, watch);
   }
-  SimulatedRobot robot = simulated_guard(true_problem(run), true_site(run), run.seed, target_params(run),
+  SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), run.seed, target_params(run),
                                          run.truth ? run.truth->levels : StoreLevels{});
   return carry_out(run, run.problem, robot, robot.record, watch);
 }

@@ -73,7 +73,7 @@ ReportSupplies supplies_entry(const Supplies& supplies) {
 
 const GuardProblem& true_problem(const GuardRun& run) { return run.truth ? run.truth->problem : run.problem; }
 
-const Site& true_site(const GuardRun& run) { return run.truth ? run.truth->site : run.site; }
+const FiringMap& true_map(const GuardRun& run) { return run.truth ? run.truth->firing_map : run.firing_map; }
 
 TargetSimParams target_params(const GuardRun& run) {
   TargetSimParams params;

@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-constexpr double coarse_m = 1.0;  // of the true site, on which nobody plans
+constexpr double coarse_m = 1.0;  // of the true firing_map, on which nobody plans
 
 /// Sees targets while the robot explores.
 class TargetDetector {
@@ -52,7 +52,7 @@ GuardProblem true_yard(const GuardProblem& truth, const FoundYard& found, const 
 }
 
 /// How often a straight of the track touches what stands there.
-double contacts(const Report& report, const Ground& ground, double radius_m) {
+double contacts(const Report& report, const CollisionMap& ground, double radius_m) {
   double count = 0.0;
   bool touching = false;
   for (std::size_t i = 1; i < report.track.size(); ++i) {
@@ -226,31 +226,31 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   return ScoutedYard{std::move(*run), std::move(detector.seen), std::move(*found)};
 }
 
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const FiringMap& firing_map,
                                  const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
                                  const RunWatch& watch) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
   coarse.resolution_m = coarse_m;
-  const auto true_site = survey(really, coarse, watch.budget());
-  if (!true_site) return tl::unexpected<Fault>(true_site.error());
+  const auto true_map = build_firing_map(really, coarse, watch.budget());
+  if (!true_map) return tl::unexpected<Fault>(true_map.error());
   const double explore_s = metric(yard.run.report, "time_s");
   WholeMission whole(yard.run.report, explore_s, watch.observer);
   RunWatch guarding = watch;
   if (watch.observer != nullptr) guarding.observer = &whole;
   auto guarded =
       run_guard({.problem = found,
-                 .site = site,
+                 .firing_map = firing_map,
                  .plan = plan,
                  .options = options,
                  .seed = seed,
-                 .truth = TrueYard{really, *true_site, levels_after(yard.run.report, truth.supplies)}},
+                 .truth = TrueYard{really, *true_map, levels_after(yard.run.report, truth.supplies)}},
                 guarding);
   if (!guarded) return guarded;
   Report report = std::move(*guarded);
   const double touches =
-      metric(yard.run.report, "contacts") + contacts(report, true_site->ground, truth.robot.radius_m);
+      metric(yard.run.report, "contacts") + contacts(report, true_map->ground, truth.robot.radius_m);
   const bool cancelled = report.status == "cancelled";
   delay(report, explore_s);
   add_other_targets(report, truth, yard, explore_s);

@@ -32,12 +32,12 @@ struct Node {
 
 struct Asked {
   const TourProblem& table;
-  const std::vector<Wanted>& wanted;
-  const Standing& from;
-  WatchObjective objective;
+  const std::vector<PendingTarget>& pending;
+  const RobotState& from;
+  ArrivalObjective objective;
 };
 
-Node first(const Standing& from) {
+Node first(const RobotState& from) {
   Node node;
   node.time_s = from.time_s;
   node.heading_rad = from.heading_rad;
@@ -67,20 +67,20 @@ Node extended(const Asked& asked, const Node& before, std::size_t stop, std::siz
   node.pitch_rad = service.pitch_rad;
   const double aim = std::max(std::abs(wrap_angle(node.yaw_rad - before.yaw_rad)) / table.yaw_rate_radps,
                               std::abs(node.pitch_rad - before.pitch_rad) / table.pitch_rate_radps);
-  node.time_s = std::max(node.time_s, asked.wanted[who].settles_s) + aim + service.duration_s;
+  node.time_s = std::max(node.time_s, asked.pending[who].settles_s) + aim + service.duration_s;
   node.sum_s += node.time_s;
   return node;
 }
 
-/// The wanted that each stop serves, with the service.
+/// The pending that each stop serves, with the service.
 using Offers = std::vector<std::vector<std::pair<std::size_t, const Service*>>>;
 
 Offers offers_of(const Asked& asked) {
   Offers offers(asked.table.services.size());
   for (std::size_t stop = 0; stop < offers.size(); ++stop) {
     for (const Service& service : asked.table.services[stop]) {
-      for (std::size_t who = 0; who < asked.wanted.size(); ++who) {
-        if (asked.wanted[who].goal == service.goal) offers[stop].emplace_back(who, &service);
+      for (std::size_t who = 0; who < asked.pending.size(); ++who) {
+        if (asked.pending[who].goal == service.goal) offers[stop].emplace_back(who, &service);
       }
     }
   }
@@ -89,8 +89,8 @@ Offers offers_of(const Asked& asked) {
 
 /// As if everybody left were hit at the time of the last hit.
 double rank_of(const Asked& asked, const Node& node) {
-  if (asked.objective == WatchObjective::makespan) return node.time_s;
-  const auto left = asked.wanted.size() - static_cast<std::size_t>(std::popcount(node.hit));
+  if (asked.objective == ArrivalObjective::makespan) return node.time_s;
+  const auto left = asked.pending.size() - static_cast<std::size_t>(std::popcount(node.hit));
   return node.sum_s + static_cast<double>(left) * node.time_s;
 }
 
@@ -125,14 +125,14 @@ std::vector<Node> next_layer(const Asked& asked, const Offers& offers, const std
   return next;
 }
 
-/// A tour as far as it is about those wanted.
-std::vector<Visit> part_of_tour(const std::vector<Visit>& tour, const std::vector<Wanted>& wanted) {
+/// A tour as far as it is about those pending.
+std::vector<Visit> part_of_tour(const std::vector<Visit>& tour, const std::vector<PendingTarget>& pending) {
   std::vector<Visit> part;
   for (const Visit& visit : tour) {
     Visit kept{visit.stop, {}};
     for (const std::uint32_t goal : visit.goals) {
-      for (std::uint32_t who = 0; who < wanted.size(); ++who) {
-        if (wanted[who].goal == goal) kept.goals.push_back(who);
+      for (std::uint32_t who = 0; who < pending.size(); ++who) {
+        if (pending[who].goal == goal) kept.goals.push_back(who);
       }
     }
     if (!kept.goals.empty()) part.push_back(std::move(kept));
@@ -142,12 +142,12 @@ std::vector<Visit> part_of_tour(const std::vector<Visit>& tour, const std::vecto
 
 }  // namespace
 
-Sequence best_sequence(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
-                       WatchObjective objective, std::size_t beam) {
-  const Asked asked{table, wanted, from, objective};
+Sequence best_sequence(const TourProblem& table, const std::vector<PendingTarget>& pending,
+                       const RobotState& from, ArrivalObjective objective, std::size_t beam) {
+  const Asked asked{table, pending, from, objective};
   const Offers offers = offers_of(asked);
   std::vector<std::vector<Node>> layers{{first(from)}};
-  for (std::size_t hits = 1; hits <= wanted.size(); ++hits) {
+  for (std::size_t hits = 1; hits <= pending.size(); ++hits) {
     layers.push_back(next_layer(asked, offers, layers.back(), beam));
     if (layers.back().empty()) return {{}, inf};
   }
@@ -167,45 +167,47 @@ Sequence best_sequence(const TourProblem& table, const std::vector<Wanted>& want
   return sequence;
 }
 
-double value_of(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
-                WatchObjective objective, const std::vector<Visit>& visits) {
-  const Asked asked{table, wanted, from, objective};
+double value_of(const TourProblem& table, const std::vector<PendingTarget>& pending, const RobotState& from,
+                ArrivalObjective objective, const std::vector<Visit>& visits) {
+  const Asked asked{table, pending, from, objective};
   Node node = first(from);
   std::size_t hits = 0;
   for (const Visit& visit : visits) {
     for (const std::uint32_t who : visit.goals) {
       const auto& services = table.services[visit.stop];
       const auto service = std::find_if(services.begin(), services.end(),
-                                        [&](const Service& s) { return s.goal == wanted[who].goal; });
+                                        [&](const Service& s) { return s.goal == pending[who].goal; });
       if (service == services.end()) return inf;
       node = extended(asked, node, visit.stop, who, *service);
       ++hits;
     }
   }
-  const bool whole = hits == wanted.size() && std::popcount(node.hit) == static_cast<int>(hits);
+  const bool whole = hits == pending.size() && std::popcount(node.hit) == static_cast<int>(hits);
   if (!whole) return inf;
-  return objective == WatchObjective::makespan ? node.time_s : node.sum_s;
+  return objective == ArrivalObjective::makespan ? node.time_s : node.sum_s;
 }
 
 Sequence sequence_beside(const std::vector<Visit>& tour, const TourProblem& table,
-                         const std::vector<Wanted>& wanted, const Standing& from, WatchObjective objective,
-                         std::size_t beam, bool as_toured) {
-  Sequence part{part_of_tour(tour, wanted), 0.0};
-  part.value = value_of(table, wanted, from, objective, part.visits);
+                         const std::vector<PendingTarget>& pending, const RobotState& from,
+                         ArrivalObjective objective, std::size_t beam, bool as_toured) {
+  Sequence part{part_of_tour(tour, pending), 0.0};
+  part.value = value_of(table, pending, from, objective, part.visits);
   if (as_toured && std::isfinite(part.value)) return part;
-  Sequence best = best_sequence(table, wanted, from, objective, beam);
+  Sequence best = best_sequence(table, pending, from, objective, beam);
   return part.value < best.value ? part : best;
 }
 
-Standing after_hit(const TourProblem& table, const Wanted& whom, const Standing& from, std::size_t stop) {
-  const std::vector<Wanted> wanted{whom};
+RobotState after_hit(const TourProblem& table, const PendingTarget& whom, const RobotState& from,
+                     std::size_t stop) {
+  const std::vector<PendingTarget> pending{whom};
   const auto& services = table.services[stop];
   const auto service =
       std::find_if(services.begin(), services.end(), [&](const Service& s) { return s.goal == whom.goal; });
-  Standing after = from;
+  RobotState after = from;
   after.time_s = inf;
   if (service == services.end()) return after;
-  const Node node = extended({table, wanted, from, WatchObjective::makespan}, first(from), stop, 0, *service);
+  const Node node =
+      extended({table, pending, from, ArrivalObjective::makespan}, first(from), stop, 0, *service);
   const auto row = table.drives.begin() + static_cast<std::ptrdiff_t>(stop * table.services.size());
   after = {node.time_s,
            node.heading_rad,

@@ -11,9 +11,9 @@ constexpr std::size_t missions_played = 40;  // of each policy
 constexpr std::int64_t played_beam = 4;      // of their plans, and of those that are carried out
 constexpr double longest_walk_s = 7200.0;    // walkers stay at their last place then
 
-Outcome<Report> run_arrivals(const Watch& yard, const Outlook& stops, const Manner& policy, std::int64_t beam,
-                             const ArrivalOptions& arrivals, const GuardOptions& options, std::uint64_t seed,
-                             const RunWatch& watch) {
+Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& stops, const Manner& policy,
+                             std::int64_t beam, const ArrivalOptions& arrivals, const GuardOptions& options,
+                             std::uint64_t seed, const RunWatch& watch) {
   const ArrivalPlan plan{yard,
                          stops,
                          policy.policy,
@@ -22,7 +22,7 @@ Outcome<Report> run_arrivals(const Watch& yard, const Outlook& stops, const Mann
                          static_cast<std::size_t>(beam)};
   const GuardPlan none;
   return run_guard({.problem = yard.problem,
-                    .site = yard.site,
+                    .firing_map = yard.firing_map,
                     .plan = none,
                     .options = options,
                     .seed = seed,
@@ -33,32 +33,32 @@ Outcome<Report> run_arrivals(const Watch& yard, const Outlook& stops, const Mann
 
 }  // namespace
 
-Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Site& site,
+Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                           const GuardPlan& plan, const std::vector<Intruder>& intruders,
                                           const ArrivalOptions& arrivals, const GuardOptions& options,
                                           std::uint64_t seed, const RunWatch& watch) {
-  const auto policy = find_watch_policy(arrivals.policy);
+  const auto policy = find_replan_policy(arrivals.policy);
   if (!policy) return tl::unexpected<Fault>(policy.error());
   const auto objective = find_objective(arrivals.objective);
   if (!objective) return tl::unexpected<Fault>(objective.error());
-  const auto yard = watch_over(problem, site, intruders);
+  const auto yard = arrival_yard(problem, firing_map, intruders);
   if (!yard) return tl::unexpected<Fault>(yard.error());
-  const auto stops = look_out(problem, site, plan, arrivals, watch.budget());
+  const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
   if (!stops) return tl::unexpected<Fault>(stops.error());
   return run_arrivals(*yard, *stops, {*policy, *objective}, arrivals.beam, arrivals, options, seed, watch);
 }
 
-Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const Site& site,
+Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& arrivals,
                                            const GuardOptions& options, std::uint64_t seed,
                                            const RunWatch& watch) {
-  const auto yard = watch_over(problem, site, settled_intruders(problem));
+  const auto yard = arrival_yard(problem, firing_map, settled_intruders(problem));
   if (!yard) return tl::unexpected<Fault>(yard.error());
-  const auto stops = look_out(problem, site, plan, arrivals, watch.budget());
+  const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
   if (!stops) return tl::unexpected<Fault>(stops.error());
   ArrivalOptions quick = arrivals;
   quick.beam = std::min(arrivals.beam, played_beam);
-  const auto [policy, expected] = best_manner(problem, *stops, quick, missions_played, watch.stop);
+  const auto [policy, expected] = best_policy(problem, *stops, quick, missions_played, watch.stop);
   if (watch.stopped()) return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
   auto report = run_arrivals(*yard, *stops, policy, quick.beam, arrivals, options, seed, watch);
   if (!report) return report;
@@ -69,22 +69,22 @@ Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const Si
       {0.0, "plan",
        fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",
                    expected.mean_s, expected.error_s, policy.policy.name,
-                   policy.objective == WatchObjective::makespan ? "makespan" : "time inside")});
+                   policy.objective == ArrivalObjective::makespan ? "makespan" : "time inside")});
   return report;
 }
 
-Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const Site& site,
+Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                         const std::vector<double>& weights, const std::vector<Track>& history,
                                         const WanderOptions& wander, const GuardOptions& options,
                                         std::uint64_t seed, const RunWatch& watch) {
-  const auto walks = draw_walks(problem, site, weights, wander, seed, longest_walk_s, watch.budget());
+  const auto walks = draw_walks(problem, firing_map, weights, wander, seed, longest_walk_s, watch.budget());
   if (!walks) return tl::unexpected<Fault>(walks.error());
-  const auto plan =
-      plan_moving(problem, site, visit_map(problem, site, history, wander), options, wander, watch.budget());
+  const auto plan = plan_moving(problem, firing_map, visit_map(problem, firing_map, history, wander), options,
+                                wander, watch.budget());
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const GuardPlan none;
   return run_guard({.problem = problem,
-                    .site = site,
+                    .firing_map = firing_map,
                     .plan = none,
                     .options = options,
                     .seed = seed,

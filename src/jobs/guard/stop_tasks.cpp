@@ -14,14 +14,14 @@ namespace {
 constexpr double there_m = 1e-6;
 
 /// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
-std::optional<Vec2> another_place(const GuardProblem& problem, const Site& site, std::size_t target,
-                                  Vec2 here, double apart_m) {
-  const SureHits sure = sure_hits(problem, site);
+std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
+                                  std::size_t target, Vec2 here, double apart_m) {
+  const SureHits sure = sure_hits(problem, firing_map);
   std::optional<Vec2> best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < site.frame.size(); ++i) {
+  for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
     if (!sure.has(i, target)) continue;
-    const Vec2 place = site.frame.centre(site.frame.cell(i));
+    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(i));
     const double away = distance(here, place);
     if (away < apart_m || away >= least) continue;
     least = away;
@@ -66,33 +66,34 @@ void note_result(StopTasks& tasks, bool hit, const Observation& seen, const Guar
 
 /// What to do when the pose actually reached has no shot: go somewhere else, or give up.
 void look_elsewhere(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                    const Site& site) {
+                    const FiringMap& firing_map) {
   const std::size_t target = tasks.queue.front().targets.front();
   const std::size_t left = tasks.queue.front().targets.size();
   note_failure(tasks, target, problem, "no shot from the places that the robot got to", seen.time_s);
   if (tasks.queue.front().targets.size() < left) return;  // it was the last try
   drop_target(tasks);
-  const auto place = another_place(problem, site, target_of(tasks, target), seen.odometry.position,
+  const auto place = another_place(problem, firing_map, target_of(tasks, target), seen.odometry.position,
                                    problem.errors.position_m);
   // Behind the rest of this stop, before the next one.
   tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(tasks.last_place), {target}});
 }
 
 /// Goes to the nearest place to shoot at a target from, after the present task.
-void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem, const Site& site) {
+void stop_for(StopTasks& tasks, std::size_t target, const GuardProblem& problem,
+              const FiringMap& firing_map) {
   const Vec2 end = tasks.queue.front().place;
-  const auto place = another_place(problem, site, target, end, 0.0);
+  const auto place = another_place(problem, firing_map, target, end, 0.0);
   tasks.queue.insert(tasks.queue.begin() + 1, StopTask{place.value_or(end), {target}});
 }
 
 /// The shots of the present task in passing on that way. Who cannot be hit from it gets a stop.
 std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<Vec2>& way,
                                             const Observation& seen, const GuardProblem& problem,
-                                            const Site& site) {
+                                            const FiringMap& firing_map) {
   const auto targets = std::exchange(tasks.queue.front().passing, {});
   std::vector<FireInPassing> shots;
   if (targets.empty()) return shots;
-  PassingShots solver(problem, site);
+  PassingShots solver(problem, firing_map);
   const auto hits =
       solver.along(seen.odometry.heading_rad, way, {seen.gun->yaw_rad, seen.gun->pitch_rad}, targets);
   for (const PassingHit& hit : hits) {
@@ -106,13 +107,14 @@ std::vector<FireInPassing> shots_in_passing(StopTasks& tasks, const std::vector<
     shots.push_back({hit.target, hit.leg, hit.after_s, hit.shot.shot});
   }
   for (const std::size_t target : targets) {
-    if (std::ranges::count(tasks.passing, target) == 0) stop_for(tasks, target, problem, site);
+    if (std::ranges::count(tasks.passing, target) == 0) stop_for(tasks, target, problem, firing_map);
   }
   return shots;
 }
 
 /// What has become of the shots in passing.
-void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site) {
+void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                  const FiringMap& firing_map) {
   for (const std::size_t target : std::exchange(tasks.passing, {})) {
     TargetRecord& record = tasks.records[target];
     const ShotResult* const result = result_of(seen, target);
@@ -122,7 +124,7 @@ void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem&
                          record.pose.position.x, record.pose.position.y),
              result->landed_s);
     } else if (++record.tries < problem.tries) {
-      stop_for(tasks, target, problem, site);
+      stop_for(tasks, target, problem, firing_map);
     } else {
       settle(record, TargetStatus::failed, fmt::format("missed {} times", record.tries), seen.time_s);
     }
@@ -130,22 +132,23 @@ void note_passing(StopTasks& tasks, const Observation& seen, const GuardProblem&
 }
 
 /// The second pass: what failed is tried from another place, what had no shot without the margin.
-void plan_second_pass(StopTasks& tasks, const GuardProblem& problem, const Site& site) {
+void plan_second_pass(StopTasks& tasks, const GuardProblem& problem, const FiringMap& firing_map) {
   tasks.second_pass = true;
-  ShotRules bold = site.rules;
+  ShotRules bold = firing_map.rules;
   bold.margin_m = 0.0;
   for (std::size_t t = 0; t < tasks.records.size(); ++t) {
     TargetRecord& record = tasks.records[t];
     const std::size_t at = target_of(tasks, t);
     record.tries = 0;
     if (record.status == TargetStatus::failed) {
-      const auto place = another_place(problem, site, at, record.pose.position, problem.errors.position_m);
+      const auto place =
+          another_place(problem, firing_map, at, record.pose.position, problem.errors.position_m);
       tasks.queue.push_back({place.value_or(record.pose.position), {t}});
-    } else if (record.status == TargetStatus::unreachable && site.rules.margin_m > 0.0) {
-      const Exhausted tried =
-          exhaust(bold, site.space(at), problem.targets[at], site.frame, site.reachable, tasks.stop);
+    } else if (record.status == TargetStatus::unreachable && firing_map.rules.margin_m > 0.0) {
+      const Exhausted tried = exhaust(bold, firing_map.space(at), problem.targets[at], firing_map.frame,
+                                      firing_map.reachable, tasks.stop);
       if (!tried.found) continue;
-      tasks.queue.push_back({site.frame.centre(site.frame.cell(*tried.found)), {t}});
+      tasks.queue.push_back({firing_map.frame.centre(firing_map.frame.cell(*tried.found)), {t}});
     }
   }
 }
@@ -161,14 +164,14 @@ Fill fill(StopTasks& tasks) {
 
 /// Waypoints from where the robot stands to the place of the present task.
 std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                         const Site& site) {
+                         const FiringMap& firing_map) {
   const Vec2 here = seen.odometry.position;
   const Vec2 place = tasks.queue.front().place;
   if (tasks.routes) {
     if (auto route = tasks.routes->route(seen.odometry, place)) return std::move(route->waypoints);
   }
   // No corner of an obstacle is seen from here or from there: along the grid.
-  if (const auto routes = site_routes(problem, site, {here, place}, {})) {
+  if (const auto routes = yard_routes(problem, firing_map, {here, place}, {})) {
     if (auto way = routes->waypoints(0, 1); !way.empty()) return way;
   }
   return {here};
@@ -176,10 +179,10 @@ std::vector<Vec2> way_to(const StopTasks& tasks, const Observation& seen, const 
 
 /// Off to the place of the present task, shooting in passing; nothing when the robot stands there.
 std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                                       const Site& site) {
+                                       const FiringMap& firing_map) {
   const Vec2 place = tasks.queue.front().place;
-  auto way = way_to(tasks, seen, problem, site);
-  auto shots = shots_in_passing(tasks, way, seen, problem, site);
+  auto way = way_to(tasks, seen, problem, firing_map);
+  auto shots = shots_in_passing(tasks, way, seen, problem, firing_map);
   tasks.arrived = true;
   tasks.last_place = place;
   if (distance(seen.odometry.position, place) <= there_m) return std::nullopt;
@@ -188,16 +191,17 @@ std::optional<FollowWaypoints> set_off(StopTasks& tasks, const Observation& seen
 
 /// Aims at the first target of the present task from the pose really reached; nothing when it has no shot.
 std::optional<AimGun> take_aim(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                               const Site& site) {
+                               const FiringMap& firing_map) {
   const StopTask& task = tasks.queue.front();
   const std::size_t target = task.targets.front();
   const std::size_t at = target_of(tasks, target);
-  ShotRules rules = site.rules;
+  ShotRules rules = firing_map.rules;
   if (tasks.second_pass) rules.margin_m = 0.0;
   const double pitch = task.pitches.empty() ? seen.gun->pitch_rad : task.pitches.front();
   TargetRecord& record = tasks.records[target];
   record.pose = seen.odometry;
-  const auto shot = best_shot(rules, site.space(at), problem.targets[at], seen.odometry.position, pitch);
+  const auto shot =
+      best_shot(rules, firing_map.space(at), problem.targets[at], seen.odometry.position, pitch);
   if (!shot) return std::nullopt;
   record.shot = shot;
   tasks.aimed = true;
@@ -249,19 +253,20 @@ StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan) {
   return tasks;
 }
 
-void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site) {
-  note_passing(tasks, seen, problem, site);
+void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                const FiringMap& firing_map) {
+  note_passing(tasks, seen, problem, firing_map);
   if (!std::exchange(tasks.fired, false)) return;
   const ShotResult* const result = result_of(seen, tasks.queue.front().targets.front());
   note_result(tasks, result != nullptr && result->hit, seen, problem);
 }
 
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                                    const Site& site) {
+                                    const FiringMap& firing_map) {
   for (;;) {
     if (tasks.queue.empty()) {
       if (tasks.second_pass || tasks.more_to_come) return std::nullopt;
-      plan_second_pass(tasks, problem, site);
+      plan_second_pass(tasks, problem, firing_map);
       continue;
     }
     const StopTask& task = tasks.queue.front();
@@ -271,7 +276,7 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
       continue;
     }
     if (!tasks.arrived) {
-      if (auto drive = set_off(tasks, seen, problem, site)) return std::move(*drive);
+      if (auto drive = set_off(tasks, seen, problem, firing_map)) return std::move(*drive);
       continue;
     }
     if (task.call) {
@@ -279,8 +284,8 @@ std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, c
       return fill(tasks);
     }
     if (!tasks.aimed) {
-      if (const auto aim = take_aim(tasks, seen, problem, site)) return *aim;
-      look_elsewhere(tasks, seen, problem, site);
+      if (const auto aim = take_aim(tasks, seen, problem, firing_map)) return *aim;
+      look_elsewhere(tasks, seen, problem, firing_map);
       continue;
     }
     const std::size_t target = task.targets.front();

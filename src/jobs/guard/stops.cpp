@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-constexpr float forgiving = 0.9F;  // largest spread of a sure hit
+constexpr float forgiving = 0.9F;  // largest error_ratio of a sure hit
 
 /// Offsets of the cells that an error of the drive can put the robot on.
 std::vector<Cell> disk(double radius_m, double step_m) {
@@ -22,10 +22,11 @@ std::vector<Cell> disk(double radius_m, double step_m) {
   return offsets;
 }
 
-bool hit_all_around(const Site& site, const FiringRegion& region, Cell c, const std::vector<Cell>& around) {
+bool hit_all_around(const FiringMap& firing_map, const FiringRegion& region, Cell c,
+                    const std::vector<Cell>& around) {
   return std::all_of(around.begin(), around.end(), [&](Cell d) {
     const Cell n{c.x + d.x, c.y + d.y};
-    return site.frame.contains(n) && region.pitch[site.frame.index(n)] != FiringRegion::no_shot;
+    return firing_map.frame.contains(n) && region.pitch[firing_map.frame.index(n)] != FiringRegion::no_shot;
   });
 }
 
@@ -37,10 +38,10 @@ bool contains(std::span<const std::uint64_t> large, std::span<const std::uint64_
 }
 
 /// How well a cell serves: forgiving shots first, room to stand second.
-float quality(const Site& site, const SureHits& hits, std::size_t cell) {
-  float sum = site.clearance_m[cell];
-  for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    if (hits.has(cell, t)) sum += 1.0F - std::min(1.0F, site.regions[t].spread[cell]);
+float quality(const FiringMap& firing_map, const SureHits& hits, std::size_t cell) {
+  float sum = firing_map.clearance_m[cell];
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (hits.has(cell, t)) sum += 1.0F - std::min(1.0F, firing_map.regions[t].error_ratio[cell]);
   }
   return sum;
 }
@@ -48,12 +49,12 @@ float quality(const Site& site, const SureHits& hits, std::size_t cell) {
 using Tiles = std::map<std::pair<int, int>, std::vector<std::size_t>>;
 
 /// The cells of one tile reduced to one for each set of targets that no other set there contains.
-std::vector<std::size_t> largest_sets(const Site& site, const SureHits& hits,
+std::vector<std::size_t> largest_sets(const FiringMap& firing_map, const SureHits& hits,
                                       std::vector<std::size_t> cells) {
   std::vector<float> worth(cells.size());
   std::vector<std::size_t> order(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    worth[i] = quality(site, hits, cells[i]);
+    worth[i] = quality(firing_map, hits, cells[i]);
     order[i] = i;
   }
   const auto count = [&](std::size_t i) {
@@ -96,21 +97,21 @@ std::vector<std::size_t> cover(const SureHits& hits, const std::vector<std::size
 
 }  // namespace
 
-SureHits sure_hits(const GuardProblem& problem, const Site& site) {
+SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
   SureHits hits;
   hits.words = std::max<std::size_t>(1, (problem.targets.size() + 63) / 64);
-  hits.targets.assign(site.frame.size() * hits.words, 0);
-  const auto around = disk(problem.errors.position_m, site.frame.resolution_m);
+  hits.targets.assign(firing_map.frame.size() * hits.words, 0);
+  const auto around = disk(problem.errors.position_m, firing_map.frame.resolution_m);
   const auto roomy = static_cast<float>(problem.robot.radius_m + problem.errors.position_m);
-  for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    const FiringRegion& region = site.regions[t];
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    const FiringRegion& region = firing_map.regions[t];
     std::vector<std::size_t> sure;
     std::vector<std::size_t> possible;
-    for (std::size_t i = 0; i < site.frame.size(); ++i) {
+    for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
       if (region.pitch[i] == FiringRegion::no_shot) continue;
       possible.push_back(i);
-      if (region.spread[i] <= forgiving && site.clearance_m[i] >= roomy &&
-          hit_all_around(site, region, site.frame.cell(i), around)) {
+      if (region.error_ratio[i] <= forgiving && firing_map.clearance_m[i] >= roomy &&
+          hit_all_around(firing_map, region, firing_map.frame.cell(i), around)) {
         sure.push_back(i);
       }
     }
@@ -121,28 +122,28 @@ SureHits sure_hits(const GuardProblem& problem, const Site& site) {
   return hits;
 }
 
-std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, double tile_m, std::size_t most,
-                                      const std::vector<Vec2>& around, double near_m) {
+std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
+                                      std::size_t most, const std::vector<Vec2>& around, double near_m) {
   const auto counts = [&](std::size_t cell) {
     const auto set = hits.at(cell);
     if (std::all_of(set.begin(), set.end(), [](std::uint64_t w) { return w == 0; })) return false;
-    const Vec2 p = site.frame.centre(site.frame.cell(cell));
+    const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(cell));
     return around.empty() ||
            std::any_of(around.begin(), around.end(), [&](Vec2 a) { return distance(a, p) <= near_m; });
   };
   std::vector<std::size_t> useful;
-  for (std::size_t i = 0; i < site.frame.size(); ++i) {
+  for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
     if (counts(i)) useful.push_back(i);
   }
   for (;; tile_m *= 1.25) {
     Tiles tiles;
     for (const std::size_t i : useful) {
-      const Vec2 p = site.frame.centre(site.frame.cell(i)) - site.frame.origin;
+      const Vec2 p = firing_map.frame.centre(firing_map.frame.cell(i)) - firing_map.frame.origin;
       tiles[{static_cast<int>(p.y / tile_m), static_cast<int>(p.x / tile_m)}].push_back(i);
     }
     std::vector<std::size_t> chosen;
     for (auto& [where, cells] : tiles) {
-      for (const std::size_t cell : largest_sets(site, hits, std::move(cells))) chosen.push_back(cell);
+      for (const std::size_t cell : largest_sets(firing_map, hits, std::move(cells))) chosen.push_back(cell);
     }
     if (chosen.size() > most && tiles.size() > 1) continue;
     if (chosen.size() > most) chosen = cover(hits, chosen);

@@ -19,33 +19,34 @@ struct Way {
 };
 
 Way way_along(const std::vector<Vec2>& waypoints, double heading_rad, const GuardProblem& problem,
-              const Site& site) {
-  const DriveCost cost = drive_cost(problem.robot, heading_rad, waypoints, site.ground.terrain());
+              const FiringMap& firing_map) {
+  const DriveCost cost = drive_cost(problem.robot, heading_rad, waypoints, firing_map.ground.terrain());
   return {problem.supplies.charge_of(cost.time_s, cost.driven_m),
           cost.time_s,
           {waypoints.back(), cost.heading_rad}};
 }
 
 std::optional<Way> way_to(Vec2 place, const Pose2& from, const StopTasks& tasks, const GuardProblem& problem,
-                          const Site& site) {
+                          const FiringMap& firing_map) {
   if (tasks.routes) {
     if (const auto route = tasks.routes->route(from, place)) {
-      return way_along(route->waypoints, from.heading_rad, problem, site);
+      return way_along(route->waypoints, from.heading_rad, problem, firing_map);
     }
   }
-  if (const auto routes = site_routes(problem, site, {from.position, place}, {})) {
+  if (const auto routes = yard_routes(problem, firing_map, {from.position, place}, {})) {
     if (const auto way = routes->waypoints(0, 1); !way.empty())
-      return way_along(way, from.heading_rad, problem, site);
+      return way_along(way, from.heading_rad, problem, firing_map);
   }
   return std::nullopt;
 }
 
 /// Least charge from a pose to a station that gives charge; 0 where there is none to get to.
-double charge_home(const Pose2& from, const StopTasks& tasks, const GuardProblem& problem, const Site& site) {
+double charge_home(const Pose2& from, const StopTasks& tasks, const GuardProblem& problem,
+                   const FiringMap& firing_map) {
   std::optional<double> least;
   for (const Station& station : problem.supplies.stations) {
     if (!station.gives(Store::charge)) continue;
-    const auto way = way_to(station.position, from, tasks, problem, site);
+    const auto way = way_to(station.position, from, tasks, problem, firing_map);
     if (way) least = std::min(least.value_or(way->charge_j), way->charge_j);
   }
   return least.value_or(0.0);
@@ -77,15 +78,15 @@ std::optional<Store> lacking_for(Wait& wait, double spare_j, const Observation& 
 
 /// The nearest station that gives the store and that the robot can still get to.
 std::optional<std::size_t> nearest_station(Store store, const StopTasks& tasks, const Observation& seen,
-                                           const GuardProblem& problem, const Site& site) {
+                                           const GuardProblem& problem, const FiringMap& firing_map) {
   std::optional<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < problem.supplies.stations.size(); ++s) {
     const Station& station = problem.supplies.stations[s];
     if (!station.gives(store)) continue;
-    const auto way = way_to(station.position, seen.odometry, tasks, problem, site);
+    const auto way = way_to(station.position, seen.odometry, tasks, problem, firing_map);
     if (!way || way->time_s >= least) continue;
-    const double onward = store == Store::charge ? 0.0 : charge_home(way->end, tasks, problem, site);
+    const double onward = store == Store::charge ? 0.0 : charge_home(way->end, tasks, problem, firing_map);
     if (seen.stores->charge_j < way->charge_j + onward) continue;
     least = way->time_s;
     best = s;
@@ -125,17 +126,18 @@ void give_up(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observati
 }  // namespace
 
 std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Observation& seen,
-                             const GuardProblem& problem, const Site& site) {
+                             const GuardProblem& problem, const FiringMap& firing_map) {
   const Supplies& supplies = problem.supplies;
   const bool at_station = !tasks.queue.empty() && tasks.queue.front().call;
   if (std::holds_alternative<Fill>(command)) return std::nullopt;
   if (at_station && std::holds_alternative<AimGun>(command)) return std::nullopt;
   const auto* follow = std::get_if<FollowWaypoints>(&command);
-  const Way way = follow != nullptr ? way_along(follow->waypoints, seen.odometry.heading_rad, problem, site)
-                                    : Way{0.0, 0.0, seen.odometry};
+  const Way way = follow != nullptr
+                      ? way_along(follow->waypoints, seen.odometry.heading_rad, problem, firing_map)
+                      : Way{0.0, 0.0, seen.odometry};
   if (at_station && follow != nullptr) {
     const Store store = tasks.queue.front().call->store;
-    const double home = store == Store::charge ? 0.0 : charge_home(way.end, tasks, problem, site);
+    const double home = store == Store::charge ? 0.0 : charge_home(way.end, tasks, problem, firing_map);
     return seen.stores->charge_j < way.charge_j + home ? std::optional(Store::charge) : std::nullopt;
   }
   auto* wait = std::get_if<Wait>(&command);
@@ -143,7 +145,7 @@ std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Obs
     return Store::water;
   }
   if (!supplies.ends(Store::charge)) return std::nullopt;
-  const double home_j = charge_home(way.end, tasks, problem, site);
+  const double home_j = charge_home(way.end, tasks, problem, firing_map);
   const double spare_j =
       seen.stores->charge_j - way.charge_j - shot_charge_j(command, tasks, problem) - home_j;
   if (wait != nullptr) return lacking_for(*wait, spare_j, seen, supplies);
@@ -151,13 +153,13 @@ std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Obs
 }
 
 void provide(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observation& seen,
-             const GuardProblem& problem, const Site& site) {
+             const GuardProblem& problem, const FiringMap& firing_map) {
   tasks.arrived = false;
   tasks.aimed = false;
-  auto station = nearest_station(store, tasks, seen, problem, site);
+  auto station = nearest_station(store, tasks, seen, problem, firing_map);
   if (!station && store == Store::water && !is_full(Store::charge, seen, problem.supplies)) {
     store = Store::charge;  // the way to the water may take more than is left
-    station = nearest_station(store, tasks, seen, problem, site);
+    station = nearest_station(store, tasks, seen, problem, firing_map);
   }
   const bool full = keeper.fills >= most_fills || is_full(store, seen, problem.supplies);
   if (!station || (full && tasks.queue.empty())) {

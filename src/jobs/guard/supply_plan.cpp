@@ -25,7 +25,7 @@ bool is_possible_alone(SupplyProblem problem, std::uint32_t goal, const Budget& 
 std::string why_unsupplied(const Supplies& supplies, const SupplyProblem& problem, std::uint32_t goal,
                            const Budget& budget) {
   const auto fills = [&](Store store) {
-    return std::ranges::count(problem.fillers, store, &Filler::store) > 0;
+    return std::ranges::count(problem.stations, store, &TourStation::store) > 0;
   };
   if (!is_possible_alone(problem, goal, budget)) {
     return fmt::format(
@@ -46,20 +46,21 @@ std::string why_unsupplied(const Supplies& supplies, const SupplyProblem& proble
 }
 
 /// Stops with the shots solved again, for the pitch at which the shot before leaves the barrel.
-std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site, const SupplyTable& table,
-                                  const SupplyTour& tour, const GuardPlan& plan) {
+std::vector<PlannedStop> stops_of(const GuardProblem& problem, const FiringMap& firing_map,
+                                  const SupplyTable& table, const SupplyTour& tour, const GuardPlan& plan) {
   std::vector<PlannedStop> stops;
   double pitch = 0.0;
   for (const SupplyStep& step : tour.steps) {
     PlannedStop stop;
     stop.position = table.places[step.stop];
-    if (step.filler) {
-      stop.call = table.calls[*step.filler];
+    if (step.station) {
+      stop.call = table.calls[*step.station];
       pitch = 0.0;
     }
     for (const std::uint32_t goal : step.goals) {
       const std::size_t target = table.targets[goal];
-      auto shot = best_shot(site.rules, site.space(target), problem.targets[target], stop.position, pitch);
+      auto shot = best_shot(firing_map.rules, firing_map.space(target), problem.targets[target],
+                            stop.position, pitch);
       if (!shot) {  // the one that the plan had from there
         for (const PlannedStop& before : plan.stops) {
           for (const PlannedHit& hit : before.hits) {
@@ -77,15 +78,15 @@ std::vector<PlannedStop> stops_of(const GuardProblem& problem, const Site& site,
 
 }  // namespace
 
-Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, GuardPlan plan,
+Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
                                const Budget& budget) {
   if (!problem.supplies.any()) return plan;
-  auto table = supply_table(problem, site, plan, other_stops, budget);
+  auto table = supply_table(problem, firing_map, plan, other_stops, budget);
   if (!table) return pass_on(table);
   if (table->targets.empty()) return plan;
   auto tour = solve_supplied(table->problem, {}, budget);
   if (!tour) return pass_on(tour);
-  plan.stops = stops_of(problem, site, *table, *tour, plan);
+  plan.stops = stops_of(problem, firing_map, *table, *tour, plan);
   for (const std::uint32_t goal : tour->dropped) {
     plan.unsupplied.push_back(
         {table->targets[goal], why_unsupplied(problem.supplies, table->problem, goal, budget)});
@@ -93,15 +94,15 @@ Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const Site& site, Gu
   plan.tour_proven = tour->proven_optimal;
   if (!plan.unsupplied.empty())
     plan.lower_bound_s = plan.anywhere_lower_bound_s = 0.0;  // for hitting them all
-  if (auto ok = finish_plan(problem, site, budget, plan); !ok) return pass_on(ok);
-  const auto after = planned_levels(problem, site, plan);
+  if (auto ok = finish_plan(problem, firing_map, budget, plan); !ok) return pass_on(ok);
+  const auto after = planned_levels(problem, firing_map, plan);
   plan.cost_s = after.empty() ? 0.0 : after.back().time_s;
   plan.expected_s.reset();
   plan.lower_bound_s = std::min(plan.lower_bound_s, plan.cost_s);
   return plan;
 }
 
-std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const Site& site,
+std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
                                         const GuardPlan& plan) {
   const Supplies& supplies = problem.supplies;
   SupplyLevel now{0.0, supplies.full(Store::water), supplies.full(Store::charge), 0.0};
@@ -114,7 +115,7 @@ std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const Site&
   double yaw = 0.0;  // of the gun, relative to the body
   double pitch = 0.0;
   for (const PlannedStop& stop : plan.stops) {
-    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, site.ground.terrain());
+    const DriveCost drive = drive_cost(problem.robot, heading, stop.waypoints, firing_map.ground.terrain());
     pass(drive.time_s, drive.driven_m);
     heading = drive.heading_rad;
     now.filling_s = 0.0;

@@ -30,30 +30,32 @@ Status check_amounts(const Supplies& supplies) {
 }
 
 /// Each station must be where the robot can stand, and must be joined to the start.
-Status check_station(const GuardProblem& problem, const Site& site, const Station& station) {
+Status check_station(const GuardProblem& problem, const FiringMap& firing_map, const Station& station) {
   const auto refuse = [&](std::string_view why) {
     return bad_input(
         fmt::format("station {} at ({:g}, {:g}) {}; move it to free ground that can be driven to",
                     station.name, station.position.x, station.position.y, why),
         "supplies.stations");
   };
-  if (!site.frame.contains(site.frame.cell_at(station.position))) return refuse("is outside the yard");
-  if (!site.ground.segment_free({station.position, station.position}, problem.robot.radius_m)) {
+  if (!firing_map.frame.contains(firing_map.frame.cell_at(station.position)))
+    return refuse("is outside the yard");
+  if (!firing_map.ground.segment_free({station.position, station.position}, problem.robot.radius_m)) {
     return refuse("is too close to an obstacle for the robot");
   }
-  const auto routes = site_routes(problem, site, {problem.start.position, station.position}, {});
+  const auto routes = yard_routes(problem, firing_map, {problem.start.position, station.position}, {});
   if (!routes || !std::isfinite(routes->between(0, 1).time_s))
     return refuse("is out of reach from the start");
   return {};
 }
 
-/// One filler for each store that a station gives and that ends; its place is a number among them.
-void add_fillers(const Supplies& supplies, SupplyTable& table) {
+/// One station for each store that a station gives and that ends; its place is a number among them.
+void add_stations(const Supplies& supplies, SupplyTable& table) {
   for (std::size_t s = 0; s < supplies.stations.size(); ++s) {
     for (const Store store : {Store::water, Store::charge}) {
       if (!supplies.ends(store) || !supplies.stations[s].gives(store)) continue;
       const double per_unit = supplies.filling_s(store, 1.0) - supplies.filling_s(store, 0.0);
-      table.problem.fillers.push_back({table.places.size(), store, supplies.filling_s(store, 0.0), per_unit});
+      table.problem.stations.push_back(
+          {table.places.size(), store, supplies.filling_s(store, 0.0), per_unit});
       table.calls.push_back({s, store});
       table.places.push_back(supplies.stations[s].position);
     }
@@ -61,18 +63,18 @@ void add_fillers(const Supplies& supplies, SupplyTable& table) {
 }
 
 /// The goals are the targets with a shot, in their order.
-void take_services(const Outlook& outlook, SupplyTable& table) {
-  std::vector<std::uint32_t> goal_of(outlook.reachable.size(), 0);
-  for (std::size_t t = 0; t < outlook.reachable.size(); ++t) {
-    if (outlook.reachable[t] == 0) continue;
+void take_services(const PrecomputedStops& precomputed, SupplyTable& table) {
+  std::vector<std::uint32_t> goal_of(precomputed.reachable.size(), 0);
+  for (std::size_t t = 0; t < precomputed.reachable.size(); ++t) {
+    if (precomputed.reachable[t] == 0) continue;
     goal_of[t] = static_cast<std::uint32_t>(table.targets.size());
     table.targets.push_back(t);
   }
   TourProblem& tour = table.problem.table;
   tour.goals = table.targets.size();
   tour.services.resize(table.places.size());
-  for (std::size_t stop = 0; stop < outlook.stops.size(); ++stop) {
-    for (Service service : outlook.table.services[stop]) {
+  for (std::size_t stop = 0; stop < precomputed.stops.size(); ++stop) {
+    for (Service service : precomputed.table.services[stop]) {
       service.goal = goal_of[service.goal];
       tour.services[stop].push_back(service);
     }
@@ -81,41 +83,42 @@ void take_services(const Outlook& outlook, SupplyTable& table) {
 
 }  // namespace
 
-Status check_supplies(const GuardProblem& problem, const Site& site) {
+Status check_supplies(const GuardProblem& problem, const FiringMap& firing_map) {
   if (!problem.supplies.any()) return {};
   if (auto ok = check_amounts(problem.supplies); !ok) return ok;
   for (const Station& station : problem.supplies.stations) {
-    if (auto ok = check_station(problem, site, station); !ok) return ok;
+    if (auto ok = check_station(problem, firing_map, station); !ok) return ok;
   }
   return {};
 }
 
-std::vector<Station> stations_in_reach(const GuardProblem& problem, const Site& site) {
+std::vector<Station> stations_in_reach(const GuardProblem& problem, const FiringMap& firing_map) {
   std::vector<Station> stations = problem.supplies.stations;
-  std::erase_if(stations, [&](const Station& station) { return !check_station(problem, site, station); });
+  std::erase_if(stations,
+                [&](const Station& station) { return !check_station(problem, firing_map, station); });
   return stations;
 }
 
-Outcome<SupplyTable> supply_table(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                                  std::size_t stops, const Budget& budget) {
-  if (auto ok = check_supplies(problem, site); !ok) return pass_on(ok);
+Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& firing_map,
+                                  const GuardPlan& plan, std::size_t stops, const Budget& budget) {
+  if (auto ok = check_supplies(problem, firing_map); !ok) return pass_on(ok);
   const Supplies& supplies = problem.supplies;
   ArrivalOptions few;
   few.stops = static_cast<std::int64_t>(stops);
   SupplyTable table;
-  add_fillers(supplies, table);
-  auto outlook = look_out(problem, site, plan, few, budget, table.places);
-  if (!outlook) return pass_on(outlook);
+  add_stations(supplies, table);
+  auto precomputed = precompute_stops(problem, firing_map, plan, few, budget, table.places);
+  if (!precomputed) return pass_on(precomputed);
 
-  const std::size_t stations_from = outlook->stops.size() - table.places.size();
-  for (auto& filler : table.problem.fillers) filler.stop += stations_from;
-  table.places = outlook->stops;
-  table.problem.table = outlook->table;
+  const std::size_t stations_from = precomputed->stops.size() - table.places.size();
+  for (auto& station : table.problem.stations) station.stop += stations_from;
+  table.places = precomputed->stops;
+  table.problem.table = precomputed->table;
   table.problem.table.services.clear();
-  take_services(*outlook, table);
+  take_services(*precomputed, table);
   for (std::size_t i = 0; i < table.places.size(); ++i) {
     for (std::size_t j = 0; j < table.places.size(); ++j) {
-      table.problem.lengths_m.push_back(length_of(outlook->routes.waypoints(i, j)));
+      table.problem.lengths_m.push_back(length_of(precomputed->routes.waypoints(i, j)));
     }
   }
   table.problem.water = supplies.full(Store::water);

@@ -17,7 +17,7 @@ constexpr std::size_t most_planned = 64;
 
 struct Model {
   const GuardProblem& problem;
-  const Outlook& outlook;
+  const PrecomputedStops& precomputed;
   const ArrivalOptions& options;
   const Manner& manner;
 };
@@ -32,9 +32,9 @@ struct Errand {
 class Played {
  public:
   explicit Played(const Model& model) : model_(model) {
-    const TourProblem& table = model.outlook.table;
+    const TourProblem& table = model.precomputed.table;
     for (std::uint32_t place = 0; place < table.goals; ++place) {
-      if (model.outlook.reachable[place] == 0) continue;
+      if (model.precomputed.reachable[place] == 0) continue;
       inside_.push_back(everybody_.size());
       everybody_.push_back({place, 0.0});
     }
@@ -58,14 +58,14 @@ class Played {
 
  private:
   void plan(std::size_t count) {
-    std::vector<Wanted> wanted;
-    for (std::size_t i = 0; i < count; ++i) wanted.push_back(everybody_[inside_[i]]);
-    const Outlook& outlook = model_.outlook;
+    std::vector<PendingTarget> pending;
+    for (std::size_t i = 0; i < count; ++i) pending.push_back(everybody_[inside_[i]]);
+    const PrecomputedStops& precomputed = model_.precomputed;
     std::size_t toured = 0;
-    for (const Visit& visit : outlook.tour) toured += visit.goals.size();
+    for (const Visit& visit : precomputed.tour) toured += visit.goals.size();
     const auto objective = model_.manner.objective;
-    const bool still = objective == WatchObjective::makespan && !planned_ && wanted.size() == toured;
-    const Sequence best = sequence_beside(outlook.tour, outlook.table, wanted, now_, objective,
+    const bool still = objective == ArrivalObjective::makespan && !planned_ && pending.size() == toured;
+    const Sequence best = sequence_beside(precomputed.tour, precomputed.table, pending, now_, objective,
                                           static_cast<std::size_t>(model_.options.beam), still);
     errands_.clear();
     for (const Visit& visit : best.visits) {
@@ -78,27 +78,27 @@ class Played {
   void hit(Rng& rng) {
     const Errand errand = errands_.front();
     errands_.pop_front();
-    now_ = after_hit(model_.outlook.table, everybody_[errand.who], now_, errand.stop);
+    now_ = after_hit(model_.precomputed.table, everybody_[errand.who], now_, errand.stop);
     std::erase(inside_, errand.who);
     if (rng.uniform() < model_.options.leave) return;
     const auto& places = model_.problem.targets;
-    Wanted& one = everybody_[errand.who];
+    PendingTarget& one = everybody_[errand.who];
     const std::size_t next = elsewhere(one.goal, places.size(), rng);
     const double way_m = distance(xy(places[one.goal].base), xy(places[next].base));
     const double walk_mps = model_.options.walk_mps;
     one = {static_cast<std::uint32_t>(next), now_.time_s + (walk_mps > 0.0 ? way_m / walk_mps : 0.0)};
-    if (model_.outlook.reachable[next] == 0) return;
+    if (model_.precomputed.reachable[next] == 0) return;
     inside_.push_back(errand.who);
     ++entered_;
   }
 
   const Model& model_;
-  std::vector<Wanted> everybody_;
+  std::vector<PendingTarget> everybody_;
   std::vector<std::size_t> inside_;  // those to be hit, who came last at the end
   std::deque<Errand> errands_;
   std::size_t entered_ = 0;
   bool planned_ = false;
-  Standing now_;
+  RobotState now_;
 };
 
 ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t missions,
@@ -116,29 +116,31 @@ ExpectedTime mean_time(const Model& model, const Rng& draws, std::size_t mission
 
 }  // namespace
 
-std::vector<Manner> manners() {
+std::vector<Manner> policies() {
   std::vector<Manner> all;
-  for (const WatchPolicy& policy : watch_policies()) {
+  for (const ReplanPolicy& policy : replan_policies()) {
     if (policy.foresees) continue;
-    all.push_back({policy, WatchObjective::makespan});
-    all.push_back({policy, WatchObjective::time_inside});
+    all.push_back({policy, ArrivalObjective::makespan});
+    all.push_back({policy, ArrivalObjective::time_inside});
   }
   return all;
 }
 
-ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                           const Manner& manner, std::size_t missions, const std::stop_token& stop) {
-  return mean_time({problem, outlook, options, manner}, Rng(0).child("survivors"), missions, stop);
+ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                           const ArrivalOptions& options, const Manner& manner, std::size_t missions,
+                           const std::stop_token& stop) {
+  return mean_time({problem, precomputed, options, manner}, Rng(0).child("survivors"), missions, stop);
 }
 
-BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                       std::size_t missions, const std::stop_token& stop) {
-  std::optional<BestManner> best;
-  for (const Manner& manner : manners()) {
-    const auto time = mean_time({problem, outlook, options, manner}, Rng(0).child("choice"), missions, stop);
-    if (!best || time.mean_s < best->time.mean_s) best = BestManner{manner, time};
+BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                       const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop) {
+  std::optional<BestPolicy> best;
+  for (const Manner& manner : policies()) {
+    const auto time =
+        mean_time({problem, precomputed, options, manner}, Rng(0).child("choice"), missions, stop);
+    if (!best || time.mean_s < best->time.mean_s) best = BestPolicy{manner, time};
   }
-  best->time = expected_time(problem, outlook, options, best->manner, missions, stop);
+  best->time = expected_time(problem, precomputed, options, best->manner, missions, stop);
   return *best;
 }
 

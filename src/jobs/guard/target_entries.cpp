@@ -29,7 +29,7 @@ ReportTarget entry_of(const Target& target, const TargetRecord& record, const Re
 }
 
 /// An intruder that came, at the place where it is by now.
-ReportTarget arriving_entry(const Watch& yard, const StopTasks& tasks, std::size_t who,
+ReportTarget arriving_entry(const ArrivalYard& yard, const StopTasks& tasks, std::size_t who,
                             const SimRecord& record, const Report& report) {
   const Intruder& one = yard.intruders[who];
   Target last = yard.problem.targets[target_of(tasks, who)];
@@ -44,7 +44,7 @@ ReportTarget arriving_entry(const Watch& yard, const StopTasks& tasks, std::size
 std::vector<ReportMove> moves_of(const Walk& walk, const Track& track, const WanderOptions& options) {
   std::vector<ReportMove> moves;
   Track known;
-  for (const Glimpse& seen : track) {
+  for (const TimedPosition& seen : track) {
     const Vec2 believed =
         known.empty() ? seen.position : straight_on(stride_of(known, options), seen.time_s).at(seen.time_s);
     moves.push_back({seen.time_s, walk.at(seen.time_s), believed});

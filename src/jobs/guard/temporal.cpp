@@ -16,7 +16,7 @@ constexpr double gaps = 1e-7;  // of the time of a plan
 /// Whether anything can be done at the stop beside leaving it.
 bool is_useful(const SupplyProblem& problem, std::size_t stop) {
   return !problem.table.services[stop].empty() ||
-         std::ranges::count(problem.fillers, stop, &Filler::stop) > 0;
+         std::ranges::count(problem.stations, stop, &TourStation::stop) > 0;
 }
 
 /// The index of the pose, which joins the others when it is new.
@@ -37,7 +37,7 @@ class Writer {
   void take(const SupplyStep& step) {
     if (problem_.poses[pose_].stop != step.stop) drive(step.stop);
     for (const std::uint32_t goal : step.goals) shoot(goal);
-    if (step.filler) fill(*step.filler);
+    if (step.station) fill(*step.station);
   }
   std::vector<TemporalAction> timed() && {
     double total = 0.0;
@@ -89,11 +89,11 @@ class Writer {
       const auto [way, seconds] = aim(0.0, 0.0);
       add(TemporalVerb::rest, seconds, 0, way);
     }
-    const Filler& filler = problem_.supplies.fillers[index];
-    const bool is_water = filler.store == Store::water;
+    const TourStation& station = problem_.supplies.stations[index];
+    const bool is_water = station.store == Store::water;
     double& level = is_water ? water_ : charge_;
     const double full = is_water ? problem_.supplies.water : problem_.supplies.charge;
-    add(TemporalVerb::fill, filler.fixed_s + filler.per_unit_s * (full - level), index);
+    add(TemporalVerb::fill, station.fixed_s + station.per_unit_s * (full - level), index);
     level = full;
   }
 
@@ -132,10 +132,10 @@ double TemporalProblem::drive_charge(std::size_t from, std::size_t to) const {
 
 double TemporalProblem::homeward_charge(std::size_t pose) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Filler& filler : supplies.fillers) {
-    if (filler.store != Store::charge) continue;
-    if (filler.stop == poses[pose].stop) return 0.0;
-    const std::size_t to = after[pose * stops() + filler.stop];
+  for (const TourStation& station : supplies.stations) {
+    if (station.store != Store::charge) continue;
+    if (station.stop == poses[pose].stop) return 0.0;
+    const std::size_t to = after[pose * stops() + station.stop];
     if (to != none) least = std::min(least, drive_charge(pose, to));
   }
   return std::isfinite(least) ? least : 0.0;

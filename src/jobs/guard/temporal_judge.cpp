@@ -99,15 +99,15 @@ class Follower {
     return use(per_second(action), 0.0, "must not fall below");
   }
   std::string fill(const TemporalAction& action) {
-    const Filler& filler = problem_.supplies.fillers[action.object];
-    if (filler.stop != problem_.poses[pose_].stop) return "there is no such station at that pose";
+    const TourStation& station = problem_.supplies.stations[action.object];
+    if (station.stop != problem_.poses[pose_].stop) return "there is no such station at that pose";
     if (!rested_) return "the gun is not at rest";
-    const bool is_water = filler.store == Store::water;
+    const bool is_water = station.store == Store::water;
     double& level = is_water ? water_ : charge_;
     const double full = is_water ? problem_.supplies.water : problem_.supplies.charge;
     const double missing = full - level;
     level = full;
-    return exactly(filler.fixed_s + filler.per_unit_s * missing, action);
+    return exactly(station.fixed_s + station.per_unit_s * missing, action);
   }
 
   const TemporalProblem& problem_;

@@ -53,10 +53,10 @@ Status solve_with_ends(SupplyProblem& supplies, const Budget& budget, TemporalMi
 
 }  // namespace
 
-Outcome<TemporalMission> temporal_mission(const GuardProblem& problem, const Site& site,
+Outcome<TemporalMission> temporal_mission(const GuardProblem& problem, const FiringMap& firing_map,
                                           const GuardPlan& plan, const GuardOptions& options,
                                           std::size_t stops, const Budget& budget) {
-  auto table = supply_table(problem, site, plan, stops, budget);
+  auto table = supply_table(problem, firing_map, plan, stops, budget);
   if (!table) return pass_on(table);
   TemporalMission mission;
   mission.targets = std::move(table->targets);

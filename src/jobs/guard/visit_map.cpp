@@ -94,14 +94,14 @@ double way_ahead(const VisitMap& map, const Stride& stride, Rng& rng) {
 
 }  // namespace
 
-VisitMap visit_map(const GuardProblem& problem, const Site& site, const std::vector<Track>& history,
-                   const WanderOptions& options) {
+VisitMap visit_map(const GuardProblem& problem, const FiringMap& firing_map,
+                   const std::vector<Track>& history, const WanderOptions& options) {
   VisitMap map;
   const GridFrame frame = covering(problem.world.bounds, spacing_m);
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const Vec2 place = frame.centre(frame.cell(i));
-    const Cell cell = site.frame.cell_at(place);
-    if (site.frame.contains(cell) && site.standable[site.frame.index(cell)] != 0) {
+    const Cell cell = firing_map.frame.cell_at(place);
+    if (firing_map.frame.contains(cell) && firing_map.standable[firing_map.frame.index(cell)] != 0) {
       map.regions.push_back(place);
     }
   }
@@ -118,7 +118,7 @@ void learn(VisitMap& map, const Track& track, const WanderOptions& options, std:
 }
 
 Stride stride_of(const Track& track, const WanderOptions& options) {
-  const Glimpse& last = track.back();
+  const TimedPosition& last = track.back();
   Stride stride{last.position, {}, last.time_s};
   for (std::size_t first = track.size() - 1; first-- > 0;) {
     if (last.time_s - track[first].time_s > longest_look_s) break;

@@ -16,16 +16,16 @@ constexpr double most_room_m = 0.1;  // half the width that an intruder needs to
 constexpr double least_room_m = 0.01;
 
 /// Half the width of the way that all can walk, from the rooms around the places.
-Outcome<double> room(const GuardProblem& problem, const Site& site) {
+Outcome<double> room(const GuardProblem& problem, const FiringMap& firing_map) {
   double room_m = most_room_m;
   for (const Target& target : problem.targets) {
-    if (std::abs(target.base.z - site.rules.floor_z_m) > on_floor_m) {
+    if (std::abs(target.base.z - firing_map.rules.floor_z_m) > on_floor_m) {
       return bad_input(fmt::format("{} does not stand on the floor, so it cannot walk; leave it out or give "
                                    "z={:g}",
-                                   target.name, site.rules.floor_z_m),
+                                   target.name, firing_map.rules.floor_z_m),
                        "wander.speed");
     }
-    const double clear_m = site.ground.clearance(xy(target.base), most_room_m) - 1e-6;
+    const double clear_m = firing_map.ground.clearance(xy(target.base), most_room_m) - 1e-6;
     if (clear_m < least_room_m) {
       return bad_input(
           fmt::format("{} has no room to walk: an obstacle is {:.3f} m away, and it takes 0.01 m; "
@@ -71,20 +71,20 @@ std::vector<Option> describe(WanderOptions& options) {
   };
 }
 
-Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const Site& site,
+Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget) {
   if (problem.targets_block) {
     return bad_input("targets that walk cannot block; leave one of targets_block and wander out",
                      "targets_block");
   }
-  auto room_m = room(problem, site);
+  auto room_m = room(problem, firing_map);
   if (!room_m) return pass_on(room_m);
   std::vector<Vec2> places;
   for (const Target& target : problem.targets) places.push_back(xy(target.base));
   RobotModel walker = problem.robot;
   walker.radius_m = *room_m;
-  auto routes = routes_between(site.ground, walker, places, {}, {}, budget);
+  auto routes = routes_between(firing_map.ground, walker, places, {}, {}, budget);
   if (!routes) return pass_on(routes);
   std::vector<Walk> walks;
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -67,7 +67,7 @@ std::vector<NamedContent> plan_pictures(const PlanQuestion& question, const Plan
   return {grid_picture(question, answer, trace)};
 }
 
-std::string trace_json(const Trace& trace, const GridGround& ground) {
+std::string trace_json(const Trace& trace, const GridMap& ground) {
   auto expansions = nlohmann::ordered_json::array();
   for (const Expansion& expansion : trace.expansions) {
     const Cell v = ground.at(expansion.state), parent = ground.at(expansion.parent);

@@ -15,6 +15,6 @@ std::vector<NamedContent> plan_pictures(const PlanQuestion& question, const Plan
                                         const Trace* trace);
 
 /// The vertices in the order in which the search expanded them, as a JSON array; costs in cells.
-std::string trace_json(const Trace& trace, const GridGround& ground);
+std::string trace_json(const Trace& trace, const GridMap& ground);
 
 }  // namespace outrider

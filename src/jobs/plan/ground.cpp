@@ -8,7 +8,7 @@ namespace outrider {
 namespace {
 
 /// All changes at once; where one is refused, the first that is.
-Status change_cells(GridGround& grid, const std::vector<PlanCellChange>& changes) {
+Status change_cells(GridMap& grid, const std::vector<PlanCellChange>& changes) {
   std::vector<CellChange> all;
   for (const PlanCellChange& each : changes) all.push_back(each.change);
   if (auto changed = grid.with(all)) {
@@ -24,7 +24,7 @@ Status change_cells(GridGround& grid, const std::vector<PlanCellChange>& changes
 
 Status set_grid(PlanGround& ground, Outcome<Grid<std::uint8_t>> blocked, const PlanGroundOptions& options) {
   if (!blocked) return pass_on(blocked);
-  auto grid = GridGround::of(*blocked, options.model);
+  auto grid = GridMap::of(*blocked, options.model);
   if (!grid) return pass_on(grid);
   if (!options.changes.empty()) {
     if (auto ok = change_cells(*grid, options.changes); !ok) return ok;
@@ -33,7 +33,7 @@ Status set_grid(PlanGround& ground, Outcome<Grid<std::uint8_t>> blocked, const P
     }
   }
   ground.blocked = std::move(*blocked);
-  ground.grid = std::make_shared<const GridGround>(std::move(*grid));
+  ground.grid = std::make_shared<const GridMap>(std::move(*grid));
   return {};
 }
 
@@ -58,7 +58,7 @@ Status set_shape(PlanGround& ground, const MapShape& map, const PlanGroundOption
     return set_polygons(ground, PolygonGround::of(polygons->boundary, polygons->obstacles, options.radius_m),
                         options);
   }
-  Ground shapes = Ground::of(std::get<World>(map), options.height_m);
+  CollisionMap shapes = CollisionMap::of(std::get<World>(map), options.height_m);
   if (options.as_polygons) {
     return set_polygons(ground, polygons_from_world(shapes, options.radius_m), options);
   }

@@ -23,7 +23,7 @@ struct PathPicture {
   Vec2 start;
   std::vector<Vec2> goals;
   std::vector<DrawnPath> paths;
-  std::shared_ptr<const GridGround> ground = nullptr;  ///< for the trace; none: no trace is drawn
+  std::shared_ptr<const GridMap> ground = nullptr;  ///< for the trace; none: no trace is drawn
   Trace trace = {};
 };
 

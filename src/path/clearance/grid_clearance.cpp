@@ -17,7 +17,7 @@ Vec2 centre(Cell v) { return {v.x + 0.5, v.y + 0.5}; }
 double apart(double x, int column) { return std::max({0.0, column - x, x - column - 1.0}); }
 
 /// The nearest blocked cell of one row, from the column at `inner` outwards on one side.
-double squared_in_row(const GridGround& ground, Vec2 p, int row, int side, double inner, double least) {
+double squared_in_row(const GridMap& ground, Vec2 p, int row, int side, double inner, double least) {
   const double up = apart(p.y, row);
   for (int column = static_cast<int>(std::floor(p.x + side * inner));; column += side) {
     const double across = apart(p.x, column);
@@ -40,7 +40,7 @@ bool wider_between(const GridClearance& clearance, Vec2 a, double at_a, Vec2 b, 
 
 }  // namespace
 
-GridClearance GridClearance::of(const GridGround& ground) {
+GridClearance GridClearance::of(const GridMap& ground) {
   const int width = 2 * ground.frame.width + 1, height = 2 * ground.frame.height + 1;
   Grid<std::uint8_t> solid(GridFrame{{0.0, 0.0}, 0.5, width, height});
   for (int y = -1; y <= ground.frame.height; ++y) {

@@ -9,20 +9,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
 struct GridClearance {
   static constexpr int most_side = 16'383;  ///< cells, so that squares of half cells fit
 
-  const GridGround* ground = nullptr;
+  const GridMap* ground = nullptr;
   std::size_t stride = 0;              ///< of a row of the lattice
   std::vector<std::uint32_t> squared;  ///< half cells, by place()
   std::uint32_t widest_squared = 0;    ///< the largest of them
 
   /// The ground outlives the clearance. O(cells).
-  static GridClearance of(const GridGround& ground);
+  static GridClearance of(const GridMap& ground);
 
   /// Where the centre of a cell stands on the lattice.
   [[nodiscard]] std::size_t place(Cell v) const {

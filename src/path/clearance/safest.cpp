@@ -29,7 +29,7 @@ struct MovesPolicy {
   const GridQuery& query;
   const GridClearance& clearance;
   const Labels<double>& labels;
-  const GridGround& ground = query.ground;
+  const GridMap& ground = query.ground;
   std::uint64_t generated = 0;
 
   [[nodiscard]] std::size_t states() const { return ground.marks.size(); }
@@ -103,11 +103,11 @@ struct ExposurePolicy : MovesPolicy {
 
 /// The clearance of the ground last asked about.
 struct ClearanceMemory {
-  std::shared_ptr<const GridGround> made_for;
+  std::shared_ptr<const GridMap> made_for;
   GridClearance clearance;
 };
 
-const GridClearance& clearance_of(const std::shared_ptr<const GridGround>& ground, Workspace& workspace) {
+const GridClearance& clearance_of(const std::shared_ptr<const GridMap>& ground, Workspace& workspace) {
   auto& memory = workspace.get<ClearanceMemory>();
   if (memory.made_for != ground) {
     memory.clearance = GridClearance::of(*ground);
@@ -144,7 +144,7 @@ Outcome<GridQuery> query_of(const Problem& problem) {
 }
 
 /// Squared, in half cells, of the points that the path passes.
-std::uint32_t least_squared_of(const std::vector<State>& path, const GridGround& ground,
+std::uint32_t least_squared_of(const std::vector<State>& path, const GridMap& ground,
                                const GridClearance& clearance) {
   std::uint32_t least = clearance.squared[clearance.place(ground.at(path.front()))];
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -202,7 +202,7 @@ Outcome<Plan> safest(const Problem& problem, const SafestOptions& options, const
   if (auto good = check_options(options); !good) return pass_on(good);
   auto query = query_of(problem);
   if (!query) return pass_on(query);
-  const GridGround& ground = query->ground;
+  const GridMap& ground = query->ground;
   const GridClearance& clearance = clearance_of(problem.grid, workspace);
   auto& memory = workspace.get<SearchMemory<double>>();
   BudgetMeter meter(budget);

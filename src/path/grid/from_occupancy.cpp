@@ -57,11 +57,10 @@ Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double 
   return blocked;
 }
 
-Outcome<GridGround> grid_from_occupancy(const Grid<std::uint8_t>& occupied, double radius_m,
-                                        GridModel model) {
+Outcome<GridMap> grid_from_occupancy(const Grid<std::uint8_t>& occupied, double radius_m, GridModel model) {
   auto blocked = inflated(occupied, radius_m);
   if (!blocked) return pass_on(blocked);
-  return GridGround::of(*blocked, model);
+  return GridMap::of(*blocked, model);
 }
 
 }  // namespace outrider

@@ -9,7 +9,7 @@ namespace jump {
 namespace {
 
 struct Memory {
-  std::shared_ptr<const GridGround> ground;  ///< of the map
+  std::shared_ptr<const GridMap> ground;  ///< of the map
   Map map;
   Frontier frontier;
 };

@@ -21,19 +21,18 @@ constexpr std::array<unsigned, 2> parts_of(unsigned diagonal) {
 }
 
 /// Whether a run that arrives at v by that move has come to its end.
-bool stops_at(const GridGround& ground, const std::vector<Distances>& distances, unsigned move,
-              std::size_t v) {
+bool stops_at(const GridMap& ground, const std::vector<Distances>& distances, unsigned move, std::size_t v) {
   if (move < 4) return forced_sides(ground.moves[v], move) != 0;
   const auto [h, up] = parts_of(move);
   return distances[v][h] > 0 || distances[v][up] > 0;
 }
 
-std::ptrdiff_t step_of(const GridGround& ground, unsigned move) {
+std::ptrdiff_t step_of(const GridMap& ground, unsigned move) {
   return grid_moves[move].y * static_cast<std::ptrdiff_t>(ground.stride) + grid_moves[move].x;
 }
 
 /// Fills the distance of one move for all cells, from the far end of each run on.
-void fill(const GridGround& ground, unsigned move, std::vector<Distances>& distances) {
+void fill(const GridMap& ground, unsigned move, std::vector<Distances>& distances) {
   const Cell d = grid_moves[move];
   const int width = ground.frame.width, height = ground.frame.height;
   const std::ptrdiff_t step = step_of(ground, move);
@@ -56,7 +55,7 @@ void sort_once(Vertices& vertices) {
 }
 
 /// The vertices whose moves depend on the cells.
-Vertices vertices_around(const GridGround& ground, const std::vector<Cell>& cells) {
+Vertices vertices_around(const GridMap& ground, const std::vector<Cell>& cells) {
   Vertices around;
   for (const Cell c : cells) {
     for (int y = c.y - 1; y <= c.y + 1; ++y) {
@@ -71,7 +70,7 @@ Vertices vertices_around(const GridGround& ground, const std::vector<Cell>& cell
 
 /// Corrects the distances of one move. They may be wrong at `causes` and at the vertex before each, and
 /// from there back as long as one changes. Says where a run that led to a turn no longer does, or now does.
-Vertices walk_back(const GridGround& ground, unsigned move, const Vertices& causes,
+Vertices walk_back(const GridMap& ground, unsigned move, const Vertices& causes,
                    std::vector<Distances>& distances) {
   Vertices turned;
   const std::ptrdiff_t step = step_of(ground, move);
@@ -106,14 +105,13 @@ unsigned forced_sides(unsigned moves, unsigned direction) {
   return sides;
 }
 
-std::vector<Distances> distances_of(const GridGround& ground) {
+std::vector<Distances> distances_of(const GridMap& ground) {
   std::vector<Distances> distances(ground.marks.size(), Distances{});
   for (unsigned move = 0; move < 8; ++move) fill(ground, move, distances);
   return distances;
 }
 
-void walk_again(std::vector<Distances>& distances, const GridGround& ground,
-                const std::vector<Cell>& changed) {
+void walk_again(std::vector<Distances>& distances, const GridMap& ground, const std::vector<Cell>& changed) {
   const Vertices around = vertices_around(ground, changed);
   std::array<Vertices, 4> turned;
   for (unsigned move = 0; move < 4; ++move) turned[move] = walk_back(ground, move, around, distances);

@@ -1,6 +1,6 @@
 // How far each of the eight runs goes from each cell, for jump point search on one grid many times.
 //
-// 16 bytes a cell, by index of GridGround and in the order of grid_moves. A straight distance is that
+// 16 bytes a cell, by index of GridMap and in the order of grid_moves. A straight distance is that
 // to the next cell at which a turn is forced, or 0 or less when there is none: minus the free
 // cells ahead. A diagonal distance is that to the next cell from which a straight run of the two
 // beside it ends at such a turn, or minus the steps that are legal. O(cells) to build.
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider::jump {
 
@@ -30,12 +30,11 @@ constexpr unsigned diagonal_of(unsigned horizontal, unsigned vertical) {
   return to_east ? 7 : 6;
 }
 
-std::vector<Distances> distances_of(const GridGround& ground);
+std::vector<Distances> distances_of(const GridMap& ground);
 
 /// Makes the distances of a ground that differs in those cells into the distances of this one, which are
 /// then the same as made anew. Each run is walked backwards from where what it depends on has changed, until
 /// a distance stays as it was: O(distances that change, and the changed cells).
-void walk_again(std::vector<Distances>& distances, const GridGround& ground,
-                const std::vector<Cell>& changed);
+void walk_again(std::vector<Distances>& distances, const GridMap& ground, const std::vector<Cell>& changed);
 
 }  // namespace outrider::jump

@@ -17,7 +17,7 @@ void write(Map& map, Cell c, bool blocked) {
 
 }  // namespace
 
-Map map_of(const GridGround& ground) {
+Map map_of(const GridMap& ground) {
   Map map;
   map.width = ground.frame.width + 2;
   map.height = ground.frame.height + 2;
@@ -31,13 +31,13 @@ Map map_of(const GridGround& ground) {
   for (int y = 1; y + 1 < map.height; ++y) {
     const std::uint8_t* marks = ground.marks.data() + ground.index({-1, y - 1});
     for (int x = 1; x + 1 < map.width; ++x) {
-      if ((marks[x] & GridGround::blocked_bit) == 0) write(map, {x, y}, false);
+      if ((marks[x] & GridMap::blocked_bit) == 0) write(map, {x, y}, false);
     }
   }
   return map;
 }
 
-void rewrite(Map& map, const GridGround& ground, const std::vector<Cell>& changed) {
+void rewrite(Map& map, const GridMap& ground, const std::vector<Cell>& changed) {
   for (const Cell c : changed) write(map, {c.x + 1, c.y + 1}, ground.blocked(c));
 }
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider::jump {
 
@@ -70,10 +70,10 @@ struct Map {
 };
 
 /// O(cells).
-Map map_of(const GridGround& ground);
+Map map_of(const GridMap& ground);
 
 /// Writes the changed cells of the ground down again. O(changed).
-void rewrite(Map& map, const GridGround& ground, const std::vector<Cell>& changed);
+void rewrite(Map& map, const GridMap& ground, const std::vector<Cell>& changed);
 
 /// The first cell behind `position` that is blocked or at which a turn is forced. O(cells / 64).
 inline Stop scan(const std::uint64_t* line, std::ptrdiff_t stride, std::int32_t position) {

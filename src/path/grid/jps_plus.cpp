@@ -11,14 +11,14 @@ namespace jump {
 namespace {
 
 struct IndexedMemory {
-  std::shared_ptr<const GridGround> ground;  ///< of the distances
+  std::shared_ptr<const GridMap> ground;  ///< of the distances
   std::vector<Distances> distances;
   Frontier frontier;
 };
 
 class IndexedExpansion {
  public:
-  IndexedExpansion(const GridGround& ground, const std::vector<Distances>& distances, Frontier& frontier)
+  IndexedExpansion(const GridMap& ground, const std::vector<Distances>& distances, Frontier& frontier)
       : ground_(ground), distances_(distances), frontier_(frontier) {}
 
   void operator()(std::uint32_t id) {
@@ -87,7 +87,7 @@ class IndexedExpansion {
     }
   }
 
-  const GridGround& ground_;
+  const GridMap& ground_;
   const std::vector<Distances>& distances_;
   Frontier& frontier_;
   std::uint32_t id_ = 0;
@@ -104,7 +104,7 @@ Outcome<Plan> jps_plus(const Problem& problem, const JpsPlusOptions& /*options*/
                        Workspace& workspace) {
   auto query = grid_query(problem);
   if (!query) return pass_on(query);
-  const GridGround& ground = query->ground;
+  const GridMap& ground = query->ground;
   if (ground.model != GridModel::cells) {
     return bad_input("jps_plus takes grids of the model 'cells', not 'corners'; take a_star instead",
                      "planner");

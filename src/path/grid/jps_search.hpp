@@ -22,7 +22,7 @@ struct Frontier {
   Cell goal;          ///< counted from the border, as all cells here
   double most = 0.0;  ///< cost of the best way to the goal so far
   std::uint64_t generated = 0;
-  const GridGround* ground = nullptr;
+  const GridMap* ground = nullptr;
   Trace* trace = nullptr;
 
   [[nodiscard]] std::uint32_t state(Cell c) const { return ground->index({c.x - 1, c.y - 1}); }

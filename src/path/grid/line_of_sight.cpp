@@ -5,10 +5,10 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint8_t blocked_bit = GridGround::blocked_bit;
+constexpr std::uint8_t blocked_bit = GridMap::blocked_bit;
 
 /// From centre to centre: every cell on the way, and both beside a corner that is passed exactly.
-bool visible_between_centres(const GridGround& ground, Cell from, Cell to) {
+bool visible_between_centres(const GridMap& ground, Cell from, Cell to) {
   const std::int64_t dx = std::abs(to.x - from.x), dy = std::abs(to.y - from.y);
   const std::ptrdiff_t step_x = to.x > from.x ? 1 : -1;
   const std::ptrdiff_t step_y = (to.y > from.y ? 1 : -1) * static_cast<std::ptrdiff_t>(ground.stride);
@@ -34,11 +34,11 @@ bool visible_between_centres(const GridGround& ground, Cell from, Cell to) {
 }
 
 /// Along a line of the lattice: each side of a cell on it needs a free cell, and no pinch between.
-bool visible_along_border(const GridGround& ground, Cell from, std::ptrdiff_t step, std::ptrdiff_t beside,
+bool visible_along_border(const GridMap& ground, Cell from, std::ptrdiff_t step, std::ptrdiff_t beside,
                           int count, bool upwards) {
   const std::uint8_t* vertex = ground.marks.data() + ground.index(from);
   for (int i = 0; i < count; ++i, vertex += step) {
-    if (i > 0 && (*vertex & GridGround::pinch_bit) != 0) return false;
+    if (i > 0 && (*vertex & GridMap::pinch_bit) != 0) return false;
     const std::uint8_t* cell = upwards ? vertex : vertex + step;  // the cell on one side of this unit
     if ((cell[0] & cell[-beside] & blocked_bit) != 0) return false;
   }
@@ -46,7 +46,7 @@ bool visible_along_border(const GridGround& ground, Cell from, std::ptrdiff_t st
 }
 
 /// From corner to corner off the lattice lines: every cell that is crossed, and no pinch between.
-bool visible_between_corners(const GridGround& ground, Cell from, Cell to) {
+bool visible_between_corners(const GridMap& ground, Cell from, Cell to) {
   const std::int64_t dx = std::abs(to.x - from.x), dy = std::abs(to.y - from.y);
   const bool right = to.x > from.x, up = to.y > from.y;
   const std::ptrdiff_t step_x = right ? 1 : -1;
@@ -74,7 +74,7 @@ bool visible_between_corners(const GridGround& ground, Cell from, Cell to) {
 
 }  // namespace
 
-bool visible(const GridGround& ground, Cell from, Cell to) {
+bool visible(const GridMap& ground, Cell from, Cell to) {
   if (ground.model == GridModel::cells) return visible_between_centres(ground, from, to);
   const auto stride = static_cast<std::ptrdiff_t>(ground.stride);
   if (from.y == to.y) {

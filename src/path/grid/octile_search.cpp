@@ -15,7 +15,7 @@ struct OctilePolicy {
   const GridQuery& query;
   double weight;
   const Labels<Octile>& labels;
-  const GridGround& ground = query.ground;
+  const GridMap& ground = query.ground;
   State first = ground.index(query.start);
   State last = ground.index(query.goal);
   std::uint64_t generated = 0;
@@ -33,7 +33,7 @@ struct OctilePolicy {
 
   template <class Relax>
   void expand(State s, Relax& relax) {
-    if ((ground.marks[s] & GridGround::pinch_bit) != 0 && s != first) return;
+    if ((ground.marks[s] & GridMap::pinch_bit) != 0 && s != first) return;
     const Cell v = ground.at(s);
     const Octile g = labels.g(s);
     for (unsigned left = ground.moves[s]; left != 0; left &= left - 1) {
@@ -61,7 +61,7 @@ struct WantedMemory {
   std::vector<std::uint8_t> of_state;
 };
 
-std::vector<Cell> vertices_to(State last, const GridGround& ground, const Labels<Octile>& labels) {
+std::vector<Cell> vertices_to(State last, const GridMap& ground, const Labels<Octile>& labels) {
   std::vector<Cell> vertices;
   for (const State s : path_to(last, labels)) vertices.push_back(ground.at(s));
   return vertices;
@@ -115,7 +115,7 @@ std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std:
       plans.emplace_back(pass_on(queries[i]));
       continue;
     }
-    const GridGround& ground = queries[i]->ground;
+    const GridMap& ground = queries[i]->ground;
     const State goal = ground.index(queries[i]->goal);
     wanted[goal] = 0;
     if (!memory.labels.closed(goal)) {

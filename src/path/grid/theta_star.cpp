@@ -22,7 +22,7 @@ struct FreeDirectionPolicy {
 
   const GridQuery& query;
   Labels<double>& labels;
-  const GridGround& ground = query.ground;
+  const GridMap& ground = query.ground;
   State first = ground.index(query.start);
   State last = ground.index(query.goal);
   PlanCounters counters{};
@@ -40,7 +40,7 @@ struct FreeDirectionPolicy {
   }
   /// A path may go on from s: everywhere but at a pinch other than the start.
   [[nodiscard]] bool passable(State s) const {
-    return (ground.marks[s] & GridGround::pinch_bit) == 0 || s == first;
+    return (ground.marks[s] & GridMap::pinch_bit) == 0 || s == first;
   }
   /// visit(neighbour's state, its vertex, length of the move) for every legal move from s.
   template <class Visit>

@@ -16,7 +16,7 @@ double distance_to(const CellBox& box, Cell v) {
 }
 
 /// Cells side by side in a row, row by row.
-std::vector<CellBox> freed_runs(const GridGround& now, const std::vector<Cell>& changed) {
+std::vector<CellBox> freed_runs(const GridMap& now, const std::vector<Cell>& changed) {
   std::vector<CellBox> runs;
   for (const Cell c : changed) {
     if (now.blocked(c)) continue;
@@ -31,7 +31,7 @@ std::vector<CellBox> freed_runs(const GridGround& now, const std::vector<Cell>& 
 
 }  // namespace
 
-std::vector<CellBox> freed_boxes(const GridGround& now, const std::vector<Cell>& changed) {
+std::vector<CellBox> freed_boxes(const GridMap& now, const std::vector<Cell>& changed) {
   std::vector<CellBox> runs = freed_runs(now, changed), boxes;
   std::sort(runs.begin(), runs.end(), [](const CellBox& a, const CellBox& b) {
     if (a.low.x != b.low.x) return a.low.x < b.low.x;
@@ -55,7 +55,7 @@ double least_length_over(std::span<const CellBox> boxes, Cell start, Cell goal) 
   return least;
 }
 
-bool legal_way(const GridGround& ground, std::span<const Cell> way) {
+bool legal_way(const GridMap& ground, std::span<const Cell> way) {
   for (std::size_t i = 1; i < way.size(); ++i) {
     if (i > 1 && ground.pinch(way[i - 1])) return false;
     if (!visible(ground, way[i - 1], way[i])) return false;

@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider::hub_labelling {
 
@@ -28,12 +28,12 @@ struct CellBox {
 
 /// Those of `changed`, given row by row, that are free in `now`: equal runs in neighbouring rows are one box.
 /// O(n log n).
-std::vector<CellBox> freed_boxes(const GridGround& now, const std::vector<Cell>& changed);
+std::vector<CellBox> freed_boxes(const GridMap& now, const std::vector<Cell>& changed);
 
 /// No path from `start` to `goal` that touches one of the boxes is shorter, cells; infinite without boxes.
 double least_length_over(std::span<const CellBox> boxes, Cell start, Cell goal);
 
 /// Every leg is free, and no pinch lies between the ends. O(cells on the legs).
-bool legal_way(const GridGround& ground, std::span<const Cell> way);
+bool legal_way(const GridMap& ground, std::span<const Cell> way);
 
 }  // namespace outrider::hub_labelling

@@ -34,7 +34,7 @@ std::uint64_t work_of(const Index& index) {
 }
 
 /// Nothing when its hubs do not fit into half of `most_bytes`, or when `stop` asks for it.
-std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most_bytes,
+std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_bytes,
                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
       sizeof(HubTrees::Node) + sizeof(HubTrees::Label) + sizeof(HubTrees::Departure);
@@ -57,17 +57,17 @@ std::unique_ptr<const Index> index_of(const GridGround& ground, std::size_t most
 }
 
 struct Memory {
-  std::shared_ptr<const GridGround> ground;  ///< of the index
+  std::shared_ptr<const GridMap> ground;  ///< of the index
   std::int64_t index_mib = 0;
-  std::unique_ptr<const Index> index;       ///< none when it would be too large
-  std::shared_ptr<const GridGround> asked;  ///< the last one; as `ground` but for a few cells
-  bool changed = false;                     ///< a few differ
-  bool searched = false;                    ///< by polyanya, which has made a mesh of it
-  std::vector<CellBox> freed;               ///< blocked in `ground`, free in `asked`
-  std::uint64_t spent = 0;                  ///< by polyanya on changed grounds, in expansions
+  std::unique_ptr<const Index> index;    ///< none when it would be too large
+  std::shared_ptr<const GridMap> asked;  ///< the last one; as `ground` but for a few cells
+  bool changed = false;                  ///< a few differ
+  bool searched = false;                 ///< by polyanya, which has made a mesh of it
+  std::vector<CellBox> freed;            ///< blocked in `ground`, free in `asked`
+  std::uint64_t spent = 0;               ///< by polyanya on changed grounds, in expansions
   std::vector<Cell> way;
 
-  void renew(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
+  void renew(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
     const bool made = ground != nullptr && index_mib == mib;
     const bool near = made && (asked == now || compare(now));
     if (near && (!changed || index == nullptr || spent <= index->work)) return;
@@ -75,7 +75,7 @@ struct Memory {
   }
 
   /// False when too many cells differ.
-  bool compare(const std::shared_ptr<const GridGround>& now) {
+  bool compare(const std::shared_ptr<const GridMap>& now) {
     const auto cells = cells_changed(*ground, *now, now->frame.size() / 32);
     if (!cells) return false;
     changed = !cells->empty();
@@ -85,7 +85,7 @@ struct Memory {
     return true;
   }
 
-  void make(const std::shared_ptr<const GridGround>& now, std::int64_t mib, const std::stop_token& stop) {
+  void make(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
     ground.reset();
     asked.reset();
     freed.clear();
@@ -209,7 +209,7 @@ Answer look_up(Memory& memory, Cell start, Cell goal) {
   if (!memory.lists(start) || !memory.lists(goal)) return Answer::unknown;
   if (!memory.changed) return Query(memory, start, goal).find_way() ? Answer::way : Answer::no_path;
 
-  const GridGround& before = *memory.ground;
+  const GridMap& before = *memory.ground;
   if (!before.place(start) || !before.place(goal) || visible(before, start, goal)) return Answer::unknown;
   if (!Query(memory, start, goal).find_way()) return memory.freed.empty() ? Answer::no_path : Answer::unknown;
   const bool shortest = length_of(way) <= least_length_over(memory.freed, start, goal);

@@ -16,7 +16,7 @@ constexpr double far = std::numeric_limits<double>::infinity();
 /// Makes the list of some corners of a tile: O(labels of the turns seen) for each.
 class ListMaker {
  public:
-  ListMaker(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees);
+  ListMaker(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees);
   void add(Cell corner);
   /// Of the corners added since the last list; valid until the next one.
   TileList list();
@@ -44,7 +44,7 @@ class ListMaker {
   std::vector<Cell> turns_;
 };
 
-ListMaker::ListMaker(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees)
+ListMaker::ListMaker(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees)
     : mesh_(mesh),
       trees_(trees),
       sight_(ground, mesh),
@@ -130,7 +130,7 @@ TileList ListMaker::list() {
   return {entries_, turns_};
 }
 
-TileRow row_of(int low_y, const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees) {
+TileRow row_of(int low_y, const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees) {
   TileRow row;
   ListMaker maker(ground, mesh, trees);
   const auto begin_tile = [&row] {
@@ -158,7 +158,7 @@ TileRow row_of(int low_y, const GridGround& ground, const NavigationMesh& mesh, 
 
 }  // namespace
 
-std::vector<TileRow> hub_lists(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees,
+std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
                                std::size_t most_bytes, const std::stop_token& stop) {
   constexpr std::size_t block = 8;  // rows between two looks at the memory
   std::vector<TileRow> rows(static_cast<std::size_t>(ground.frame.height / tile_side) + 1);

@@ -61,7 +61,7 @@ inline constexpr std::uint64_t most_work = std::uint64_t{1} << 34U;
 
 /// Row by row from below, in parallel, as many as fit into `most_bytes` and are made with `most_work`. Cut
 /// short when `stop` asks for it.
-std::vector<TileRow> hub_lists(const GridGround& ground, const NavigationMesh& mesh, const HubTrees& trees,
+std::vector<TileRow> hub_lists(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees,
                                std::size_t most_bytes, const std::stop_token& stop);
 
 }  // namespace outrider::hub_labelling

@@ -17,7 +17,7 @@ namespace outrider::hub_labelling {
 
 class TautSight {
  public:
-  TautSight(const GridGround& ground, const NavigationMesh& mesh) : ground_(ground), mesh_(mesh) {}
+  TautSight(const GridMap& ground, const NavigationMesh& mesh) : ground_(ground), mesh_(mesh) {}
 
   /// Of mesh.turns, in increasing order, without the corner itself.
   const std::vector<std::uint32_t>& from(Cell corner);
@@ -40,7 +40,7 @@ class TautSight {
   void look_everywhere(std::uint32_t polygon);
   void look_through(const Cone& cone);
 
-  const GridGround& ground_;
+  const GridMap& ground_;
   const NavigationMesh& mesh_;
   Cell corner_;
   std::vector<std::uint32_t> around_, seen_;

@@ -29,8 +29,8 @@ double length_between(Cell a, Cell b) {
   return std::sqrt(x * x + y * y);
 }
 
-std::optional<TurnGraph> turn_graph(const GridGround& ground, const NavigationMesh& mesh,
-                                    std::size_t most_edges, const std::stop_token& stop) {
+std::optional<TurnGraph> turn_graph(const GridMap& ground, const NavigationMesh& mesh, std::size_t most_edges,
+                                    const std::stop_token& stop) {
   constexpr std::size_t block = 32,
                         blocks_at_once = 64;  // turns of a task; tasks between two looks at the limit
   const std::size_t count = mesh.turns.size();

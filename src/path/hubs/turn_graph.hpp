@@ -41,8 +41,8 @@ double length_between(Cell a, Cell b);
 
 /// Nothing when there would be more than `most_edges`, or when `stop` asks for it. O(sides seen from all
 /// turns), in parallel.
-std::optional<TurnGraph> turn_graph(const GridGround& ground, const NavigationMesh& mesh,
-                                    std::size_t most_edges, const std::stop_token& stop);
+std::optional<TurnGraph> turn_graph(const GridMap& ground, const NavigationMesh& mesh, std::size_t most_edges,
+                                    const std::stop_token& stop);
 
 /// The turns, those that lie on most shortest paths first, judged by a sample of trees of shortest paths.
 /// O(samples * (edges + turns log turns)), in parallel. Cut short when `stop` asks for it.

@@ -64,7 +64,7 @@ std::size_t NavigationMesh::memory() const {
          bytes(depth) + bytes(top) + bytes(core);
 }
 
-NavigationMesh navigation_mesh(const GridGround& ground) {
+NavigationMesh navigation_mesh(const GridMap& ground) {
   const Triangulation cut = cut_into_triangles(ground);
   NavigationMesh mesh;
   mesh.polygon_of.assign(ground.frame.size(), none);

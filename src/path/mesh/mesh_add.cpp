@@ -9,11 +9,11 @@ namespace {
 constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
 
 /// The quadrant of the only blocked cell around a corner, or none.
-std::uint32_t only_blocked(const GridGround& ground, Cell v) {
+std::uint32_t only_blocked(const GridMap& ground, Cell v) {
   std::uint32_t only = none;
   for (unsigned q = 0; q < 4; ++q) {
     const Cell cell{v.x - ((q & 1U) != 0 ? 0 : 1), v.y - ((q & 2U) != 0 ? 0 : 1)};
-    if ((ground.marks[ground.index(cell)] & GridGround::blocked_bit) == 0) continue;
+    if ((ground.marks[ground.index(cell)] & GridMap::blocked_bit) == 0) continue;
     if (only != none) return none;
     only = q;
   }
@@ -61,7 +61,7 @@ class CellsOf {
 };
 
 /// Names the turns of the sides from `begin` on, and adds their polygons to those around them.
-void add_turns(NavigationMesh& mesh, const GridGround& ground, const std::vector<Cell>& corners,
+void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                const ConvexPolygons& polygons, std::uint32_t begin, std::uint32_t polygons_before,
                const std::vector<std::uint32_t>& known) {
   std::vector<std::uint32_t> turn_of(corners.size(), no_turn), blocked_at(corners.size(), 0);
@@ -94,7 +94,7 @@ void add_turns(NavigationMesh& mesh, const GridGround& ground, const std::vector
 
 }  // namespace
 
-void add_polygons(NavigationMesh& mesh, const GridGround& ground, const std::vector<Cell>& corners,
+void add_polygons(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                   const ConvexPolygons& polygons, const std::vector<std::uint32_t>& known) {
   const auto begin = static_cast<std::uint32_t>(mesh.sides.size());
   const auto before = static_cast<std::uint32_t>(mesh.polygons());

@@ -29,7 +29,7 @@ Cell right_of(Cell v, Cell way) { return {v.x + (way.x + way.y - 1) / 2, v.y + (
 
 class Change {
  public:
-  Change(NavigationMesh& mesh, const GridGround& ground, const std::vector<Cell>& changed)
+  Change(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& changed)
       : mesh_(mesh), ground_(ground), changed_(changed), block_(add_to_core(mesh)) {}
 
   bool run(std::size_t most_sides) {
@@ -192,7 +192,7 @@ class Change {
   }
 
   NavigationMesh& mesh_;
-  const GridGround& ground_;
+  const GridMap& ground_;
   const std::vector<Cell>& changed_;
   std::uint32_t block_;  // of all sides that are new
   std::vector<std::uint32_t> taken_;
@@ -203,7 +203,7 @@ class Change {
 
 }  // namespace
 
-bool change_mesh(NavigationMesh& mesh, const GridGround& ground, const std::vector<Cell>& changed,
+bool change_mesh(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& changed,
                  std::size_t most_sides) {
   return changed.empty() || Change(mesh, ground, changed).run(most_sides);
 }

@@ -17,7 +17,7 @@ namespace outrider {
 /// `ground` is that of the mesh but for the cells `changed`, given by row, then by column. False, the mesh
 /// being of no use any more, when with the gaps there would be more than `most_sides`: then it is time to
 /// make it anew.
-bool change_mesh(NavigationMesh& mesh, const GridGround& ground, const std::vector<Cell>& changed,
+bool change_mesh(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& changed,
                  std::size_t most_sides);
 
 }  // namespace outrider

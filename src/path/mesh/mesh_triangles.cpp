@@ -36,7 +36,7 @@ void each_marked(int last, Marked marked, Visit visit) {
   }
 }
 /// Eight marks, as far as there are so many.
-std::uint64_t eight_marks(const GridGround& ground, std::size_t from) {
+std::uint64_t eight_marks(const GridMap& ground, std::size_t from) {
   std::uint64_t eight = 0;
   if (from + sizeof eight <= ground.marks.size()) {
     std::memcpy(&eight, ground.marks.data() + from, sizeof eight);
@@ -45,9 +45,9 @@ std::uint64_t eight_marks(const GridGround& ground, std::size_t from) {
   }
   return eight;
 }
-static_assert(GridGround::blocked_bit == 1, "the lowest bit of a mark");
+static_assert(GridMap::blocked_bit == 1, "the lowest bit of a mark");
 
-std::vector<Slab> slabs_of(const GridGround& ground) {
+std::vector<Slab> slabs_of(const GridMap& ground) {
   std::vector<Slab> slabs;
   std::vector<std::size_t> below, here;  // slabs that reach the last row and this one
   for (int y = 0; y < ground.frame.height; ++y) {
@@ -82,7 +82,7 @@ std::vector<Slab> slabs_of(const GridGround& ground) {
 
 class Cutter {
  public:
-  explicit Cutter(const GridGround& ground) : slabs_(slabs_of(ground)) {
+  explicit Cutter(const GridMap& ground) : slabs_(slabs_of(ground)) {
     for (int y = 0; y <= ground.frame.height; ++y) {
       row_.push_back(static_cast<std::uint32_t>(cut_.corners.size()));
       const std::uint32_t row = ground.index({0, y});
@@ -169,6 +169,6 @@ class Cutter {
 
 }  // namespace
 
-Triangulation cut_into_triangles(const GridGround& ground) { return Cutter(ground).run(); }
+Triangulation cut_into_triangles(const GridMap& ground) { return Cutter(ground).run(); }
 
 }  // namespace outrider

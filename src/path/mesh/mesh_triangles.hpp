@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
@@ -20,6 +20,6 @@ struct Triangulation {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise
 };
 
-Triangulation cut_into_triangles(const GridGround& ground);
+Triangulation cut_into_triangles(const GridMap& ground);
 
 }  // namespace outrider

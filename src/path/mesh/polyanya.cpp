@@ -26,7 +26,7 @@ using polyanya_search::turned;
 constexpr std::size_t sides_an_expansion = 16;
 
 struct Memory {
-  std::shared_ptr<const GridGround> ground;  ///< of the mesh
+  std::shared_ptr<const GridMap> ground;  ///< of the mesh
   NavigationMesh mesh;
   std::size_t most_sides = 0;         ///< with which a mesh that has changed is made anew
   std::size_t spent = 0;              ///< expansions since the mesh has had its core
@@ -36,7 +36,7 @@ struct Memory {
   std::uint32_t query = 0;
   Frontier frontier;
 
-  void renew(const std::shared_ptr<const GridGround>& now) {
+  void renew(const std::shared_ptr<const GridMap>& now) {
     const auto make = [&] {
       mesh = navigation_mesh(*now);
       most_sides = mesh.sides.size() + mesh.sides.size() / 2 + 64;
@@ -339,7 +339,7 @@ class Search {
   Memory& memory_;
   Labels<double>& roots_;
   Frontier& frontier_;
-  const GridGround& ground_;
+  const GridMap& ground_;
   Cell start_, goal_;
   std::uint32_t first_;
   Trace* trace_;

@@ -19,7 +19,7 @@ using routes::SightLine;
 using routes::SightLines;
 
 struct RouteTable {
-  Ground ground;
+  CollisionMap ground;
   RobotModel robot;
   std::vector<Vec2> stops;
   std::vector<Vec2> nodes;
@@ -32,7 +32,7 @@ namespace {
 constexpr std::size_t most_nodes = 4096;
 constexpr std::size_t most_stops = 2048;
 
-Status check_place(const Ground& ground, const RobotModel& robot, Vec2 p, FaultCode blocked,
+Status check_place(const CollisionMap& ground, const RobotModel& robot, Vec2 p, FaultCode blocked,
                    std::string_view name) {
   if (!finite(p)) return bad_input(fmt::format("{} has a coordinate that is not a finite number", name));
   const Box2& bounds = ground.bounds();
@@ -50,7 +50,7 @@ Status check_place(const Ground& ground, const RobotModel& robot, Vec2 p, FaultC
                            name, p.x, p.y, clearance, robot.radius_m));
 }
 
-Status check_request(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
+Status check_request(const CollisionMap& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
                      const std::vector<Vec2>& extra_nodes, const RouteOptions& options) {
   if (!(robot.radius_m >= 0.0) || !std::isfinite(robot.radius_m)) {
     return bad_input(fmt::format("the robot's radius of {} m is no good; it is 0 or more", robot.radius_m));
@@ -153,9 +153,9 @@ Outcome<Route> Routes::route(const Pose2& start, Vec2 goal) const {
   return route;
 }
 
-Outcome<Routes> routes_between(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
-                               const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
-                               const Budget& budget) {
+Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
+                               const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
+                               const RouteOptions& options, const Budget& budget) {
   Status request = check_request(ground, robot, stops, extra_nodes, options);
   if (!request) return pass_on(request);
   RouteTable table{ground, robot,

@@ -11,11 +11,11 @@ namespace {
 
 using Rows = std::vector<std::vector<std::uint32_t>>;
 
-bool free_at(const Ground& ground, double radius_m, Vec2 p) {
+bool free_at(const CollisionMap& ground, double radius_m, Vec2 p) {
   return ground.clearance(p, radius_m) >= radius_m - same_place_m;
 }
 
-SightLines lines_of(const Ground& ground, const Rows& rows, const std::vector<Vec2>& from,
+SightLines lines_of(const CollisionMap& ground, const Rows& rows, const std::vector<Vec2>& from,
                     const std::vector<Vec2>& to, const Limits& limits) {
   SightLines result;
   for (std::size_t i = 0; i < rows.size(); ++i) result.first.push_back(result.first[i] + rows[i].size());
@@ -31,7 +31,7 @@ SightLines lines_of(const Ground& ground, const Rows& rows, const std::vector<Ve
 
 /// For each point of `from`, the points to[k], k >= first_to(i), that it sees.
 template <class FirstTo>
-Outcome<Rows> visible(const Ground& ground, double radius_m, const std::vector<Vec2>& from,
+Outcome<Rows> visible(const CollisionMap& ground, double radius_m, const std::vector<Vec2>& from,
                       const std::vector<Vec2>& to, FirstTo first_to, Budget& budget) {
   Rows rows(from.size());
   Status status = in_parallel(from.size(), budget, [&](std::size_t i, BudgetMeter& meter) {
@@ -49,7 +49,7 @@ Outcome<Rows> visible(const Ground& ground, double radius_m, const std::vector<V
 
 }  // namespace
 
-std::vector<Vec2> route_nodes(const Ground& ground, double radius_m, double arc_step_rad,
+std::vector<Vec2> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra) {
   std::vector<Vec2> nodes;
   for (const RoundedPolygon& obstacle : ground.obstacles()) {
@@ -76,15 +76,15 @@ std::vector<Vec2> route_nodes(const Ground& ground, double radius_m, double arc_
   return kept;
 }
 
-Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& from,
-                                const std::vector<Vec2>& to, Budget& budget) {
+Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
+                                const std::vector<Vec2>& from, const std::vector<Vec2>& to, Budget& budget) {
   const auto all = [](std::size_t) { return std::size_t{0}; };
   Outcome<Rows> rows = visible(ground, robot.radius_m, from, to, all, budget);
   if (!rows) return pass_on(rows);
   return lines_of(ground, *rows, from, to, robot.straight());
 }
 
-Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot,
+Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
                                 const std::vector<Vec2>& points, Budget& budget) {
   const auto later = [](std::size_t i) { return i + 1; };
   Outcome<Rows> upper = visible(ground, robot.radius_m, points, points, later, budget);

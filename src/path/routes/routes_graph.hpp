@@ -8,7 +8,7 @@
 #include "outrider/core/budget.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider::routes {
 
@@ -29,18 +29,18 @@ struct SightLines {
 };
 
 /// The free corners around the obstacles, then the free ones of `extra`; no two in one place.
-std::vector<Vec2> route_nodes(const Ground& ground, double radius_m, double arc_step_rad,
+std::vector<Vec2> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra);
 
 /// Points nearer to each other than this are one place: no leg joins them.
 inline constexpr double same_place_m = 1e-9;
 
 /// Which points of `to` each point of `from` sees; O(from x to) exact tests, in parallel.
-Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& from,
-                                const std::vector<Vec2>& to, Budget& budget);
+Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
+                                const std::vector<Vec2>& from, const std::vector<Vec2>& to, Budget& budget);
 
 /// Who sees whom among `points`.
-Outcome<SightLines> sight_lines(const Ground& ground, const RobotModel& robot,
+Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
                                 const std::vector<Vec2>& points, Budget& budget);
 
 /// The same lines from their other ends.

@@ -13,7 +13,7 @@ constexpr double slowest_mps = 1e-3;
 constexpr double fastest_mps = 1e3;
 constexpr double most_price = 1e6;
 
-Outcome<Fare> fare_of(const LeastTimeOptions& options) {
+Outcome<CostWeights> fare_of(const LeastTimeOptions& options) {
   const double speed = options.speed_mps, price = options.turn_price_s_per_rad;
   const bool good_speed = speed >= slowest_mps && speed <= fastest_mps;
   if (!good_speed) {
@@ -27,7 +27,7 @@ Outcome<Fare> fare_of(const LeastTimeOptions& options) {
   if (!std::isfinite(options.heading_rad)) {
     return bad_input(fmt::format("{} is no good; it takes a finite angle", options.heading_rad), "heading");
   }
-  Fare fare{1.0 / speed, price, std::nullopt};
+  CostWeights fare{1.0 / speed, price, std::nullopt};
   if (options.first_turn) fare.heading_rad = options.heading_rad;
   return fare;
 }

@@ -8,7 +8,7 @@ std::vector<Vec2> outline(const RoundedPolygon& obstacle) {
   return obstacle.radius_m == 0.0 ? obstacle.core : circumscribed(obstacle, radians(10.0));
 }
 
-Outcome<PolygonGround> polygons_from_world(const Ground& ground, double radius_m) {
+Outcome<PolygonGround> polygons_from_world(const CollisionMap& ground, double radius_m) {
   const Box2& bounds = ground.bounds();
   std::vector<std::vector<Vec2>> obstacles;
   for (const RoundedPolygon& obstacle : ground.obstacles()) obstacles.push_back(outline(obstacle));

@@ -41,7 +41,7 @@ struct TangentPolicy {
   const PolygonGround& ground;
   Vec2 from;
   std::vector<Vec2> goals;
-  const Fare& fare;
+  const CostWeights& fare;
   TangentGraph& graph;
   TangentForm form;
   Labels<double>& labels;
@@ -184,8 +184,9 @@ Status check_options(const VisibilityOptions& options) {
 
 }  // namespace
 
-Outcome<Plan> tangent_search(const Problem& problem, const Fare& fare, const VisibilityOptions& options,
-                             TangentForm form, const Budget& budget, Workspace& workspace) {
+Outcome<Plan> tangent_search(const Problem& problem, const CostWeights& fare,
+                             const VisibilityOptions& options, TangentForm form, const Budget& budget,
+                             Workspace& workspace) {
   if (auto good = check_options(options); !good) return pass_on(good);
   auto ground = polygon_query(problem);
   if (!ground) return pass_on(ground);
@@ -205,7 +206,7 @@ Outcome<Plan> tangent_search(const Problem& problem, const Fare& fare, const Vis
 }
 
 std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std::vector<Vec2>& goals,
-                                               const Fare& fare, const VisibilityOptions& options,
+                                               const CostWeights& fare, const VisibilityOptions& options,
                                                TangentForm form, const Budget& budget, Workspace& workspace) {
   std::vector<Outcome<Plan>> plans(goals.size(), fault(FaultCode::no_path, ""));
   if (auto good = check_options(options); !good) {

@@ -75,7 +75,7 @@ void add_waypoints(Plan& plan, const PathPiece& piece, double step) {
 }
 
 /// Turns only on its arcs, as its legs are tangents; straight legs in their place turn as much.
-double turning_along(const std::vector<PathPiece>& pieces, const Fare& fare) {
+double turning_along(const std::vector<PathPiece>& pieces, const CostWeights& fare) {
   double turning = 0.0;
   for (const PathPiece& piece : pieces) turning += std::abs(piece.turn_rad);
   if (!fare.heading_rad || pieces.empty()) return turning;
@@ -85,7 +85,7 @@ double turning_along(const std::vector<PathPiece>& pieces, const Fare& fare) {
 
 }  // namespace
 
-Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const Fare& fare,
+Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& fare,
              const VisibilityOptions& options, const PlanCounters& counters) {
   Plan plan;
   plan.counters = counters;

@@ -7,11 +7,11 @@ int main() {
   // 60 x 40 cells of 0.1 m; a wall from the top leaves a gap at the bottom.
   outrider::Grid<std::uint8_t> occupied(outrider::GridFrame{{0.0, 0.0}, 0.1, 60, 40});
   for (int y = 10; y < 40; ++y) occupied[{30, y}] = 1;
-  auto ground = outrider::GridGround::of(occupied, outrider::GridModel::cells);
+  auto ground = outrider::GridMap::of(occupied, outrider::GridModel::cells);
   if (!ground) return 1;
 
   const outrider::Problem problem{
-      std::make_shared<const outrider::GridGround>(std::move(*ground)), {0.55, 3.55}, {5.55, 3.55}};
+      std::make_shared<const outrider::GridMap>(std::move(*ground)), {0.55, 3.55}, {5.55, 3.55}};
   const auto planner = outrider::find_path_planner("theta_star");
   if (!planner) return 1;
   outrider::Workspace workspace;

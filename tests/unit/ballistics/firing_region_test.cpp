@@ -72,15 +72,15 @@ TEST(FiringRegion, IsWhatBruteForceFindsPitchByPitch) {
         const Shot shot{heading_of(sight), pitch, *speed};
         const Verdict verdict = judge(gun, rules, yard, place, shot);
         unsure += verdict == Verdict::unsure ? 1 : 0;
-        const double forgives = spread(rules, yard.target, place, shot);
+        const double forgives = error_ratio(rules, yard.target, place, shot);
         if (has && k == region.pitch[c]) {
           EXPECT_NE(verdict, Verdict::stopped) << i << " cell " << c << " pitch " << k;
-          EXPECT_NEAR(forgives, region.spread[c], 1e-5 * (1.0 + forgives));
+          EXPECT_NEAR(forgives, region.error_ratio[c], 1e-5 * (1.0 + forgives));
         } else if (!has) {
           EXPECT_NE(verdict, Verdict::flies) << i << " cell " << c << " pitch " << k;
         } else if (verdict == Verdict::flies) {  // flatter, so it must forgive too little
           EXPECT_GT(forgives, 0.7 - 1e-6);
-          EXPECT_GE(forgives, region.spread[c] - 1e-5);
+          EXPECT_GE(forgives, region.error_ratio[c] - 1e-5);
         }
       }
     }

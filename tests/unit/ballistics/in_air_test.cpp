@@ -102,7 +102,7 @@ TEST(AimThrough, WithoutAirFromRestIsTheParabola) {
       EXPECT_NEAR(aimed->shot.speed_mps, *speed, 1e-4);
       EXPECT_NEAR(wrap_angle(aimed->shot.yaw_rad - heading_of(-place)), 0.0, 1e-6);
       const Target centred{"fox", {0.0, 0.0, point.z - 0.15}, {0.4, 0.2, 0.3}, 0.3};
-      EXPECT_NEAR(spread(rules, centred, *aimed), spread(rules, centred, place, aimed->shot), 1e-4);
+      EXPECT_NEAR(error_ratio(rules, centred, *aimed), error_ratio(rules, centred, place, aimed->shot), 1e-4);
     }
     if (!speed) {
       EXPECT_FALSE(aimed.has_value());

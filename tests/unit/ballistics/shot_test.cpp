@@ -121,7 +121,7 @@ TEST(Spread, IsTheSampledDeviation) {
     ++compared;
     const Shot shot{heading_of(sight), pitch, *speed};
     const double sampled = sampled_spread(rules, target, place, shot);
-    EXPECT_NEAR(spread(rules, target, place, shot), sampled, 0.08 * sampled + 1e-3);
+    EXPECT_NEAR(error_ratio(rules, target, place, shot), sampled, 0.08 * sampled + 1e-3);
   }
   EXPECT_GT(compared, 100);
 }
@@ -197,7 +197,7 @@ TEST(BestShot, TakesThePitchThatIsSoonestFromWhereTheBarrelIs) {
       const auto speed = gun.speed(pitch, 3.0, target.centre().z);
       if (!speed) continue;
       const Shot other{0.0, pitch, *speed};
-      if (spread(rules, target, {}, other) > 0.7) continue;
+      if (error_ratio(rules, target, {}, other) > 0.7) continue;
       const Impact impact = fly(launch(rules.gun, {}, 0.0, other, 9.8), 0.01, space, target, 0.0);
       ASSERT_TRUE(impact.hit);
       // The chosen one is judged at its aim point, the contact is a little before.

@@ -12,7 +12,7 @@ namespace outrider {
 namespace {
 
 Problem asked(const Grid<std::uint8_t>& grid, GridModel model, Cell start, Cell goal) {
-  auto ground = std::make_shared<const GridGround>(*GridGround::of(grid, model));
+  auto ground = std::make_shared<const GridMap>(*GridMap::of(grid, model));
   return {ground, ground->point(start), ground->point(goal)};
 }
 

@@ -16,7 +16,7 @@ namespace outrider {
 namespace {
 
 /// A yard of turned boxes, posts and thin walls, some smaller than a cell.
-Ground random_yard(Rng& rng) {
+CollisionMap random_yard(Rng& rng) {
   std::vector<RoundedPolygon> obstacles;
   for (int i = 0; i < 14; ++i) {
     const Vec2 centre{rng.uniform(-4.0, 4.0), rng.uniform(-4.0, 4.0)};
@@ -43,11 +43,11 @@ TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
   Workspace workspace;
   int found = 0;
   for (int i = 0; i < 60; ++i) {
-    const Ground yard = random_yard(rng);
+    const CollisionMap yard = random_yard(rng);
     const double radius = i % 5 == 0 ? 0.0 : rng.uniform(0.0, 0.4);
     const auto grid = grid_from_world(yard, radius, GetParam(), {.resolution_m = rng.uniform(0.07, 0.4)});
     ASSERT_TRUE(grid.has_value());
-    const auto shared = std::make_shared<const GridGround>(*grid);
+    const auto shared = std::make_shared<const GridMap>(*grid);
     for (int k = 0; k < 6; ++k) {
       const auto point = [&] { return Vec2{rng.uniform(-5.0, 5.0), rng.uniform(-5.0, 5.0)}; };
       const Problem problem{shared, point(), point()};
@@ -71,7 +71,7 @@ TEST_P(WorldGrid, EveryPathIsFreeForTheDisk) {
 TEST(BlockedForDisk, IsExactCellByCell) {
   Rng rng = Rng(22).child("cells");
   for (int i = 0; i < testing::costly_cases(25); ++i) {
-    const Ground yard = random_yard(rng);
+    const CollisionMap yard = random_yard(rng);
     const double radius = rng.uniform(0.0, 0.3), resolution = rng.uniform(0.1, 0.4);
     const auto blocked = blocked_for_disk(yard, radius, {.resolution_m = resolution});
     ASSERT_TRUE(blocked.has_value());
@@ -94,7 +94,7 @@ TEST(BlockedForDisk, IsExactCellByCell) {
 }
 
 TEST(BlockedForDisk, RefusesNumbersThatMakeNoGrid) {
-  const Ground yard(Box2{{0.0, 0.0}, {20.0, 20.0}}, {});
+  const CollisionMap yard(Box2{{0.0, 0.0}, {20.0, 20.0}}, {});
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(blocked_for_disk(yard, nan, {}).has_value());
   EXPECT_FALSE(blocked_for_disk(yard, -1.0, {}).has_value());
@@ -106,7 +106,7 @@ TEST(BlockedForDisk, RefusesNumbersThatMakeNoGrid) {
   EXPECT_FALSE(blocked_for_disk(yard, 0.2, {.resolution_m = 1.0, .most_cells = 399}).has_value());
   EXPECT_TRUE(blocked_for_disk(yard, 0.2, {.resolution_m = 1.0, .most_cells = 400}).has_value());
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(blocked_for_disk(Ground(Box2{{0, 0}, {1e9, 1e9}}, {}), 0.2, {}).has_value());
+  EXPECT_FALSE(blocked_for_disk(CollisionMap(Box2{{0, 0}, {1e9, 1e9}}, {}), 0.2, {}).has_value());
   EXPECT_FALSE(blocked_for_disk(yard, infinity, {}).has_value());
   const auto wide = blocked_for_disk(yard, 50.0, {});
   ASSERT_TRUE(wide.has_value());

@@ -44,8 +44,8 @@ void apply(Grid<std::uint8_t>& grid, const std::vector<CellChange>& changes) {
   }
 }
 
-std::shared_ptr<const GridGround> shared(const Outcome<GridGround>& ground) {
-  return std::make_shared<const GridGround>(ground.value());
+std::shared_ptr<const GridMap> shared(const Outcome<GridMap>& ground) {
+  return std::make_shared<const GridMap>(ground.value());
 }
 
 class ChangesIn : public ::testing::TestWithParam<GridModel> {};
@@ -56,13 +56,13 @@ TEST_P(ChangesIn, AChangedGroundIsTheSameAsOneMadeAnew) {
   Rng rng = Rng(21).child("ground");
   for (int i = 0; i < testing::cases(300); ++i) {
     auto grid = random_grid(rng, 14);
-    auto ground = GridGround::of(grid, GetParam()).value();
+    auto ground = GridMap::of(grid, GetParam()).value();
     for (int step = 0; step < 8; ++step) {
       const auto changes = random_changes(rng, grid.frame);
       const auto before = grid;
       apply(grid, changes);
       auto changed = ground.with(changes).value();
-      const auto anew = GridGround::of(grid, GetParam()).value();
+      const auto anew = GridMap::of(grid, GetParam()).value();
       ASSERT_EQ(changed.marks, anew.marks) << "grid " << i << ", step " << step;
       ASSERT_EQ(changed.moves, anew.moves) << "grid " << i << ", step " << step;
       std::vector<Cell> differing;
@@ -104,17 +104,17 @@ TEST_P(ChangesIn, EveryPlannerAnswersAsItDoesAnew) {
   }
   for (int i = 0; i < testing::cases(60); ++i) {
     auto grid = random_grid(rng, i % 6 == 0 ? 48 : 16);
-    auto ground = shared(GridGround::of(grid, GetParam()));
+    auto ground = shared(GridMap::of(grid, GetParam()));
     std::vector<Workspace> kept(planners.size());
     for (int step = 0; step < 6; ++step) {
       if (step == 3) {  // a map of its own, of another size as a rule
         grid = random_grid(rng, 16);
-        ground = shared(GridGround::of(grid, GetParam()));
+        ground = shared(GridMap::of(grid, GetParam()));
       }
       const auto changes = random_changes(rng, grid.frame);
       apply(grid, changes);
       ground = shared(ground->with(changes));
-      const auto anew = shared(GridGround::of(grid, GetParam()));
+      const auto anew = shared(GridMap::of(grid, GetParam()));
       const auto point = [&] {
         return Vec2{rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)};
       };
@@ -137,7 +137,7 @@ TEST(GridChanges, BitsAndDistancesAreThoseMadeAnew) {
   Rng rng = Rng(23).child("indices");
   for (int i = 0; i < testing::cases(400); ++i) {
     auto grid = random_grid(rng, i % 4 == 0 ? 90 : 20);
-    auto ground = GridGround::of(grid, GridModel::cells).value();
+    auto ground = GridMap::of(grid, GridModel::cells).value();
     jump::Map map = jump::map_of(ground);
     auto distances = jump::distances_of(ground);
     for (int step = 0; step < 8; ++step) {
@@ -159,7 +159,7 @@ TEST(GridChanges, AnIndexThatIsKeptTellsTheShortestPathOverAllVertices) {
   int by_index = 0, by_search = 0, closed = 0;
   for (int i = 0; i < testing::costly_cases(400); ++i) {
     auto grid = random_grid(rng, 14);
-    auto ground = shared(GridGround::of(grid, GridModel::corners));
+    auto ground = shared(GridMap::of(grid, GridModel::corners));
     Workspace workspace;
     for (int step = 0; step < 6; ++step) {
       for (int k = 0; k < 6; ++k) {
@@ -193,7 +193,7 @@ TEST(GridChanges, AnIndexThatIsKeptAgreesWithASearch) {
   int by_index = 0, by_search = 0;
   for (int i = 0; i < testing::costly_cases(40); ++i) {
     auto grid = random_grid(rng, 48);
-    auto ground = shared(GridGround::of(grid, GridModel::corners));
+    auto ground = shared(GridMap::of(grid, GridModel::corners));
     Workspace workspace;
     for (int step = 0; step < 25; ++step) {
       for (int k = 0; k < 8; ++k) {
@@ -222,7 +222,7 @@ TEST(GridChanges, BoxesOfFreedCellsAreThoseCellsAndNoOthers) {
   Rng rng = Rng(26).child("boxes");
   for (int i = 0; i < testing::cases(300); ++i) {
     const auto grid = random_grid(rng, 12);
-    const auto ground = GridGround::of(grid, GridModel::corners).value();
+    const auto ground = GridMap::of(grid, GridModel::corners).value();
     std::vector<Cell> changed;
     Grid<int> covered(grid.frame);
     for (std::size_t c = 0; c < grid.cells.size(); ++c) {
@@ -237,7 +237,7 @@ TEST(GridChanges, BoxesOfFreedCellsAreThoseCellsAndNoOthers) {
     for (const Cell c : changed) covered[c] -= ground.blocked(c) ? 0 : 1;
     ASSERT_EQ(std::count(covered.cells.begin(), covered.cells.end(), 0), std::ssize(covered.cells));
   }
-  const auto open = GridGround::of(drawn({"....", "...."}), GridModel::corners).value();
+  const auto open = GridMap::of(drawn({"....", "...."}), GridModel::corners).value();
   using hub_labelling::CellBox;
   EXPECT_EQ(hub_labelling::freed_boxes(open, {{1, 0}, {2, 0}, {1, 1}, {2, 1}}),
             (std::vector<CellBox>{{{1, 0}, {3, 2}}}));
@@ -245,7 +245,7 @@ TEST(GridChanges, BoxesOfFreedCellsAreThoseCellsAndNoOthers) {
 }
 
 TEST(GridChanges, WhatLeavesTheGridIsRefused) {
-  const auto ground = GridGround::of(drawn({"...", "..."}), GridModel::cells).value();
+  const auto ground = GridMap::of(drawn({"...", "..."}), GridModel::cells).value();
   const int most = std::numeric_limits<int>::max();
   for (const CellChange& change : {CellChange{{3, 0}}, CellChange{{0, -1}}, CellChange{{1, 0}, 3, 1},
                                    CellChange{{0, 1}, 1, 2}, CellChange{{2, 1}, most, most}}) {

@@ -44,12 +44,12 @@ TEST(ManyGoals, OnGridsTheyAreTheSingleQueriesByteForByte) {
   for (int i = 0; i < testing::cases(300); ++i) {
     const auto grid = random_grid(rng, 20);
     for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-      auto ground = GridGround::of(grid, model);
+      auto ground = GridMap::of(grid, model);
       ASSERT_TRUE(ground.has_value());
       const auto place = [&] {
         return Vec2{rng.uniform(-1.0, grid.frame.width + 1.0), rng.uniform(-1.0, grid.frame.height + 1.0)};
       };
-      const Problem problem{std::make_shared<const GridGround>(std::move(*ground)), place(), {}};
+      const Problem problem{std::make_shared<const GridMap>(std::move(*ground)), place(), {}};
       std::vector<Vec2> goals;
       for (std::uint64_t k = rng.below(12); k > 0; --k) goals.push_back(place());
       if (!goals.empty()) goals.push_back(goals.front());
@@ -87,9 +87,9 @@ TEST(ManyGoals, OnPolygonsTheyCostWhatTheSingleQueriesCost) {
 
 TEST(ManyGoals, OneSearchExpandsNoMoreThanItsFarthestGoalNeeds) {
   const Grid<std::uint8_t> empty(GridFrame{{0.0, 0.0}, 1.0, 40, 40});
-  auto ground = GridGround::of(empty, GridModel::cells);
+  auto ground = GridMap::of(empty, GridModel::cells);
   ASSERT_TRUE(ground.has_value());
-  const Problem problem{std::make_shared<const GridGround>(std::move(*ground)), {0.5, 0.5}, {30.5, 30.5}};
+  const Problem problem{std::make_shared<const GridMap>(std::move(*ground)), {0.5, 0.5}, {30.5, 30.5}};
   Workspace workspace;
   const auto farthest = dijkstra(problem, {}, {}, workspace);
   const std::vector<Vec2> goals = {{5.5, 0.5}, problem.goal, {0.5, 7.5}};

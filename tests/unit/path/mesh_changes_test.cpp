@@ -42,11 +42,11 @@ void change(Rng& rng, Blocked& grid) {
 struct Changing {
   explicit Changing(Blocked of)
       : grid(std::move(of)),
-        ground(GridGround::of(grid, GridModel::corners).value()),
+        ground(GridMap::of(grid, GridModel::corners).value()),
         mesh(navigation_mesh(ground)) {}
 
   void follow(const Blocked& now) {
-    GridGround next = GridGround::of(now, GridModel::corners).value();
+    GridMap next = GridMap::of(now, GridModel::corners).value();
     const auto cells = cells_changed(ground, next, grid.cells.size()).value();
     ASSERT_TRUE(change_mesh(mesh, next, cells, std::numeric_limits<std::size_t>::max()));
     grid = now;
@@ -54,7 +54,7 @@ struct Changing {
   }
 
   Blocked grid;
-  GridGround ground;
+  GridMap ground;
   NavigationMesh mesh;
 };
 
@@ -112,8 +112,7 @@ TEST(PolyanyaOnChangedMeshes, IsTheShortestPathOverAllVertices) {
     Workspace workspace;
     for (int step = 0; step < 10; ++step) {
       change(rng, grid);
-      const auto ground =
-          std::make_shared<const GridGround>(GridGround::of(grid, GridModel::corners).value());
+      const auto ground = std::make_shared<const GridMap>(GridMap::of(grid, GridModel::corners).value());
       for (int k = 0; k < 5; ++k) {
         const Cell start{below(rng, grid.frame.width + 1), below(rng, grid.frame.height + 1)};
         const Cell goal{below(rng, grid.frame.width + 1), below(rng, grid.frame.height + 1)};
@@ -142,8 +141,7 @@ TEST(PolyanyaOnChangedMeshes, IsAsLongAsOnAMeshMadeAnew) {
     Workspace workspace;
     for (int step = 0; step < 40; ++step) {
       change(rng, grid);
-      const auto ground =
-          std::make_shared<const GridGround>(GridGround::of(grid, GridModel::corners).value());
+      const auto ground = std::make_shared<const GridMap>(GridMap::of(grid, GridModel::corners).value());
       for (int k = 0; k < 4; ++k) {
         const auto point = [&] {
           return Vec2{rng.uniform(0, grid.frame.width), rng.uniform(0, grid.frame.height)};

@@ -18,7 +18,7 @@ struct Yard {
   std::vector<Vec2> stops;
   RobotModel robot;
 
-  [[nodiscard]] Ground ground() const { return {bounds, obstacles}; }
+  [[nodiscard]] CollisionMap ground() const { return {bounds, obstacles}; }
 };
 
 RoundedPolygon box(Vec2 centre, double half_x, double half_y, double yaw_rad = 0.0);

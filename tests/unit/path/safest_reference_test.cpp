@@ -37,7 +37,7 @@ double away_from_obstacle(Vec2 p, bool along_axes) {
 
 /// A* with that heuristic: `trust` times the distance from the obstacle is taken off. To the end: cells that
 /// were expanded may be improved, and the search goes on when it has met the goal; the report does neither.
-std::vector<Cell> reference_path(const GridGround& ground, double trust, bool along_axes, bool to_the_end) {
+std::vector<Cell> reference_path(const GridMap& ground, double trust, bool along_axes, bool to_the_end) {
   const Cell from = *ground.vertex_at(start), to = *ground.vertex_at(goal);
   const auto h = [&](Cell c) {
     const Vec2 p = ground.point(c);
@@ -93,8 +93,8 @@ class SafestReference : public ::testing::Test {
   }
 
   std::shared_ptr<const PolygonGround> polygons_ = std::make_shared<const PolygonGround>(arena());
-  std::shared_ptr<const GridGround> grid_ = std::make_shared<const GridGround>(
-      *GridGround::of(*blocked_for_disk(*polygons_, {.resolution_m = resolution}), GridModel::cells));
+  std::shared_ptr<const GridMap> grid_ = std::make_shared<const GridMap>(
+      *GridMap::of(*blocked_for_disk(*polygons_, {.resolution_m = resolution}), GridModel::cells));
   Workspace workspace_;
 };
 

@@ -34,13 +34,13 @@ struct Example {
   Blocked grid;
   Cell start;
   Cell goal;
-  std::shared_ptr<const GridGround> ground = nullptr;
+  std::shared_ptr<const GridMap> ground = nullptr;
 
   Example(Blocked blocked, Cell from, Cell to)
       : grid(std::move(blocked)),
         start(from),
         goal(to),
-        ground(std::make_shared<const GridGround>(*GridGround::of(grid, GridModel::corners))) {}
+        ground(std::make_shared<const GridMap>(*GridMap::of(grid, GridModel::corners))) {}
   Example(const std::vector<std::string>& rows, const std::string& from, const std::string& to)
       : Example(drawn(rows), vertex(from, static_cast<int>(rows.size())),
                 vertex(to, static_cast<int>(rows.size()))) {}

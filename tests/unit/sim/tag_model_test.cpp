@@ -9,11 +9,11 @@
 namespace outrider {
 namespace {
 
-const Ground open_ground({{-5, -5}, {5, 5}}, {});
+const CollisionMap open_ground({{-5, -5}, {5, 5}}, {});
 
 const RobotCamera camera{{}, looking_ahead({0.0, 0.0, 0.2})};
 
-std::size_t seen(const Tag& tag, const Pose2& pose, const Ground& ground = open_ground) {
+std::size_t seen(const Tag& tag, const Pose2& pose, const CollisionMap& ground = open_ground) {
   Rng rng(1);
   return modelled_sightings({{tag}}, camera, {.missed = 0.0}, ground, pose, rng).size();
 }
@@ -32,7 +32,7 @@ TEST(TagModel, SeesWhatIsInFrontOnly) {
 TEST(TagModel, WallsHideWhatIsBehindThem) {
   const Tag tag = upright_tag(1, {2, 0, 0.2}, pi);
   const auto wall = [](double x) {
-    return Ground({{-5, -5}, {5, 5}}, {{{{x, -1}, {x + 0.1, -1}, {x + 0.1, 1}, {x, 1}}, 0.0}});
+    return CollisionMap({{-5, -5}, {5, 5}}, {{{{x, -1}, {x + 0.1, -1}, {x + 0.1, 1}, {x, 1}}, 0.0}});
   };
   EXPECT_EQ(seen(tag, {{0, 0}, 0.0}, wall(1.0)), 0U);
   EXPECT_EQ(seen(tag, {{0, 0}, 0.0}, wall(2.0)), 1U) << "the wall that bears it";

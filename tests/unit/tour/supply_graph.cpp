@@ -26,8 +26,9 @@ class Builder {
     return from != to && std::isfinite(drive(from, to).time_s);
   }
   [[nodiscard]] bool is_used(std::size_t stop) const {
-    return stop == 0 || (leads(0, stop) && (!problem_.table.services[stop].empty() ||
-                                            std::ranges::count(problem_.fillers, stop, &Filler::stop) > 0));
+    return stop == 0 ||
+           (leads(0, stop) && (!problem_.table.services[stop].empty() ||
+                               std::ranges::count(problem_.stations, stop, &TourStation::stop) > 0));
   }
   [[nodiscard]] double heading_after(std::size_t from, double heading, std::size_t to) const {
     if (from == to || drive(from, to).time_s == 0.0) return heading;
@@ -50,17 +51,17 @@ class Builder {
     }
   }
 
-  /// How often an optimal tour can come to the filler with that heading.
-  [[nodiscard]] std::size_t copies(std::size_t filler, double heading) const {
-    const std::size_t stop = problem_.fillers[filler].stop;
+  /// How often an optimal tour can come to the station with that heading.
+  [[nodiscard]] std::size_t copies(std::size_t station, double heading) const {
+    const std::size_t stop = problem_.stations[station].stop;
     std::size_t most = 0;
     for (std::size_t from = 0; from < stops_; ++from) {
       if (from != stop && !leads(from, stop)) continue;
       const auto fits = [&](double h) { return heading_after(from, h, stop) == heading; };
       if (std::ranges::none_of(headings_[from], fits)) continue;
       most += problem_.table.services[from].size() + (from == 0 ? 1 : 0);
-      for (std::size_t other = 0; other < problem_.fillers.size(); ++other) {
-        if (other != filler && problem_.fillers[other].stop == from) most += problem_.table.goals;
+      for (std::size_t other = 0; other < problem_.stations.size(); ++other) {
+        if (other != station && problem_.stations[other].stop == from) most += problem_.table.goals;
       }
     }
     return most;
@@ -77,10 +78,10 @@ class Builder {
 
   [[nodiscard]] double home_from(std::size_t stop, double heading) const {
     std::optional<double> least;
-    for (const Filler& filler : problem_.fillers) {
-      if (filler.store != Store::charge || (filler.stop != stop && !leads(stop, filler.stop))) continue;
+    for (const TourStation& station : problem_.stations) {
+      if (station.store != Store::charge || (station.stop != stop && !leads(stop, station.stop))) continue;
       double time = 0.0;
-      const double charge = charge_of(stop, heading, filler.stop, &time);
+      const double charge = charge_of(stop, heading, station.stop, &time);
       least = std::min(least.value_or(charge), charge);
     }
     return least.value_or(0.0);
@@ -104,8 +105,8 @@ class Builder {
                                     service.duration_s,
                                     home_from(stop, heading)});
         }
-        for (std::size_t f = 0; f < problem_.fillers.size(); ++f) {
-          if (problem_.fillers[f].stop != stop) continue;
+        for (std::size_t f = 0; f < problem_.stations.size(); ++f) {
+          if (problem_.stations[f].stop != stop) continue;
           for (std::size_t copy = 0; copy < copies(f, heading); ++copy) {
             graph.vertices.push_back({stop, heading, {}, f, copy, 0.0, 0.0, 0.0, 0.0});
           }
@@ -121,7 +122,7 @@ class Builder {
       for (std::size_t j = 1; j < vertices.size(); ++j) {
         const SupplyVertex& v = vertices[j];
         if (i == j || (u.stop != v.stop && !leads(u.stop, v.stop))) continue;
-        if ((u.goal && u.goal == v.goal) || (u.filler && u.filler == v.filler)) continue;
+        if ((u.goal && u.goal == v.goal) || (u.station && u.station == v.station)) continue;
         if (heading_after(u.stop, u.heading, v.stop) != v.heading) continue;
         double time = 0.0;
         double charge = charge_of(u.stop, u.heading, v.stop, &time);

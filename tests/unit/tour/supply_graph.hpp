@@ -13,7 +13,7 @@ struct SupplyVertex {
   std::size_t stop = 0;
   double heading = 0.0;
   std::optional<std::uint32_t> goal;
-  std::optional<std::size_t> filler;
+  std::optional<std::size_t> station;
   std::size_t copy = 0;
   double yaw = 0.0;  // of the gun, relative to the body, when it is done
   double pitch = 0.0;

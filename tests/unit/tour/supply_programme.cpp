@@ -87,8 +87,8 @@ class Formulation {
       if (next == graph_.vertices.size()) break;
       const tour::SupplyVertex& vertex = graph_.vertices[next];
       const bool same =
-          vertex.goal && !steps.empty() && !steps.back().filler && steps.back().stop == vertex.stop;
-      if (!same) steps.push_back({vertex.stop, {}, vertex.filler});
+          vertex.goal && !steps.empty() && !steps.back().station && steps.back().stop == vertex.stop;
+      if (!same) steps.push_back({vertex.stop, {}, vertex.station});
       if (vertex.goal) steps.back().goals.push_back(*vertex.goal);
       at = next;
     }
@@ -100,8 +100,8 @@ class Formulation {
  private:
   [[nodiscard]] bool is_end(std::size_t vertex) const { return vertex == graph_.vertices.size(); }
   [[nodiscard]] bool fills(std::size_t vertex, Store store) const {
-    const auto& filler = graph_.vertices[vertex].filler;
-    return filler && problem_.fillers[*filler].store == store;
+    const auto& station = graph_.vertices[vertex].station;
+    return station && problem_.stations[*station].store == store;
   }
 
   void visit_once() {
@@ -158,10 +158,10 @@ class Formulation {
 
   /// Adds the time to fill up at the end of an arc, where `used` of the store goes on the arc itself.
   void price_fill(std::size_t a, int flow_column, double full, double used) {
-    const Filler& filler = problem_.fillers[*graph_.vertices[graph_.arcs[a].to].filler];
+    const TourStation& station = problem_.stations[*graph_.vertices[graph_.arcs[a].to].station];
     programme.objective[static_cast<std::size_t>(x_[a])] +=
-        filler.fixed_s + filler.per_unit_s * full * (1.0 + used);
-    programme.objective[static_cast<std::size_t>(flow_column)] -= filler.per_unit_s * full;
+        station.fixed_s + station.per_unit_s * full * (1.0 + used);
+    programme.objective[static_cast<std::size_t>(flow_column)] -= station.per_unit_s * full;
   }
 
   void carry_water() {

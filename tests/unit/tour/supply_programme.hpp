@@ -1,11 +1,11 @@
 // The tour on finite supplies as a mixed-integer programme, solved with CBC: the second opinion on
 // solve_supplied(), by a method that shares no code with it.
 //
-// Let a vertex be (stop, heading, goal) for a service, or (stop, heading, filler, copy) for a fill: at a
+// Let a vertex be (stop, heading, goal) for a service, or (stop, heading, station, copy) for a fill: at a
 // vertex the heading and the gun are known, so that the time t_uv and the charge q_uv of an arc from the end
 // of u to the end of v (for a fill: to its beginning) are numbers. The headings at a stop are those with
 // which a drive arrives. There are as many copies of a fill as an optimal tour can need: one for each service
-// that it can follow, and of those that it follows at other fillers, one for each goal. The tour is a path
+// that it can follow, and of those that it follows at other stations, one for each goal. The tour is a path
 // from the start s to the end e. With x_uv = 1 for the arcs taken, k_uv the goals served, and w_uv and c_uv
 // the water and the charge on leaving u, as parts of the full stores W and C (Gavish and Graves, The
 // travelling salesman problem and related problems, 1978: flows in place of big numbers):

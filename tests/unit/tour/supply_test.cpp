@@ -23,7 +23,7 @@ void expect_sound(const SupplyProblem& problem, const SupplyTour& tour) {
   }
   std::vector<int> times(problem.table.goals, 0);
   for (const SupplyStep& step : tour.steps) {
-    EXPECT_EQ(step.filler.has_value(), step.goals.empty());
+    EXPECT_EQ(step.station.has_value(), step.goals.empty());
     for (const std::uint32_t goal : step.goals) ++times.at(goal);
   }
   for (const std::uint32_t goal : tour.dropped) ++times.at(goal);
@@ -34,7 +34,7 @@ TEST(Supply, WithoutEndIsTheTourOfTheTable) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SupplyProblem problem = random_supply(5, 5, seed);
     problem.water = problem.charge = std::numeric_limits<double>::infinity();
-    problem.fillers.clear();
+    problem.stations.clear();
     const auto tour = solve_supplied(problem, {}, {});
     ASSERT_TRUE(tour) << tour.error().sentence;
     EXPECT_TRUE(tour->proven_optimal);
@@ -139,7 +139,7 @@ SupplyProblem line() {
 TEST(Supply, LevelsAreWhatTheModelSays) {
   SupplyProblem problem = line();
   problem.water = 1.0;
-  problem.fillers = {{3, Store::water, 5.0, 2.0}};
+  problem.stations = {{3, Store::water, 5.0, 2.0}};
   const double half_turn = duration(pi, problem.table.turning);
   const auto after = levels(problem, {{1, {0}, {}}, {3, {}, 0}, {2, {1}, {}}});
   ASSERT_TRUE(after) << after.error().sentence;
@@ -157,7 +157,7 @@ TEST(Supply, LevelsAreWhatTheModelSays) {
 TEST(Supply, StrandsNobody) {
   SupplyProblem problem = line();
   problem.charge_per_metre = 1.0;
-  problem.fillers = {{3, Store::charge, 0.0, 0.0}};
+  problem.stations = {{3, Store::charge, 0.0, 0.0}};
   problem.charge = 40.0;  // there and back
   EXPECT_TRUE(solve_supplied(problem, {}, {})->proven_optimal);
   problem.charge = 39.0;
@@ -167,7 +167,7 @@ TEST(Supply, StrandsNobody) {
   const auto refused = levels(problem, {{2, {1}, {}}});
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence.find("to get to a charger"), std::string::npos);
-  problem.fillers.clear();  // nowhere to get to
+  problem.stations.clear();  // nowhere to get to
   EXPECT_TRUE(solve_supplied(problem, {}, {})->proven_optimal);
 }
 
@@ -182,14 +182,14 @@ TEST(Supply, RefusesWhatIsWrong) {
       [](SupplyProblem& p) { p.water_per_shot = 3.0; },
       [](SupplyProblem& p) { p.charge_per_shot = 300.0; },
       [](SupplyProblem& p) { p.charge_per_second = -1.0; },
-      [](SupplyProblem& p) { p.fillers[0].stop = 4; },
-      [](SupplyProblem& p) { p.fillers[0].per_unit_s = nan; },
+      [](SupplyProblem& p) { p.stations[0].stop = 4; },
+      [](SupplyProblem& p) { p.stations[0].per_unit_s = nan; },
       [](SupplyProblem& p) { p.water = std::numeric_limits<double>::infinity(); },
   };
   SupplyProblem good = line();
   good.water = 2.0;
   good.charge = 100.0;
-  good.fillers = {{3, Store::water, 5.0, 2.0}};
+  good.stations = {{3, Store::water, 5.0, 2.0}};
   ASSERT_TRUE(solve_supplied(good, {}, {}));
   for (std::size_t i = 0; i < corruptions.size(); ++i) {
     SupplyProblem bad = good;

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "outrider/world/collision_map.hpp"
 #include "outrider/world/contours.hpp"
-#include "outrider/world/ground.hpp"
 #include "outrider/world/steep_ground.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
@@ -183,21 +183,21 @@ TEST(SteepGround, ClosesGroundToTheRobot) {
   world.floor_z_m = 0.0;
   world = world.on(std::make_shared<const HeightField>(terrain_of(
       {-4.0, -4.0}, {0.5, 0.5}, 17, 17, [](Vec2 p) { return p.x > 1.0 ? 2.0 * (p.x - 1.0) : 0.0; })));
-  const Ground steep = Ground::of(world, 0.2, 1e-3, radians(30.0));
+  const CollisionMap steep = CollisionMap::of(world, 0.2, 1e-3, radians(30.0));
   EXPECT_TRUE(steep.segment_free({{-2.0, 0.0}, {0.7, 0.0}}, 0.25));
   EXPECT_FALSE(steep.segment_free({{-2.0, 0.0}, {0.8, 0.0}}, 0.25));
-  EXPECT_TRUE(Ground::of(world, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.25));
+  EXPECT_TRUE(CollisionMap::of(world, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.25));
   EXPECT_NEAR(steep.length({{0.0, 0.0}, {2.0, 0.0}}), 1.0 + std::sqrt(5.0), 1e-12);
 }
 
-TEST(Ground, SolidsOnAHillStandInTheWayThere) {
+TEST(CollisionMap, SolidsOnAHillStandInTheWayThere) {
   World world;
   world.bounds = {{-3.0, -3.0}, {3.0, 3.0}};
   world.solids = {{"floor", {}, HalfSpaceShape{}},
                   {"crate", {{0.0, 0.0, 1.2}, {}}, BoxShape{{0.3, 0.3, 0.3}}}};
-  EXPECT_TRUE(Ground::of(world, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.2));
+  EXPECT_TRUE(CollisionMap::of(world, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.2));
   const World hilly = world.on(std::make_shared<const HeightField>(hill(3.0, 0.25, 1.0, 2.5)));
-  EXPECT_FALSE(Ground::of(hilly, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.2));
+  EXPECT_FALSE(CollisionMap::of(hilly, 0.2).segment_free({{-2.0, 0.0}, {2.0, 0.0}}, 0.2));
   EXPECT_EQ(hilly.solids.front().name, "terrain");
   EXPECT_EQ(hilly.solids.size(), 2U);
 }

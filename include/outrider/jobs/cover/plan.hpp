@@ -40,7 +40,7 @@ struct CoverPlan {
   std::vector<PieceRole> roles;     ///< of the pieces of the track
   std::vector<std::size_t> begins;  ///< first pieces of the laps and cells, in the order they are driven in
   TrackSums sums;
-  CoverGround ground;
+  CoverageArea ground;
   std::size_t laps = 0;
   std::size_t cells = 0;
   std::size_t lanes = 0;

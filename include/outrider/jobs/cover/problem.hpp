@@ -33,7 +33,7 @@ struct CoverProblem {
 };
 
 /// The area prepared for the robot.
-struct CoverGround {
+struct CoverageArea {
   std::shared_ptr<const PolygonGround> ground;  ///< exact, for tracks and checks
   Region area;
   Region standing;  ///< where the centre of the disk may be, connected with the start, to arc_m
@@ -45,6 +45,6 @@ struct CoverGround {
 /// is wider than every part of the area (with the widest that fits), widths and parts out of range, an
 /// overlap too small for the stray (with the one that is enough); start_blocked; outside_map. `where` is
 /// "boundary", "hole 2", or the key.
-Outcome<CoverGround> cover_ground(const CoverProblem& problem);
+Outcome<CoverageArea> cover_ground(const CoverProblem& problem);
 
 }  // namespace outrider

@@ -15,7 +15,7 @@
 
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/path/plan.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -32,20 +32,20 @@ struct DriveRoute {
 };
 
 /// From task.start to the goal, over this ground with the task's robot and tags.
-Outcome<DriveRoute> plan_route(const DriveTask& task, const Ground& ground, const Pose2& goal,
+Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground, const Pose2& goal,
                                const std::string& planner, const DriveRouteOptions& options);
 
 /// The points of a polyline that are left when those within `thin_m` of the legs between them go; first and
 /// last stay. A leg on which
 /// the disk would touch an obstacle is not taken. O(n^2).
-std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const Ground& ground,
+std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const CollisionMap& ground,
                           double radius_m);
 
 /// Least distance from the legs between these points to an obstacle or the edge, m. Exact. O(points
 /// obstacles).
-double way_clearance_m(const std::vector<Vec2>& points, const Ground& ground);
+double way_clearance_m(const std::vector<Vec2>& points, const CollisionMap& ground);
 
 /// Refuses waypoints where the robot cannot stand, and straight ways between them that it cannot go.
-Status check_waypoints(const DriveTask& task, const Ground& ground);
+Status check_waypoints(const DriveTask& task, const CollisionMap& ground);
 
 }  // namespace outrider

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "outrider/geometry/box.hpp"
-#include "outrider/jobs/explore/known_ground.hpp"
+#include "outrider/jobs/explore/traversability_grid.hpp"
 #include "outrider/search/workspace.hpp"
 
 namespace outrider {
@@ -54,8 +54,8 @@ class FrontierMap {
   [[nodiscard]] bool given_up(std::uint32_t cell) const { return pursuits_[cell] >= options_.patience; }
 
   [[nodiscard]] const GridFrame& frame() const { return ground_.frame(); }
-  [[nodiscard]] KnownGround& ground() { return ground_; }
-  [[nodiscard]] const KnownGround& ground() const { return ground_; }
+  [[nodiscard]] TraversabilityGrid& ground() { return ground_; }
+  [[nodiscard]] const TraversabilityGrid& ground() const { return ground_; }
   /// By id.
   [[nodiscard]] const std::map<std::uint32_t, Frontier>& frontiers() const { return frontiers_; }
   /// Of what was worked out about this map, for those who decide.
@@ -64,12 +64,12 @@ class FrontierMap {
   [[nodiscard]] std::uint32_t frontier_of(std::uint32_t cell) const { return owner_[cell]; }
 
  private:
-  void reframe(const GridFrame& before, const KnownGround::Change& change);
+  void reframe(const GridFrame& before, const TraversabilityGrid::Change& change);
   void sort_anew(const std::set<std::uint32_t>& groups, std::vector<std::uint32_t> cells);
   [[nodiscard]] bool borders(std::uint32_t cell) const;
 
   FrontierOptions options_;
-  KnownGround ground_;
+  TraversabilityGrid ground_;
   std::vector<std::uint32_t> owner_;     // id of the frontier of a cell, 0 without one
   std::vector<std::uint16_t> pursuits_;  // of a cell, while it is unknown
   bool pursued_ = true;                  // since the last update

@@ -26,7 +26,7 @@ namespace outrider {
 struct View {
   std::uint32_t frontier = 0;
   Pose2 pose;                        ///< facing what is to be seen
-  std::uint32_t block = 0;           ///< of KnownGround::blocks() that holds it
+  std::uint32_t block = 0;           ///< of TraversabilityGrid::blocks() that holds it
   std::vector<std::uint32_t> seats;  ///< all blocks with places that see as much; by their number
   double turn_s = 0.0;               ///< towards the beginning of the way there
   double reach_s = 0.0;              ///< of driving there; for `nearest` near walls half as fast

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/sim/intruders.hpp"
 
 namespace outrider {
@@ -23,7 +23,7 @@ struct Entrance {
 };
 
 /// What is made least: the sum over the intruders of their time inside, or the time of the last hit.
-enum class WatchObjective { time_inside, makespan };
+enum class ArrivalObjective { time_inside, makespan };
 
 struct ArrivalOptions {
   std::int64_t count = 0;  ///< intruders, at most; 0: as many as come until `until_s`
@@ -46,7 +46,7 @@ struct ArrivalOptions {
 std::vector<Option> describe(ArrivalOptions& options);
 
 /// Fault: bad_input with the two names.
-Outcome<WatchObjective> find_objective(const std::string& name);
+Outcome<ArrivalObjective> find_objective(const std::string& name);
 
 /// When an intruder that enters at `enters_s` is in its place.
 double settling_time(const GuardProblem& problem, const ArrivalOptions& options, const Intruder& intruder);
@@ -62,9 +62,9 @@ Outcome<std::vector<Intruder>> draw_arrivals(const GuardProblem& problem,
 void put_in_order(const GuardProblem& problem, std::vector<Intruder>& intruders);
 
 /// The yard with one target for each intruder, in their order, and behind them its own targets, the places.
-struct Watch {
+struct ArrivalYard {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   std::vector<Intruder> intruders;
 
   [[nodiscard]] std::size_t places() const { return problem.targets.size() - intruders.size(); }
@@ -77,6 +77,7 @@ std::vector<Intruder> settled_intruders(const GuardProblem& problem);
 
 /// Refused when targets block: who is inside changes, and with it what stands in the way. The regions
 /// are those of the places: nothing is surveyed again. O(intruders x cells).
-Outcome<Watch> watch_over(const GuardProblem& problem, const Site& site, std::vector<Intruder> intruders);
+Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
+                                  std::vector<Intruder> intruders);
 
 }  // namespace outrider

@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "outrider/jobs/guard/arrivals.hpp"
-#include "outrider/jobs/guard/outlook.hpp"
 #include "outrider/jobs/guard/policy.hpp"
+#include "outrider/jobs/guard/precomputed_stops.hpp"
 #include "outrider/jobs/guard/stop_tasks.hpp"
 
 namespace outrider {
 
 /// What is planned with. Of the intruders only those are looked at that have been seen.
 struct ArrivalPlan {
-  const Watch& yard;
-  const Outlook& stops;
-  WatchPolicy policy;
-  WatchObjective objective = WatchObjective::time_inside;
+  const ArrivalYard& yard;
+  const PrecomputedStops& stops;
+  ReplanPolicy policy;
+  ArrivalObjective objective = ArrivalObjective::time_inside;
   std::size_t group = 3;
   std::size_t beam = 100;
 };

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 namespace outrider {
 
@@ -30,7 +30,8 @@ namespace outrider {
 /// more than half of the memory cap. The budget counts sets of targets; when it ends, the bound is that
 /// of the targets chosen so far. Same input, same value, for any number of threads.
 /// O(2^chosen x cells) time and memory.
-double mission_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets,
-                     const GuardOptions& options, const Budget& budget);
+double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                     const std::vector<std::size_t>& targets, const GuardOptions& options,
+                     const Budget& budget);
 
 }  // namespace outrider

@@ -15,7 +15,8 @@ struct GuardPlanner {
   std::string_view name;
   std::string_view sentence;
   std::string_view source;
-  Outcome<GuardPlan> (*plan)(const GuardProblem&, const Site&, const GuardOptions&, const Budget&) = nullptr;
+  Outcome<GuardPlan> (*plan)(const GuardProblem&, const FiringMap&, const GuardOptions&,
+                             const Budget&) = nullptr;
 };
 
 /// All of them, in the order of showing; the first is the default.

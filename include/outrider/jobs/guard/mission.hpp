@@ -23,7 +23,7 @@ namespace outrider {
 class GuardMission {
  public:
   /// All targets stand still from the start.
-  GuardMission(const GuardProblem& problem, const Site& site, const GuardPlan& plan);
+  GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
   /// They come one after another, or may survive.
   explicit GuardMission(const ArrivalPlan& plan);
   explicit GuardMission(const ArrivalPlan&& plan) = delete;
@@ -45,7 +45,7 @@ class GuardMission {
   std::optional<Command> propose(const Observation& seen);
 
   const GuardProblem* problem_;
-  const Site* site_;
+  const FiringMap* site_;
   const ArrivalPlan* arrivals_ = nullptr;
   const MovingPlan* walkers_ = nullptr;
 };

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "outrider/jobs/guard/outlook.hpp"
+#include "outrider/jobs/guard/precomputed_stops.hpp"
 #include "outrider/jobs/guard/stop_tasks.hpp"
 #include "outrider/jobs/guard/visit_map.hpp"
 
@@ -25,16 +25,16 @@ namespace outrider {
 /// What moving targets are shot at with.
 struct MovingPlan {
   const GuardProblem& problem;
-  const Site& site;
-  VisitMap map;   ///< before the mission
-  Outlook stops;  ///< of a yard whose targets are the regions of the map
+  const FiringMap& firing_map;
+  VisitMap map;            ///< before the mission
+  PrecomputedStops stops;  ///< of a yard whose targets are the regions of the map
   WanderOptions options;
   std::vector<double> longest_m;  ///< by target, no shot goes farther in air; empty without air
 };
 
 /// Surveys from where the regions of a map can be hit, by targets of the size of the first. Refused as
-/// survey() and look_out().
-Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const Site& site, const VisitMap& map,
+/// build_firing_map() and precompute_stops().
+Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& firing_map, const VisitMap& map,
                                 const GuardOptions& options, const WanderOptions& wander,
                                 const Budget& budget = {});
 

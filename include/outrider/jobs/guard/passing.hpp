@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/jobs/guard/site.hpp"
 #include "outrider/robot/observation.hpp"
 
 namespace outrider {
@@ -55,7 +55,8 @@ GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<Passing
 class PassingShots {
  public:
   /// The references must outlive it.
-  PassingShots(const GuardProblem& problem, const Site& site) : problem_(problem), site_(site) {}
+  PassingShots(const GuardProblem& problem, const FiringMap& firing_map)
+      : problem_(problem), site_(firing_map) {}
 
   /// At each moment of the way, 0.2 s apart, one of the targets that can be hit then and that the gun gets to
   /// in time is shot at: the one whose last moment on the way comes first. Each target once at most; in the
@@ -73,15 +74,16 @@ class PassingShots {
                                        std::size_t target);
 
   const GuardProblem& problem_;
-  const Site& site_;
+  const FiringMap& site_;
   std::map<Moment, std::optional<PlannedShot>> solved_;
 };
 
 /// The shot at the target's centre that is soonest there of those on the pitch lattice which keep the margin,
-/// forgive enough (a spread of at most 0.7), and hit under all extreme errors together: of the gun, of the
-/// muzzle speed, of the moment, and, on the last straight of a way, of the place where it ends. Tried only
-/// where a robot that stands could hit the target.
-std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Site& site, std::size_t target,
-                                        const Straight& straight, bool last, double after_s);
+/// forgive enough (a error_ratio of at most 0.7), and hit under all extreme errors together: of the gun, of
+/// the muzzle speed, of the moment, and, on the last straight of a way, of the place where it ends. Tried
+/// only where a robot that stands could hit the target.
+std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
+                                        std::size_t target, const Straight& straight, bool last,
+                                        double after_s);
 
 }  // namespace outrider

@@ -14,12 +14,13 @@ namespace outrider {
 /// A plan over terrain or with stops that fill stores is returned with its hits as they are.
 /// Once `stop` is raised no shorter plan is looked for.
 /// O(hits^2) assemblies, in each O(stops) routes and the shots that are new.
-GuardPlan shoot_in_passing(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop = {});
 
 /// A lower bound on the time of every mission that hits those targets, standing or in passing, from anywhere:
 /// the longest of the drives, in a straight line and from rest, that bring each within reach of a ball with
 /// the speeds of gun and robot together. 0 in air, where no reach is proven. O(targets).
-double moving_bound(const GuardProblem& problem, const Site& site, const std::vector<std::size_t>& targets);
+double moving_bound(const GuardProblem& problem, const FiringMap& firing_map,
+                    const std::vector<std::size_t>& targets);
 
 }  // namespace outrider

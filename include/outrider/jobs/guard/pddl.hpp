@@ -2,8 +2,8 @@
 //
 // Domain and problem are of level 3 (durative actions), with :typing, :fluents and :duration-inequalities;
 // what the actions are is told by guard/temporal.hpp. Names: pose pS-K is stop S with the K-th heading there,
-// target tG and filler fI are numbers as well; comments of the problem say what they stand for. Only what the
-// problem needs is in the domain: without supplies that end there is no word about them.
+// target tG and station fI are numbers as well; comments of the problem say what they stand for. Only what
+// the problem needs is in the domain: without supplies that end there is no word about them.
 //
 // A plan has one action a line, in any order; ';' starts a comment, letters may be of either case:
 //     0.000: (drive p0-0 p3-0) [4.250]
@@ -27,7 +27,7 @@ struct PddlNotes {
   std::string yard;
   std::vector<Vec2> places;           ///< by stop
   std::vector<std::string> targets;   ///< by goal
-  std::vector<std::string> stations;  ///< by filler
+  std::vector<std::string> stations;  ///< by station
   std::vector<std::string> left_out;  ///< targets that are no goals
 };
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
-#include "outrider/jobs/guard/site.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/sim/record.hpp"
 
@@ -21,7 +21,8 @@ namespace outrider {
 class PhysicsGuard final : public Robot {
  public:
   /// The references must outlive the robot. It is let down on its wheels before the clock begins.
-  PhysicsGuard(const GuardProblem& problem, const Site& site, RigidWorld& bodies, std::uint64_t seed);
+  PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
+               std::uint64_t seed);
 
   Observation sense() override;
   void act(const Command& command) override;
@@ -48,7 +49,7 @@ class PhysicsGuard final : public Robot {
   [[nodiscard]] std::string contact_of(const Impact& impact, std::size_t target) const;
 
   const GuardProblem& problem_;
-  const Site& site_;
+  const FiringMap& site_;
   RigidWorld& bodies_;
   WheelBase wheels_;
   Rng arrival_rng_;

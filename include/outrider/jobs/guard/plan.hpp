@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "outrider/core/budget.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/passing.hpp"
-#include "outrider/jobs/guard/site.hpp"
 #include "outrider/path/routes/routes.hpp"
 
 namespace outrider {
@@ -59,16 +59,16 @@ struct GuardPlan {
   }
 };
 
-/// Plans the mission over all places of the site: picks a few hundred of them that matter, solves the
+/// Plans the mission over all places of the firing_map: picks a few hundred of them that matter, solves the
 /// tour, looks closer around the best one, and makes sure of each shot. Every target of the problem is
 /// in exactly one stop or in `unreachable`. Deterministic. The tour counts expected flights, the cost each
 /// flight once, so the plan is mostly a little faster than its tour.
-Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const Site& site, const GuardOptions& options,
-                              const Budget& budget);
+Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firing_map,
+                              const GuardOptions& options, const Budget& budget);
 
-/// Routes between places of the site. Where the corners of the obstacles lose a passage that the grid
+/// Routes between places of the firing_map. Where the corners of the obstacles lose a passage that the grid
 /// has, cells of a grid path join in: places that see a reachable cell next to them are all connected.
-Outcome<Routes> site_routes(const GuardProblem& problem, const Site& site, const std::vector<Vec2>& stops,
-                            const Budget& budget);
+Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing_map,
+                            const std::vector<Vec2>& stops, const Budget& budget);
 
 }  // namespace outrider

@@ -13,27 +13,27 @@
 namespace outrider {
 
 /// What is known between two commands.
-struct WatchNews {
+struct ReplanState {
   std::size_t inside = 0;   ///< who can be hit and is not hit yet
   std::size_t entered = 0;  ///< of these, since the last plan
   bool idle = true;         ///< the last plan is done
   std::size_t group = 3;    ///< the option
 };
 
-struct WatchPolicy {
+struct ReplanPolicy {
   std::string_view name;
   std::string_view sentence;
   std::string_view source;
   /// How many to plan for, those who have been inside longest first; 0: keep to the plan. Not 0 when idle
   /// and somebody is inside.
-  std::function<std::size_t(const WatchNews&)> take;
+  std::function<std::size_t(const ReplanState&)> take;
   bool interrupts = false;  ///< a drive ends at its next waypoint when somebody enters
   bool foresees = false;    ///< knows everybody from the start: no policy, but what one is measured by
 };
 
-const std::vector<WatchPolicy>& watch_policies();
+const std::vector<ReplanPolicy>& replan_policies();
 
 /// Fault: bad_input with the nearest known name.
-Outcome<WatchPolicy> find_watch_policy(std::string_view name);
+Outcome<ReplanPolicy> find_replan_policy(std::string_view name);
 
 }  // namespace outrider

@@ -2,7 +2,7 @@
 // targets (sim/simulated_robot.hpp).
 #pragma once
 
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -10,7 +10,7 @@ namespace outrider {
 /// In the yard of the problem, which with its survey must outlive the robot. All errors are drawn from named
 /// streams of the seed: arrival, gun, timing, survival, sight. A store that `levels` has less of than it
 /// holds is not full.
-SimulatedRobot simulated_guard(const GuardProblem& problem, const Site& site, std::uint64_t seed,
+SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, std::uint64_t seed,
                                TargetSimParams targets = {}, const StoreLevels& levels = {});
 
 }  // namespace outrider

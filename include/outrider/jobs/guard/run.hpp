@@ -19,7 +19,7 @@ struct WalkerRun {
 /// The yard as it really is, where the robot knows it by a map.
 struct TrueYard {
   const GuardProblem& problem;  ///< its targets are those of the plan, in their order
-  const Site& site;
+  const FiringMap& firing_map;
   StoreLevels levels = {};  ///< that the exploring has left; infinite: the stores are full
 };
 
@@ -27,7 +27,7 @@ struct TrueYard {
 /// referred to must outlive the run.
 struct GuardRun {
   const GuardProblem& problem;
-  const Site& site;
+  const FiringMap& firing_map;
   const GuardPlan& plan;
   const GuardOptions& options;
   std::uint64_t seed = 1;
@@ -46,7 +46,7 @@ struct GuardRun {
 ///   intruder_seconds   time inside of all intruders that can be hit, summed; who is not hit stays to the end
 ///   makespan_s         when the last of them was hit; the end when one was not
 ///   longest_s, plans, lower_bound_s, intruder_seconds_bound, makespan_bound_s       arrivals
-///   (watch_bound.hpp) survived           hits after which somebody went elsewhere survivors chance,
+///   (arrival_bound.hpp) survived           hits after which somebody went elsewhere survivors chance,
 ///   expected_hits   mean of the stated chances of the shots, and their sum  walkers fills, unplanned_fills,
 ///   least_water, least_charge_j                             limited supplies shots_in_passing,
 ///   hits_in_passing                                               shots on the move arrival_error_mean_m,

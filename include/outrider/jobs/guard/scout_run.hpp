@@ -33,13 +33,13 @@ struct ScoutedYard {
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
                            const RunWatch& watch = {});
 
-/// Carries out a plan that was made for yard.found on `site`, the survey of it, in the true yard. The report
-/// begins with the exploring; the times of the guarding go on from there. status is "done" when every target
-/// was seen, every one that can be hit was, and the robot touched nothing. Metrics, beside those of
+/// Carries out a plan that was made for yard.found on `firing_map`, the survey of it, in the true yard. The
+/// report begins with the exploring; the times of the guarding go on from there. status is "done" when every
+/// target was seen, every one that can be hit was, and the robot touched nothing. Metrics, beside those of
 /// run_guard(): seen, explored_fraction, map_error_m, explore_s, contacts; mission_s, driven_m and
 /// turned_rad are of the whole. Faults:
-/// those of survey(), for the true yard. The observer sees the whole, the exploring first.
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const Site& site,
+/// those of build_firing_map(), for the true yard. The observer sees the whole, the exploring first.
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const FiringMap& firing_map,
                                  const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
                                  const RunWatch& watch = {});
 

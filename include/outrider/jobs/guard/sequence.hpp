@@ -5,9 +5,9 @@
 // comes to if everybody left were hit at the time of the last hit. Turns, drives, aims and flights cost what
 // the tour's model says (tour/problem.hpp); nobody is shot at before it is in its place.
 //
-// Guarantees: the plan hits each of those wanted once, if each has a service at a stop with a drive; it
+// Guarantees: the plan hits each of those pending once, if each has a service at a stop with a drive; it
 // is the best of all such plans if the beam never overflows, turns and aims take no time, and everybody is in
-// its place. Same input, same bytes. O(wanted^2 x stops x beam).
+// its place. Same input, same bytes. O(pending^2 x stops x beam).
 // Source: Lowerre, The HARPY speech recognition system, 1976 (beam search); the objective is that of the
 // travelling repairman, Afrati et al., 1986.
 #pragma once
@@ -21,13 +21,13 @@
 namespace outrider {
 
 /// Someone to be hit.
-struct Wanted {
+struct PendingTarget {
   std::uint32_t goal = 0;  ///< of the table
   double settles_s = 0.0;  ///< not to be shot at before
 };
 
 /// The robot between two commands.
-struct Standing {
+struct RobotState {
   double time_s = 0.0;
   double heading_rad = 0.0;
   double gun_yaw_rad = 0.0;  ///< relative to the body
@@ -35,28 +35,29 @@ struct Standing {
   std::vector<Drive> drives;  ///< from here to each stop
 };
 
-/// A stop and those to be hit from there, as indices of the list of wanted.
+/// A stop and those to be hit from there, as indices of the list of pending.
 struct Sequence {
   std::vector<Visit> visits;
   double value = 0.0;  ///< the sum of the times of the hits, or the time of the last one, s
 };
 
-/// At most 64 wanted. Empty, with an infinite value, when someone of them cannot be hit.
-Sequence best_sequence(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
-                       WatchObjective objective, std::size_t beam);
+/// At most 64 pending. Empty, with an infinite value, when someone of them cannot be hit.
+Sequence best_sequence(const TourProblem& table, const std::vector<PendingTarget>& pending,
+                       const RobotState& from, ArrivalObjective objective, std::size_t beam);
 
-/// The value of given visits, for comparison; infinite when they do not hit each of those wanted once, or a
+/// The value of given visits, for comparison; infinite when they do not hit each of those pending once, or a
 /// service or a drive is missing.
-double value_of(const TourProblem& table, const std::vector<Wanted>& wanted, const Standing& from,
-                WatchObjective objective, const std::vector<Visit>& visits);
+double value_of(const TourProblem& table, const std::vector<PendingTarget>& pending, const RobotState& from,
+                ArrivalObjective objective, const std::vector<Visit>& visits);
 
 /// The better of the beam's sequence and the part of a tour over the same stops, its goals those of the
-/// table, that is about those wanted; the latter whenever it can be driven if `as_toured`.
+/// table, that is about those pending; the latter whenever it can be driven if `as_toured`.
 Sequence sequence_beside(const std::vector<Visit>& tour, const TourProblem& table,
-                         const std::vector<Wanted>& wanted, const Standing& from, WatchObjective objective,
-                         std::size_t beam, bool as_toured);
+                         const std::vector<PendingTarget>& pending, const RobotState& from,
+                         ArrivalObjective objective, std::size_t beam, bool as_toured);
 
 /// The robot once it has gone to a stop and hit someone from there; its time is infinite when it cannot.
-Standing after_hit(const TourProblem& table, const Wanted& whom, const Standing& from, std::size_t stop);
+RobotState after_hit(const TourProblem& table, const PendingTarget& whom, const RobotState& from,
+                     std::size_t stop);
 
 }  // namespace outrider

@@ -68,11 +68,12 @@ std::size_t target_of(const StopTasks& tasks, std::size_t record);
 StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan);
 
 /// Takes note of what became of the last shots. A shot of which nothing is heard is a miss.
-void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem, const Site& site);
+void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
+                const FiringMap& firing_map);
 
 /// The next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries` shots
 /// are fired at a target, so this ends.
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
-                                    const Site& site);
+                                    const FiringMap& firing_map);
 
 }  // namespace outrider

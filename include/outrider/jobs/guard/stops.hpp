@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 namespace outrider {
 
@@ -27,13 +27,13 @@ struct SureHits {
   }
 };
 
-SureHits sure_hits(const GuardProblem& problem, const Site& site);
+SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map);
 
 /// In each square tile of the yard, for each largest set of targets hit from there, the best cell. Tiles
 /// are no smaller than `tile_m`, and larger until at most `most` cells are left; where one tile still has
 /// more, a greedy cover is taken. Each target that a cell which counts can hit is in some set.
 /// Only cells within `near_m` of one of `around` count, unless that is empty. Ascending.
-std::vector<std::size_t> choose_stops(const Site& site, const SureHits& hits, double tile_m, std::size_t most,
-                                      const std::vector<Vec2>& around, double near_m);
+std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
+                                      std::size_t most, const std::vector<Vec2>& around, double near_m);
 
 }  // namespace outrider

@@ -25,11 +25,11 @@ struct StoreKeeper {
 /// The store that does not suffice for a command that `tasks` led to and for what follows it; nothing when
 /// all do. Shortens a wait to what the charge allows. O(stations) routes.
 std::optional<Store> lacking(Command& command, const StopTasks& tasks, const Observation& seen,
-                             const GuardProblem& problem, const Site& site);
+                             const GuardProblem& problem, const FiringMap& firing_map);
 
 /// Puts the nearest station with that store first in the queue, or settles the targets that go without.
 void provide(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observation& seen,
-             const GuardProblem& problem, const Site& site);
+             const GuardProblem& problem, const FiringMap& firing_map);
 
 /// Takes note of a command that is carried out.
 void note_command(StoreKeeper& keeper, const Command& command);

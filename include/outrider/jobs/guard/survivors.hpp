@@ -13,18 +13,18 @@
 #include <cstdint>
 #include <string>
 
-#include "outrider/jobs/guard/outlook.hpp"
 #include "outrider/jobs/guard/policy.hpp"
+#include "outrider/jobs/guard/precomputed_stops.hpp"
 
 namespace outrider {
 
 struct Manner {
-  WatchPolicy policy;
-  WatchObjective objective = WatchObjective::makespan;
+  ReplanPolicy policy;
+  ArrivalObjective objective = ArrivalObjective::makespan;
 };
 
 /// All that can be taken: the policies that see no future, each with both objectives.
-std::vector<Manner> manners();
+std::vector<Manner> policies();
 
 struct ExpectedTime {
   double mean_s = 0.0;
@@ -34,17 +34,18 @@ struct ExpectedTime {
 /// The time of the last hit, in the model, for a manner: the mean over `missions` of them. Of the options,
 /// leave, walk, group and beam count. A pure function of the arguments, for any number of threads. Once
 /// `stop` is raised no more missions begin, and the answer is of no use.
-ExpectedTime expected_time(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                           const Manner& manner, std::size_t missions, const std::stop_token& stop = {});
+ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                           const ArrivalOptions& options, const Manner& manner, std::size_t missions,
+                           const std::stop_token& stop = {});
 
 /// The manner with the least mean, and its expected time by draws of its own: the least of several means is
 /// below the mean of what was chosen.
-struct BestManner {
+struct BestPolicy {
   Manner manner;
   ExpectedTime time;
 };
-BestManner best_manner(const GuardProblem& problem, const Outlook& outlook, const ArrivalOptions& options,
-                       std::size_t missions, const std::stop_token& stop = {});
+BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
+                       const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop = {});
 
 /// Refused: a probability of 0 or too small to end, and nowhere else to go.
 Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);

@@ -61,7 +61,7 @@ struct TemporalAction {
   double duration_s = 0.0;
   TemporalVerb verb = TemporalVerb::drive;
   std::size_t pose = 0;             ///< where it begins; not read for `rest`
-  std::size_t object = 0;           ///< drive: the pose where it ends; shoot: the goal; fill: the filler
+  std::size_t object = 0;           ///< drive: the pose where it ends; shoot: the goal; fill: the station
   WayRound way = WayRound::direct;  ///< of the gun, for `shoot` and `rest`
 };
 

@@ -26,8 +26,8 @@ struct VisitMap {
 };
 
 /// The regions over the standable ground, with what the history tells, if `options.learn`.
-VisitMap visit_map(const GuardProblem& problem, const Site& site, const std::vector<Track>& history,
-                   const WanderOptions& options);
+VisitMap visit_map(const GuardProblem& problem, const FiringMap& firing_map,
+                   const std::vector<Track>& history, const WanderOptions& options);
 
 /// Adds the rests of a track, from glimpse `from` on, to the map.
 void learn(VisitMap& map, const Track& track, const WanderOptions& options, std::size_t from);

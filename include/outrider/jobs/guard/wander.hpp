@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "outrider/ballistics/moving_target.hpp"
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 namespace outrider {
 
@@ -31,16 +31,16 @@ struct WanderOptions {
 std::vector<Option> describe(WanderOptions& options);
 
 /// A position seen.
-struct Glimpse {
+struct TimedPosition {
   double time_s = 0.0;
   Vec2 position;
 };
 /// Of one intruder, in the order of time.
-using Track = std::vector<Glimpse>;
+using Track = std::vector<TimedPosition>;
 
 /// The true walks of all targets until `until_s`, a pure function of the arguments; `weights` by target.
 /// Refused: a target that does not stand on the floor or has no room to walk, targets that block.
-Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const Site& site,
+Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget = {});
 

@@ -9,18 +9,18 @@
 #include "outrider/io/map.hpp"
 #include "outrider/path/from_world.hpp"
 #include "outrider/path/problem.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
 /// A grid, polygons, or both: polygons with a grid for the planners that need one.
 struct PlanGround {
-  Grid<std::uint8_t> occupied;   ///< cells that hold something; empty where the map has exact shapes
-  Grid<std::uint8_t> blocked;    ///< cells where the robot's centre must not be; empty without a grid
-  std::optional<Ground> shapes;  ///< of a world, where it is planned on as a grid
-  double yaw_rad = 0.0;          ///< of the grid about its origin, in the world
-  double radius_m = 0.0;         ///< of the robot
-  std::shared_ptr<const GridGround> grid = nullptr;
+  Grid<std::uint8_t> occupied;         ///< cells that hold something; empty where the map has exact shapes
+  Grid<std::uint8_t> blocked;          ///< cells where the robot's centre must not be; empty without a grid
+  std::optional<CollisionMap> shapes;  ///< of a world, where it is planned on as a grid
+  double yaw_rad = 0.0;                ///< of the grid about its origin, in the world
+  double radius_m = 0.0;               ///< of the robot
+  std::shared_ptr<const GridMap> grid = nullptr;
   std::shared_ptr<const PolygonGround> polygons = nullptr;
 
   [[nodiscard]] Vec2 to_grid(Vec2 world) const;

@@ -9,7 +9,7 @@
 // call. Fault: bad_input on numbers that make no grid or a radius that is not finite or below 0.
 #pragma once
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
@@ -17,6 +17,6 @@ namespace outrider {
 Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double radius_m);
 
 /// The same prepared for searching.
-Outcome<GridGround> grid_from_occupancy(const Grid<std::uint8_t>& occupied, double radius_m, GridModel model);
+Outcome<GridMap> grid_from_occupancy(const Grid<std::uint8_t>& occupied, double radius_m, GridModel model);
 
 }  // namespace outrider

@@ -5,10 +5,10 @@
 // pinches is not asked. Source: Amanatides and Woo (1987), with exact ties.
 #pragma once
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
-bool visible(const GridGround& ground, Cell from, Cell to);
+bool visible(const GridMap& ground, Cell from, Cell to);
 
 }  // namespace outrider

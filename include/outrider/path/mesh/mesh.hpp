@@ -19,7 +19,7 @@
 #include <limits>
 #include <vector>
 
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
@@ -77,6 +77,6 @@ struct NavigationMesh {
 };
 
 /// The mesh of a ground in the model `corners`.
-NavigationMesh navigation_mesh(const GridGround& ground);
+NavigationMesh navigation_mesh(const GridMap& ground);
 
 }  // namespace outrider

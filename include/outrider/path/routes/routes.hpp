@@ -39,7 +39,7 @@
 #include "outrider/geometry/pose.hpp"
 #include "outrider/motion/drive.hpp"
 #include "outrider/motion/robot_model.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
@@ -81,8 +81,8 @@ class Routes {
 /// budget, in which a point whose lines of sight are found and a label that is settled count as one
 /// expansion each. Time O((n + s)^2) exact sight tests and O(s n^2) relaxations at worst for n nodes
 /// and s stops; memory O(n^2 + s n + s^2).
-Outcome<Routes> routes_between(const Ground& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
-                               const std::vector<Vec2>& extra_nodes, const RouteOptions& options,
-                               const Budget& budget);
+Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
+                               const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
+                               const RouteOptions& options, const Budget& budget);
 
 }  // namespace outrider

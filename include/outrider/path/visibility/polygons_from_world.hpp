@@ -8,13 +8,13 @@
 #pragma once
 
 #include "outrider/path/visibility/polygon_ground.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 
 /// The obstacle as a polygon, as above.
 std::vector<Vec2> outline(const RoundedPolygon& obstacle);
 
-Outcome<PolygonGround> polygons_from_world(const Ground& ground, double radius_m);
+Outcome<PolygonGround> polygons_from_world(const CollisionMap& ground, double radius_m);
 
 }  // namespace outrider

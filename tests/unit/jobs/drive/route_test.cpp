@@ -11,7 +11,7 @@ namespace outrider {
 namespace {
 
 /// 3 x 3 m with a box of 0.45 x 0.35 m in the middle.
-Ground arena() {
+CollisionMap arena() {
   return {{{0, 0}, {3, 3}}, {{{{1.275, 1.325}, {1.725, 1.325}, {1.725, 1.675}, {1.275, 1.675}}, 0.0}}};
 }
 
@@ -30,7 +30,7 @@ double distance_to_way(Vec2 p, const std::vector<Vec2>& way) {
 }
 
 TEST(DriveRoute, EveryPlannerGivesAWayThatCanBeDriven) {
-  const Ground ground = arena();
+  const CollisionMap ground = arena();
   for (const PathPlanner& planner : path_planners()) {
     DriveTask task = task_at({{0.5, 0.5}, 0.0});
     const auto route = plan_route(task, ground, {{2.5, 2.5}, 1.0}, std::string(planner.name), {});
@@ -64,7 +64,7 @@ TEST(DriveRoute, PassesWithTheCameraTowardsATag) {
 
 TEST(DriveRoute, ThinningStaysNearAndClear) {
   Rng rng(1);
-  const Ground ground = arena();
+  const CollisionMap ground = arena();
   for (int round = 0; round < testing::cases(50); ++round) {
     std::vector<Vec2> points;
     for (int i = 0; i <= 60; ++i) {  // about the box
@@ -84,7 +84,7 @@ TEST(DriveRoute, ThinningStaysNearAndClear) {
 
 TEST(DriveRoute, ClearanceOfAWayAgainstSamples) {
   Rng rng(2);
-  const Ground ground = arena();
+  const CollisionMap ground = arena();
   for (int round = 0; round < testing::cases(50); ++round) {
     std::vector<Vec2> way;
     for (int i = 0; i < 3; ++i) way.push_back({rng.uniform(0.1, 2.9), rng.uniform(0.1, 2.9)});
@@ -104,7 +104,7 @@ TEST(DriveRoute, ClearanceOfAWayAgainstSamples) {
 }
 
 TEST(DriveRoute, RefusesWhatCannotBeDriven) {
-  const Ground ground = arena();
+  const CollisionMap ground = arena();
   DriveTask task = task_at({{0.5, 0.5}, 0.0});
   task.waypoints = {{{{1.5, 1.5}, 0.0}}};
   const auto within = check_waypoints(task, ground);

@@ -11,7 +11,7 @@ Grid<std::uint8_t> random_blocks(Rng& rng) {
   GridFrame frame;
   frame.width = 6 + static_cast<int>(rng.below(10));
   frame.height = 6 + static_cast<int>(rng.below(10));
-  Grid<std::uint8_t> blocks(frame, KnownGround::no_block);
+  Grid<std::uint8_t> blocks(frame, TraversabilityGrid::no_block);
   for (int y = 1; y + 1 < frame.height; ++y) {
     for (int x = 1; x + 1 < frame.width; ++x) {
       const std::uint64_t kind = rng.below(10);
@@ -33,11 +33,11 @@ std::vector<std::uint32_t> relaxed(const Grid<std::uint8_t>& blocks, std::uint32
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
           const Cell to{at.x + dx, at.y + dy};
-          if ((dx == 0 && dy == 0) || blocks[to] == KnownGround::no_block) continue;
+          if ((dx == 0 && dy == 0) || blocks[to] == TraversabilityGrid::no_block) continue;
           const bool diagonal = dx != 0 && dy != 0;
           if (diagonal && (blocks[{to.x, at.y}] == 0 || blocks[{at.x, to.y}] == 0)) continue;
           const std::uint32_t step =
-              (diagonal ? 7U : 5U) * (shunned && blocks[to] == KnownGround::near_block ? 2U : 1U);
+              (diagonal ? 7U : 5U) * (shunned && blocks[to] == TraversabilityGrid::near_block ? 2U : 1U);
           if (cost[i] + step >= cost[blocks.frame.index(to)]) continue;
           cost[blocks.frame.index(to)] = cost[i] + step;
           again = true;
@@ -54,7 +54,7 @@ TEST(Flood, IsTheCheapestWayToEveryBlock) {
   for (int n = 0; n < testing::cases(150); ++n) {
     const Grid<std::uint8_t> blocks = random_blocks(rng);
     std::uint32_t from = 0;
-    while (blocks.cells[from] == KnownGround::no_block)
+    while (blocks.cells[from] == TraversabilityGrid::no_block)
       from = static_cast<std::uint32_t>(rng.below(blocks.cells.size()));
     const bool shunned = rng.below(2) == 0;
     flood.run(blocks, from, shunned ? Flood::Walls::are_shunned : Flood::Walls::do_not_matter);

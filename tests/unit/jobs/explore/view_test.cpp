@@ -52,7 +52,7 @@ bool sees_from_within(const Grid<std::uint8_t>& known, Cell from, Cell seen) {
 TEST(View, SeatsSeeWhatTheySayAndAreFree) {
   for (int n = 0; n < testing::cases(2); ++n) {
     Known known(static_cast<std::uint64_t>(n), 6);
-    const KnownGround& ground = known.frontiers.ground();
+    const TraversabilityGrid& ground = known.frontiers.ground();
     SightMemory memory;
     std::size_t looked = 0;
     for (const auto& [id, frontier] : known.frontiers.frontiers()) {

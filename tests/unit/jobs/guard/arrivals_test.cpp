@@ -95,8 +95,8 @@ TEST(Arrivals, RefuseWhatCannotBe) {
 }
 
 TEST(WatchPolicies, AreFoundByNameAndPlanWhenIdle) {
-  for (const WatchPolicy& policy : watch_policies()) {
-    EXPECT_TRUE(find_watch_policy(policy.name).has_value());
+  for (const ReplanPolicy& policy : replan_policies()) {
+    EXPECT_TRUE(find_replan_policy(policy.name).has_value());
     for (std::size_t inside = 1; inside < 9; ++inside) {
       EXPECT_GT(policy.take({inside, 0, true, 3}), 0U) << policy.name;
       EXPECT_LE(policy.take({inside, 0, true, 3}), inside) << policy.name;
@@ -104,7 +104,7 @@ TEST(WatchPolicies, AreFoundByNameAndPlanWhenIdle) {
     }
     EXPECT_EQ(policy.take({0, 0, true, 3}), 0U);
   }
-  const auto wrong = find_watch_policy("group");
+  const auto wrong = find_replan_policy("group");
   ASSERT_FALSE(wrong.has_value());
   EXPECT_NE(wrong.error().sentence.find("did you mean 'groups'"), std::string::npos)
       << wrong.error().sentence;

@@ -22,37 +22,38 @@ using testing::random_guard_problem;
 
 struct Yard {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
-  Outlook outlook;
+  PrecomputedStops precomputed;
 };
 
 Yard random_yard(Rng& rng, bool with_errors) {
   auto problem = random_guard_problem(rng, 8, 5, 2.5);
   if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  auto site = survey(problem, quick());
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto firing_map = build_firing_map(problem, quick());
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan.has_value());
   ArrivalOptions options;
   options.stops = 30;
-  auto outlook = look_out(problem, *site, *plan, options, {});
-  EXPECT_TRUE(outlook.has_value());
-  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+  auto precomputed = precompute_stops(problem, *firing_map, *plan, options, {});
+  EXPECT_TRUE(precomputed.has_value());
+  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
 }
 
-Watch crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uint64_t seed) {
+ArrivalYard crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uint64_t seed) {
   ArrivalOptions options;
   options.count = count;
   options.rate_hz = rate_hz;
   const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
-  auto watch = watch_over(yard.problem, yard.site, *draw_arrivals(yard.problem, doors, options, seed));
+  auto watch =
+      arrival_yard(yard.problem, yard.firing_map, *draw_arrivals(yard.problem, doors, options, seed));
   EXPECT_TRUE(watch.has_value());
   return std::move(*watch);
 }
 
 /// Nobody is lost, nobody is shot at before it is there, and nobody does better than the bound.
-void expect_laws(const Watch& watch, const Outlook& outlook, const WatchPolicy& policy,
+void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, const ReplanPolicy& policy,
                  const Report& report) {
   double failed = 0.0;
   for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
@@ -60,7 +61,7 @@ void expect_laws(const Watch& watch, const Outlook& outlook, const WatchPolicy& 
     EXPECT_EQ(target.name, watch.intruders[i].name);
     EXPECT_NE(target.status, "waiting");
     EXPECT_FALSE(target.reason.empty());
-    const bool can_be_hit = outlook.reachable[watch.intruders[i].place] != 0;
+    const bool can_be_hit = precomputed.reachable[watch.intruders[i].place] != 0;
     failed += target.status == "failed" ? 1.0 : 0.0;
     if (!can_be_hit) continue;
     EXPECT_NE(target.status, "unreachable");
@@ -83,12 +84,12 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
   for (int y = 0; y < cases(4); ++y) {
     const Yard yard = random_yard(rng, true);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const Watch watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
-      for (const WatchPolicy& policy : watch_policies()) {
-        const auto objective = seed % 2 == 0 ? WatchObjective::makespan : WatchObjective::time_inside;
-        const ArrivalPlan plan{watch, yard.outlook, policy, objective, 3, 50};
+      const ArrivalYard watch = crowd(yard, 8, 0.02 * static_cast<double>(1 + 4 * seed), seed);
+      for (const ReplanPolicy& policy : replan_policies()) {
+        const auto objective = seed % 2 == 0 ? ArrivalObjective::makespan : ArrivalObjective::time_inside;
+        const ArrivalPlan plan{watch, yard.precomputed, policy, objective, 3, 50};
         const Report report = testing::run_arrivals(plan, quick(), seed);
-        expect_laws(watch, yard.outlook, policy, report);
+        expect_laws(watch, yard.precomputed, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
         testing::Curious curious;
         EXPECT_EQ(to_json(report),
@@ -98,7 +99,7 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
         ASSERT_TRUE(back.has_value()) << to_string(back.error());
         EXPECT_EQ(to_json(*back), to_json(report));
         for (const TrackSample& sample : report.track) {
-          ASSERT_GE(yard.site.ground.clearance(sample.pose.position, 1.0),
+          ASSERT_GE(yard.firing_map.ground.clearance(sample.pose.position, 1.0),
                     yard.problem.robot.radius_m - 2e-9);
         }
       }
@@ -116,10 +117,10 @@ Yard yard_with_corners() {
   problem.start = {{-2, -3.5}, radians(90)};
   problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}, 0.0},
                      {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}, 0.0}};
-  auto site = survey(problem, quick());
-  auto plan = plan_guard(problem, *site, quick(), {});
-  auto outlook = look_out(problem, *site, *plan, {}, {});
-  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+  auto firing_map = build_firing_map(problem, quick());
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
+  auto precomputed = precompute_stops(problem, *firing_map, *plan, {}, {});
+  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
 }
 
 /// Once the gun is aimed the shot follows, and a drive ends at a waypoint, whoever enters meanwhile.
@@ -129,11 +130,11 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
   for (double enters = 0.1; enters < 20.0; enters += 0.7) {
     const std::vector<Intruder> two = {{"fox", 0, "gate", {}, 0.0, 0.0},
                                        {"cat", 1, "gate", {}, enters, enters}};
-    const auto watch = watch_over(yard.problem, yard.site, two);
+    const auto watch = arrival_yard(yard.problem, yard.firing_map, two);
     ASSERT_TRUE(watch.has_value());
-    const auto policy = find_watch_policy("each_arrival");
-    const ArrivalPlan plan{*watch, yard.outlook, *policy};
-    auto robot = simulated_guard(watch->problem, watch->site, 1, {.intruders = watch->intruders});
+    const auto policy = find_replan_policy("each_arrival");
+    const ArrivalPlan plan{*watch, yard.precomputed, *policy};
+    auto robot = simulated_guard(watch->problem, watch->firing_map, 1, {.intruders = watch->intruders});
     GuardMission mission(plan);
     bool aimed = false;
     while (const auto command = mission.step(robot.sense())) {
@@ -159,17 +160,17 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   Rng rng(53);
   for (int y = 0; y < cases(5); ++y) {
     const Yard yard = random_yard(rng, y % 2 == 0);
-    Report still = testing::run_still(yard.problem, yard.site, yard.plan, quick(), 1);
+    Report still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
     std::vector<Intruder> all;
     for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
       all.push_back({"", t, "gate", {}, 0.0, 0.0});
     put_in_order(yard.problem, all);
-    const auto watch = watch_over(yard.problem, yard.site, all);
+    const auto watch = arrival_yard(yard.problem, yard.firing_map, all);
     ASSERT_TRUE(watch.has_value());
-    for (const WatchPolicy& policy : watch_policies()) {
-      const ArrivalPlan plan{*watch, yard.outlook, policy, WatchObjective::makespan, 3, 50};
+    for (const ReplanPolicy& policy : replan_policies()) {
+      const ArrivalPlan plan{*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 50};
       Report report = testing::run_arrivals(plan, quick(), 1);
-      expect_laws(*watch, yard.outlook, policy, report);
+      expect_laws(*watch, yard.precomputed, policy, report);
       EXPECT_EQ(metric(report, "unreachable"), metric(still, "unreachable"));
       if (policy.name == "groups") continue;
       EXPECT_EQ(metric(report, "mission_s"), metric(still, "mission_s")) << policy.name;
@@ -188,15 +189,16 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
 TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   Rng rng(54);
   const Yard yard = random_yard(rng, true);
-  const auto watch = watch_over(yard.problem, yard.site, {});
+  const auto watch = arrival_yard(yard.problem, yard.firing_map, {});
   ASSERT_TRUE(watch.has_value());
-  const Report report = testing::run_arrivals({*watch, yard.outlook, watch_policies().front()}, quick(), 1);
+  const Report report =
+      testing::run_arrivals({*watch, yard.precomputed, replan_policies().front()}, quick(), 1);
   EXPECT_EQ(report.status, "done");
   EXPECT_EQ(metric(report, "mission_s"), 0.0);
   EXPECT_TRUE(report.shots.empty());
   auto blocking = yard.problem;
   blocking.targets_block = true;
-  EXPECT_EQ(watch_over(blocking, yard.site, {}).error().where, "targets_block");
+  EXPECT_EQ(arrival_yard(blocking, yard.firing_map, {}).error().where, "targets_block");
 }
 
 /// Looking up from the plan helps, on average, by time inside.
@@ -205,10 +207,10 @@ TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   const Yard yard = random_yard(rng, true);
   std::map<std::string, double> sums;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Watch watch = crowd(yard, 12, 0.2, seed);
-    for (const WatchPolicy& policy : watch_policies()) {
+    const ArrivalYard watch = crowd(yard, 12, 0.2, seed);
+    for (const ReplanPolicy& policy : replan_policies()) {
       const Report report = testing::run_arrivals(
-          {watch, yard.outlook, policy, WatchObjective::time_inside, 2, 50}, quick(), seed);
+          {watch, yard.precomputed, policy, ArrivalObjective::time_inside, 2, 50}, quick(), seed);
       sums[std::string(policy.name)] += metric(report, "intruder_seconds");
     }
   }

@@ -26,7 +26,7 @@ struct Choices {
 };
 
 /// The soonest of many shots that hit, flown in the yard; infinite when none of these does.
-double soonest_hit(const GuardProblem& problem, const Site& site, std::size_t t, Vec2 place) {
+double soonest_hit(const GuardProblem& problem, const FiringMap& firing_map, std::size_t t, Vec2 place) {
   const Target& target = problem.targets[t];
   const Vec2 sight = xy(target.base) - place;
   double least = inf;
@@ -36,28 +36,32 @@ double soonest_hit(const GuardProblem& problem, const Site& site, std::size_t t,
     for (const double part : {1.0, 0.9, 0.75, through.value_or(0.0) / problem.gun.muzzle_speed_mps}) {
       const Shot shot{heading_of(sight), pitch, part * problem.gun.muzzle_speed_mps};
       const Flight flight =
-          launch(problem.gun, place, site.rules.floor_z_m, shot, problem.world.gravity_mps2);
-      const Impact end = fly(flight, problem.gun.ball_radius_m, site.space(t), target, site.rules.floor_z_m);
+          launch(problem.gun, place, firing_map.rules.floor_z_m, shot, problem.world.gravity_mps2);
+      const Impact end =
+          fly(flight, problem.gun.ball_radius_m, firing_map.space(t), target, firing_map.rules.floor_z_m);
       if (end.hit) least = std::min(least, end.time_s);
     }
   }
   return least;
 }
 
-Choices choices_of(const GuardProblem& problem, const Site& site) {
+Choices choices_of(const GuardProblem& problem, const FiringMap& firing_map) {
   Choices choices;
   choices.places = {problem.start.position};
-  for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    if (site.regions[t].hits > 0) choices.targets.push_back(t);
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (firing_map.regions[t].hits > 0) choices.targets.push_back(t);
   }
   choices.flights.assign(choices.targets.size(), {inf});
-  for (std::size_t c = 0; c < site.frame.size(); ++c) {
-    const auto counts = [&](std::size_t t) { return site.regions[t].pitch[c] != FiringRegion::no_shot; };
+  for (std::size_t c = 0; c < firing_map.frame.size(); ++c) {
+    const auto counts = [&](std::size_t t) {
+      return firing_map.regions[t].pitch[c] != FiringRegion::no_shot;
+    };
     if (std::none_of(choices.targets.begin(), choices.targets.end(), counts)) continue;
-    choices.places.push_back(site.frame.centre(site.frame.cell(c)));
+    choices.places.push_back(firing_map.frame.centre(firing_map.frame.cell(c)));
     for (std::size_t i = 0; i < choices.targets.size(); ++i) {
       const std::size_t t = choices.targets[i];
-      choices.flights[i].push_back(counts(t) ? soonest_hit(problem, site, t, choices.places.back()) : inf);
+      choices.flights[i].push_back(counts(t) ? soonest_hit(problem, firing_map, t, choices.places.back())
+                                             : inf);
     }
   }
   return choices;
@@ -99,15 +103,15 @@ TEST(MissionBound, IsNeverAboveTheOptimumOverAllCellsAndOrders) {
     problem.robot.acceleration_mps2 = i % 5 == 0 ? 20.0 : 0.8;
     GuardOptions options;
     options.resolution_m = rng.uniform(0.35, 0.6);
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
-    const Choices choices = choices_of(problem, *site);
-    const double bound = mission_bound(problem, *site, choices.targets, options, {});
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const Choices choices = choices_of(problem, *firing_map);
+    const double bound = mission_bound(problem, *firing_map, choices.targets, options, {});
     if (choices.targets.empty()) {
       EXPECT_EQ(bound, 0.0);
       continue;
     }
-    const auto routes = site_routes(problem, *site, choices.places, {});
+    const auto routes = yard_routes(problem, *firing_map, choices.places, {});
     ASSERT_TRUE(routes.has_value()) << routes.error().sentence;
     EXPECT_LE(
         bound,
@@ -129,11 +133,11 @@ TEST(MissionBound, IsCloseOnOpenGround) {
     problem.gun.muzzle_speed_mps = rng.uniform(2.0, 3.5);
     GuardOptions options;
     options.resolution_m = 0.5;
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
-    const Choices choices = choices_of(problem, *site);
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const Choices choices = choices_of(problem, *firing_map);
     if (choices.targets.empty()) continue;  // all too high
-    const double bound = mission_bound(problem, *site, choices.targets, options, {});
+    const double bound = mission_bound(problem, *firing_map, choices.targets, options, {});
     const double best = optimum(choices, [&](std::size_t a, std::size_t b) {
       const double way = distance(choices.places[a], choices.places[b]);
       return own_duration(way, problem.robot.speed_mps, problem.robot.acceleration_mps2);
@@ -151,27 +155,27 @@ TEST(MissionBound, GrowsWithWhatIsSpentOnIt) {
   problem.gun.muzzle_speed_mps = 3.5;
   GuardOptions options;
   options.resolution_m = 0.25;
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value()) << site.error().sentence;
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
   std::vector<std::size_t> targets;
-  for (std::size_t t = 0; t < site->regions.size(); ++t) {
-    if (site->regions[t].hits > 0) targets.push_back(t);
+  for (std::size_t t = 0; t < firing_map->regions.size(); ++t) {
+    if (firing_map->regions[t].hits > 0) targets.push_back(t);
   }
   ASSERT_GT(targets.size(), 8U);
   double before = -1.0;
   for (const std::uint64_t sets : {0U, 1U, 3U, 15U, 255U}) {
     Budget budget;
     budget.expansions = sets;
-    const double bound = mission_bound(problem, *site, targets, options, budget);
+    const double bound = mission_bound(problem, *firing_map, targets, options, budget);
     EXPECT_GE(bound, before);
     before = bound;
   }
-  EXPECT_EQ(before, mission_bound(problem, *site, targets, options, {}));
+  EXPECT_EQ(before, mission_bound(problem, *firing_map, targets, options, {}));
   options.prove = true;
-  EXPECT_GT(mission_bound(problem, *site, targets, options, {}), before);
+  EXPECT_GT(mission_bound(problem, *firing_map, targets, options, {}), before);
   options.memory_mib = 1;
-  EXPECT_GT(mission_bound(problem, *site, targets, options, {}), 0.0);
-  EXPECT_EQ(mission_bound(problem, *site, {}, options, {}), 0.0);
+  EXPECT_GT(mission_bound(problem, *firing_map, targets, options, {}), 0.0);
+  EXPECT_EQ(mission_bound(problem, *firing_map, {}, options, {}), 0.0);
 }
 
 }  // namespace

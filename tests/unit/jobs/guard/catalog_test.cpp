@@ -17,7 +17,7 @@ using testing::OwnGun;
 using testing::random_guard_problem;
 
 /// The promises of every planner, by other means than those of the planners.
-void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+void expect_sound(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                   const GuardOptions& options, const std::string& what) {
   std::vector<int> times(problem.targets.size(), 0);
   for (const Unreachable& lost : plan.unreachable) {
@@ -33,7 +33,7 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
     for (std::size_t i = 1; i < stop.waypoints.size(); ++i) {
       for (int k = 0; k <= 100; ++k) {
         const Vec2 p = stop.waypoints[i - 1] + k / 100.0 * (stop.waypoints[i] - stop.waypoints[i - 1]);
-        EXPECT_GE(site.ground.clearance(p, 1.0), problem.robot.radius_m - 2e-9) << what;
+        EXPECT_GE(firing_map.ground.clearance(p, 1.0), problem.robot.radius_m - 2e-9) << what;
       }
     }
     EXPECT_FALSE(stop.hits.empty()) << what;
@@ -41,7 +41,7 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
       ++times[hit.target];
       const Solid target = solid_of(problem.targets[hit.target]);
       const auto end = OwnGun{problem.gun}.shoot(stop.position, hit.shot.shot,
-                                                 site.space(hit.target).solids(), &target, -1.0);
+                                                 firing_map.space(hit.target).solids(), &target, -1.0);
       EXPECT_TRUE(end.hit) << what << ": " << problem.targets[hit.target].name;
       EXPECT_NEAR(end.time_s, hit.shot.flight_s, 2e-4) << what;
       EXPECT_GE(end.gap_m, options.margin_m - 3e-4) << what;
@@ -63,16 +63,16 @@ TEST(GuardCatalog, EveryPlannerKeepsItsPromises) {
     options.resolution_m = 0.15;
     options.stops = 60;
     options.iterations = 300;
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     for (std::size_t p = 0; p < hit.size(); ++p) {
       const GuardPlanner& planner = guard_planners()[p];
       const std::string what = std::string(planner.name) + ", case " + std::to_string(i);
-      const auto plan = planner.plan(problem, *site, options, {});
-      const auto again = planner.plan(problem, *site, options, {});
+      const auto plan = planner.plan(problem, *firing_map, options, {});
+      const auto again = planner.plan(problem, *firing_map, options, {});
       ASSERT_TRUE(plan.has_value()) << what << ": " << plan.error().sentence;
       ASSERT_TRUE(again.has_value()) << what;
-      expect_sound(problem, *site, *plan, options, what);
+      expect_sound(problem, *firing_map, *plan, options, what);
       hit[p] += problem.targets.size() - plan->unreachable.size();
       EXPECT_EQ(plan->cost_s, again->cost_s) << what;
       ASSERT_EQ(plan->stops.size(), again->stops.size()) << what;
@@ -91,10 +91,10 @@ TEST(GuardCatalog, EveryPlannerIsContentWithoutTargetsAndWithoutShots) {
   problem.start = {{0, -1.5}, radians(90)};
   for (const bool kite : {false, true}) {
     if (kite) problem.targets = {{"kite", {0, 0, 9}, {0.5, 0.2, 0.4}, 0.0}};
-    const auto site = survey(problem, {});
-    ASSERT_TRUE(site.has_value());
+    const auto firing_map = build_firing_map(problem, {});
+    ASSERT_TRUE(firing_map.has_value());
     for (const GuardPlanner& planner : guard_planners()) {
-      const auto plan = planner.plan(problem, *site, {}, {});
+      const auto plan = planner.plan(problem, *firing_map, {}, {});
       ASSERT_TRUE(plan.has_value()) << planner.name;
       EXPECT_TRUE(plan->stops.empty()) << planner.name;
       EXPECT_EQ(plan->unreachable.size(), problem.targets.size()) << planner.name;
@@ -128,9 +128,9 @@ TEST(ShrinkingCircles, TakeTheFirstPlaceOfTheLargestCircleAndListedGroups) {
   const GuardProblem problem = row_of_targets();
   GuardOptions options;
   options.group = 2;
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value());
-  const auto plan = shrinking_circles(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value());
+  const auto plan = shrinking_circles(problem, *firing_map, options, {});
   ASSERT_TRUE(plan.has_value());
   ASSERT_EQ(plan->stops.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -140,10 +140,10 @@ TEST(ShrinkingCircles, TakeTheFirstPlaceOfTheLargestCircleAndListedGroups) {
   for (const PlannedStop& stop : plan->stops) {
     const std::size_t t = stop.hits.front().target;
     double farthest = 0.0;
-    for (std::size_t c = 0; c < site->frame.size(); ++c) {
-      if (site->regions[t].pitch[c] == FiringRegion::no_shot) continue;
-      farthest =
-          std::max(farthest, distance(site->frame.centre(site->frame.cell(c)), xy(problem.targets[t].base)));
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
+      if (firing_map->regions[t].pitch[c] == FiringRegion::no_shot) continue;
+      farthest = std::max(farthest, distance(firing_map->frame.centre(firing_map->frame.cell(c)),
+                                             xy(problem.targets[t].base)));
     }
     EXPECT_GT(distance(stop.position, xy(problem.targets[t].base)), farthest - 0.7);
   }
@@ -153,9 +153,9 @@ TEST(ShrinkingCircles, OneGroupOfAllIsTheBestOrderOfDrives) {
   const GuardProblem problem = row_of_targets();
   GuardOptions options;
   options.group = 6;
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value());
-  const auto plan = shrinking_circles(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value());
+  const auto plan = shrinking_circles(problem, *firing_map, options, {});
   ASSERT_TRUE(plan.has_value());
   std::vector<Vec2> places;
   double driven = 0.0;
@@ -178,26 +178,26 @@ TEST(ShrinkingCircles, OneGroupOfAllIsTheBestOrderOfDrives) {
     EXPECT_LE(driven, other + 1e-6);
   } while (std::next_permutation(places.begin(), places.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; }));
   options.group = 1;
-  const auto listed = shrinking_circles(problem, *site, options, {});
+  const auto listed = shrinking_circles(problem, *firing_map, options, {});
   ASSERT_TRUE(listed.has_value());
   EXPECT_GT(listed->cost_s, plan->cost_s + 10.0);
 }
 
 TEST(SourceTargetTable, GoesToTheNearestPlaceWithATargetLeft) {
   const GuardProblem problem = row_of_targets();
-  const auto site = survey(problem, {});
-  ASSERT_TRUE(site.has_value());
-  const auto plan = source_target_table(problem, *site, {}, {});
+  const auto firing_map = build_firing_map(problem, {});
+  ASSERT_TRUE(firing_map.has_value());
+  const auto plan = source_target_table(problem, *firing_map, {}, {});
   ASSERT_TRUE(plan.has_value());
   std::vector<bool> left(problem.targets.size(), true);
   Vec2 at = problem.start.position;
   for (const PlannedStop& stop : plan->stops) {
-    for (std::size_t c = 0; c < site->frame.size(); ++c) {
-      const Cell cell = site->frame.cell(c);
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
+      const Cell cell = firing_map->frame.cell(c);
       if (cell.x % 5 != 0 || cell.y % 5 != 0) continue;
       for (std::size_t t = 0; t < left.size(); ++t) {
-        if (!left[t] || site->regions[t].pitch[c] == FiringRegion::no_shot) continue;
-        EXPECT_GE(distance(at, site->frame.centre(cell)), distance(at, stop.position) - 1e-9);
+        if (!left[t] || firing_map->regions[t].pitch[c] == FiringRegion::no_shot) continue;
+        EXPECT_GE(distance(at, firing_map->frame.centre(cell)), distance(at, stop.position) - 1e-9);
       }
     }
     for (const PlannedHit& hit : stop.hits) left[hit.target] = false;

@@ -61,18 +61,18 @@ ArrivalOptions eight_intruders() {
 /// Intruders that come by one of two doors, as the options say; they are drawn from the seed.
 Outcome<Report> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals,
                              std::uint64_t seed) {
-  const auto site = survey(problem, coarse());
-  if (!site) return tl::unexpected<Fault>(site.error());
-  if (auto ok = check_supplies(problem, *site); !ok) return pass_on(ok);
-  const auto plan = plan_guard(problem, *site, coarse(), {});
+  const auto firing_map = build_firing_map(problem, coarse());
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  if (auto ok = check_supplies(problem, *firing_map); !ok) return pass_on(ok);
+  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
   if (!arrivals.any()) {
-    return simulate_surviving_targets(problem, *site, *plan, arrivals, coarse(), seed);
+    return simulate_surviving_targets(problem, *firing_map, *plan, arrivals, coarse(), seed);
   }
   const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
   const auto intruders = draw_arrivals(problem, doors, arrivals, seed);
   if (!intruders) return tl::unexpected<Fault>(intruders.error());
-  return simulate_arriving_targets(problem, *site, *plan, *intruders, arrivals, coarse(), seed);
+  return simulate_arriving_targets(problem, *firing_map, *plan, *intruders, arrivals, coarse(), seed);
 }
 
 double survivals(const Report& report) {
@@ -217,15 +217,16 @@ TEST(Combinations, IntrudersWalkAboutInWind) {
     problem.air = {0.02, 1.5, radians(40.0 + 90.0 * i)};
     GuardOptions options = coarse();
     options.pitch_step_rad = radians(7.5);
-    const auto site = survey(problem, options, {}, RegionSearch::none);
-    ASSERT_TRUE(site) << to_string(site.error());
+    const auto firing_map = build_firing_map(problem, options, {}, RegionSearch::none);
+    ASSERT_TRUE(firing_map) << to_string(firing_map.error());
     WanderOptions wander;
     wander.speed_mps = 0.5;
     wander.rest_s = 2.0;
     wander.chance = 0.3;
     const auto seed = static_cast<std::uint64_t>(i + 1);
-    const auto walks = draw_walks(problem, *site, {1.0, 1.0, 1.0}, wander, seed, 7200.0);
-    const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), options, wander);
+    const auto walks = draw_walks(problem, *firing_map, {1.0, 1.0, 1.0}, wander, seed, 7200.0);
+    const auto plan =
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), options, wander);
     ASSERT_TRUE(walks && plan);
     const Report report = testing::run_walkers(*plan, *walks, options, seed);
     expect_everybody_accounted_for(report, 3);
@@ -280,13 +281,13 @@ Outcome<Report> explore_and_guard(const GuardProblem& problem, std::uint64_t see
   task.options.unknown = true;
   auto yard = scout(problem, task, seed);
   if (!yard) return pass_on(yard);
-  const auto site = survey(yard->found.problem, coarse());
-  if (!site) return tl::unexpected<Fault>(site.error());
-  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *site);
-  auto plan = plan_guard(yard->found.problem, *site, coarse(), {});
-  if (plan) plan = supply_plan(yard->found.problem, *site, std::move(*plan), {});
+  const auto firing_map = build_firing_map(yard->found.problem, coarse());
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *firing_map);
+  auto plan = plan_guard(yard->found.problem, *firing_map, coarse(), {});
+  if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  return run_guard_on_map(problem, std::move(*yard), *site, *plan, coarse(), seed);
+  return run_guard_on_map(problem, std::move(*yard), *firing_map, *plan, coarse(), seed);
 }
 
 TEST(Combinations, TheYardIsUnknownAndStoresEnd) {

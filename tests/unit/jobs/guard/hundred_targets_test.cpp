@@ -54,13 +54,14 @@ GuardProblem random_town(Rng& rng) {
 }
 
 /// A place between the cells where the robot can stand, joined to a reachable cell by free ground.
-Vec2 finer_place(Rng& rng, const GuardProblem& problem, const Site& site,
+Vec2 finer_place(Rng& rng, const GuardProblem& problem, const FiringMap& firing_map,
                  const std::vector<std::size_t>& reachable) {
-  const double half = 0.5 * site.frame.resolution_m;
+  const double half = 0.5 * firing_map.frame.resolution_m;
   for (;;) {
-    const Vec2 centre = site.frame.centre(site.frame.cell(reachable[rng.below(reachable.size())]));
+    const Vec2 centre =
+        firing_map.frame.centre(firing_map.frame.cell(reachable[rng.below(reachable.size())]));
     const Vec2 place = centre + Vec2{rng.uniform(-half, half), rng.uniform(-half, half)};
-    if (site.ground.segment_free({centre, place}, problem.robot.radius_m)) return place;
+    if (firing_map.ground.segment_free({centre, place}, problem.robot.radius_m)) return place;
   }
 }
 
@@ -73,25 +74,25 @@ Vec3 point_of(Rng& rng, const Target& target) {
 }
 
 /// Shots from anywhere, at any point, at any pitch: none of them surely hits and keeps the margin.
-void expect_out_of_reach(Rng& rng, const GuardProblem& problem, const Site& site, std::size_t t) {
+void expect_out_of_reach(Rng& rng, const GuardProblem& problem, const FiringMap& firing_map, std::size_t t) {
   const Target& target = problem.targets[t];
   const Solid solid = solid_of(target);
   const OwnGun gun{problem.gun};
   std::vector<std::size_t> reachable;
-  for (std::size_t i = 0; i < site.reachable.size(); ++i) {
-    const double range = distance(site.frame.centre(site.frame.cell(i)), xy(target.base));
-    if (site.reachable[i] != 0 && range > site.rules.standoff_m + 0.6) reachable.push_back(i);
+  for (std::size_t i = 0; i < firing_map.reachable.size(); ++i) {
+    const double range = distance(firing_map.frame.centre(firing_map.frame.cell(i)), xy(target.base));
+    if (firing_map.reachable[i] != 0 && range > firing_map.rules.standoff_m + 0.6) reachable.push_back(i);
   }
   constexpr double step_m = 1e-3;
   for (int i = 0; i < testing::part_of(3000); ++i) {
-    const Vec2 place = finer_place(rng, problem, site, reachable);
+    const Vec2 place = finer_place(rng, problem, firing_map, reachable);
     const Vec3 aim = point_of(rng, target);
     const double pitch = rng.uniform(problem.gun.pitch_low_rad, problem.gun.pitch_high_rad);
     const auto speed = gun.speed(pitch, distance(xy(aim), place), aim.z);
     if (!speed) continue;
     const Shot shot{heading_of(xy(aim) - place), pitch, *speed};
-    const auto end = gun.shoot(place, shot, site.space(t).solids(), &solid, -0.5, step_m);
-    EXPECT_FALSE(end.hit && end.gap_m > site.rules.margin_m + step_m)
+    const auto end = gun.shoot(place, shot, firing_map.space(t).solids(), &solid, -0.5, step_m);
+    EXPECT_FALSE(end.hit && end.gap_m > firing_map.rules.margin_m + step_m)
         << target.name << " is hit from " << place.x << ", " << place.y << " at pitch " << degrees(pitch);
   }
 }
@@ -107,9 +108,9 @@ TEST(HundredTargets, WhatIsPlannedHitsAndWhatIsRefusedIsOutOfReach) {
     options.iterations = 500;
     options.refinements = 1;
     options.gap = 1.0;
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
-    const auto plan = plan_guard(problem, *site, options, {});
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const auto plan = plan_guard(problem, *firing_map, options, {});
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     EXPECT_GT(plan->lower_bound_s, 0.0);
     EXPECT_LE(plan->lower_bound_s, plan->bounded_s() + 1e-9);
@@ -121,14 +122,14 @@ TEST(HundredTargets, WhatIsPlannedHitsAndWhatIsRefusedIsOutOfReach) {
         ++planned;
         const Solid target = solid_of(problem.targets[hit.target]);
         const auto end = OwnGun{problem.gun}.shoot(stop.position, hit.shot.shot,
-                                                   site->space(hit.target).solids(), &target, -1.0);
+                                                   firing_map->space(hit.target).solids(), &target, -1.0);
         EXPECT_TRUE(end.hit) << i << ": " << problem.targets[hit.target].name;
       }
     }
     EXPECT_EQ(planned + plan->unreachable.size(), most_targets);
     for (const Unreachable& lost : plan->unreachable) {
       EXPECT_FALSE(lost.reason.empty());
-      expect_out_of_reach(rng, problem, *site, lost.target);
+      expect_out_of_reach(rng, problem, *firing_map, lost.target);
     }
     refused += plan->unreachable.size();
     RecordProperty(fmt::format("gap_{}", i), fmt::format("{:.3f}", plan->gap()));

@@ -21,16 +21,16 @@ GuardOptions quick() {
 
 struct Yard {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
-  Outlook outlook;
+  PrecomputedStops precomputed;
 };
 
 Yard make_yard(GuardProblem problem) {
-  auto site = survey(problem, quick());
-  auto plan = plan_guard(problem, *site, quick(), {});
-  auto outlook = look_out(problem, *site, *plan, {}, {});
-  return {std::move(problem), std::move(*site), std::move(*plan), std::move(*outlook)};
+  auto firing_map = build_firing_map(problem, quick());
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
+  auto precomputed = precompute_stops(problem, *firing_map, *plan, {}, {});
+  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(*precomputed)};
 }
 
 /// The way to the fox leads around two corners; the cat sits in front of the start.
@@ -47,9 +47,9 @@ GuardProblem corners() {
 }
 
 /// A fox and a cat, each at its place.
-Watch two_come(const Yard& yard) {
-  return watch_over(yard.problem, yard.site,
-                    {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}})
+ArrivalYard two_come(const Yard& yard) {
+  return arrival_yard(yard.problem, yard.firing_map,
+                      {{"fox", 0, "gate", {}, 0.0, 0.0}, {"cat", 1, "gate", {}, 3.0, 3.0}})
       .value();
 }
 
@@ -61,9 +61,9 @@ Observation seen_at(double time_s, Pose2 pose, std::vector<TargetArrival> arriva
 
 TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
   const Yard yard = make_yard(corners());
-  const Watch watch = two_come(yard);
-  for (const WatchPolicy& policy : watch_policies()) {
-    const ArrivalPlan plan{watch, yard.outlook, policy};
+  const ArrivalYard watch = two_come(yard);
+  for (const ReplanPolicy& policy : replan_policies()) {
+    const ArrivalPlan plan{watch, yard.precomputed, policy};
     GuardMission mission(plan);
     const auto first = mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
     ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first)) << policy.name;
@@ -93,8 +93,8 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   GuardProblem problem = corners();
   problem.world.solids.resize(1);
   const Yard yard = make_yard(std::move(problem));
-  const auto watch = watch_over(yard.problem, yard.site, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
-  const ArrivalPlan plan{watch, yard.outlook, *find_watch_policy("each_arrival")};
+  const auto watch = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
+  const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   Pose2 pose = yard.problem.start;
   double now_s = 0.0;
@@ -136,8 +136,8 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   problem.supplies.tank = 1.0;
   problem.supplies.stations = {{"well", {3.0, -2.5}, true, false}};
   const Yard yard = make_yard(std::move(problem));
-  const Watch watch = two_come(yard);
-  const ArrivalPlan plan{watch, yard.outlook, *find_watch_policy("each_arrival")};
+  const ArrivalYard watch = two_come(yard);
+  const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   const auto empty_at = [&](double time_s, Vec2 place, std::vector<TargetArrival> arrivals) {
     Observation seen = seen_at(time_s, {place, 0.0}, std::move(arrivals), false);
@@ -171,18 +171,20 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
 /// A fox and a cat that walk about on an open floor; sight is exact.
 struct Walkers {
   GuardProblem problem;
-  std::optional<Site> site;
+  std::optional<FiringMap> firing_map;
   std::optional<MovingPlan> plan;
 
   explicit Walkers(double patience_s = 300.0) {
     problem = corners();
     problem.world.solids.resize(1);
-    site = survey(problem, quick()).value();
+    firing_map = build_firing_map(problem, quick()).value();
     WanderOptions wander;
     wander.speed_mps = 0.4;
     wander.sight_m = 0.0;
     wander.patience_s = patience_s;
-    plan.emplace(plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander).value());
+    plan.emplace(
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander)
+            .value());
   }
 
   /// The fox has been at a place for a second; nothing is seen of the cat.

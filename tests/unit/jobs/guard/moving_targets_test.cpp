@@ -44,8 +44,9 @@ GuardProblem yard(bool with_errors) {
 const std::vector<double> often_at_the_pond = {12.0, 0.3, 0.3, 0.3, 3.0};
 
 /// What was seen of earlier intruders: their walks under another seed, every half second.
-std::vector<Track> past(const GuardProblem& problem, const Site& site, const WanderOptions& options) {
-  const auto walks = draw_walks(problem, site, often_at_the_pond, options, 999, 600.0);
+std::vector<Track> past(const GuardProblem& problem, const FiringMap& firing_map,
+                        const WanderOptions& options) {
+  const auto walks = draw_walks(problem, firing_map, often_at_the_pond, options, 999, 600.0);
   std::vector<Track> tracks;
   for (const Walk& walk : *walks) {
     Track track;
@@ -74,11 +75,11 @@ std::vector<double> visits(const std::vector<double>& weights) {
 
 TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
   const GuardProblem problem = yard(true);
-  const auto site = survey(problem, quick());
+  const auto firing_map = build_firing_map(problem, quick());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 5.0;
-  const auto walks = draw_walks(problem, *site, often_at_the_pond, options, 3, 20000.0);
+  const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, options, 3, 20000.0);
   ASSERT_TRUE(walks.has_value()) << walks.error().sentence;
   std::vector<double> rested(problem.targets.size(), 0.0);
   double rests = 0.0, seconds = 0.0;
@@ -98,7 +99,7 @@ TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
       }
       EXPECT_NEAR(way / (b.time_s - a.time_s), options.speed_mps, 1e-6);
       for (double part = 0.0; part <= 1.0; part += 0.05) {
-        ASSERT_GT(site->ground.clearance(a.position + part * (b.position - a.position), 1.0), 0.0099);
+        ASSERT_GT(firing_map->ground.clearance(a.position + part * (b.position - a.position), 1.0), 0.0099);
       }
     }
   }
@@ -112,17 +113,17 @@ TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
 /// The map finds the pond, and how long they stay, from what was seen.
 TEST(VisitMap, LearnsWhereTheyRest) {
   const GuardProblem problem = yard(true);
-  const auto site = survey(problem, quick());
+  const auto firing_map = build_firing_map(problem, quick());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 8.0;
-  const VisitMap map = visit_map(problem, *site, past(problem, *site, options), options);
+  const VisitMap map = visit_map(problem, *firing_map, past(problem, *firing_map, options), options);
   const auto most = std::max_element(map.seconds.begin(), map.seconds.end()) - map.seconds.begin();
   EXPECT_LT(distance(map.regions[static_cast<std::size_t>(most)], Vec2{4.5, 4.5}), 1.0);
   EXPECT_NEAR(map.rest_s / map.rests, 8.0, 2.0);
   EXPECT_NEAR(map.speed_mps, 0.7, 0.07);
   options.learn = false;
-  const VisitMap blank = visit_map(problem, *site, past(problem, *site, options), options);
+  const VisitMap blank = visit_map(problem, *firing_map, past(problem, *firing_map, options), options);
   EXPECT_EQ(*std::max_element(blank.seconds.begin(), blank.seconds.end()), 0.0);
 }
 
@@ -148,11 +149,11 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
   wander.rest_s = 10.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(3)); ++seed) {
     const GuardProblem problem = yard(true);
-    const auto site = survey(problem, quick());
-    const auto history = past(problem, *site, wander);
-    const auto walks = draw_walks(problem, *site, often_at_the_pond, wander, seed, 7200.0);
+    const auto firing_map = build_firing_map(problem, quick());
+    const auto history = past(problem, *firing_map, wander);
+    const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
     const auto plan =
-        plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
     const Report report = testing::run_walkers(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
@@ -193,7 +194,7 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     GuardProblem problem = yard(false);
     problem.world.solids.resize(1);
     problem.targets.resize(1);
-    const auto site = survey(problem, quick());
+    const auto firing_map = build_firing_map(problem, quick());
     WanderOptions wander;
     wander.speed_mps = 0.4;
     wander.sight_m = 0.0;
@@ -201,9 +202,10 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const Vec2 from{rng.uniform(-3.0, 3.0), -2.0};
     const Vec2 velocity = 0.4 * direction(rng.uniform(0.0, 6.28));
     const std::vector<Walk> walks = {{{{0.0, from}, {60.0, from + 60.0 * velocity}}}};
-    const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
+    const auto plan =
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value());
-    auto robot = simulated_guard(problem, *site, 1, {.walks = walks, .look_s = wander.look_s});
+    auto robot = simulated_guard(problem, *firing_map, 1, {.walks = walks, .look_s = wander.look_s});
     robot.act(Wait{0.75});  // two looks: the way is known
     GuardMission mission(*plan);
     const auto command = mission.step(robot.sense());
@@ -222,15 +224,17 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   problem.world.solids.resize(1);
   problem.targets.resize(1);
   problem.targets[0].base = {1.0, -2.0, 0.0};
-  const auto site = survey(problem, quick());
+  const auto firing_map = build_firing_map(problem, quick());
   WanderOptions wander;
   wander.sight_m = 0.0;
   const std::vector<Walk> walks = {{{{0.0, {1.0, -2.0}}}}};
-  const auto plan = plan_moving(problem, *site, visit_map(problem, *site, {}, wander), quick(), wander);
+  const auto plan =
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
   ASSERT_TRUE(plan.has_value());
   const Report report = testing::run_walkers(*plan, walks, quick(), 1);
   ASSERT_EQ(report.shots.size(), 1U);
-  const auto still = best_shot(site->rules, site->space(0), problem.targets[0], problem.start.position, 0.0);
+  const auto still =
+      best_shot(firing_map->rules, firing_map->space(0), problem.targets[0], problem.start.position, 0.0);
   ASSERT_TRUE(still.has_value());
   EXPECT_EQ(report.targets[0].speed_mps, still->shot.speed_mps);
   EXPECT_EQ(report.targets[0].pitch_rad, still->shot.pitch_rad);
@@ -240,21 +244,21 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
 /// Knowing where they like to be shortens their stay, on average.
 TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   const GuardProblem problem = yard(true);
-  const auto site = survey(problem, quick());
+  const auto firing_map = build_firing_map(problem, quick());
   WanderOptions wander;
   wander.speed_mps = 0.8;
   wander.rest_s = 4.0;
-  const auto history = past(problem, *site, wander);
+  const auto history = past(problem, *firing_map, wander);
   const auto learned =
-      plan_moving(problem, *site, visit_map(problem, *site, history, wander), quick(), wander);
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
   WanderOptions blank = wander;
   blank.learn = false;
   const auto unlearned =
-      plan_moving(problem, *site, visit_map(problem, *site, history, blank), quick(), blank);
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, blank), quick(), blank);
   ASSERT_TRUE(learned && unlearned);
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {
-    const auto walks = draw_walks(problem, *site, often_at_the_pond, wander, seed, 7200.0);
+    const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
     const Report a = testing::run_walkers(*learned, *walks, quick(), seed);
     const Report b = testing::run_walkers(*unlearned, *walks, quick(), seed);
     with_map += metric(a, "intruder_seconds");
@@ -269,16 +273,19 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
 
 TEST(Wander, IsRefusedWhereItCannotBe) {
   GuardProblem problem = yard(true);
-  const auto site = survey(problem, quick());
+  const auto firing_map = build_firing_map(problem, quick());
   WanderOptions options;
   options.speed_mps = 1.0;
   problem.targets[1].base.z = 0.5;
-  EXPECT_EQ(draw_walks(problem, *site, often_at_the_pond, options, 1, 10.0).error().where, "wander.speed");
+  EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
+            "wander.speed");
   problem = yard(true);
   problem.targets[1].base = {-1.5, 0.105, 0.0};
-  EXPECT_EQ(draw_walks(problem, *site, often_at_the_pond, options, 1, 10.0).error().where, "wander.speed");
+  EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
+            "wander.speed");
   problem.targets_block = true;
-  EXPECT_EQ(draw_walks(problem, *site, often_at_the_pond, options, 1, 10.0).error().where, "targets_block");
+  EXPECT_EQ(draw_walks(problem, *firing_map, often_at_the_pond, options, 1, 10.0).error().where,
+            "targets_block");
 }
 
 }  // namespace

@@ -41,25 +41,25 @@ GuardProblem street() {
 
 struct Planned {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
 };
 
 Planned planned(GuardProblem problem) {
-  auto site = survey(problem, quick());
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto firing_map = build_firing_map(problem, quick());
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan.has_value());
-  GuardPlan passing = shoot_in_passing(problem, *site, *plan);
+  GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
   EXPECT_LT(passing.cost_s, plan->cost_s);
-  return {std::move(problem), std::move(*site), std::move(passing)};
+  return {std::move(problem), std::move(*firing_map), std::move(passing)};
 }
 
 TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
   const Planned p = planned(problem);
-  const Report report = testing::run_still(p.problem, p.site, p.plan, quick(), 1);
+  const Report report = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
   EXPECT_NEAR(metric(report, "mission_s"), p.plan.cost_s, 1e-6);
   EXPECT_EQ(metric(report, "reached"), 5.0);
   EXPECT_EQ(metric(report, "shots"), 5.0);
@@ -84,7 +84,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
     const Report report =
-        testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed));
+        testing::run_still(p.problem, p.firing_map, p.plan, quick(), static_cast<std::uint64_t>(seed));
     EXPECT_EQ(metric(report, "reached"), 5.0);
     for (const ReportShot& shot : report.shots) {
       const Platform seen = seen_at(report, shot.time_s);
@@ -107,8 +107,8 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
     testing::Curious curious;
     EXPECT_EQ(to_json(report),
-              to_json(testing::run_still(p.problem, p.site, p.plan, quick(), static_cast<std::uint64_t>(seed),
-                                         {.observer = &curious})));
+              to_json(testing::run_still(p.problem, p.firing_map, p.plan, quick(),
+                                         static_cast<std::uint64_t>(seed), {.observer = &curious})));
     curious.expect_to_have_seen(report);
     EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
     EXPECT_EQ(curious.events().size(), report.events.size());
@@ -125,8 +125,8 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
   shaky.errors.aim = {0.12, 0.05};
   int missed = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    auto robot = simulated_guard(shaky, p.site, seed);
-    GuardMission mission(p.problem, p.site, p.plan);
+    auto robot = simulated_guard(shaky, p.firing_map, seed);
+    GuardMission mission(p.problem, p.firing_map, p.plan);
     while (const auto command = mission.step(robot.sense())) robot.act(*command);
     for (std::size_t t = 0; t < mission.tasks.records.size(); ++t) {
       const TargetRecord& record = mission.tasks.records[t];
@@ -148,7 +148,7 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
 /// A robot that carries nothing out and tells nothing.
 TEST(PassingRun, EndsWhenNobodyTellsOfTheShots) {
   const Planned p = planned(street());
-  GuardMission mission(p.problem, p.site, p.plan);
+  GuardMission mission(p.problem, p.firing_map, p.plan);
   Observation seen{.odometry = p.problem.start, .gun = GunState{}};
   int commands = 0;
   while (const auto command = mission.step(seen)) {

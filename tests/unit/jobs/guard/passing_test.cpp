@@ -45,18 +45,18 @@ GuardProblem street(Rng& rng, std::size_t targets) {
 
 struct Case {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;     ///< from rest
   GuardPlan passing;  ///< and from the way
 };
 
 Case planned(GuardProblem problem) {
-  auto site = survey(problem, quick_on_the_move());
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick_on_the_move(), {});
+  auto firing_map = build_firing_map(problem, quick_on_the_move());
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick_on_the_move(), {});
   EXPECT_TRUE(plan.has_value()) << plan.error().sentence;
-  GuardPlan passing = shoot_in_passing(problem, *site, *plan);
-  return {std::move(problem), std::move(*site), std::move(*plan), std::move(passing)};
+  GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
+  return {std::move(problem), std::move(*firing_map), std::move(*plan), std::move(passing)};
 }
 
 /// Where a robot is and how fast, that long after it left a place on its way to another, by small steps.
@@ -83,7 +83,7 @@ bool hits_from(const Case& c, const Platform& platform, std::size_t target, cons
   const Solid solid = solid_of(c.problem.targets[target]);
   return fly_fine({tip.x, tip.y, gun.above(shot.pitch_rad)},
                   {v.x, v.y, shot.speed_mps * std::sin(shot.pitch_rad)}, gun.gravity,
-                  c.problem.gun.ball_radius_m, c.site.space(target).solids(), &solid, -1.0, 5e-4)
+                  c.problem.gun.ball_radius_m, c.firing_map.space(target).solids(), &solid, -1.0, 5e-4)
       .hit;
 }
 
@@ -264,11 +264,11 @@ TEST(MovingBound, IsTheDriveToTheReach) {
   problem.targets = {{"near", {3, 0, 0}, {0.4, 0.4, 0.4}, 0.0}, {"far", {38, 0, 0}, {0.4, 0.4, 0.4}, 0.0}};
   GuardOptions options = quick_on_the_move();
   options.resolution_m = 0.5;
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value());
-  EXPECT_EQ(moving_bound(problem, *site, {0}), 0.0);
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value());
+  EXPECT_EQ(moving_bound(problem, *firing_map, {0}), 0.0);
   // A ball of 10.8 m/s from about knee height gets at most 13 m far.
-  const double bound = moving_bound(problem, *site, {0, 1});
+  const double bound = moving_bound(problem, *firing_map, {0, 1});
   EXPECT_GT(bound, (38.0 - 13.0) / 0.8);
   EXPECT_LT(bound, (38.0 - 10.0) / 0.8);
 }

@@ -22,7 +22,7 @@ SupplyProblem small() {
   problem.table.drives.assign(9, {2.0, 0.0, 0.0});
   problem.lengths_m.assign(9, 1.0);
   problem.water = 1.0;
-  problem.fillers = {{2, Store::water, 3.0, 0.5}};
+  problem.stations = {{2, Store::water, 3.0, 0.5}};
   return problem;
 }
 
@@ -108,7 +108,7 @@ TEST(Pddl, DomainsTalkOfWhatEndsOnly) {
   SupplyProblem supplies = small();
   const auto with = temporal_problem(supplies);
   supplies.water = std::numeric_limits<double>::infinity();
-  supplies.fillers.clear();
+  supplies.stations.clear();
   const auto without = temporal_problem(supplies);
   ASSERT_TRUE(with && without);
   const PddlNotes notes{"yard; (with) \n words", {{}, {}, {}}, {"fox\n("}, {}, {"hen"}};

@@ -27,9 +27,9 @@ class RunGuardInPhysics : public ::testing::Test {
   }
 
   static Report run(const GuardProblem& problem, std::uint64_t seed, RunObserver* observer = nullptr) {
-    const auto site = survey(problem, quick());
-    EXPECT_TRUE(site.has_value()) << site.error().sentence;
-    const auto plan = plan_guard(problem, *site, quick(), {});
+    const auto firing_map = build_firing_map(problem, quick());
+    EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const auto plan = plan_guard(problem, *firing_map, quick(), {});
     EXPECT_TRUE(plan.has_value());
     double last = 0.0;
     RunWatch watch;
@@ -38,9 +38,13 @@ class RunGuardInPhysics : public ::testing::Test {
       EXPECT_GE(step.part, last);
       last = step.part;
     };
-    auto report = run_guard(
-        {.problem = problem, .site = *site, .plan = *plan, .options = quick(), .seed = seed, .rigid = true},
-        watch);
+    auto report = run_guard({.problem = problem,
+                             .firing_map = *firing_map,
+                             .plan = *plan,
+                             .options = quick(),
+                             .seed = seed,
+                             .rigid = true},
+                            watch);
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);

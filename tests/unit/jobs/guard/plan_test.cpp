@@ -20,13 +20,13 @@ using testing::OwnGun;
 using testing::random_guard_problem;
 
 /// Every promise of a plan, by other means than those of the planner.
-void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
+void expect_sound(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                   const GuardOptions& options) {
   std::vector<int> times(problem.targets.size(), 0);
   for (const Unreachable& lost : plan.unreachable) {
     ++times[lost.target];
     EXPECT_FALSE(lost.reason.empty());
-    EXPECT_EQ(site.regions[lost.target].hits, 0U);
+    EXPECT_EQ(firing_map.regions[lost.target].hits, 0U);
   }
   Vec2 at = problem.start.position;
   for (const PlannedStop& stop : plan.stops) {
@@ -36,9 +36,9 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
     at = stop.position;
     for (std::size_t i = 1; i < stop.waypoints.size(); ++i) {
       const Segment leg{stop.waypoints[i - 1], stop.waypoints[i]};
-      EXPECT_TRUE(site.ground.segment_free(leg, problem.robot.radius_m));
+      EXPECT_TRUE(firing_map.ground.segment_free(leg, problem.robot.radius_m));
       for (int k = 0; k <= 100; ++k) {
-        EXPECT_GE(site.ground.clearance(leg.a + k / 100.0 * (leg.b - leg.a), 1.0),
+        EXPECT_GE(firing_map.ground.clearance(leg.a + k / 100.0 * (leg.b - leg.a), 1.0),
                   problem.robot.radius_m - 2e-9);
       }
     }
@@ -47,7 +47,7 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
       ++times[hit.target];
       const Solid target = solid_of(problem.targets[hit.target]);
       const auto end = OwnGun{problem.gun}.shoot(stop.position, hit.shot.shot,
-                                                 site.space(hit.target).solids(), &target, -1.0);
+                                                 firing_map.space(hit.target).solids(), &target, -1.0);
       EXPECT_TRUE(end.hit) << problem.targets[hit.target].name;
       EXPECT_NEAR(end.time_s, hit.shot.flight_s, 2e-4);
       EXPECT_GE(end.gap_m, options.margin_m - 3e-4);
@@ -59,10 +59,10 @@ void expect_sound(const GuardProblem& problem, const Site& site, const GuardPlan
   EXPECT_GE(plan.bounded_s(), plan.cost_s - 1e-6);
   if (plan.stops.empty()) return;
   std::vector<std::size_t> hit;
-  for (std::size_t t = 0; t < site.regions.size(); ++t) {
-    if (site.regions[t].hits > 0) hit.push_back(t);
+  for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
+    if (firing_map.regions[t].hits > 0) hit.push_back(t);
   }
-  EXPECT_DOUBLE_EQ(plan.anywhere_lower_bound_s, mission_bound(problem, site, hit, options, {}));
+  EXPECT_DOUBLE_EQ(plan.anywhere_lower_bound_s, mission_bound(problem, firing_map, hit, options, {}));
   EXPECT_GE(plan.lower_bound_s, std::min(plan.cost_s, plan.anywhere_lower_bound_s));
 }
 
@@ -78,16 +78,16 @@ TEST(PlanGuard, KeepsItsPromisesInRandomYards) {
     options.resolution_m = 0.15;
     options.stops = 60;
     options.iterations = 300;
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
-    const auto plan = plan_guard(problem, *site, options, {});
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const auto plan = plan_guard(problem, *firing_map, options, {});
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    expect_sound(problem, *site, *plan, options);
+    expect_sound(problem, *firing_map, *plan, options);
     lost += plan->unreachable.size();
     hit += problem.targets.size() - plan->unreachable.size();
 
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const auto site_again = survey(problem, options);
+    const auto site_again = build_firing_map(problem, options);
     const auto again = plan_guard(problem, *site_again, options, {});
     ASSERT_TRUE(again.has_value());
     EXPECT_EQ(plan->cost_s, again->cost_s);
@@ -126,11 +126,11 @@ GuardProblem hut_problem() {
 TEST(PlanGuard, NamesWhatStandsInTheWayOfAnUnreachableTarget) {
   const GuardProblem problem = hut_problem();
   const GuardOptions options{.resolution_m = 0.2};
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value());
-  const auto plan = plan_guard(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value());
+  const auto plan = plan_guard(problem, *firing_map, options, {});
   ASSERT_TRUE(plan.has_value());
-  expect_sound(problem, *site, *plan, options);
+  expect_sound(problem, *firing_map, *plan, options);
   ASSERT_EQ(plan->unreachable.size(), 1U);
   EXPECT_EQ(plan->unreachable[0].target, 1U);
   const std::string& reason = plan->unreachable[0].reason;
@@ -145,8 +145,8 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
   GuardProblem problem = hut_problem();
   problem.targets[1].base.z = 8.0;
   const GuardOptions options{.resolution_m = 0.2};
-  const auto site = survey(problem, options);
-  const auto plan = plan_guard(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  const auto plan = plan_guard(problem, *firing_map, options, {});
   ASSERT_EQ(plan->unreachable.size(), 1U);
   EXPECT_NE(plan->unreachable[0].reason.find("within reach"), std::string::npos)
       << plan->unreachable[0].reason;
@@ -159,7 +159,7 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
     problem.world.solids.push_back(box_at("wall", {1.5, 0.5 + d, 0.5}, {2.4, 0.05, 1.0}));
   }
   problem.world.solids.push_back(box_at("roof", {1.5, 0.5, 1.0}, {2.5, 2.5, 0.05}));
-  const auto hall = survey(problem, options);
+  const auto hall = build_firing_map(problem, options);
   ASSERT_TRUE(hall.has_value());
   EXPECT_TRUE(hall->proofs[1].from_elsewhere);
   const auto outside = plan_guard(problem, *hall, options, {});
@@ -170,9 +170,9 @@ TEST(PlanGuard, SaysWhenATargetIsOutOfReachOrOnlyHitFromElsewhere) {
 TEST(PlanGuard, IsEmptyWithoutTargets) {
   GuardProblem problem = hut_problem();
   problem.targets.clear();
-  const auto site = survey(problem, {});
-  ASSERT_TRUE(site.has_value());
-  const auto plan = plan_guard(problem, *site, {}, {});
+  const auto firing_map = build_firing_map(problem, {});
+  ASSERT_TRUE(firing_map.has_value());
+  const auto plan = plan_guard(problem, *firing_map, {}, {});
   ASSERT_TRUE(plan.has_value());
   EXPECT_TRUE(plan->stops.empty());
   EXPECT_EQ(plan->cost_s, 0.0);
@@ -181,10 +181,10 @@ TEST(PlanGuard, IsEmptyWithoutTargets) {
 
 TEST(PlanGuard, PassesABudgetThatEndsAtOnceOn) {
   const GuardProblem problem = hut_problem();
-  const auto site = survey(problem, {});
+  const auto firing_map = build_firing_map(problem, {});
   Budget budget;
   budget.expansions = 0;
-  const auto plan = plan_guard(problem, *site, {}, budget);
+  const auto plan = plan_guard(problem, *firing_map, {}, budget);
   ASSERT_FALSE(plan.has_value());
   EXPECT_EQ(plan.error().code, FaultCode::budget_exhausted);
 }
@@ -202,12 +202,12 @@ TEST(PlanGuard, ShootsThroughASlitThatTheCentreDoesNotSee) {
                           box_at("east", {1.2, 1.7, 1.5}, {0.05, 1.4, 3.0})};
   GuardOptions options;
   options.resolution_m = 0.3;
-  const auto site = survey(problem, options);
-  ASSERT_TRUE(site.has_value()) << site.error().sentence;
-  const auto plan = plan_guard(problem, *site, options, {});
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  const auto plan = plan_guard(problem, *firing_map, options, {});
   ASSERT_TRUE(plan.has_value());
   EXPECT_TRUE(plan->unreachable.empty());
-  expect_sound(problem, *site, *plan, options);
+  expect_sound(problem, *firing_map, *plan, options);
 }
 
 // ---- Routes -------------------------------------------------------------------------------------
@@ -233,15 +233,16 @@ TEST(SiteRoutes, ConnectWhateverTheCellsConnect) {
       radius = next;
     }
     const GuardOptions options{.resolution_m = 0.02};
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     std::vector<Vec2> stops{problem.start.position};
     for (int k = 0; k < 12; ++k) {
-      const auto cell = rng.below(site->frame.size());
-      if (site->reachable[cell] != 0) stops.push_back(site->frame.centre(site->frame.cell(cell)));
+      const auto cell = rng.below(firing_map->frame.size());
+      if (firing_map->reachable[cell] != 0)
+        stops.push_back(firing_map->frame.centre(firing_map->frame.cell(cell)));
     }
-    const auto plain = routes_between(site->ground, problem.robot, stops, {}, {}, {});
-    const auto routes = site_routes(problem, *site, stops, {});
+    const auto plain = routes_between(firing_map->ground, problem.robot, stops, {}, {}, {});
+    const auto routes = yard_routes(problem, *firing_map, stops, {});
     ASSERT_TRUE(plain.has_value());
     ASSERT_TRUE(routes.has_value());
     for (std::size_t a = 0; a < stops.size(); ++a) {
@@ -250,7 +251,7 @@ TEST(SiteRoutes, ConnectWhateverTheCellsConnect) {
         restored += std::isfinite(plain->between(a, b).time_s) ? 0 : 1;
         const auto way = routes->waypoints(a, b);
         for (std::size_t k = 1; k < way.size(); ++k) {
-          EXPECT_TRUE(site->ground.segment_free({way[k - 1], way[k]}, problem.robot.radius_m));
+          EXPECT_TRUE(firing_map->ground.segment_free({way[k - 1], way[k]}, problem.robot.radius_m));
         }
       }
     }

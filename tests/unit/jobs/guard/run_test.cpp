@@ -23,11 +23,11 @@ struct Mission {
 };
 
 Mission carried_out(GuardProblem problem, std::uint64_t seed) {
-  const auto site = survey(problem, quick());
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  const auto firing_map = build_firing_map(problem, quick());
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan.has_value());
-  Report report = testing::run_still(problem, *site, *plan, quick(), seed);
+  Report report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
   return {std::move(problem), std::move(*plan), std::move(report)};
 }
 

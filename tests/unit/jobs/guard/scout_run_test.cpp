@@ -42,11 +42,11 @@ Outcome<Report> mission(std::uint64_t seed, RunObserver* observer = nullptr) {
   const RunWatch watch{.observer = observer};
   auto found = scout(problem, task, seed, watch);
   if (!found) return pass_on(found);
-  const auto site = survey(found->found.problem, options);
-  if (!site) return tl::unexpected<Fault>(site.error());
-  const auto plan = plan_guard(found->found.problem, *site, options, {});
+  const auto firing_map = build_firing_map(found->found.problem, options);
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  const auto plan = plan_guard(found->found.problem, *firing_map, options, {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  return run_guard_on_map(problem, std::move(*found), *site, *plan, options, seed, watch);
+  return run_guard_on_map(problem, std::move(*found), *firing_map, *plan, options, seed, watch);
 }
 
 TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "outrider/core/rng.hpp"
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 namespace {
@@ -45,7 +45,7 @@ TEST(Scout, MakesAWorldOfWhatIsNotFree) {
   EXPECT_EQ(found->buried, std::vector<std::size_t>{2});
   EXPECT_DOUBLE_EQ(found->problem.targets.front().base.x, 1.1);
   EXPECT_NEAR(found->problem.robot.radius_m, 0.26 + 0.05 + 0.1, 1e-5);
-  const Ground ground = Ground::of(found->problem.world, 0.2);
+  const CollisionMap ground = CollisionMap::of(found->problem.world, 0.2);
   Rng rng(1);
   for (int i = 0; i < 500; ++i) {
     const Vec2 p{rng.uniform(-0.04, 4.04), rng.uniform(-0.04, 3.04)};
@@ -60,7 +60,7 @@ TEST(Scout, IsFreeWhereTheRobotStood) {
   map[map.frame.cell_at({3.0, 1.0})] = occupied_cell;
   const auto found = found_yard(known(), {}, map, {{2.1, 1.0}}, {{}, {}, {}}, {{1.0, 2.0}, 0.0});
   ASSERT_TRUE(found);
-  const Ground ground = Ground::of(found->problem.world, 0.2);
+  const CollisionMap ground = CollisionMap::of(found->problem.world, 0.2);
   EXPECT_GT(ground.clearance({2.0, 1.0}, 1.0), 0.2);
   EXPECT_LT(ground.clearance({3.02, 1.02}, 1.0), 0.0);
 }

@@ -15,8 +15,8 @@ using testing::cases;
 
 struct Case {
   TourProblem table;
-  std::vector<Wanted> wanted;
-  Standing from;
+  std::vector<PendingTarget> pending;
+  RobotState from;
 };
 
 Case random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bool walking) {
@@ -34,7 +34,7 @@ Case random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bo
       c.table.services[stop].push_back(
           {goal, rng.uniform(-pi, pi), rng.uniform(0.0, 0.7), rng.uniform(0.1, 2.0)});
     }
-    c.wanted.push_back({goal, walking ? rng.uniform(0.0, 20.0) : 0.0});
+    c.pending.push_back({goal, walking ? rng.uniform(0.0, 20.0) : 0.0});
   }
   const auto drive = [](Vec2 a, Vec2 b) {
     const double heading = std::atan2((b - a).y, (b - a).x);
@@ -53,9 +53,10 @@ Case random_case(Rng& rng, std::size_t stops, std::size_t goals, bool nimble, bo
 double turned(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * pi)); }
 
 /// Every order with every choice of stops, by recursion over plain numbers.
-double brute_force(const Case& c, WatchObjective objective, std::vector<char> done, std::size_t stop,
+double brute_force(const Case& c, ArrivalObjective objective, std::vector<char> done, std::size_t stop,
                    double time, double sum, double heading, double yaw, double pitch) {
-  if (std::count(done.begin(), done.end(), 0) == 0) return objective == WatchObjective::makespan ? time : sum;
+  if (std::count(done.begin(), done.end(), 0) == 0)
+    return objective == ArrivalObjective::makespan ? time : sum;
   double best = std::numeric_limits<double>::infinity();
   const std::size_t stops = c.table.services.size();
   for (std::size_t next = 0; next < stops; ++next) {
@@ -69,7 +70,7 @@ double brute_force(const Case& c, WatchObjective objective, std::vector<char> do
         facing = drive.arrival_rad;
       }
       const double relative = s.yaw_rad - facing;
-      t = std::max(t, c.wanted[s.goal].settles_s);
+      t = std::max(t, c.pending[s.goal].settles_s);
       t += std::max(turned(relative, yaw) / c.table.yaw_rate_radps,
                     std::abs(s.pitch_rad - pitch) / c.table.pitch_rate_radps);
       t += s.duration_s;
@@ -81,8 +82,8 @@ double brute_force(const Case& c, WatchObjective objective, std::vector<char> do
   return best;
 }
 
-double brute_force(const Case& c, WatchObjective objective) {
-  return brute_force(c, objective, std::vector<char>(c.wanted.size(), 0), c.table.services.size(),
+double brute_force(const Case& c, ArrivalObjective objective) {
+  return brute_force(c, objective, std::vector<char>(c.pending.size(), 0), c.table.services.size(),
                      c.from.time_s, 0.0, c.from.heading_rad, 0.0, 0.0);
 }
 
@@ -91,8 +92,8 @@ TEST(BestSequence, IsTheBestOfAll) {
   Rng rng(31);
   for (int i = 0; i < cases(200); ++i) {
     const Case c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), true, false);
-    for (const auto objective : {WatchObjective::time_inside, WatchObjective::makespan}) {
-      const Sequence best = best_sequence(c.table, c.wanted, c.from, objective, 100000);
+    for (const auto objective : {ArrivalObjective::time_inside, ArrivalObjective::makespan}) {
+      const Sequence best = best_sequence(c.table, c.pending, c.from, objective, 100000);
       EXPECT_NEAR(best.value, brute_force(c, objective), 1e-6);
     }
   }
@@ -104,17 +105,18 @@ TEST(BestSequence, IsWholeWorthWhatItSaysAndSeldomFarFromTheBest) {
   double least = 0.0;
   for (int i = 0; i < cases(100); ++i) {
     const Case c = random_case(rng, 2 + rng.below(3), 1 + rng.below(4), false, true);
-    for (const auto objective : {WatchObjective::time_inside, WatchObjective::makespan}) {
-      const Sequence best = best_sequence(c.table, c.wanted, c.from, objective, 20);
-      std::vector<int> hits(c.wanted.size(), 0);
+    for (const auto objective : {ArrivalObjective::time_inside, ArrivalObjective::makespan}) {
+      const Sequence best = best_sequence(c.table, c.pending, c.from, objective, 20);
+      std::vector<int> hits(c.pending.size(), 0);
       for (const Visit& visit : best.visits) {
         for (const std::uint32_t who : visit.goals) ++hits[who];
       }
-      EXPECT_EQ(hits, std::vector<int>(c.wanted.size(), 1));
-      EXPECT_NEAR(value_of(c.table, c.wanted, c.from, objective, best.visits), best.value, 1e-9);
+      EXPECT_EQ(hits, std::vector<int>(c.pending.size(), 1));
+      EXPECT_NEAR(value_of(c.table, c.pending, c.from, objective, best.visits), best.value, 1e-9);
       auto part = best.visits;
       part.back().goals.pop_back();
-      EXPECT_TRUE(std::isinf(value_of(c.table, c.wanted, c.from, objective, part))) << "somebody is left out";
+      EXPECT_TRUE(std::isinf(value_of(c.table, c.pending, c.from, objective, part)))
+          << "somebody is left out";
       const double optimum = brute_force(c, objective);
       EXPECT_GE(best.value, optimum - 1e-9);
       value += best.value;
@@ -130,10 +132,10 @@ TEST(BestSequence, SaysWhenSomebodyCannotBeHit) {
   for (auto& services : c.table.services) {
     std::erase_if(services, [](const Service& s) { return s.goal == 1; });
   }
-  const Sequence none = best_sequence(c.table, c.wanted, c.from, WatchObjective::makespan, 10);
+  const Sequence none = best_sequence(c.table, c.pending, c.from, ArrivalObjective::makespan, 10);
   EXPECT_TRUE(none.visits.empty());
   EXPECT_TRUE(std::isinf(none.value));
-  EXPECT_TRUE(best_sequence(c.table, {}, c.from, WatchObjective::makespan, 10).visits.empty());
+  EXPECT_TRUE(best_sequence(c.table, {}, c.from, ArrivalObjective::makespan, 10).visits.empty());
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ struct Scripted final : Robot {
 
 struct Yard {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
 };
 
@@ -73,11 +73,11 @@ GuardOptions quick() {
 }
 
 Yard make_yard(GuardProblem problem) {
-  auto site = survey(problem, quick());
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto firing_map = build_firing_map(problem, quick());
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan.has_value());
-  return {std::move(problem), std::move(*site), std::move(*plan)};
+  return {std::move(problem), std::move(*firing_map), std::move(*plan)};
 }
 
 /// Two targets in the open and one that is out of reach.
@@ -94,7 +94,7 @@ GuardProblem open_yard() {
 
 /// Runs the mission; the number of commands is bounded.
 GuardMission run(const Yard& yard, Robot& robot, std::size_t most_commands = 2000) {
-  GuardMission mission(yard.problem, yard.site, yard.plan);
+  GuardMission mission(yard.problem, yard.firing_map, yard.plan);
   std::size_t commands = 0;
   while (const auto command = mission.step(robot.sense())) {
     robot.act(*command);
@@ -173,7 +173,7 @@ TEST(StopTasks, AShotOfWhichNothingIsHeardIsAMiss) {
   EXPECT_EQ(robot.fired.size(), 4U * static_cast<std::size_t>(yard.problem.tries));
 
   // A hit that nobody shot for is not counted either.
-  GuardMission fresh(yard.problem, yard.site, yard.plan);
+  GuardMission fresh(yard.problem, yard.firing_map, yard.plan);
   Observation seen{.odometry = yard.problem.start, .gun = GunState{}, .shots = {{0, true, 0.0}}};
   EXPECT_TRUE(fresh.step(seen).has_value());
   EXPECT_EQ(fresh.tasks.records[0].status, TargetStatus::waiting);
@@ -190,7 +190,8 @@ TEST(StopTasks, GoesElsewhereWhenThePlaceReachedHasNoShot) {
   Scripted robot(yard.problem);
   const Vec2 behind{-2.6, -0.5};
   ASSERT_FALSE(
-      best_shot(yard.site.rules, yard.site.space(0), yard.problem.targets[0], behind, 0.0).has_value());
+      best_shot(yard.firing_map.rules, yard.firing_map.space(0), yard.problem.targets[0], behind, 0.0)
+          .has_value());
   robot.arrive = [&](Vec2 goal, int drive) { return drive == 0 ? behind : goal; };
   // Make it drive first.
   Yard moved = yard;
@@ -251,8 +252,9 @@ TEST(StopTasks, AlwaysEndsAndLosesNoTarget) {
       robot.arrive = [&](Vec2 goal, int) {
         if (script.below(4) != 0) return goal + testing::random_offset(script, 0.0, 0.1);
         for (;;) {  // somewhere else altogether
-          const std::size_t cell = script.below(yard.site.frame.size());
-          if (yard.site.reachable[cell] != 0) return yard.site.frame.centre(yard.site.frame.cell(cell));
+          const std::size_t cell = script.below(yard.firing_map.frame.size());
+          if (yard.firing_map.reachable[cell] != 0)
+            return yard.firing_map.frame.centre(yard.firing_map.frame.cell(cell));
         }
       };
       const GuardMission mission = run(yard, robot, 500);

@@ -28,29 +28,30 @@ TEST(SureHits, AreWhatTheHeaderSays) {
   for (int i = 0; i < cases(6); ++i) {
     auto problem = random_guard_problem(rng, 8, 4, 2.0);
     problem.errors.position_m = 0.05 * (i % 4);
-    const auto site = survey(problem, {.resolution_m = 0.1});
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
-    const SureHits hits = sure_hits(problem, *site);
+    const auto firing_map = build_firing_map(problem, {.resolution_m = 0.1});
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+    const SureHits hits = sure_hits(problem, *firing_map);
     for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-      const FiringRegion& region = site->regions[t];
+      const FiringRegion& region = firing_map->regions[t];
       std::set<std::size_t> own;
-      for (std::size_t c = 0; c < site->frame.size(); ++c) {
-        if (region.pitch[c] == FiringRegion::no_shot || region.spread[c] > 0.9F) continue;
-        const Vec2 p = site->frame.centre(site->frame.cell(c));
-        if (site->ground.clearance(p, 1.0) < problem.robot.radius_m + problem.errors.position_m) continue;
+      for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
+        if (region.pitch[c] == FiringRegion::no_shot || region.error_ratio[c] > 0.9F) continue;
+        const Vec2 p = firing_map->frame.centre(firing_map->frame.cell(c));
+        if (firing_map->ground.clearance(p, 1.0) < problem.robot.radius_m + problem.errors.position_m)
+          continue;
         bool all = true;
-        for (std::size_t d = 0; d < site->frame.size(); ++d) {
-          const double away = distance(p, site->frame.centre(site->frame.cell(d)));
+        for (std::size_t d = 0; d < firing_map->frame.size(); ++d) {
+          const double away = distance(p, firing_map->frame.centre(firing_map->frame.cell(d)));
           all = all && (away > problem.errors.position_m + 1e-9 || region.pitch[d] != FiringRegion::no_shot);
         }
         if (all) own.insert(c);
       }
-      for (std::size_t c = 0; c < site->frame.size(); ++c) {
+      for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
         const bool expected = own.empty() ? region.pitch[c] != FiringRegion::no_shot : own.contains(c);
         // The clearance is kept as a float; a cell at the very limit may go either way.
-        const Vec2 p = site->frame.centre(site->frame.cell(c));
+        const Vec2 p = firing_map->frame.centre(firing_map->frame.cell(c));
         const double room = problem.robot.radius_m + problem.errors.position_m;
-        if (std::abs(site->ground.clearance(p, 1.0) - room) < 1e-6) continue;
+        if (std::abs(firing_map->ground.clearance(p, 1.0) - room) < 1e-6) continue;
         EXPECT_EQ(hits.has(c, t), expected) << "yard " << i << " target " << t << " cell " << c;
         (expected ? sure : not_sure) += 1;
       }
@@ -64,14 +65,14 @@ TEST(ChooseStops, CoverEveryTargetWithinTheirNumber) {
   Rng rng(72);
   for (int i = 0; i < cases(6); ++i) {
     const auto problem = random_guard_problem(rng, 8, 6, 2.0);
-    const auto site = survey(problem, {.resolution_m = 0.1});
-    ASSERT_TRUE(site.has_value());
-    const SureHits hits = sure_hits(problem, *site);
+    const auto firing_map = build_firing_map(problem, {.resolution_m = 0.1});
+    ASSERT_TRUE(firing_map.has_value());
+    const SureHits hits = sure_hits(problem, *firing_map);
     std::set<std::size_t> wanted;
-    for (std::size_t c = 0; c < site->frame.size(); ++c) wanted.merge(targets_at(hits, problem, c));
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) wanted.merge(targets_at(hits, problem, c));
     for (const std::size_t most : {1U, 5U, 20U, 150U}) {
-      const auto stops = choose_stops(*site, hits, 0.4, most, {}, 0.0);
-      EXPECT_EQ(stops, choose_stops(*site, hits, 0.4, most, {}, 0.0));
+      const auto stops = choose_stops(*firing_map, hits, 0.4, most, {}, 0.0);
+      EXPECT_EQ(stops, choose_stops(*firing_map, hits, 0.4, most, {}, 0.0));
       EXPECT_TRUE(std::is_sorted(stops.begin(), stops.end()));
       EXPECT_LE(stops.size(), std::max(most, problem.targets.size()));
       std::set<std::size_t> covered;
@@ -79,12 +80,12 @@ TEST(ChooseStops, CoverEveryTargetWithinTheirNumber) {
       EXPECT_EQ(covered, wanted) << most;
     }
     // In each tile nothing is lost: some stop there hits at least what any cell there hits.
-    const auto all = choose_stops(*site, hits, 0.4, 100000, {}, 0.0);
+    const auto all = choose_stops(*firing_map, hits, 0.4, 100000, {}, 0.0);
     const auto tile = [&](std::size_t c) {
-      const Vec2 p = site->frame.centre(site->frame.cell(c)) - site->frame.origin;
+      const Vec2 p = firing_map->frame.centre(firing_map->frame.cell(c)) - firing_map->frame.origin;
       return std::pair{static_cast<int>(p.x / 0.4), static_cast<int>(p.y / 0.4)};
     };
-    for (std::size_t c = 0; c < site->frame.size(); ++c) {
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
       const auto set = targets_at(hits, problem, c);
       if (set.empty()) continue;
       EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](std::size_t stop) {
@@ -93,8 +94,8 @@ TEST(ChooseStops, CoverEveryTargetWithinTheirNumber) {
       }));
     }
     const Vec2 here{0.5, 0.5};
-    for (const std::size_t stop : choose_stops(*site, hits, 0.2, 100, {here}, 0.7)) {
-      EXPECT_LE(distance(here, site->frame.centre(site->frame.cell(stop))), 0.7);
+    for (const std::size_t stop : choose_stops(*firing_map, hits, 0.2, 100, {here}, 0.7)) {
+      EXPECT_LE(distance(here, firing_map->frame.centre(firing_map->frame.cell(stop))), 0.7);
     }
   }
 }
@@ -107,15 +108,15 @@ TEST(SureHits, HoldMoreThanSixtyFourTargets) {
   for (int i = 0; i < 70; ++i) {
     problem.targets.push_back({fmt::format("cat_{}", i), {-1.5 + 0.043 * i, 1.0, 0}, {0.3, 0.3, 0.4}, 0.0});
   }
-  const auto site = survey(problem, {.resolution_m = 0.25});
-  ASSERT_TRUE(site.has_value());
-  const SureHits hits = sure_hits(problem, *site);
+  const auto firing_map = build_firing_map(problem, {.resolution_m = 0.25});
+  ASSERT_TRUE(firing_map.has_value());
+  const SureHits hits = sure_hits(problem, *firing_map);
   EXPECT_EQ(hits.words, 2U);
   for (std::size_t t = 0; t < 70; ++t) {
     std::size_t count = 0;
-    for (std::size_t c = 0; c < site->frame.size(); ++c) count += hits.has(c, t) ? 1 : 0;
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) count += hits.has(c, t) ? 1 : 0;
     EXPECT_GT(count, 0U) << t;
-    EXPECT_LE(count, site->regions[t].hits);
+    EXPECT_LE(count, firing_map->regions[t].hits);
   }
 }
 

@@ -40,17 +40,17 @@ GuardProblem yard(std::uint64_t seed) {
 
 struct Mission {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
 };
 
 Outcome<Mission> planned(GuardProblem problem) {
-  auto site = survey(problem, coarse());
-  if (!site) return pass_on(site);
-  auto plan = plan_guard(problem, *site, coarse(), {});
-  if (plan) plan = supply_plan(problem, *site, std::move(*plan), {});
+  auto firing_map = build_firing_map(problem, coarse());
+  if (!firing_map) return pass_on(firing_map);
+  auto plan = plan_guard(problem, *firing_map, coarse(), {});
+  if (plan) plan = supply_plan(problem, *firing_map, std::move(*plan), {});
   if (!plan) return pass_on(plan);
-  return Mission{std::move(problem), std::move(*site), std::move(*plan)};
+  return Mission{std::move(problem), std::move(*firing_map), std::move(*plan)};
 }
 
 /// No store below zero or above full, and each level goes up only where the robot fills it.
@@ -78,11 +78,12 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
     const auto mission = planned(std::move(problem));
     if (!mission) continue;  // a station stands in an obstacle
-    const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
+    const Report report =
+        testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
     expect_sound_levels(report);
     EXPECT_NEAR(metric(report, "mission_s"), mission->plan.cost_s, 1e-6) << i;
     EXPECT_EQ(metric(report, "unplanned_fills"), 0.0) << i;
-    const auto after = planned_levels(mission->problem, mission->site, mission->plan);
+    const auto after = planned_levels(mission->problem, mission->firing_map, mission->plan);
     if (!after.empty()) {
       EXPECT_NEAR(report.supplies->levels.back().charge_j, after.back().charge, 1e-6);
       EXPECT_NEAR(report.supplies->levels.back().water, after.back().water, 1e-9);
@@ -100,12 +101,12 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       const Report report =
-          testing::run_still(mission->problem, mission->site, mission->plan, coarse(), seed);
+          testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
-      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->site, mission->plan, coarse(),
-                                                 seed, {.observer = &curious})));
+      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->firing_map, mission->plan,
+                                                 coarse(), seed, {.observer = &curious})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;
@@ -124,7 +125,7 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
   EXPECT_NE(mission->plan.unsupplied[0].reason.find("no station gives water"), std::string::npos);
-  const Report report = testing::run_still(mission->problem, mission->site, mission->plan, coarse(), 1);
+  const Report report = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
   EXPECT_EQ(report.status, "not_done");
   expect_sound_levels(report);
 }
@@ -154,11 +155,11 @@ TEST(SupplyPlan, RefusesWhatIsWrong) {
 TEST(SupplyPlan, WithoutEndIsThePlanItself) {
   GuardProblem problem = yard(2);
   problem.supplies = {};
-  const auto site = survey(problem, coarse());
-  ASSERT_TRUE(site);
-  const auto plan = plan_guard(problem, *site, coarse(), {});
+  const auto firing_map = build_firing_map(problem, coarse());
+  ASSERT_TRUE(firing_map);
+  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
   ASSERT_TRUE(plan);
-  const auto same = supply_plan(problem, *site, *plan, {});
+  const auto same = supply_plan(problem, *firing_map, *plan, {});
   ASSERT_TRUE(same);
   EXPECT_EQ(same->cost_s, plan->cost_s);
   EXPECT_EQ(same->stops.size(), plan->stops.size());
@@ -167,7 +168,7 @@ TEST(SupplyPlan, WithoutEndIsThePlanItself) {
 /// An open floor with a well and a dock, and the charge that it takes to get about there, by hand.
 struct OpenFloor {
   GuardProblem problem;
-  std::optional<Site> site;
+  std::optional<FiringMap> firing_map;
   StopTasks tasks;
   StoreKeeper keeper;
 
@@ -179,7 +180,7 @@ struct OpenFloor {
     problem.supplies.tank = 3.0;
     problem.supplies.battery_wh = 1.0;
     problem.supplies.stations = {{"well", well, true, false}, {"dock", dock, false, true}};
-    site = survey(problem, coarse()).value();
+    firing_map = build_firing_map(problem, coarse()).value();
     tasks.records.resize(2);
     tasks.queue.push_back({{1.0, 1.0}, {0}});
   }
@@ -208,7 +209,7 @@ struct OpenFloor {
     return seen;
   }
   std::optional<Store> lacking(Command command, double water, double charge_j) const {
-    return outrider::lacking(command, tasks, with(water, charge_j), problem, *site);
+    return outrider::lacking(command, tasks, with(water, charge_j), problem, *firing_map);
   }
   /// The command takes just that charge, and water where it says so.
   void expect_needs(const Command& command, double charge_j, bool water) const {
@@ -217,7 +218,7 @@ struct OpenFloor {
     EXPECT_EQ(lacking(command, 0.5, 3600.0), water ? std::optional(Store::water) : std::nullopt);
   }
   void provide(Store store, double water, double charge_j) {
-    outrider::provide(keeper, tasks, store, with(water, charge_j), problem, *site);
+    outrider::provide(keeper, tasks, store, with(water, charge_j), problem, *firing_map);
   }
 };
 
@@ -262,16 +263,18 @@ TEST(StoreKeeper, CutsAWaitSoThatTheChargeSufficesToGetToTheCharger) {
   for (const double until_s : {70.0, std::numeric_limits<double>::infinity()}) {
     Command wait = Wait{until_s};
     const Observation seen = floor.with(0.0, needed_j + 30.0 * floor.problem.supplies.power_w);
-    EXPECT_EQ(lacking(wait, floor.tasks, seen, floor.problem, *floor.site), std::nullopt);
+    EXPECT_EQ(lacking(wait, floor.tasks, seen, floor.problem, *floor.firing_map), std::nullopt);
     EXPECT_NEAR(std::get<Wait>(wait).until_s, 10.0 + 30.0, 1e-9);
   }
   Command brief = Wait{12.0};
-  EXPECT_EQ(lacking(brief, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.site), std::nullopt);
+  EXPECT_EQ(lacking(brief, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
+            std::nullopt);
   EXPECT_EQ(std::get<Wait>(brief).until_s, 12.0);
   EXPECT_EQ(floor.lacking(Wait{70.0}, 3.0, needed_j - 1e-6), Store::charge);
   floor.problem.supplies.power_w = 0.0;
   Command free = Wait{1e9};
-  EXPECT_EQ(lacking(free, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.site), std::nullopt);
+  EXPECT_EQ(lacking(free, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
+            std::nullopt);
   EXPECT_EQ(std::get<Wait>(free).until_s, 1e9);
 }
 

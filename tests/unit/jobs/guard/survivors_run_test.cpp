@@ -21,38 +21,38 @@ using testing::random_guard_problem;
 
 struct Yard {
   GuardProblem problem;
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
   ArrivalOptions options;
-  Outlook outlook;
+  PrecomputedStops precomputed;
 };
 
 Yard random_yard(Rng& rng, std::size_t targets, bool with_errors) {
   auto problem = random_guard_problem(rng, 6, targets, 2.5);
   if (!with_errors) problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  auto site = survey(problem, quick());
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto firing_map = build_firing_map(problem, quick());
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   ArrivalOptions options;
   options.stops = 30;
   options.beam = 10;
-  auto outlook = look_out(problem, *site, *plan, options, {});
-  return {std::move(problem), std::move(*site), std::move(*plan), options, std::move(*outlook)};
+  auto precomputed = precompute_stops(problem, *firing_map, *plan, options, {});
+  return {std::move(problem), std::move(*firing_map), std::move(*plan), options, std::move(*precomputed)};
 }
 
 /// A random yard in which everybody can be hit.
 Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
   for (;;) {
     Yard yard = random_yard(rng, targets, with_errors);
-    const auto& reachable = yard.outlook.reachable;
+    const auto& reachable = yard.precomputed.reachable;
     if (std::ranges::all_of(reachable, [](char r) { return r != 0; })) return yard;
   }
 }
 
 Report mission(const Yard& yard, std::uint64_t seed) {
-  const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
-  const WatchPolicy policy = watch_policies()[seed % 3];
-  return testing::run_arrivals({*watch, yard.outlook, policy, WatchObjective::makespan, 3, 10}, quick(), seed,
-                               {yard.options.leave, yard.options.walk_mps});
+  const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
+  const ReplanPolicy policy = replan_policies()[seed % 3];
+  return testing::run_arrivals({*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
+                               seed, {yard.options.leave, yard.options.walk_mps});
 }
 
 std::size_t count(const Report& report, std::string_view kind) {
@@ -108,14 +108,15 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     const double p = 0.6 + 0.1 * (y % 4);
     yard.options.leave = p;
     yard.options.walk_mps = y % 2 == 0 ? 0.0 : 0.4;
-    Outlook one = yard.outlook;  // the second place is empty at first: it counts as served by the plan
+    PrecomputedStops one =
+        yard.precomputed;  // the second place is empty at first: it counts as served by the plan
     const TourProblem& table = one.table;
-    const Manner manner = manners().front();
+    const Manner manner = policies().front();
 
     // By hand: all missions of both intruders with at most 12 survivals between them.
     struct State {
-      std::vector<Wanted> wanted;
-      Standing from;
+      std::vector<PendingTarget> pending;
+      RobotState from;
     };
     constexpr double least = 1e-4;
     double mean = 0.0, cut = 0.0;
@@ -123,40 +124,40 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
       const double way = distance(xy(yard.problem.targets[a].base), xy(yard.problem.targets[b].base));
       return yard.options.walk_mps > 0.0 ? way / yard.options.walk_mps : 0.0;
     };
-    const Outlook& outlook = one;
+    const PrecomputedStops& precomputed = one;
     const std::function<void(State, std::vector<std::pair<std::size_t, std::size_t>>, double, bool, int)>
         go_through = [&](State state, std::vector<std::pair<std::size_t, std::size_t>> errands,
                          double probability, bool news, int depth) {
-          if (state.wanted.empty() || probability < least) {
+          if (state.pending.empty() || probability < least) {
             mean += probability * state.from.time_s;
-            cut += state.wanted.empty() ? 0.0 : probability;
+            cut += state.pending.empty() ? 0.0 : probability;
             return;
           }
           if (errands.empty() || (news && manner.policy.name == "each_arrival")) {
-            const bool still = depth == 0 && manner.objective == WatchObjective::makespan;
+            const bool still = depth == 0 && manner.objective == ArrivalObjective::makespan;
             const std::size_t group = std::min<std::size_t>(
-                state.wanted.size(), manner.policy.name == "groups" ? 3 : state.wanted.size());
-            const std::vector<Wanted> first(state.wanted.begin(),
-                                            state.wanted.begin() + static_cast<std::ptrdiff_t>(group));
+                state.pending.size(), manner.policy.name == "groups" ? 3 : state.pending.size());
+            const std::vector<PendingTarget> first(
+                state.pending.begin(), state.pending.begin() + static_cast<std::ptrdiff_t>(group));
             errands.clear();
             for (const Visit& v :
-                 sequence_beside(outlook.tour, table, first, state.from, manner.objective, 10, still)
+                 sequence_beside(precomputed.tour, table, first, state.from, manner.objective, 10, still)
                      .visits) {
               for (const std::uint32_t who : v.goals) errands.emplace_back(v.stop, who);
             }
           }
           const auto [stop, who] = errands.front();
           errands.erase(errands.begin());
-          state.from = after_hit(table, state.wanted[who], state.from, stop);
-          const Wanted hit = state.wanted[who];
-          state.wanted.erase(state.wanted.begin() + static_cast<std::ptrdiff_t>(who));
+          state.from = after_hit(table, state.pending[who], state.from, stop);
+          const PendingTarget hit = state.pending[who];
+          state.pending.erase(state.pending.begin() + static_cast<std::ptrdiff_t>(who));
           for (auto& errand : errands) errand.second -= errand.second > who ? 1 : 0;
           go_through(state, errands, probability * p, false, depth + 1);
           const std::uint32_t other = 1 - hit.goal;
-          state.wanted.push_back({other, state.from.time_s + walk_s(hit.goal, other)});
+          state.pending.push_back({other, state.from.time_s + walk_s(hit.goal, other)});
           go_through(state, errands, probability * (1.0 - p), true, depth + 1);
         };
-    Standing start;
+    RobotState start;
     start.heading_rad = table.heading_rad;
     start.drives.assign(table.drives.begin(),
                         table.drives.begin() + static_cast<std::ptrdiff_t>(table.services.size()));
@@ -173,9 +174,9 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
   for (int y = 0; y < cases(1); ++y) {
     Yard yard = open_yard(rng, 4, false);
     yard.options.leave = 0.6;
-    const BestManner best = best_manner(yard.problem, yard.outlook, yard.options, 100);
-    const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
-    const ArrivalPlan plan{*watch, yard.outlook, best.manner.policy, best.manner.objective, 3, 10};
+    const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 100);
+    const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
+    const ArrivalPlan plan{*watch, yard.precomputed, best.manner.policy, best.manner.objective, 3, 10};
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
@@ -197,10 +198,10 @@ TEST(Survivors, AreMetInTheBestManner) {
   for (int y = 0; y < cases(1); ++y) {
     Yard yard = open_yard(rng, 4, false);
     yard.options.leave = 0.5;
-    const BestManner best = best_manner(yard.problem, yard.outlook, yard.options, 20);
-    for (const Manner& manner : manners()) {
+    const BestPolicy best = best_policy(yard.problem, yard.precomputed, yard.options, 20);
+    for (const Manner& manner : policies()) {
       EXPECT_FALSE(manner.policy.foresees);
-      const ExpectedTime time = expected_time(yard.problem, yard.outlook, yard.options, manner, 20);
+      const ExpectedTime time = expected_time(yard.problem, yard.precomputed, yard.options, manner, 20);
       EXPECT_LE(best.time.mean_s, time.mean_s + 3.0 * std::hypot(best.time.error_s, time.error_s));
     }
   }
@@ -211,11 +212,11 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
   Rng rng(65);
   for (int y = 0; y < cases(3); ++y) {
     Yard yard = open_yard(rng, 5, true);
-    const auto watch = watch_over(yard.problem, yard.site, settled_intruders(yard.problem));
-    const auto policy = find_watch_policy("each_arrival");
-    const ArrivalPlan plan{*watch, yard.outlook, *policy, WatchObjective::makespan, 3, 30};
+    const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
+    const auto policy = find_replan_policy("each_arrival");
+    const ArrivalPlan plan{*watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
     Report report = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
-    Report still = testing::run_still(yard.problem, yard.site, yard.plan, quick(), 7);
+    Report still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
     report.metrics = still.metrics;
     report.reason = still.reason;
     EXPECT_EQ(to_json(report), to_json(still));

@@ -24,18 +24,18 @@ GuardOptions quick() {
 }
 
 struct Mission {
-  Site site;
+  FiringMap firing_map;
   GuardPlan plan;
   Report report;
 };
 
 Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
-  auto site = survey(problem, quick());
-  EXPECT_TRUE(site) << site.error().sentence;
-  auto plan = plan_guard(problem, *site, quick(), {});
+  auto firing_map = build_firing_map(problem, quick());
+  EXPECT_TRUE(firing_map) << firing_map.error().sentence;
+  auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan);
-  Report report = testing::run_still(problem, *site, *plan, quick(), seed);
-  return {std::move(*site), std::move(*plan), std::move(report)};
+  Report report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
+  return {std::move(*firing_map), std::move(*plan), std::move(report)};
 }
 
 /// The yard with its things and targets lifted onto ground of that shape.
@@ -69,7 +69,7 @@ TEST(TerrainRun, GroundThatIsFlatAndHigherGivesTheSamePlan) {
   ASSERT_EQ(low_run.plan.stops.size(), high_run.plan.stops.size());
   EXPECT_NEAR(low_run.plan.cost_s, high_run.plan.cost_s, 1e-6);
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-    EXPECT_EQ(low_run.site.regions[t].hits, high_run.site.regions[t].hits);
+    EXPECT_EQ(low_run.firing_map.regions[t].hits, high_run.firing_map.regions[t].hits);
   }
 }
 
@@ -83,12 +83,12 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
     const Mission run = run_of(problem, 1);
     EXPECT_LE(run.plan.lower_bound_s, run.plan.bounded_s() + 1e-6);
     for (const PlannedStop& stop : run.plan.stops) {
-      const Stance stance = stance_at(run.site.rules, stop.position);
+      const Stance stance = stance_at(run.firing_map.rules, stop.position);
       for (const PlannedHit& hit : stop.hits) {
         const Target& target = problem.targets[hit.target];
-        const Flight flight = launch(run.site.rules, {stop.position, {}}, target, hit.shot.shot);
+        const Flight flight = launch(run.firing_map.rules, {stop.position, {}}, target, hit.shot.shot);
         EXPECT_NEAR(flight.muzzle.z, muzzle(problem.gun, stance, stop.position, hit.shot.gun).z, 1e-9);
-        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, run.site.space(hit.target), target,
+        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, run.firing_map.space(hit.target), target,
                         problem.world.floor_z_m)
                         .hit);
         EXPECT_GE(hit.shot.gun.pitch_rad, problem.gun.pitch_low_rad - 1e-9);
@@ -148,8 +148,8 @@ TEST(TerrainSurvey, SaysWhereTheStartIsTooSteep) {
         terrain_of({-4, -4}, {1, 1}, 9, 9, [by](Vec2 p) { return by * p.x; })));
     return on;
   };
-  EXPECT_TRUE(survey(slope(0.3), quick()));
-  const auto steep = survey(slope(1.0), quick());
+  EXPECT_TRUE(build_firing_map(slope(0.3), quick()));
+  const auto steep = build_firing_map(slope(1.0), quick());
   ASSERT_FALSE(steep);
   EXPECT_EQ(steep.error().where, "start");
   EXPECT_EQ(
@@ -179,7 +179,7 @@ TEST(TerrainSurvey, RefusesTerrainThatEndsWithinTheYard) {
   problem.world.bounds = {{-5, -3}, {3, 3}};
   problem.world.solids = {testing::floor_at(0.0)};
   problem.world = problem.world.on(std::make_shared<const HeightField>(hill(4.0, 0.5, 0.5, 3.0)));
-  const auto refused = survey(problem, quick());
+  const auto refused = build_firing_map(problem, quick());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().where, "terrain");
   EXPECT_NE(refused.error().sentence.find("spans (-4, -4) to (4, 4)"), std::string::npos);

@@ -101,7 +101,7 @@ TEST(MedialAxis, AgreesWithTheGrid) {
     constexpr double resolution = 0.05;
     auto blocked = blocked_for_disk(*ground, {.resolution_m = resolution});
     ASSERT_TRUE(blocked.has_value());
-    const auto grid = std::make_shared<const GridGround>(*GridGround::of(*blocked, GridModel::cells));
+    const auto grid = std::make_shared<const GridMap>(*GridMap::of(*blocked, GridModel::cells));
     const auto centre = [&](Vec2 p) { return grid->frame.centre(grid->frame.cell_at(p)); };
     const Problem on_grid{grid, centre(testing::random_place(rng, world)),
                           centre(testing::random_place(rng, world))};

@@ -18,7 +18,7 @@ namespace {
 using Blocked = Grid<std::uint8_t>;
 
 Problem problem_on(const Blocked& blocked, Cell start, Cell goal) {
-  auto ground = std::make_shared<const GridGround>(*GridGround::of(blocked, GridModel::cells));
+  auto ground = std::make_shared<const GridMap>(*GridMap::of(blocked, GridModel::cells));
   return {ground, ground->point(start), ground->point(goal)};
 }
 
@@ -246,7 +246,7 @@ TEST(Safest, RefusesInASentence) {
 TEST(Safety, IsWhatGeometrySays) {
   // Along the middle of a corridor of 4 x 20 m whose walls are at 2 m, and straight towards its end.
   const Blocked corridor(GridFrame{{10.0, 0.0}, 0.5, 40, 8});
-  auto ground = std::make_shared<const GridGround>(*GridGround::of(corridor, GridModel::cells));
+  auto ground = std::make_shared<const GridMap>(*GridMap::of(corridor, GridModel::cells));
   Plan plan;
   plan.waypoints = {{15.0, 2.0}, {20.0, 2.0}};
   const Safety along = safety_of(plan, {ground, {}, {}});

@@ -42,7 +42,7 @@ TEST(JpsIndex, DistancesAreThoseOfWalkedRuns) {
   Rng rng = Rng(5).child("index");
   for (int i = 0; i < 300; ++i) {
     const auto grid = random_grid(rng, 24);
-    const auto ground = GridGround::of(grid, GridModel::cells);
+    const auto ground = GridMap::of(grid, GridModel::cells);
     ASSERT_TRUE(ground.has_value());
     const auto distances = distances_of(*ground);
     for (int y = 0; y < grid.frame.height; ++y) {

@@ -12,9 +12,9 @@
 namespace outrider {
 namespace {
 
-std::shared_ptr<const GridGround> ground_of(const Grid<std::uint8_t>& blocked,
-                                            GridModel model = GridModel::cells) {
-  return std::make_shared<const GridGround>(*GridGround::of(blocked, model));
+std::shared_ptr<const GridMap> ground_of(const Grid<std::uint8_t>& blocked,
+                                         GridModel model = GridModel::cells) {
+  return std::make_shared<const GridMap>(*GridMap::of(blocked, model));
 }
 
 /// Free ground with blocks of all sizes, single cells among them.
@@ -31,7 +31,7 @@ Grid<std::uint8_t> grid_with_blocks(Rng& rng, int width, int height, int blocks)
   return grid;
 }
 
-void expect_the_answers_of_a_star(const std::shared_ptr<const GridGround>& ground, Rng& rng, int queries,
+void expect_the_answers_of_a_star(const std::shared_ptr<const GridMap>& ground, Rng& rng, int queries,
                                   Workspace& workspace) {
   const GridFrame& frame = ground->frame;
   const auto any = [&] {

@@ -16,8 +16,8 @@ namespace {
 
 using oracle::Blocked;
 
-std::shared_ptr<const GridGround> ground_of(const Blocked& grid) {
-  return std::make_shared<const GridGround>(*GridGround::of(grid, GridModel::corners));
+std::shared_ptr<const GridMap> ground_of(const Blocked& grid) {
+  return std::make_shared<const GridMap>(*GridMap::of(grid, GridModel::corners));
 }
 
 Cell random_vertex(Rng& rng, const GridFrame& frame) {

@@ -17,7 +17,7 @@ class MeshOfRandomGrids : public testing::Test {
     Rng rng = Rng(5).child("mesh");
     for (int i = 0; i < count && !HasFatalFailure(); ++i) {
       const Blocked grid = random_grid(rng, most_side);
-      const auto ground = GridGround::of(grid, GridModel::corners);
+      const auto ground = GridMap::of(grid, GridModel::corners);
       ASSERT_TRUE(ground.has_value());
       SCOPED_TRACE(i);
       check(grid, navigation_mesh(*ground));
@@ -42,7 +42,7 @@ TEST_F(MeshOfRandomGrids, BlocksBetweenPolygonsAreThoseOnWaysWithoutDetours) {
 }
 
 TEST(Mesh, OpenGroundIsOnePolygon) {
-  const auto ground = GridGround::of(Blocked(GridFrame{{}, 1.0, 300, 200}), GridModel::corners);
+  const auto ground = GridMap::of(Blocked(GridFrame{{}, 1.0, 300, 200}), GridModel::corners);
   const NavigationMesh mesh = navigation_mesh(*ground);
   EXPECT_EQ(mesh.polygons(), 1U);
   EXPECT_EQ(mesh.sides.size(), 4U);
@@ -51,7 +51,7 @@ TEST(Mesh, OpenGroundIsOnePolygon) {
 }
 
 TEST(Mesh, NoFreeCellNoPolygon) {
-  const auto ground = GridGround::of(drawn({"##", "##"}), GridModel::corners);
+  const auto ground = GridMap::of(drawn({"##", "##"}), GridModel::corners);
   EXPECT_EQ(navigation_mesh(*ground).polygons(), 0U);
 }
 

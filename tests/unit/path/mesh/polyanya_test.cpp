@@ -14,7 +14,7 @@ namespace {
 using oracle::Blocked;
 
 Problem problem_on(const Blocked& grid, Cell start, Cell goal) {
-  const auto ground = std::make_shared<const GridGround>(*GridGround::of(grid, GridModel::corners));
+  const auto ground = std::make_shared<const GridMap>(*GridMap::of(grid, GridModel::corners));
   return {ground, ground->point(start), ground->point(goal)};
 }
 
@@ -123,7 +123,7 @@ TEST(Polyanya, IsTheShortestPathInCaves) {
   Workspace workspace;
   for (int i = 0; i < outrider::testing::cases(60); ++i) {
     const Blocked grid = cave(rng, 40);
-    const auto ground = std::make_shared<const GridGround>(*GridGround::of(grid, GridModel::corners));
+    const auto ground = std::make_shared<const GridMap>(*GridMap::of(grid, GridModel::corners));
     for (int k = 0; k < 60; ++k) {
       const Cell start = random_vertex(rng, grid.frame), goal = random_vertex(rng, grid.frame);
       if (start == goal || !ground->place(start) || !ground->place(goal)) continue;

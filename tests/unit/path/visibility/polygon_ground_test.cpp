@@ -152,7 +152,7 @@ TEST(PolygonGrid, PathsOnTheGridAreFreeAmongThePolygonsAndNoneIsShorter) {
       }
     }
     for (const GridModel model : {GridModel::cells, GridModel::corners}) {
-      const auto grid = std::make_shared<const GridGround>(*GridGround::of(*blocked, model));
+      const auto grid = std::make_shared<const GridMap>(*GridMap::of(*blocked, model));
       Problem problem{grid, testing::random_place(rng, world), testing::random_place(rng, world)};
       const auto plan = theta_star(problem, {}, {}, workspace);
       if (!plan) continue;

@@ -20,7 +20,7 @@ TEST(PolygonsFromWorld, PathsAreFreeAmongTheExactShapesAndShortestAmongAllButThe
       if (obstacle.core.size() < 3 && obstacle.radius_m < 0.01) obstacle.radius_m = 0.2;
       obstacles.push_back(obstacle);
     }
-    const Ground world({{-6.0, -6.0}, {6.0, 6.0}}, obstacles);
+    const CollisionMap world({{-6.0, -6.0}, {6.0, 6.0}}, obstacles);
     const double radius_m = rng.uniform(0.05, 0.5);
     auto polygons = polygons_from_world(world, radius_m);
     ASSERT_TRUE(polygons.has_value()) << polygons.error().sentence;

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/watch_bound.hpp"
+#include "outrider/jobs/guard/arrival_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@ struct Nearest {
 };
 
 /// Least straight-line distances to and from the cells of a region, less the errors of a drive.
-Nearest nearest(const Watch& watch, std::size_t i) {
+Nearest nearest(const ArrivalYard& watch, std::size_t i) {
   const GuardProblem& problem = watch.problem;
-  const GridFrame& frame = watch.site.frame;
+  const GridFrame& frame = watch.firing_map.frame;
   Nearest least;
   for (std::size_t c = 0; c < frame.size(); ++c) {
-    if (watch.site.regions[i].pitch[c] == FiringRegion::no_shot) continue;
+    if (watch.firing_map.regions[i].pitch[c] == FiringRegion::no_shot) continue;
     const Vec2 place = frame.centre(frame.cell(c));
     least.from_start_m = std::min(least.from_start_m, distance(problem.start.position, place));
     least.to_target_m = std::min(least.to_target_m, distance(xy(problem.targets[i].base), place));
@@ -30,7 +30,7 @@ Nearest nearest(const Watch& watch, std::size_t i) {
   return least;
 }
 
-ReleasedWork job_of(const Watch& watch, std::size_t i) {
+ReleasedWork job_of(const ArrivalYard& watch, std::size_t i) {
   const GuardProblem& problem = watch.problem;
   const Target& target = problem.targets[i];
   const Nearest least = nearest(watch, i);
@@ -67,15 +67,15 @@ double least_completion_sum(std::vector<ReleasedWork> jobs) {
   return sum;
 }
 
-WatchBound watch_bound(const Watch& watch) {
+ArrivalBound arrival_bound(const ArrivalYard& watch) {
   std::vector<ReleasedWork> jobs;
   double entered = 0.0;
   for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
-    if (watch.site.regions[i].hits == 0) continue;
+    if (watch.firing_map.regions[i].hits == 0) continue;
     jobs.push_back(job_of(watch, i));
     entered += watch.intruders[i].enters_s;
   }
-  WatchBound bound;
+  ArrivalBound bound;
   bound.time_inside_s = least_completion_sum(jobs) - entered;
   for (const ReleasedWork& first : jobs) {
     double end = first.release_s;

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/watch_bound.hpp"
+#include "outrider/jobs/guard/arrival_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,15 +17,15 @@
 
 namespace outrider {
 
-class Ground {
+class CollisionMap {
  public:
-  Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
-         std::shared_ptr<const HeightField> terrain = {});
+  CollisionMap(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
+               std::shared_ptr<const HeightField> terrain = {});
   /// The obstacles of a world for a robot of that height; what rises less than `step_m` above the
   /// floor is driven over. On terrain these heights count from the lowest and to above the highest ground
   /// under each solid, and ground steeper than `max_slope_rad` is an obstacle too (steep_ground.hpp).
-  static Ground of(const World& world, double robot_height_m, double step_m = 1e-3,
-                   double max_slope_rad = pi / 2);
+  static CollisionMap of(const World& world, double robot_height_m, double step_m = 1e-3,
+                         double max_slope_rad = pi / 2);
 
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] const std::vector<RoundedPolygon>& obstacles() const { return obstacles_; }

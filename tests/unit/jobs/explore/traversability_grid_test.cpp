@@ -1,4 +1,4 @@
-#include "outrider/jobs/explore/known_ground.hpp"
+#include "outrider/jobs/explore/traversability_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ double nearest_occupied(const Grid<std::uint8_t>& map, Vec2 point) {
   return least;
 }
 
-void expect_as_defined(KnownGround& ground, const Grid<std::uint8_t>& map) {
+void expect_as_defined(TraversabilityGrid& ground, const Grid<std::uint8_t>& map) {
   const GridFrame& frame = ground.frame();
   const auto grid = ground.grid();
   Grid<std::uint8_t> taken(frame);
@@ -41,11 +41,11 @@ void expect_as_defined(KnownGround& ground, const Grid<std::uint8_t>& map) {
     }
     taken[at] = ground.blocked(cell) ? 1 : 0;
   }
-  ASSERT_EQ(grid->marks, GridGround::of(taken, GridModel::cells)->marks);
-  ASSERT_EQ(grid->moves, GridGround::of(taken, GridModel::cells)->moves);
+  ASSERT_EQ(grid->marks, GridMap::of(taken, GridModel::cells)->marks);
+  ASSERT_EQ(grid->moves, GridMap::of(taken, GridModel::cells)->moves);
 }
 
-void expect_blocks(const KnownGround& ground) {
+void expect_blocks(const TraversabilityGrid& ground) {
   for (std::uint32_t block = 0; block < ground.blocks().cells.size(); ++block) {
     const Cell low = ground.blocks().frame.cell(block);
     int free = 0, wide = 0;
@@ -57,17 +57,17 @@ void expect_blocks(const KnownGround& ground) {
       ++free;
       wide += ground.near_wall(cell) ? 0 : 1;
     }
-    const auto wanted = wide > 0   ? KnownGround::free_block
-                        : free > 0 ? KnownGround::near_block
-                                   : KnownGround::no_block;
+    const auto wanted = wide > 0   ? TraversabilityGrid::free_block
+                        : free > 0 ? TraversabilityGrid::near_block
+                                   : TraversabilityGrid::no_block;
     ASSERT_EQ(ground.blocks().cells[block], wanted);
   }
 }
 
-TEST(KnownGround, IsAfterEveryUpdateAsDefined) {
+TEST(TraversabilityGrid, IsAfterEveryUpdateAsDefined) {
   for (int n = 0; n < testing::cases(3); ++n) {
     GrowingMap growing(static_cast<std::uint64_t>(n));
-    KnownGround ground(keeps, radius_m);
+    TraversabilityGrid ground(keeps, radius_m);
     for (int i = 0; i < 25; ++i) {
       const MapUpdate update = growing.change();
       ground.update(growing.map, update);
@@ -77,9 +77,9 @@ TEST(KnownGround, IsAfterEveryUpdateAsDefined) {
   }
 }
 
-TEST(KnownGround, BlocksSumUpFourCells) {
+TEST(TraversabilityGrid, BlocksSumUpFourCells) {
   GrowingMap growing(7);
-  KnownGround ground(keeps, radius_m);
+  TraversabilityGrid ground(keeps, radius_m);
   for (int i = 0; i < 30; ++i) {
     const MapUpdate update = growing.change();
     ground.update(growing.map, update);
@@ -87,14 +87,14 @@ TEST(KnownGround, BlocksSumUpFourCells) {
   }
 }
 
-TEST(KnownGround, TellsWhatChangedAndWhereItIsNow) {
+TEST(TraversabilityGrid, TellsWhatChangedAndWhereItIsNow) {
   for (int n = 0; n < testing::cases(10); ++n) {
     GrowingMap growing(100 + static_cast<std::uint64_t>(n));
-    KnownGround ground({}, radius_m);
+    TraversabilityGrid ground({}, radius_m);
     for (int i = 0; i < 40; ++i) {
       const Grid<std::uint8_t> before = ground.known();
       const MapUpdate update = growing.change();
-      const KnownGround::Change change = ground.update(growing.map, update);
+      const TraversabilityGrid::Change change = ground.update(growing.map, update);
       std::vector<std::uint32_t> differ;
       for (std::uint32_t cell = 0; cell < ground.frame().size(); ++cell) {
         const Cell at = ground.frame().cell(cell);
@@ -109,8 +109,8 @@ TEST(KnownGround, TellsWhatChangedAndWhereItIsNow) {
   }
 }
 
-TEST(KnownGround, BeginsAnewOnAnotherLattice) {
-  KnownGround ground(keeps, radius_m);
+TEST(TraversabilityGrid, BeginsAnewOnAnotherLattice) {
+  TraversabilityGrid ground(keeps, radius_m);
   Grid<std::uint8_t> map(GridFrame{{0, 0}, 0.05, 10, 10}, free_cell);
   map[{5, 5}] = occupied_cell;
   ground.update(map, {.redrawn = true, .cells = {}});

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -18,7 +18,7 @@ using testing::cases;
 using testing::random_guard_problem;
 
 /// True when samples every 4 mm of the segment keep that clearance.
-bool sampled_free(const Ground& ground, Vec2 a, Vec2 b, double clearance_m) {
+bool sampled_free(const CollisionMap& ground, Vec2 a, Vec2 b, double clearance_m) {
   const int n = static_cast<int>(distance(a, b) / 0.004) + 1;
   for (int i = 0; i <= n; ++i) {
     if (ground.clearance(a + static_cast<double>(i) / n * (b - a), 1.0) < clearance_m) return false;
@@ -27,13 +27,13 @@ bool sampled_free(const Ground& ground, Vec2 a, Vec2 b, double clearance_m) {
 }
 
 /// A flood over the cells whose steps are decided by samples.
-std::vector<std::uint8_t> flood(const Site& site, Vec2 start, double clearance_m) {
-  const GridFrame& frame = site.frame;
+std::vector<std::uint8_t> flood(const FiringMap& firing_map, Vec2 start, double clearance_m) {
+  const GridFrame& frame = firing_map.frame;
   std::vector<std::uint8_t> seen(frame.size(), 0);
   std::queue<Cell> open;
   const auto visit = [&](Vec2 from, Cell c) {
     if (!frame.contains(c) || seen[frame.index(c)] != 0) return;
-    if (!sampled_free(site.ground, from, frame.centre(c), clearance_m)) return;
+    if (!sampled_free(firing_map.ground, from, frame.centre(c), clearance_m)) return;
     seen[frame.index(c)] = 1;
     open.push(c);
   };
@@ -55,36 +55,36 @@ TEST(Survey, ReachesWhatASampledFloodReaches) {
     const auto problem = random_guard_problem(rng, 14, 0, 2.0);
     GuardOptions options;
     options.resolution_m = 0.12 + 0.02 * (i % 4);
-    const auto site = survey(problem, options);
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const auto firing_map = build_firing_map(problem, options);
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     const double radius = problem.robot.radius_m;
     // Between samples the clearance changes by less than the first margin.
-    const auto surely = flood(*site, problem.start.position, radius + 2.1e-3);
-    const auto perhaps = flood(*site, problem.start.position, radius - 1e-9);
-    for (std::size_t c = 0; c < site->frame.size(); ++c) {
-      const Vec2 p = site->frame.centre(site->frame.cell(c));
-      EXPECT_EQ(site->standable[c] != 0, site->ground.clearance(p, 1.0) >= radius);
+    const auto surely = flood(*firing_map, problem.start.position, radius + 2.1e-3);
+    const auto perhaps = flood(*firing_map, problem.start.position, radius - 1e-9);
+    for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
+      const Vec2 p = firing_map->frame.centre(firing_map->frame.cell(c));
+      EXPECT_EQ(firing_map->standable[c] != 0, firing_map->ground.clearance(p, 1.0) >= radius);
       if (surely[c] != 0) {
-        EXPECT_EQ(site->reachable[c], 1);
+        EXPECT_EQ(firing_map->reachable[c], 1);
       }
-      if (site->reachable[c] == 0) {
-        shut += site->standable[c];
+      if (firing_map->reachable[c] == 0) {
+        shut += firing_map->standable[c];
         continue;
       }
       ++reached;
       EXPECT_EQ(perhaps[c], 1);
-      EXPECT_EQ(site->standable[c], 1);
+      EXPECT_EQ(firing_map->standable[c], 1);
       // The way home: every step swept free, and an end that the start sees.
       std::size_t at = c;
       std::size_t steps = 0;
-      while (site->homeward[at] != at && ++steps < site->frame.size()) {
-        const std::size_t next = site->homeward[at];
-        ASSERT_EQ(site->reachable[next], 1);
+      while (firing_map->homeward[at] != at && ++steps < firing_map->frame.size()) {
+        const std::size_t next = firing_map->homeward[at];
+        ASSERT_EQ(firing_map->reachable[next], 1);
         at = next;
       }
-      EXPECT_LT(steps, site->frame.size());
-      EXPECT_TRUE(site->ground.segment_free(
-          {problem.start.position, site->frame.centre(site->frame.cell(at))}, radius));
+      EXPECT_LT(steps, firing_map->frame.size());
+      EXPECT_TRUE(firing_map->ground.segment_free(
+          {problem.start.position, firing_map->frame.centre(firing_map->frame.cell(at))}, radius));
     }
   }
   EXPECT_GT(reached, 500U);
@@ -95,20 +95,20 @@ TEST(Survey, FindsTheRegionsOfTheReachableGroundWhateverTheThreads) {
   Rng rng(62);
   for (int i = 0; i < cases(4); ++i) {
     const auto problem = random_guard_problem(rng, 10, 5, 2.0);
-    const auto site = survey(problem, {.resolution_m = 0.2});
-    ASSERT_TRUE(site.has_value()) << site.error().sentence;
+    const auto firing_map = build_firing_map(problem, {.resolution_m = 0.2});
+    ASSERT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const auto again = survey(problem, {.resolution_m = 0.2});
+    const auto again = build_firing_map(problem, {.resolution_m = 0.2});
     for (std::size_t t = 0; t < problem.targets.size(); ++t) {
-      EXPECT_EQ(site->regions[t].pitch, again->regions[t].pitch);
-      EXPECT_EQ(site->regions[t].spread, again->regions[t].spread);
-      const auto& region = site->regions[t];
-      for (std::size_t c = 0; c < site->frame.size(); ++c) {
+      EXPECT_EQ(firing_map->regions[t].pitch, again->regions[t].pitch);
+      EXPECT_EQ(firing_map->regions[t].error_ratio, again->regions[t].error_ratio);
+      const auto& region = firing_map->regions[t];
+      for (std::size_t c = 0; c < firing_map->frame.size(); ++c) {
         if (region.pitch[c] != FiringRegion::no_shot) {
-          EXPECT_EQ(site->reachable[c], 1);
+          EXPECT_EQ(firing_map->reachable[c], 1);
         }
       }
-      EXPECT_EQ(region.hits == 0, site->proofs[t].exhausted.has_value());
+      EXPECT_EQ(region.hits == 0, firing_map->proofs[t].exhausted.has_value());
     }
   }
 }
@@ -124,11 +124,11 @@ GuardProblem plain() {
 
 void expect_refused(const GuardProblem& problem, const GuardOptions& options, FaultCode code,
                     const std::string& where, const std::string& says) {
-  const auto site = survey(problem, options);
-  ASSERT_FALSE(site.has_value()) << where << " " << says;
-  EXPECT_EQ(site.error().code, code) << site.error().sentence;
-  EXPECT_EQ(site.error().where, where) << site.error().sentence;
-  EXPECT_NE(site.error().sentence.find(says), std::string::npos) << site.error().sentence;
+  const auto firing_map = build_firing_map(problem, options);
+  ASSERT_FALSE(firing_map.has_value()) << where << " " << says;
+  EXPECT_EQ(firing_map.error().code, code) << firing_map.error().sentence;
+  EXPECT_EQ(firing_map.error().where, where) << firing_map.error().sentence;
+  EXPECT_NE(firing_map.error().sentence.find(says), std::string::npos) << firing_map.error().sentence;
 }
 
 TEST(Survey, RefusesAStartThatIsBlockedOrOutside) {
@@ -155,7 +155,7 @@ TEST(Survey, RefusesGridsThatAreEmptyOrTooFine) {
   problem.world.bounds = {{-1e5, -1e5}, {1e5, 1e5}};
   expect_refused(problem, {}, FaultCode::bad_input, "plan.resolution", "MiB");
   problem.world.bounds = {{-1e200, -1e200}, {1e200, 1e200}};
-  EXPECT_FALSE(survey(problem, {}).has_value());
+  EXPECT_FALSE(build_firing_map(problem, {}).has_value());
   for (const Box2 none : {Box2{}, Box2{{0, 0}, {0, 0}}, Box2{{1, 1}, {-1, -1}}}) {
     problem.world.bounds = none;
     expect_refused(problem, {}, FaultCode::bad_input, "bounds", "no bounds");
@@ -168,41 +168,41 @@ TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
   for (const double bad : {nan, inf, -inf}) {
     GuardProblem problem = plain();
     problem.start.position.x = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.start.heading_rad = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.targets[0].base.z = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.targets[0].yaw_rad = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.world.gravity_mps2 = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.world.bounds.high.x = bad;
-    EXPECT_FALSE(survey(problem, {}).has_value());
+    EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.robot.radius_m = bad;
     expect_refused(problem, {}, FaultCode::bad_input, "robot.radius", "it takes a number");
     problem = plain();
     problem.gun.muzzle_speed_mps = bad;
     expect_refused(problem, {}, FaultCode::bad_input, "gun.muzzle_speed", "it takes a number");
-    EXPECT_FALSE(survey(plain(), {.resolution_m = bad}).has_value());
-    EXPECT_FALSE(survey(plain(), {.pitch_step_rad = bad}).has_value());
+    EXPECT_FALSE(build_firing_map(plain(), {.resolution_m = bad}).has_value());
+    EXPECT_FALSE(build_firing_map(plain(), {.pitch_step_rad = bad}).has_value());
   }
   GuardProblem problem = plain();
   problem.targets[0].size.y = 0.0;
-  EXPECT_FALSE(survey(problem, {}).has_value());
+  EXPECT_FALSE(build_firing_map(problem, {}).has_value());
   problem = plain();
   problem.world.gravity_mps2 = 0.0;
-  EXPECT_FALSE(survey(problem, {}).has_value());
-  EXPECT_FALSE(survey(plain(), {.resolution_m = 0.0}).has_value());
-  EXPECT_FALSE(survey(plain(), {.resolution_m = -0.1}).has_value());
-  EXPECT_FALSE(survey(plain(), {.aim_step_m = 0.0}).has_value());
-  EXPECT_TRUE(survey(plain(), {}).has_value());
+  EXPECT_FALSE(build_firing_map(problem, {}).has_value());
+  EXPECT_FALSE(build_firing_map(plain(), {.resolution_m = 0.0}).has_value());
+  EXPECT_FALSE(build_firing_map(plain(), {.resolution_m = -0.1}).has_value());
+  EXPECT_FALSE(build_firing_map(plain(), {.aim_step_m = 0.0}).has_value());
+  EXPECT_TRUE(build_firing_map(plain(), {}).has_value());
 }
 
 TEST(GuardOptionsText, DescribeEveryMemberWithinItsRange) {
@@ -224,10 +224,10 @@ TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
   }
   problem.targets.push_back({"front", {0, 1.0, 0}, {0.8, 0.2, 3.0}, 0.0});
   problem.targets.push_back({"back", {0, 1.9, 0}, {0.8, 0.1, 3.0}, 0.0});
-  const auto open = survey(problem, {.resolution_m = 0.2});
+  const auto open = build_firing_map(problem, {.resolution_m = 0.2});
   ASSERT_TRUE(open.has_value());
   problem.targets_block = true;
-  const auto blocked = survey(problem, {.resolution_m = 0.2});
+  const auto blocked = build_firing_map(problem, {.resolution_m = 0.2});
   ASSERT_TRUE(blocked.has_value()) << blocked.error().sentence;
   EXPECT_GT(open->regions[0].hits, 0U);
   EXPECT_EQ(blocked->regions[0].hits, 0U);
@@ -237,7 +237,7 @@ TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
   EXPECT_EQ(blocked->standable[open->frame.index(on_front)], 0);
   EXPECT_EQ(blocked->spaces.size(), problem.targets.size());
   problem.start.position = {0.0, 0.7};
-  EXPECT_EQ(survey(problem, {}).error().code, FaultCode::start_blocked);
+  EXPECT_EQ(build_firing_map(problem, {}).error().code, FaultCode::start_blocked);
 }
 
 /// What is left out of a quicker survey is the proofs and what they find, and nothing else.
@@ -251,9 +251,9 @@ TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
     GuardOptions options = testing::quick();
     options.resolution_m = 0.4;
     options.pitch_step_rad = radians(7.5);
-    const auto proven = survey(problem, options);
-    const auto centres = survey(problem, options, {}, RegionSearch::centres_only);
-    const auto none = survey(problem, options, {}, RegionSearch::none);
+    const auto proven = build_firing_map(problem, options);
+    const auto centres = build_firing_map(problem, options, {}, RegionSearch::centres_only);
+    const auto none = build_firing_map(problem, options, {}, RegionSearch::none);
     ASSERT_TRUE(proven && centres && none);
     EXPECT_EQ(proven->reachable, none->reachable);
     EXPECT_EQ(proven->standable, none->standable);
@@ -266,7 +266,7 @@ TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
         continue;
       }
       EXPECT_EQ(proven->regions[t].pitch, centres->regions[t].pitch);
-      EXPECT_EQ(proven->regions[t].spread, centres->regions[t].spread);
+      EXPECT_EQ(proven->regions[t].error_ratio, centres->regions[t].error_ratio);
       EXPECT_FALSE(proven->proofs[t].exhausted.has_value());
     }
     EXPECT_TRUE(proven->proofs[0].exhausted.has_value());

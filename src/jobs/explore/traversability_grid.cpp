@@ -1,4 +1,4 @@
-#include "outrider/jobs/explore/known_ground.hpp"
+#include "outrider/jobs/explore/traversability_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +58,11 @@ std::vector<Option> describe(KnownGroundOptions& options) {
            &options.near_m}};
 }
 
-KnownGround::KnownGround(const KnownGroundOptions& options, double radius_m)
+TraversabilityGrid::TraversabilityGrid(const KnownGroundOptions& options, double radius_m)
     : radius_m_(radius_m), options_(options) {}
 
-KnownGround::Change KnownGround::update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update) {
+TraversabilityGrid::Change TraversabilityGrid::update(const Grid<std::uint8_t>& occupancy,
+                                                      const MapUpdate& update) {
   Change change;
   ++clock_;
   const auto place = shift_between(occupancy.frame, known_.frame);
@@ -100,7 +101,7 @@ KnownGround::Change KnownGround::update(const Grid<std::uint8_t>& occupancy, con
   return change;
 }
 
-void KnownGround::reframe(const GridFrame& frame, Cell shift) {
+void TraversabilityGrid::reframe(const GridFrame& frame, Cell shift) {
   const GridFrame before = known_.frame;
   const double per_cell = 1.0 / frame.resolution_m;
   const double touch = per_cell * (radius_m_ + options_.margin_m) + 1e-9;
@@ -131,7 +132,7 @@ void KnownGround::reframe(const GridFrame& frame, Cell shift) {
   settle(0);
 }
 
-void KnownGround::set(std::uint32_t cell, std::uint8_t value) {
+void TraversabilityGrid::set(std::uint32_t cell, std::uint8_t value) {
   const std::uint8_t before = known_.cells[cell];
   known_.cells[cell] = value;
   stale_.push_back(cell);
@@ -146,7 +147,7 @@ void KnownGround::set(std::uint32_t cell, std::uint8_t value) {
 }
 
 /// One more occupied cell, or one less, for all that is near it.
-void KnownGround::count(Cell around, int by) {
+void TraversabilityGrid::count(Cell around, int by) {
   for (std::size_t i = 0; i < disk_.size(); ++i) {
     const Cell at = sum(around, disk_[i]);
     if (!known_.contains(at)) continue;
@@ -161,19 +162,19 @@ void KnownGround::count(Cell around, int by) {
   }
 }
 
-std::uint32_t KnownGround::block_of(std::uint32_t cell) const {
+std::uint32_t TraversabilityGrid::block_of(std::uint32_t cell) const {
   const Cell c = known_.frame.cell(cell);
   return static_cast<std::uint32_t>(blocks_.frame.index({c.x / 2, c.y / 2}));
 }
 
-std::uint64_t& KnownGround::tile_of(Cell cell) {
+std::uint64_t& TraversabilityGrid::tile_of(Cell cell) {
   const int row = cell.y / tile_cells * tiles(known_.frame.width);
   return tiles_[static_cast<std::size_t>(row + cell.x / tile_cells)];
 }
 
-void KnownGround::touch(std::uint32_t cell) { tile_of(known_.frame.cell(cell)) = ++clock_; }
+void TraversabilityGrid::touch(std::uint32_t cell) { tile_of(known_.frame.cell(cell)) = ++clock_; }
 
-std::uint64_t KnownGround::changed_within(Cell low, Cell high) const {
+std::uint64_t TraversabilityGrid::changed_within(Cell low, Cell high) const {
   const int across = tiles(known_.frame.width), up = tiles(known_.frame.height);
   std::uint64_t last = 0;
   for (int y = std::max(0, low.y / tile_cells); y <= std::min(up - 1, high.y / tile_cells); ++y) {
@@ -184,7 +185,7 @@ std::uint64_t KnownGround::changed_within(Cell low, Cell high) const {
 }
 
 /// Brings the blocks and the tiles up to date with the stale cells from that one on.
-void KnownGround::settle(std::size_t from) {
+void TraversabilityGrid::settle(std::size_t from) {
   for (std::size_t i = from; i < stale_.size(); ++i) {
     tile_of(known_.frame.cell(stale_[i])) = clock_;
     const std::uint32_t block = block_of(stale_[i]);
@@ -199,18 +200,18 @@ void KnownGround::settle(std::size_t from) {
   }
 }
 
-std::shared_ptr<const GridGround> KnownGround::grid() {
+std::shared_ptr<const GridMap> TraversabilityGrid::grid() {
   if (!grid_ || stale_.size() > known_.frame.size() / 8) {
     Grid<std::uint8_t> taken(known_.frame);
     for (std::uint32_t cell = 0; cell < taken.cells.size(); ++cell) taken.cells[cell] = blocked(cell) ? 1 : 0;
-    grid_ = std::make_shared<const GridGround>(*GridGround::of(taken, GridModel::cells));
+    grid_ = std::make_shared<const GridMap>(*GridMap::of(taken, GridModel::cells));
   } else if (!stale_.empty()) {
     std::vector<CellChange> changes;
     for (const std::uint32_t cell : stale_) {
       const Cell at = known_.frame.cell(cell);
       if (blocked(cell) != grid_->blocked(at)) changes.push_back({at, 1, 1, blocked(cell)});
     }
-    if (!changes.empty()) grid_ = std::make_shared<const GridGround>(*grid_->with(changes));
+    if (!changes.empty()) grid_ = std::make_shared<const GridMap>(*grid_->with(changes));
   }
   stale_.clear();
   return grid_;

@@ -26,16 +26,16 @@ GuardProblem open_yard() {
   return problem;
 }
 
-Site site_of(const GuardProblem& problem) {
-  auto site = survey(problem, {.resolution_m = 0.25});
-  EXPECT_TRUE(site.has_value()) << site.error().sentence;
-  return std::move(*site);
+FiringMap site_of(const GuardProblem& problem) {
+  auto firing_map = build_firing_map(problem, {.resolution_m = 0.25});
+  EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
+  return std::move(*firing_map);
 }
 
 TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
   const GuardProblem problem = open_yard();
-  const Site site = site_of(problem);
-  auto robot = simulated_guard(problem, site, 5);
+  const FiringMap firing_map = site_of(problem);
+  auto robot = simulated_guard(problem, firing_map, 5);
   const int drives = 4000;
   std::array<int, 4> rings{};
   std::array<int, 4> quadrants{};
@@ -67,19 +67,21 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
   Rng rng(101);
   for (int i = 0; i < cases(5); ++i) {
     const auto problem = random_guard_problem(rng, 10, 0, 2.0);
-    const Site site = site_of(problem);
-    auto robot = simulated_guard(problem, site, static_cast<std::uint64_t>(i));
+    const FiringMap firing_map = site_of(problem);
+    auto robot = simulated_guard(problem, firing_map, static_cast<std::uint64_t>(i));
     for (int k = 0; k < 300; ++k) {
-      const std::size_t cell = rng.below(site.frame.size());
-      const Vec2 goal = site.frame.centre(site.frame.cell(cell));
+      const std::size_t cell = rng.below(firing_map.frame.size());
+      const Vec2 goal = firing_map.frame.centre(firing_map.frame.cell(cell));
       const Vec2 here = robot.sense().odometry.position;
-      if (site.reachable[cell] == 0 || !site.ground.segment_free({here, goal}, problem.robot.radius_m))
+      if (firing_map.reachable[cell] == 0 ||
+          !firing_map.ground.segment_free({here, goal}, problem.robot.radius_m))
         continue;
       robot.act(FollowWaypoints{{here, goal}});
-      EXPECT_GE(site.ground.clearance(robot.sense().odometry.position, 1.0), problem.robot.radius_m - 2e-9);
+      EXPECT_GE(firing_map.ground.clearance(robot.sense().odometry.position, 1.0),
+                problem.robot.radius_m - 2e-9);
     }
     for (const TrackSample& sample : robot.record.track) {
-      EXPECT_GE(site.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+      EXPECT_GE(firing_map.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
     }
   }
 }
@@ -87,8 +89,8 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
 TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
   GuardProblem problem = open_yard();
   problem.errors = {0.0, 0.0, {0.0, 0.0}};
-  const Site site = site_of(problem);
-  auto robot = simulated_guard(problem, site, 1);
+  const FiringMap firing_map = site_of(problem);
+  auto robot = simulated_guard(problem, firing_map, 1);
   const std::vector<Vec2> way{{0, 0}, {0.3, 0.3}, {0.3, 3.0}, {-2.0, 3.0}, {-2.0, -1.0}};
   robot.act(FollowWaypoints{way});
   double time = 0.0;
@@ -128,8 +130,8 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
 
 TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
   const GuardProblem problem = open_yard();
-  const Site site = site_of(problem);
-  auto robot = simulated_guard(problem, site, 1);
+  const FiringMap firing_map = site_of(problem);
+  auto robot = simulated_guard(problem, firing_map, 1);
   robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
   const double begin = robot.sense().time_s;
   const double heading = robot.sense().odometry.heading_rad;
@@ -144,8 +146,8 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
 
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
   const GuardProblem problem = open_yard();
-  const Site site = site_of(problem);
-  auto robot = simulated_guard(problem, site, 9);
+  const FiringMap firing_map = site_of(problem);
+  auto robot = simulated_guard(problem, firing_map, 9);
   const Shot shot{0.0, 0.2, 6.5};
   robot.act(AimGun{0.0, 0.2});
   const int shots = 2000;
@@ -172,10 +174,10 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
     if (i % (shots / testing::part_of(100)) != 0) continue;
     const Solid target = solid_of(problem.targets[0]);
     const auto fine =
-        testing::fly_fine(fired.muzzle, v, 9.8, 0.01, site.space(0).solids(), &target, -1.0, 5e-6);
+        testing::fly_fine(fired.muzzle, v, 9.8, 0.01, firing_map.space(0).solids(), &target, -1.0, 5e-6);
     EXPECT_EQ(fine.hit, fired.hit);
     EXPECT_LT(norm(fine.position - fired.contact_point), 1.1e-5);
-    EXPECT_EQ(fired.contact, fine.hit ? "cat" : site.space(0).solids()[*fine.solid].name);
+    EXPECT_EQ(fired.contact, fine.hit ? "cat" : firing_map.space(0).solids()[*fine.solid].name);
   }
   for (const auto& axis : counts) {
     for (const int count : axis) EXPECT_NEAR(count, 500, 90);
@@ -189,8 +191,8 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
   int uncounted = 0;
   for (int i = 0; i < cases(100); ++i) {
     problem.targets[0].base = {rng.uniform(1.0, 4.0), 0.0, rng.uniform(0.0, 1.5)};
-    const Site site = site_of(problem);
-    auto robot = simulated_guard(problem, site, static_cast<std::uint64_t>(i));
+    const FiringMap firing_map = site_of(problem);
+    auto robot = simulated_guard(problem, firing_map, static_cast<std::uint64_t>(i));
     robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
     const ReportShot& fired = robot.record.shots.back();
     double nearest = 1e9;
@@ -209,9 +211,9 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
 
 TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
   const GuardProblem problem = open_yard();
-  const Site site = site_of(problem);
+  const FiringMap firing_map = site_of(problem);
   const auto end = [&](std::uint64_t seed) {
-    auto robot = simulated_guard(problem, site, seed);
+    auto robot = simulated_guard(problem, firing_map, seed);
     robot.act(FollowWaypoints{{{0, 0}, {1, 0}}});
     robot.act(Fire{0, {0.0, 0.1, 6.0}});
     return robot.record.shots.back().contact_point;

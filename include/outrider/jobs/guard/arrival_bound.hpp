@@ -5,7 +5,7 @@
 
 namespace outrider {
 
-struct WatchBound {
+struct ArrivalBound {
   double time_inside_s = 0.0;  ///< summed over the intruders that can be hit
   double makespan_s = 0.0;     ///< of the last hit, from the start
 };
@@ -20,7 +20,7 @@ struct WatchBound {
 /// the shortest rest first attains it (Schrage, Operations Research 16(3), 1968). For the makespan:
 /// the largest over k of r_k + the work released at r_k or later. Drives between places, turns and aims
 /// are not counted. O(intruders x cells + intruders^2).
-WatchBound watch_bound(const Watch& watch);
+ArrivalBound arrival_bound(const ArrivalYard& watch);
 
 /// A job of the relaxation.
 struct ReleasedWork {

@@ -1,4 +1,4 @@
-// GridGround: the ground as a grid of free and blocked cells, prepared for searching.
+// GridMap: the ground as a grid of free and blocked cells, prepared for searching.
 //
 // Two models say where a path may run. Outside the grid everything is blocked.
 //   cells    Vertices are the centres of free cells. A leg is legal when no blocked cell touches it,
@@ -47,7 +47,7 @@ struct CellChange {
   bool blocked = true;
 };
 
-struct GridGround {
+struct GridMap {
   GridFrame frame;  ///< of the cells
   GridModel model = GridModel::cells;
   std::uint32_t stride = 0;         ///< of a row in the arrays, which have a border of one cell
@@ -60,11 +60,11 @@ struct GridGround {
 
   /// Cells other than 0 are blocked. Fault: bad_input on a frame that check_frame() refuses, or when
   /// the cells do not fill it.
-  static Outcome<GridGround> of(const Grid<std::uint8_t>& blocked, GridModel model);
+  static Outcome<GridMap> of(const Grid<std::uint8_t>& blocked, GridModel model);
 
   /// This ground after the changes, one after the other: the same as one made anew. A copy, and O(1) for
   /// each cell of a change. Fault: bad_input on a rectangle that is empty or leaves the grid.
-  [[nodiscard]] Outcome<GridGround> with(const std::vector<CellChange>& changes) const;
+  [[nodiscard]] Outcome<GridMap> with(const std::vector<CellChange>& changes) const;
 
   /// Index of a cell or of a vertex; both may lie one step outside the grid.
   [[nodiscard]] std::uint32_t index(Cell c) const {
@@ -95,7 +95,6 @@ struct GridGround {
 
 /// The cells that are blocked in one ground and free in the other, row by row. Nothing when their frames or
 /// models differ, or more than `most` cells do. One pass over the marks: 0.1 ms for a million cells.
-std::optional<std::vector<Cell>> cells_changed(const GridGround& before, const GridGround& now,
-                                               std::size_t most);
+std::optional<std::vector<Cell>> cells_changed(const GridMap& before, const GridMap& now, std::size_t most);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-std::vector<Cell> places(const GridGround& ground) {
+std::vector<Cell> places(const GridMap& ground) {
   std::vector<Cell> all;
   for (int y = 0; y <= ground.frame.height; ++y) {
     for (int x = 0; x <= ground.frame.width; ++x) {
@@ -29,7 +29,7 @@ TEST_P(BothModels, PlacesPinchesMovesAndSightAreThoseOfTheDefinition) {
   Rng rng = Rng(2).child("sight");
   for (int i = 0; i < 400; ++i) {
     const auto grid = random_grid(rng, i % 8 == 0 ? 11 : 6);
-    const auto ground = GridGround::of(grid, GetParam());
+    const auto ground = GridMap::of(grid, GetParam());
     ASSERT_TRUE(ground.has_value());
     for (int y = -1; y <= grid.frame.height + 1; ++y) {
       for (int x = -1; x <= grid.frame.width + 1; ++x) {
@@ -57,7 +57,7 @@ TEST_P(BothModels, PlacesPinchesMovesAndSightAreThoseOfTheDefinition) {
 
 TEST_P(BothModels, PointsAndVerticesBelongTogether) {
   GridFrame frame{{-3.7, 12.1}, 0.05, 40, 23};
-  const auto ground = GridGround::of(Grid<std::uint8_t>(frame), GetParam());
+  const auto ground = GridMap::of(Grid<std::uint8_t>(frame), GetParam());
   ASSERT_TRUE(ground.has_value());
   for (const Cell v : places(*ground)) EXPECT_EQ(ground->vertex_at(ground->point(v)), v);
   EXPECT_FALSE(ground->vertex_at({-3.8, 12.2}));
@@ -65,14 +65,14 @@ TEST_P(BothModels, PointsAndVerticesBelongTogether) {
   EXPECT_FALSE(ground->vertex_at({-3.7, 1e308}));
 }
 
-TEST(GridGround, IndexesBothWays) {
-  const auto ground = GridGround::of(Grid<std::uint8_t>(GridFrame{{}, 1.0, 5, 3}), GridModel::corners);
+TEST(GridMap, IndexesBothWays) {
+  const auto ground = GridMap::of(Grid<std::uint8_t>(GridFrame{{}, 1.0, 5, 3}), GridModel::corners);
   for (int y = -1; y <= 3; ++y) {
     for (int x = -1; x <= 5; ++x) EXPECT_EQ(ground->at(ground->index({x, y})), (Cell{x, y}));
   }
 }
 
-TEST(GridGround, RefusesFramesThatMakeNoGrid) {
+TEST(GridMap, RefusesFramesThatMakeNoGrid) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const GridFrame& frame :
        {GridFrame{{}, 1.0, 0, 3}, GridFrame{{}, 1.0, -2, -2}, GridFrame{{}, 0.0, 2, 2},
@@ -81,11 +81,11 @@ TEST(GridGround, RefusesFramesThatMakeNoGrid) {
     EXPECT_FALSE(check_frame(frame).has_value());
     Grid<std::uint8_t> grid;
     grid.frame = frame;
-    EXPECT_FALSE(GridGround::of(grid, GridModel::cells).has_value());
+    EXPECT_FALSE(GridMap::of(grid, GridModel::cells).has_value());
   }
   Grid<std::uint8_t> short_of_cells(GridFrame{{}, 1.0, 3, 3});
   short_of_cells.cells.pop_back();
-  EXPECT_FALSE(GridGround::of(short_of_cells, GridModel::cells).has_value());
+  EXPECT_FALSE(GridMap::of(short_of_cells, GridModel::cells).has_value());
 }
 
 }  // namespace

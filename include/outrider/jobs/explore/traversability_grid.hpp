@@ -1,4 +1,4 @@
-// KnownGround: where a disk robot may go on a map that still grows.
+// TraversabilityGrid: where a disk robot may go on a map that still grows.
 //
 // The centre of the robot may stand on a cell that is known to be free and whose centre is farther than
 // radius + margin from the centre of every occupied cell; unknown cells are blocked. Cells from there to the
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 #include "outrider/slam/occupancy_map.hpp"
 
 namespace outrider {
@@ -29,9 +29,9 @@ struct KnownGroundOptions {
 
 std::vector<Option> describe(KnownGroundOptions& options);
 
-class KnownGround {
+class TraversabilityGrid {
  public:
-  KnownGround(const KnownGroundOptions& options, double radius_m);
+  TraversabilityGrid(const KnownGroundOptions& options, double radius_m);
 
   /// What an update changed: cells of frame() as it is then.
   struct Change {
@@ -67,8 +67,8 @@ class KnownGround {
   /// Counts as a change of the cell.
   void touch(std::uint32_t cell);
 
-  /// The same for the path planners. Made anew when something changed, by GridGround::with().
-  std::shared_ptr<const GridGround> grid();
+  /// The same for the path planners. Made anew when something changed, by GridMap::with().
+  std::shared_ptr<const GridMap> grid();
 
  private:
   void reframe(const GridFrame& frame, Cell shift);
@@ -88,7 +88,7 @@ class KnownGround {
   std::uint64_t clock_ = 0;
   std::vector<std::uint64_t> tiles_;  // clock of the last change, by rows
   Cell lowest_{0, 0}, highest_{-1, -1};
-  std::shared_ptr<const GridGround> grid_;
+  std::shared_ptr<const GridMap> grid_;
   std::vector<std::uint32_t> stale_;  // cells that may have become free or blocked since grid_
 };
 

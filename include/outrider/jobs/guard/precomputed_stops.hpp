@@ -1,4 +1,4 @@
-// Outlook: everything about a yard that does not depend on who is inside, so that a new plan takes
+// PrecomputedStops: everything about a yard that does not depend on who is inside, so that a new plan takes
 // milliseconds: the places to stop at, the shots from each, and the drives between them.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace outrider {
 
-struct Outlook {
+struct PrecomputedStops {
   std::vector<Vec2> stops;      ///< the start first
   TourProblem table;            ///< over the stops; its goals are the targets of the problem
   Routes routes;                ///< between the stops
@@ -22,8 +22,8 @@ struct Outlook {
 /// choose_stops), at most `options.stops` of these. A service takes the flight over the rate of its hits;
 /// shots that often miss count only where a target has no other. `besides` stand behind them, without shots.
 /// Refused as routes_between().
-Outcome<Outlook> look_out(const GuardProblem& problem, const Site& site, const GuardPlan& plan,
-                          const ArrivalOptions& options, const Budget& budget,
-                          const std::vector<Vec2>& besides = {});
+Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
+                                           const GuardPlan& plan, const ArrivalOptions& options,
+                                           const Budget& budget, const std::vector<Vec2>& besides = {});
 
 }  // namespace outrider

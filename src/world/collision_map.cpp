@@ -1,4 +1,4 @@
-#include "outrider/world/ground.hpp"
+#include "outrider/world/collision_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +93,8 @@ bool collides(Segment s, const RoundedPolygon& obstacle, double radius_m) {
 
 }  // namespace
 
-Ground::Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
-               std::shared_ptr<const HeightField> terrain)
+CollisionMap::CollisionMap(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
+                           std::shared_ptr<const HeightField> terrain)
     : bounds_(bounds), terrain_(std::move(terrain)), obstacles_(std::move(obstacles)) {
   const double side = std::max({bounds_.size().x, bounds_.size().y, 1e-6});
   tile_m_ = std::max(0.5, side / most_tiles);
@@ -120,7 +120,8 @@ Ground::Ground(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
   }
 }
 
-Ground Ground::of(const World& world, double robot_height_m, double step_m, double max_slope_rad) {
+CollisionMap CollisionMap::of(const World& world, double robot_height_m, double step_m,
+                              double max_slope_rad) {
   std::vector<RoundedPolygon> obstacles;
   for (const Solid& solid : world.solids) {
     const Interval under = world.terrain ? world.terrain->heights_over(outrider::bounds(solid).ground())
@@ -137,7 +138,7 @@ Ground Ground::of(const World& world, double robot_height_m, double step_m, doub
   return {world.bounds, std::move(obstacles), world.terrain};
 }
 
-Ground::TileRange Ground::tiles_of(const Box2& box) const {
+CollisionMap::TileRange CollisionMap::tiles_of(const Box2& box) const {
   return {tile_at((box.low.x - bounds_.low.x) / tile_m_, columns_),
           tile_at((box.high.x - bounds_.low.x) / tile_m_, columns_),
           tile_at((box.low.y - bounds_.low.y) / tile_m_, rows_),
@@ -147,7 +148,7 @@ Ground::TileRange Ground::tiles_of(const Box2& box) const {
 /// Visits the obstacles that may lie within `reach_m` of the segment, row of tiles by row, until one
 /// visit returns true. An obstacle is met again only where it leaves the strip and comes back.
 template <class Visit>
-bool Ground::any_along(Segment s, double reach_m, Visit visit) const {
+bool CollisionMap::any_along(Segment s, double reach_m, Visit visit) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Box2 box;
   box.include(s.a);
@@ -187,11 +188,11 @@ bool Ground::any_along(Segment s, double reach_m, Visit visit) const {
   return false;
 }
 
-double Ground::edge_distance(Vec2 p) const {
+double CollisionMap::edge_distance(Vec2 p) const {
   return std::min({p.x - bounds_.low.x, bounds_.high.x - p.x, p.y - bounds_.low.y, bounds_.high.y - p.y});
 }
 
-double Ground::clearance(Vec2 p, double most_m) const {
+double CollisionMap::clearance(Vec2 p, double most_m) const {
   double nearest = std::min(most_m, edge_distance(p));
   any_along({p, p}, most_m, [&](const RoundedPolygon& obstacle) {
     nearest = std::min(nearest, signed_distance(p, obstacle));
@@ -200,7 +201,7 @@ double Ground::clearance(Vec2 p, double most_m) const {
   return nearest;
 }
 
-bool Ground::segment_free(Segment s, double radius_m) const {
+bool CollisionMap::segment_free(Segment s, double radius_m) const {
   if (std::min(edge_distance(s.a), edge_distance(s.b)) < radius_m - touch_m) return false;
   return !any_along(s, radius_m,
                     [&](const RoundedPolygon& obstacle) { return collides(s, obstacle, radius_m); });

@@ -1,4 +1,4 @@
-// Site: the yard of a guard problem, made ready for planning and for execution.
+// FiringMap: the yard of a guard problem, made ready for planning and for execution.
 //
 // Everything here follows from the problem and the options alone: what the robot can bump into, where
 // it can stand, what a flight can touch, and from where each target can be hit.
@@ -11,8 +11,8 @@
 #include "outrider/ballistics/firing_region.hpp"
 #include "outrider/core/outcome.hpp"
 #include "outrider/jobs/guard/problem.hpp"
+#include "outrider/world/collision_map.hpp"
 #include "outrider/world/grid.hpp"
-#include "outrider/world/ground.hpp"
 
 namespace outrider {
 
@@ -22,10 +22,10 @@ struct Proof {
   bool from_elsewhere = false;         ///< it could be hit from ground that cannot be driven to
 };
 
-struct Site {
+struct FiringMap {
   ShotRules rules;
   std::vector<FlightSpace> spaces;  ///< one for all targets, or one for each when targets block
-  Ground ground;
+  CollisionMap ground;
   GridFrame frame;
   std::vector<std::uint8_t> standable;  ///< by cell: the disk of the robot fits at its centre
   std::vector<std::uint8_t> reachable;  ///< by cell: and the robot can drive there, cell to cell
@@ -50,7 +50,7 @@ enum class RegionSearch : std::uint8_t {
 /// Refused: an empty or too fine grid (memory), a start that is blocked or outside, a target whose
 /// centre is inside a solid, numbers that are not finite or out of the range of their option. O(cells x
 /// targets); regions in parallel, with the same result for any number of threads.
-Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, const Budget& budget = {},
-                     RegionSearch search = RegionSearch::proven);
+Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
+                                    const Budget& budget = {}, RegionSearch search = RegionSearch::proven);
 
 }  // namespace outrider

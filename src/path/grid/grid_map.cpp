@@ -1,4 +1,4 @@
-#include "outrider/path/grid/grid_ground.hpp"
+#include "outrider/path/grid/grid_map.hpp"
 
 #include <fmt/format.h>
 
@@ -35,21 +35,21 @@ bool pinched(Free free) {
 }
 
 /// Moves and marks of a vertex, by the cells around it.
-void set_vertex(GridGround& ground, Cell v) {
+void set_vertex(GridMap& ground, Cell v) {
   const std::uint32_t at = ground.index(v);
   const auto free = [&](int dx, int dy) {
-    return (ground.marks[ground.index({v.x + dx, v.y + dy})] & GridGround::blocked_bit) == 0;
+    return (ground.marks[ground.index({v.x + dx, v.y + dy})] & GridMap::blocked_bit) == 0;
   };
   const bool corners = ground.model == GridModel::corners;
   ground.moves[at] = corners ? moves_between_corners(free) : moves_between_centres(free);
-  unsigned mark = ground.marks[at] & GridGround::blocked_bit;
-  if (corners ? ground.moves[at] != 0 : free(0, 0)) mark |= GridGround::place_bit;
-  if (corners && pinched(free)) mark |= GridGround::pinch_bit;
+  unsigned mark = ground.marks[at] & GridMap::blocked_bit;
+  if (corners ? ground.moves[at] != 0 : free(0, 0)) mark |= GridMap::place_bit;
+  if (corners && pinched(free)) mark |= GridMap::pinch_bit;
   ground.marks[at] = static_cast<std::uint8_t>(mark);
 }
 
 /// The vertices from `low` to `high`, as far as the grid has them.
-void set_vertices(GridGround& ground, Cell low, Cell high) {
+void set_vertices(GridMap& ground, Cell low, Cell high) {
   const int more = ground.model == GridModel::corners ? 1 : 0;
   const Cell last{std::min(high.x, ground.frame.width - 1 + more),
                   std::min(high.y, ground.frame.height - 1 + more)};
@@ -92,13 +92,13 @@ Status check_frame(const GridFrame& frame) {
   return {};
 }
 
-Outcome<GridGround> GridGround::of(const Grid<std::uint8_t>& blocked, GridModel model) {
+Outcome<GridMap> GridMap::of(const Grid<std::uint8_t>& blocked, GridModel model) {
   if (auto good = check_frame(blocked.frame); !good) return pass_on(good);
   if (blocked.cells.size() != blocked.frame.size()) {
     return bad_input(fmt::format("a grid of {} x {} cells came with {} values; give one for each cell",
                                  blocked.frame.width, blocked.frame.height, blocked.cells.size()));
   }
-  GridGround ground;
+  GridMap ground;
   ground.frame = blocked.frame;
   ground.model = model;
   ground.stride = static_cast<std::uint32_t>(blocked.frame.width) + 2;
@@ -114,11 +114,11 @@ Outcome<GridGround> GridGround::of(const Grid<std::uint8_t>& blocked, GridModel 
   return ground;
 }
 
-Outcome<GridGround> GridGround::with(const std::vector<CellChange>& changes) const {
+Outcome<GridMap> GridMap::with(const std::vector<CellChange>& changes) const {
   for (const CellChange& change : changes) {
     if (auto good = check_change(frame, change); !good) return pass_on(good);
   }
-  GridGround ground = *this;
+  GridMap ground = *this;
   for (const CellChange& change : changes) {
     for (int y = change.low.y; y < change.low.y + change.height; ++y) {
       const auto row = ground.marks.begin() + ground.index({change.low.x, y});
@@ -132,7 +132,7 @@ Outcome<GridGround> GridGround::with(const std::vector<CellChange>& changes) con
   return ground;
 }
 
-std::optional<Cell> GridGround::vertex_at(Vec2 p) const {
+std::optional<Cell> GridMap::vertex_at(Vec2 p) const {
   constexpr double slack = 1e-6;  // in cells: a point computed to lie on the edge is within
   const double x = (p.x - frame.origin.x) / frame.resolution_m;
   const double y = (p.y - frame.origin.y) / frame.resolution_m;
@@ -145,8 +145,7 @@ std::optional<Cell> GridGround::vertex_at(Vec2 p) const {
   return Cell{nearest(x, frame.width), nearest(y, frame.height)};
 }
 
-std::optional<std::vector<Cell>> cells_changed(const GridGround& before, const GridGround& now,
-                                               std::size_t most) {
+std::optional<std::vector<Cell>> cells_changed(const GridMap& before, const GridMap& now, std::size_t most) {
   if (before.frame != now.frame || before.model != now.model) return std::nullopt;
   std::vector<Cell> changed;
   const auto width = static_cast<std::size_t>(now.frame.width);
@@ -155,7 +154,7 @@ std::optional<std::vector<Cell>> cells_changed(const GridGround& before, const G
     const std::uint8_t* const is = now.marks.data() + now.index({0, y});
     if (std::memcmp(was, is, width) == 0) continue;
     for (std::size_t x = 0; x < width; ++x) {
-      if (((was[x] ^ is[x]) & GridGround::blocked_bit) != 0) changed.push_back({static_cast<int>(x), y});
+      if (((was[x] ^ is[x]) & GridMap::blocked_bit) != 0) changed.push_back({static_cast<int>(x), y});
     }
     if (changed.size() > most) return std::nullopt;
   }

@@ -1,4 +1,4 @@
-#include "outrider/jobs/guard/site.hpp"
+#include "outrider/jobs/guard/firing_map.hpp"
 
 #include <fmt/format.h>
 
@@ -111,7 +111,7 @@ Status check_targets(const GuardProblem& problem) {
   return {};
 }
 
-/// Bytes that planning holds at most for each cell: this struct's vectors, one pitch and one spread a
+/// Bytes that planning holds at most for each cell: this struct's vectors, one pitch and one error_ratio a
 /// target, and the candidate masks.
 double bytes_needed(const GridFrame& frame, std::size_t targets) {
   const double per_cell = 3.0 + 4.0 + 4.0 + 5.0 * static_cast<double>(targets) +
@@ -150,7 +150,7 @@ double steepest_under(const HeightField& field, Vec2 p, double radius_m) {
   return slope;
 }
 
-Status check_start(const GuardProblem& problem, const Ground& ground) {
+Status check_start(const GuardProblem& problem, const CollisionMap& ground) {
   const Vec2 p = problem.start.position;
   const double radius = problem.robot.radius_m;
   if (!problem.world.bounds.contains(p)) {
@@ -180,26 +180,27 @@ Status check_start(const GuardProblem& problem, const Ground& ground) {
   return {};
 }
 
-void find_standable(Site& site, double radius_m, double spare_m) {
-  for (std::size_t i = 0; i < site.frame.size(); ++i) {
-    const double clearance = site.ground.clearance(site.frame.centre(site.frame.cell(i)), radius_m + spare_m);
-    site.clearance_m[i] = static_cast<float>(clearance);
-    site.standable[i] = clearance >= radius_m ? 1 : 0;
+void find_standable(FiringMap& firing_map, double radius_m, double spare_m) {
+  for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
+    const double clearance =
+        firing_map.ground.clearance(firing_map.frame.centre(firing_map.frame.cell(i)), radius_m + spare_m);
+    firing_map.clearance_m[i] = static_cast<float>(clearance);
+    firing_map.standable[i] = clearance >= radius_m ? 1 : 0;
   }
 }
 
 /// Breadth-first from the cells that the start sees within two steps; every step is swept exactly.
-void find_reachable(Site& site, Vec2 start, double radius_m) {
-  const GridFrame& frame = site.frame;
+void find_reachable(FiringMap& firing_map, Vec2 start, double radius_m) {
+  const GridFrame& frame = firing_map.frame;
   const double step = frame.resolution_m;
   std::queue<std::size_t> open;
   const auto reach = [&](Vec2 from, std::optional<std::size_t> parent, Cell c, bool surely_free) {
     if (!frame.contains(c)) return;
     const std::size_t i = frame.index(c);
-    if (site.standable[i] == 0 || site.reachable[i] != 0) return;
-    if (!surely_free && !site.ground.segment_free({from, frame.centre(c)}, radius_m)) return;
-    site.reachable[i] = 1;
-    site.homeward[i] = static_cast<std::uint32_t>(parent.value_or(i));
+    if (firing_map.standable[i] == 0 || firing_map.reachable[i] != 0) return;
+    if (!surely_free && !firing_map.ground.segment_free({from, frame.centre(c)}, radius_m)) return;
+    firing_map.reachable[i] = 1;
+    firing_map.homeward[i] = static_cast<std::uint32_t>(parent.value_or(i));
     open.push(i);
   };
   const Cell home = frame.cell_at(start);
@@ -211,7 +212,7 @@ void find_reachable(Site& site, Vec2 start, double radius_m) {
     open.pop();
     const Cell c = frame.cell(i);
     // Within half a diagonal step of a cell with that much to spare nothing can be touched.
-    const bool roomy = site.clearance_m[i] >= radius_m + 1.5 * step;
+    const bool roomy = firing_map.clearance_m[i] >= radius_m + 1.5 * step;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) reach(frame.centre(c), i, {c.x + dx, c.y + dy}, roomy);
     }
@@ -232,29 +233,30 @@ std::vector<FlightSpace> flight_spaces(const GuardProblem& problem) {
 }
 
 /// Tries everything the resolution allows before a target counts as out of reach.
-void prove(Site& site, const Target& target, std::size_t t, const std::stop_token& stop) {
-  const FlightSpace& space = site.space(t);
-  Exhausted tried = exhaust(site.rules, space, target, site.frame, site.reachable, stop);
+void prove(FiringMap& firing_map, const Target& target, std::size_t t, const std::stop_token& stop) {
+  const FlightSpace& space = firing_map.space(t);
+  Exhausted tried = exhaust(firing_map.rules, space, target, firing_map.frame, firing_map.reachable, stop);
   if (tried.found) {
-    FiringRegion& region = site.regions[t];
-    const auto pitches = pitch_lattice(site.rules);
-    const Vec2 place = site.frame.centre(site.frame.cell(*tried.found));
-    const double pitch = angles_of(stance_at(site.rules, place), tried.shot).pitch_rad;
+    FiringRegion& region = firing_map.regions[t];
+    const auto pitches = pitch_lattice(firing_map.rules);
+    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(*tried.found));
+    const double pitch = angles_of(stance_at(firing_map.rules, place), tried.shot).pitch_rad;
     const auto index =
         std::ranges::min_element(pitches, {}, [pitch](double p) { return std::abs(p - pitch); }) -
         pitches.begin();
     region.pitch[*tried.found] = static_cast<std::uint8_t>(index);
-    region.spread[*tried.found] = static_cast<float>(spread(site.rules, target, place, tried.shot));
+    region.error_ratio[*tried.found] =
+        static_cast<float>(error_ratio(firing_map.rules, target, place, tried.shot));
     region.hits = 1;
     return;
   }
-  std::vector<std::uint8_t> elsewhere(site.frame.size());
+  std::vector<std::uint8_t> elsewhere(firing_map.frame.size());
   for (std::size_t i = 0; i < elsewhere.size(); ++i) {
-    elsewhere[i] = site.standable[i] != 0 && site.reachable[i] == 0 ? 1 : 0;
+    elsewhere[i] = firing_map.standable[i] != 0 && firing_map.reachable[i] == 0 ? 1 : 0;
   }
-  site.proofs[t].from_elsewhere =
-      firing_region(site.rules, space, target, site.frame, elsewhere, stop).hits > 0;
-  site.proofs[t].exhausted = std::move(tried);
+  firing_map.proofs[t].from_elsewhere =
+      firing_region(firing_map.rules, space, target, firing_map.frame, elsewhere, stop).hits > 0;
+  firing_map.proofs[t].exhausted = std::move(tried);
 }
 
 World driving_world(const GuardProblem& problem) {
@@ -267,38 +269,40 @@ World driving_world(const GuardProblem& problem) {
 
 }  // namespace
 
-Outcome<Site> survey(const GuardProblem& problem, const GuardOptions& options, const Budget& budget,
-                     RegionSearch search) {
+Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
+                                    const Budget& budget, RegionSearch search) {
   if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
   if (auto ok = check_targets(problem); !ok) return pass_on(ok);
   auto frame = frame_for(problem, options);
   if (!frame) return pass_on(frame);
 
-  Site site{rules_of(problem, options),
-            flight_spaces(problem),
-            Ground::of(driving_world(problem), problem.robot.height_m, 1e-3, problem.robot.max_slope_rad),
-            *frame,
-            std::vector<std::uint8_t>(frame->size(), 0),
-            std::vector<std::uint8_t>(frame->size(), 0),
-            std::vector<float>(frame->size(), 0.0F),
-            std::vector<std::uint32_t>(frame->size(), 0),
-            std::vector<FiringRegion>(problem.targets.size()),
-            std::vector<Proof>(problem.targets.size())};
-  if (auto ok = check_start(problem, site.ground); !ok) return pass_on(ok);
+  FiringMap firing_map{
+      rules_of(problem, options),
+      flight_spaces(problem),
+      CollisionMap::of(driving_world(problem), problem.robot.height_m, 1e-3, problem.robot.max_slope_rad),
+      *frame,
+      std::vector<std::uint8_t>(frame->size(), 0),
+      std::vector<std::uint8_t>(frame->size(), 0),
+      std::vector<float>(frame->size(), 0.0F),
+      std::vector<std::uint32_t>(frame->size(), 0),
+      std::vector<FiringRegion>(problem.targets.size()),
+      std::vector<Proof>(problem.targets.size())};
+  if (auto ok = check_start(problem, firing_map.ground); !ok) return pass_on(ok);
 
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
-  find_standable(site, problem.robot.radius_m, spare);
-  find_reachable(site, problem.start.position, problem.robot.radius_m);
-  if (search == RegionSearch::none) return site;
+  find_standable(firing_map, problem.robot.radius_m, spare);
+  find_reachable(firing_map, problem.start.position, problem.robot.radius_m);
+  if (search == RegionSearch::none) return firing_map;
   parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
-    site.regions[i] =
-        firing_region(site.rules, site.space(i), target, site.frame, site.reachable, budget.stop);
-    if (site.regions[i].hits == 0 && search == RegionSearch::proven) prove(site, target, i, budget.stop);
+    firing_map.regions[i] = firing_region(firing_map.rules, firing_map.space(i), target, firing_map.frame,
+                                          firing_map.reachable, budget.stop);
+    if (firing_map.regions[i].hits == 0 && search == RegionSearch::proven)
+      prove(firing_map, target, i, budget.stop);
   });
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");
-  return site;
+  return firing_map;
 }
 
 }  // namespace outrider

@@ -1,0 +1,114 @@
+#include "outrider/jobs/guard/precomputed_stops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/core/parallel.hpp"
+#include "outrider/jobs/guard/stops.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double tile_m = 0.8;
+constexpr double good_rate = 0.85;  // least hit rate of a shot while there is a choice
+constexpr double least_rate = 0.05;
+
+struct Offer {
+  std::size_t stop = 0;
+  std::size_t target = 0;
+  double pitch_rad = 0.0;
+  std::optional<PlannedShot> shot;
+};
+
+void offer_plan(const GuardPlan& plan, PrecomputedStops& precomputed, std::vector<Offer>& offers) {
+  for (const PlannedStop& stop : plan.stops) {
+    Visit visit{precomputed.stops.size(), {}};
+    for (const PlannedHit& hit : stop.hits) {
+      offers.push_back({visit.stop, hit.target, 0.0, hit.shot});
+      visit.goals.push_back(static_cast<std::uint32_t>(hit.target));
+    }
+    precomputed.stops.push_back(stop.position);
+    precomputed.tour.push_back(std::move(visit));
+  }
+}
+
+/// Fault: cancelled.
+Status offer_others(const GuardProblem& problem, const FiringMap& firing_map, std::size_t most,
+                    PrecomputedStops& precomputed, std::vector<Offer>& offers, const std::stop_token& stop) {
+  const SureHits hits = sure_hits(problem, firing_map);
+  const std::size_t planned = offers.size();
+  const auto pitches = pitch_lattice(firing_map.rules);
+  for (const std::size_t cell : choose_stops(firing_map, hits, tile_m, most, {}, 0.0)) {
+    const Vec2 place = firing_map.frame.centre(firing_map.frame.cell(cell));
+    if (std::find(precomputed.stops.begin(), precomputed.stops.end(), place) != precomputed.stops.end())
+      continue;
+    for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+      if (hits.has(cell, t)) {
+        offers.push_back({precomputed.stops.size(), t, pitches[firing_map.regions[t].pitch[cell]], {}});
+      }
+    }
+    precomputed.stops.push_back(place);
+  }
+  const bool done = parallel_for(offers.size() - planned, stop, [&](std::size_t i) {
+    Offer& offer = offers[planned + i];
+    offer.shot = best_shot(firing_map.rules, firing_map.space(offer.target), problem.targets[offer.target],
+                           precomputed.stops[offer.stop], offer.pitch_rad);
+  });
+  if (!done) return fault(FaultCode::cancelled, "it was cancelled while it looked for shots");
+  return {};
+}
+
+/// The services of the offers: those of the plan, the first stops, and good ones alone where a target has
+/// such.
+void take(const std::vector<Offer>& offers, PrecomputedStops& precomputed) {
+  std::vector<char> good(precomputed.table.goals, 0);
+  for (const Offer& offer : offers) {
+    if (offer.shot && offer.shot->hit_rate >= good_rate) good[offer.target] = 1;
+  }
+  precomputed.table.services.resize(precomputed.stops.size());
+  precomputed.reachable.assign(precomputed.table.goals, 0);
+  for (const Offer& offer : offers) {
+    const bool planned = offer.stop <= precomputed.tour.size();
+    if (!offer.shot) continue;
+    if (!planned && good[offer.target] != 0 && offer.shot->hit_rate < good_rate) continue;
+    if (!std::isfinite(precomputed.table.drives[offer.stop].time_s)) continue;  // from the start
+    const PlannedShot& shot = *offer.shot;
+    precomputed.table.services[offer.stop].push_back({static_cast<std::uint32_t>(offer.target),
+                                                      shot.gun.yaw_rad, shot.gun.pitch_rad,
+                                                      shot.flight_s / std::max(shot.hit_rate, least_rate)});
+    precomputed.reachable[offer.target] = 1;
+  }
+}
+
+}  // namespace
+
+Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
+                                           const GuardPlan& plan, const ArrivalOptions& options,
+                                           const Budget& budget, const std::vector<Vec2>& besides) {
+  PrecomputedStops precomputed{{problem.start.position}, {}, Routes(nullptr), {}, {}};
+  std::vector<Offer> offers;
+  offer_plan(plan, precomputed, offers);
+  const auto most = static_cast<std::size_t>(options.stops);
+  if (auto ok = offer_others(problem, firing_map, most, precomputed, offers, budget.stop); !ok)
+    return pass_on(ok);
+  precomputed.stops.insert(precomputed.stops.end(), besides.begin(), besides.end());
+
+  auto routes = yard_routes(problem, firing_map, precomputed.stops, budget);
+  if (!routes) return pass_on(routes);
+  precomputed.routes = std::move(*routes);
+  TourProblem& table = precomputed.table;
+  table.goals = problem.targets.size();
+  table.heading_rad = problem.start.heading_rad;
+  table.turning = problem.robot.turning();
+  table.yaw_rate_radps = problem.gun.yaw_rate_radps;
+  table.pitch_rate_radps = problem.gun.pitch_rate_radps;
+  for (std::size_t i = 0; i < precomputed.stops.size(); ++i) {
+    for (std::size_t j = 0; j < precomputed.stops.size(); ++j) {
+      table.drives.push_back(precomputed.routes.between(i, j));
+    }
+  }
+  take(offers, precomputed);
+  return precomputed;
+}
+
+}  // namespace outrider
