@@ -19,32 +19,41 @@ struct State {
   std::array<Vec3, 4> u;
 };
 
-State moved(const State& state, const State& rate, double h) {
-  State next = state;
-  for (std::size_t i = 0; i < 4; ++i) {
-    next.place[i] = next.place[i] + h * rate.place[i];
-    next.u[i] = next.u[i] + h * rate.u[i];
-  }
-  return next;
+using Change = std::array<Vec3, 4>;
+
+Change moved(const Change& from, double h, const Change& rate) {
+  Change to;
+  for (std::size_t i = 0; i < 4; ++i) to[i] = from[i] + h * rate[i];
+  return to;
 }
 
-/// The law and its derivative along the changes; places relative to the wind.
-State rate_of(const State& state, const Air& air, double gravity) {
-  State rate{state.u, {air.acceleration(state.u[0], gravity), {}, {}, {}}};
-  const double speed = norm(state.u[0]);
+/// How the velocity through the air changes: the law, and its derivative along the changes.
+Change rate_of(const Change& u, const Air& air, double gravity) {
+  const double speed = norm(u[0]);
+  const double k = -air.drag_per_m * speed;
+  Change rate{Vec3{k * u[0].x, k * u[0].y, k * u[0].z - gravity}, {}, {}, {}};
   if (speed == 0.0) return rate;
   for (std::size_t i = 1; i < 4; ++i) {
-    rate.u[i] = -air.drag_per_m * (speed * state.u[i] + dot(state.u[0], state.u[i]) / speed * state.u[0]);
+    rate[i] = -air.drag_per_m * (speed * u[i] + dot(u[0], u[i]) / speed * u[0]);
   }
   return rate;
 }
 
+/// Places are relative to the wind, so the velocity through the air is their rate.
 State runge_kutta(const State& state, const Air& air, double gravity, double h) {
-  const State k1 = rate_of(state, air, gravity);
-  const State k2 = rate_of(moved(state, k1, 0.5 * h), air, gravity);
-  const State k3 = rate_of(moved(state, k2, 0.5 * h), air, gravity);
-  const State k4 = rate_of(moved(state, k3, h), air, gravity);
-  return moved(moved(moved(moved(state, k1, h / 6.0), k2, h / 3.0), k3, h / 3.0), k4, h / 6.0);
+  const Change& u1 = state.u;
+  const Change a1 = rate_of(u1, air, gravity);
+  const Change u2 = moved(u1, 0.5 * h, a1);
+  const Change a2 = rate_of(u2, air, gravity);
+  const Change u3 = moved(u1, 0.5 * h, a2);
+  const Change a3 = rate_of(u3, air, gravity);
+  const Change u4 = moved(u1, h, a3);
+  const Change a4 = rate_of(u4, air, gravity);
+  const auto sum = [h](const Change& from, const Change& k1, const Change& k2, const Change& k3,
+                       const Change& k4) {
+    return moved(moved(moved(moved(from, h / 6.0, k1), h / 3.0, k2), h / 3.0, k3), h / 6.0, k4);
+  };
+  return {sum(state.place, u1, u2, u3, u4), sum(u1, a1, a2, a3, a4)};
 }
 
 /// The ball as it leaves.

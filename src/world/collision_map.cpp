@@ -120,7 +120,8 @@ CollisionMap::CollisionMap(const Box2& bounds, std::vector<RoundedPolygon> obsta
   }
 }
 
-CollisionMap CollisionMap::of(const World& world, double robot_height_m, double step_m, double max_slope_rad) {
+CollisionMap CollisionMap::of(const World& world, double robot_height_m, double step_m,
+                              double max_slope_rad) {
   std::vector<RoundedPolygon> obstacles;
   for (const Solid& solid : world.solids) {
     const Interval under = world.terrain ? world.terrain->heights_over(outrider::bounds(solid).ground())

@@ -41,7 +41,7 @@ class Physics(ToolTest):
         self.refused(*self.guard("--sim", "magic"), says=["sim", "'magic'", "kinematic or physics"])
         self.carried_out()
         for flags in [("--air-drag", "0.02"), ("--arrivals-leave", "0.5"), ("--supplies-tank", "5")]:
-            self.refused(*self.guard("--sim", "physics", *flags), says=["sim", "kinematic"])
+            self.refused(*self.guard("--sim", "physics", *flags), says=["sim", "rigid bodies", "do not go together"])
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ class Scout(ToolTest):
         for words in [["--targets-block"], ["--plan-shoot-on-the-move"], ["--wander-speed", "0.5"]]:
             result = self.run_tool("run", YARD, *words)
             self.assertEqual(result.returncode, 2, words)
-            self.assertIn("not known", result.stderr)
+            self.assertIn("an unknown yard", result.stderr)
 
 
 if __name__ == "__main__":

@@ -46,9 +46,9 @@ class Stations(ToolTest):
                 (["--supplies-stations=well=1,1"], ["supplies.stations", "name=x,y,water"]),
                 (["--supplies-stations=well=9,1,water"], ["supplies.stations", "outside the yard"]),
                 (["--supplies-tank", "5", "--supplies-stations=well=1,1,water"], ["supplies.stations", "obstacle"]),
-                (["--supplies-tank", "5", "--sim", "physics"], ["sim", "kinematic"]),
-                (["--supplies-tank", "5", "--arrivals-count", "2", "--arrivals-entrances=gate=-2,-2"],
-                 ["supplies", "everybody is there from the start"])]:
+                (["--supplies-tank", "5", "--sim", "physics"], ["sim", "rigid bodies", "no tank and no battery"]),
+                (["--supplies-tank", "5", "--wander-speed", "0.5"],
+                 ["supplies", "wander.speed", "without stations"])]:
             with self.subTest(flags=flags):
                 self.refused(*self.guard(*flags, "--out", "out"), says=says)
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
+#include "outrider/world/height_field.hpp"
 #include "outrider/world/solid.hpp"
 
 namespace outrider::testing {
@@ -83,32 +84,64 @@ struct FineEnd {
   double gap_m = 0.0;                ///< least distance from the ball to any solid until then, up to 0.1 m
 };
 
-/// Integrates the flight in steps of `step_m` until the ball touches the target or a solid (a solid wins
-/// when both happen in one step), or falls below `lowest_z`.
-inline FineEnd fly_fine(Vec3 p, Vec3 v, double gravity, double ball_radius, const std::vector<Solid>& solids,
-                        const Solid* target, double lowest_z, double step_m = 2e-4) {
+/// What pulls at a ball: gravity, and the drag of air that moves with the wind.
+struct FineLaw {
+  double gravity_mps2 = 9.8;
+  double drag_per_m = 0.0;
+  Vec3 wind_mps = {};
+
+  [[nodiscard]] Vec3 acceleration(Vec3 v) const {
+    const Vec3 down{0, 0, -gravity_mps2};
+    if (drag_per_m == 0.0) return down;
+    const Vec3 u = v - wind_mps;
+    return down - drag_per_m * norm(u) * u;
+  }
+};
+
+/// Integrates the flight in steps of `step_m` until the ball touches the target or something else (which wins
+/// when both happen in one step), or falls below `lowest_z`. `to_target(p, time_s)` and `to_ground(p)` are
+/// distances from the centre of the ball; solids that are height fields are left to `to_ground`.
+template <class ToTarget, class ToGround>
+FineEnd fly_fine(Vec3 p, Vec3 v, const FineLaw& law, double ball_radius, const std::vector<Solid>& solids,
+                 const ToTarget& to_target, const ToGround& to_ground, double lowest_z, double step_m) {
   constexpr double far = 0.1;
   std::vector<double> reach;
-  for (const Solid& solid : solids) reach.push_back(own_radius(solid.shape) + ball_radius + far);
+  for (const Solid& solid : solids) {
+    const bool is_ground = std::holds_alternative<HeightFieldShape>(solid.shape);
+    reach.push_back(is_ground ? 0.0 : own_radius(solid.shape) + ball_radius + far);
+  }
   FineEnd end;
   end.gap_m = far;
   for (;;) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
       if (squared_norm(p - solids[i].world_T_solid.position) > reach[i] * reach[i]) continue;
+      if (reach[i] == 0.0) continue;
       const double gap = own_distance(p, solids[i]) - ball_radius;
       end.gap_m = std::min(end.gap_m, std::max(0.0, gap));
       if (gap <= 0.0 && !end.solid) end.solid = i;
     }
+    if (!end.solid && to_ground(p) <= ball_radius) end.solid = solids.size();
     end.position = p;
     if (end.solid) return end;
-    end.hit = target != nullptr && own_distance(p, *target) <= ball_radius;
+    end.hit = to_target(p, end.time_s) <= ball_radius;
     if (end.hit || p.z < lowest_z) return end;
     const double dt = step_m / norm(v);
-    const Vec3 later = v - Vec3{0, 0, gravity * dt};
+    const Vec3 later = v + dt * law.acceleration(v + 0.5 * dt * law.acceleration(v));
     p = p + 0.5 * dt * (v + later);
     v = later;
     end.time_s += dt;
   }
+}
+
+/// The same without air, at a target that stands still, on a floor that is a solid.
+inline FineEnd fly_fine(Vec3 p, Vec3 v, double gravity, double ball_radius, const std::vector<Solid>& solids,
+                        const Solid* target, double lowest_z, double step_m = 2e-4) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto to_target = [&](Vec3 at, double) {
+    return target != nullptr ? own_distance(at, *target) : never;
+  };
+  return fly_fine(
+      p, v, FineLaw{gravity}, ball_radius, solids, to_target, [](Vec3) { return never; }, lowest_z, step_m);
 }
 
 /// A shot from the issue's own words: where the tip is at a pitch, and the speed that passes a point.

@@ -59,6 +59,7 @@ const std::vector<Clash>& clashes() {
       {walkers, blocking, who_is_inside},
       {supplies, on_the_move, "plans with stations shoot from a standstill"},
       {supplies, rigid, "the rigid robot has no tank and no battery"},
+      {terrain, air, "drag is modelled on level ground only"},
       {terrain, on_the_move, "shots from a robot that drives are solved for level ground"},
       {terrain, unknown, "the map of a range finder is level"},
       {terrain, rigid, "the rigid robot rolls on a level floor"},

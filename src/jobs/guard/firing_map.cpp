@@ -270,7 +270,7 @@ World driving_world(const GuardProblem& problem) {
 }  // namespace
 
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
-                                    const Budget& budget) {
+                                    const Budget& budget, RegionSearch search) {
   if (auto ok = check_numbers(problem, options); !ok) return pass_on(ok);
   if (auto ok = check_targets(problem); !ok) return pass_on(ok);
   auto frame = frame_for(problem, options);
@@ -292,11 +292,13 @@ Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOpti
   const double spare = std::max(problem.errors.position_m, 1.5 * options.resolution_m);
   find_standable(firing_map, problem.robot.radius_m, spare);
   find_reachable(firing_map, problem.start.position, problem.robot.radius_m);
+  if (search == RegionSearch::none) return firing_map;
   parallel_for(problem.targets.size(), [&](std::size_t i) {
     const Target& target = problem.targets[i];
     firing_map.regions[i] = firing_region(firing_map.rules, firing_map.space(i), target, firing_map.frame,
                                           firing_map.reachable, budget.stop);
-    if (firing_map.regions[i].hits == 0) prove(firing_map, target, i, budget.stop);
+    if (firing_map.regions[i].hits == 0 && search == RegionSearch::proven)
+      prove(firing_map, target, i, budget.stop);
   });
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it looked for places to shoot from");

@@ -20,6 +20,9 @@ void list_targets(Report& report, const GuardRun& run, const GuardMission& missi
 /// The first store that ran empty, in a sentence; empty when none did.
 std::string ran_dry(const Report& report);
 
+/// What is added to the reason of a mission that ended because no station was left; empty for any other.
+std::string why_stranded(const Report& report);
+
 /// Moves the record into the report and concludes: targets, status, reason and metrics.
 void close_report(Report& report, const GuardRun& run, const GuardMission& mission, SimRecord& record,
                   double expected_hits);

@@ -84,7 +84,10 @@ Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner&
   RunSteps steps(watch, 3);
   const double began_s = wall_s();
   if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
-  auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget());
+  // Who walks about is not shot at by the regions of where it stood first.
+  const bool needs_regions = !scenario.wander.any() || scenario.regions;
+  auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
+                                     needs_regions ? RegionSearch::proven : RegionSearch::none);
   if (!firing_map) return pass_on(firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
   auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch);

@@ -39,7 +39,7 @@ Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, do
     if (records[i].status == TargetStatus::failed) tally.failed += 1.0;
     const double enters_s = run.arrivals ? run.arrivals->yard.intruders[i].enters_s : 0.0;
     const double leaves_s = reached ? records[i].done_s : end_s;
-    tally.inside_s += leaves_s - enters_s;
+    tally.inside_s += std::max(0.0, leaves_s - enters_s);  // it may not have come before the end
     tally.longest_s = std::max(tally.longest_s, leaves_s - enters_s);
     tally.last_s = std::max(tally.last_s, leaves_s);
   }
@@ -158,8 +158,10 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
 
 /// When somebody came in, among the other events.
 void tell_of_arrivals(Report& report, const std::vector<Intruder>& intruders) {
+  const double end_s = report.track.back().time_s;
   for (const Intruder& one : intruders) {
     if (one.entrance.empty()) continue;  // it was there from the start
+    if (one.enters_s > end_s) continue;  // a robot that is stranded does not see it
     report.events.push_back(
         {one.enters_s, "enter", fmt::format("{} comes in by {}", one.name, one.entrance)});
   }
@@ -202,6 +204,11 @@ std::string ran_dry(const Report& report) {
   return {};
 }
 
+std::string why_stranded(const Report& report) {
+  const auto event = std::ranges::find(report.events, "stranded", &ReportEvent::kind);
+  return event == report.events.end() ? std::string() : "; " + event->text;
+}
+
 void close_report(Report& report, const GuardRun& run, const GuardMission& mission, SimRecord& record,
                   double expected_hits) {
   swap_entries(record, report);
@@ -219,9 +226,12 @@ void close_report(Report& report, const GuardRun& run, const GuardMission& missi
   if (report.supplies) add(supply_metrics(report, mission.stores));
   if (run.options.shoot_on_the_move) add(passing_metrics(report));
   if (record.rigid) add(rigid_metrics(*record.rigid));
+  if (mission.stores.stranded) {
+    report.events.push_back({report.track.back().time_s, "stranded", mission.stores.reason});
+  }
   const std::string dry = ran_dry(report);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
-  report.reason = dry.empty() ? reason_of(run, tally) : dry;
+  report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(report) : dry;
 }
 
 }  // namespace outrider

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "outrider/ballistics/sight.hpp"
+
 namespace outrider {
 namespace {
 
@@ -38,7 +40,8 @@ void note_seen(MovingTargets& targets, const Observation& seen, const WanderOpti
   }
 }
 
-/// The part of the possible futures, under the errors of the gun, in which the shot hits.
+/// The part of the possible futures, under the errors of the gun, in which the shot hits; something below
+/// `options.chance` as soon as that is certain to be too much.
 double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size_t who, const LedShot& led,
                  Vec2 position, Rng rng) {
   const ShotRules& rules = plan.firing_map.rules;
@@ -56,8 +59,28 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
                     .hit
                 ? 1U
                 : 0U;
+    const double most = static_cast<double>(hits + flown - i - 1) / static_cast<double>(flown);
+    if (most < plan.options.chance) return most;
   }
   return static_cast<double>(hits) / static_cast<double>(flown);
+}
+
+/// No shot at one who is on that walk meets it sooner. Over the ground a ball is never faster than it leaves
+/// the gun or than the wind, as drag takes it from the one to the other.
+double soonest_meeting_s(const ShotRules& rules, const Target& target, const Walk& walk, double speed_mps,
+                         const Observation& seen) {
+  const double nearest_m = distance(walk.at(seen.time_s), seen.odometry.position) -
+                           std::hypot(rules.gun.tip_forward_m, rules.gun.tip_up_m) - rules.gun.ball_radius_m -
+                           0.5 * std::hypot(target.size.x, target.size.y);
+  const double ball_mps = rules.air.none() ? rules.gun.muzzle_speed_mps
+                                           : std::max(rules.gun.muzzle_speed_mps, rules.air.wind_mps);
+  constexpr double rounding_s = 1e-6;
+  return seen.time_s + std::max(0.0, nearest_m) / (ball_mps + speed_mps) - rounding_s;
+}
+
+bool is_out_of_range(const MovingPlan& plan, std::size_t who, const Walk& walk, const Observation& seen) {
+  return !plan.longest_m.empty() &&
+         distance(walk.at(seen.time_s), seen.odometry.position) > plan.longest_m[who];
 }
 
 /// The soonest shot that is likely enough, if there is one.
@@ -67,8 +90,11 @@ std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& task
   const double yaw_rad = wrap_angle(seen.odometry.heading_rad + seen.gun->yaw_rad);
   for (std::size_t who = 0; who < targets.tracks.size(); ++who) {
     if (!is_wanted(targets, tasks, who)) continue;
-    const Walk walk =
-        straight_on(stride_of(targets.tracks[who], plan.options), seen.time_s + flight_horizon_s);
+    const Stride stride = stride_of(targets.tracks[who], plan.options);
+    const Walk walk = straight_on(stride, seen.time_s + flight_horizon_s);
+    const double soonest_s = soonest_meeting_s(plan.firing_map.rules, plan.problem.targets[who], walk,
+                                               norm(stride.velocity_mps), seen);
+    if (is_out_of_range(plan, who, walk, seen) || (best && best->meets_s <= soonest_s)) continue;
     const auto led = led_shot(plan.firing_map.rules, plan.firing_map.space(who), plan.problem.targets[who],
                               walk, seen.odometry.position, yaw_rad, seen.gun->pitch_rad, seen.time_s);
     if (!led || (best && best->meets_s <= led->meets_s)) continue;
@@ -186,12 +212,19 @@ Outcome<MovingPlan> plan_moving(const GuardProblem& problem, const FiringMap& fi
     regions.targets.push_back(std::move(target));
   }
   GuardOptions coarse = options;
-  coarse.resolution_m = std::max(options.resolution_m, 0.2);
-  auto surveyed = build_firing_map(regions, coarse, budget);
+  // Stops need not be finer than that beside regions 1.5 m apart; in air each place takes far longer.
+  coarse.resolution_m = std::max(options.resolution_m, problem.air.none() ? 0.2 : 0.3);
+  // In air it takes long to prove that a region cannot be hit, and a stop is all that a proof could find.
+  auto surveyed = build_firing_map(regions, coarse, budget,
+                                   problem.air.none() ? RegionSearch::proven : RegionSearch::centres_only);
   if (!surveyed) return pass_on(surveyed);
   auto precomputed = precompute_stops(regions, *surveyed, {}, {}, budget);
   if (!precomputed) return pass_on(precomputed);
-  return MovingPlan{problem, firing_map, map, std::move(*precomputed), wander};
+  std::vector<double> longest_m;
+  if (!problem.air.none()) {
+    for (const Target& target : problem.targets) longest_m.push_back(longest_range(firing_map.rules, target));
+  }
+  return MovingPlan{problem, firing_map, map, std::move(*precomputed), wander, std::move(longest_m)};
 }
 
 MovingTargets begin_moving(const MovingPlan& plan) {

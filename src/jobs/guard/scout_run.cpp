@@ -168,7 +168,8 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
   if (reached < targets) {
     report.reason =
         fmt::format("{} of {} targets seen, {} reached, {} failed, {} proven to be out of reach on the map",
-                    seen, targets, reached, failed, targets - reached - failed);
+                    seen, targets, reached, failed, targets - reached - failed) +
+        why_stranded(report);
   } else if (touches > 0.0) {
     report.reason = "something was touched";
   }

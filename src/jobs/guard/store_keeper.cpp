@@ -120,6 +120,7 @@ void give_up(StoreKeeper& keeper, StopTasks& tasks, Store store, const Observati
   }
   tasks.queue.clear();
   keeper.stranded = true;
+  keeper.reason = why;
 }
 
 }  // namespace

@@ -47,8 +47,7 @@ class Played {
   double time_s(Rng rng) {
     const auto group = static_cast<std::size_t>(model_.options.group);
     while (!inside_.empty()) {
-      const std::size_t count =
-          model_.policy.replan.take({inside_.size(), entered_, hits_.empty(), group});
+      const std::size_t count = model_.policy.replan.take({inside_.size(), entered_, hits_.empty(), group});
       if (count > 0) plan(std::min({count, inside_.size(), most_planned}));
       if (hits_.empty()) return now_.time_s;  // nobody of them can be hit
       hit(rng);

@@ -40,10 +40,17 @@ struct FiringMap {
   }
 };
 
+/// How far the search for places to shoot from goes.
+enum class RegionSearch : std::uint8_t {
+  proven,  ///< a target without one gets exhaust()'s proof that there is none, or the place that it finds
+  centres_only,  ///< shots at the centre of each target are tried; no proofs
+  none           ///< there are no regions
+};
+
 /// Refused: an empty or too fine grid (memory), a start that is blocked or outside, a target whose
 /// centre is inside a solid, numbers that are not finite or out of the range of their option. O(cells x
 /// targets); regions in parallel, with the same result for any number of threads.
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
-                                    const Budget& budget = {});
+                                    const Budget& budget = {}, RegionSearch search = RegionSearch::proven);
 
 }  // namespace outrider

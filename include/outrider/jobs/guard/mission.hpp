@@ -26,8 +26,10 @@ class GuardMission {
   GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
   /// They come one after another, or may survive.
   explicit GuardMission(const ArrivalPlan& plan);
+  explicit GuardMission(const ArrivalPlan&& plan) = delete;
   /// They walk about.
   explicit GuardMission(const MovingPlan& plan);
+  explicit GuardMission(const MovingPlan&& plan) = delete;
 
   /// The next command, or nothing when the mission is over. Where the problem has limited stores, the
   /// observation has to tell their levels; where intruders come or walk, what the detector sees.

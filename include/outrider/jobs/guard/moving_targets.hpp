@@ -29,6 +29,7 @@ struct MovingPlan {
   VisitMap map;            ///< before the mission
   PrecomputedStops stops;  ///< of a yard whose targets are the regions of the map
   WanderOptions options;
+  std::vector<double> longest_m;  ///< by target, no shot goes farther in air; empty without air
 };
 
 /// Surveys from where the regions of a map can be hit, by targets of the size of the first. Refused as

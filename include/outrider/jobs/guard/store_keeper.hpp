@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "outrider/jobs/guard/stop_tasks.hpp"
 
@@ -18,6 +19,7 @@ struct StoreKeeper {
   int fills = 0;          ///< since the last shot or wait; at most six
   int detours = 0;        ///< visits to stations that the plan did not have
   bool stranded = false;  ///< the mission is over
+  std::string reason;     ///< why, in a sentence without its full stop
 };
 
 /// The store that does not suffice for a command that `tasks` led to and for what follows it; nothing when

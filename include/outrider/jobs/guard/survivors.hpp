@@ -4,9 +4,9 @@
 // (tour/problem.hpp); each hit is followed by a draw whether the intruder leaves, and if not, of another
 // place, uniformly, to which it walks in a straight line. The robot knows at once where it goes.
 //
-// A policy says when to plan anew, and with which objective. Each candidate is played in the model many times with
-// the same draws, and the one with the least mean is taken: the rollout of whole policies (Chang, Givan and
-// Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). So in the model, and up to the error
+// A policy says when to plan anew, and with which objective. Each candidate is played in the model many times
+// with the same draws, and the one with the least mean is taken: the rollout of whole policies (Chang, Givan
+// and Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). So in the model, and up to the error
 // that is stated, it is no worse than any candidate; it need not be the best of all policies.
 #pragma once
 

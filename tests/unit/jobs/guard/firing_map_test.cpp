@@ -240,5 +240,39 @@ TEST(Survey, TargetsBlockShotsAndDrivingOnlyWhenTold) {
   EXPECT_EQ(build_firing_map(problem, {}).error().code, FaultCode::start_blocked);
 }
 
+/// What is left out of a quicker survey is the proofs and what they find, and nothing else.
+TEST(Survey, WithoutProofsHasTheSameRegionsOfCentres) {
+  Rng rng(95);
+  int left_out = 0;
+  for (int i = 0; i < testing::cases(3); ++i) {
+    GuardProblem problem = testing::random_guard_problem(rng, 6, 4, 2.0);
+    problem.targets[0].base.z = 8.0;
+    if (i == 0) problem.air = {0.02, 1.0, 0.5};
+    GuardOptions options = testing::quick();
+    options.resolution_m = 0.4;
+    options.pitch_step_rad = radians(7.5);
+    const auto proven = build_firing_map(problem, options);
+    const auto centres = build_firing_map(problem, options, {}, RegionSearch::centres_only);
+    const auto none = build_firing_map(problem, options, {}, RegionSearch::none);
+    ASSERT_TRUE(proven && centres && none);
+    EXPECT_EQ(proven->reachable, none->reachable);
+    EXPECT_EQ(proven->standable, none->standable);
+    ASSERT_EQ(none->regions.size(), problem.targets.size());
+    for (std::size_t t = 0; t < problem.targets.size(); ++t) {
+      EXPECT_EQ(none->regions[t].hits, 0U);
+      EXPECT_FALSE(centres->proofs[t].exhausted.has_value());
+      if (centres->regions[t].hits == 0) {
+        ++left_out;
+        continue;
+      }
+      EXPECT_EQ(proven->regions[t].pitch, centres->regions[t].pitch);
+      EXPECT_EQ(proven->regions[t].error_ratio, centres->regions[t].error_ratio);
+      EXPECT_FALSE(proven->proofs[t].exhausted.has_value());
+    }
+    EXPECT_TRUE(proven->proofs[0].exhausted.has_value());
+  }
+  EXPECT_GT(left_out, 0);
+}
+
 }  // namespace
 }  // namespace outrider

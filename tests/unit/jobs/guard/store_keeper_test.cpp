@@ -1,8 +1,11 @@
-// Missions on finite supplies: planned, executed and measured.
+// Missions on finite supplies: planned, executed and measured; and the single steps of the store keeper.
+#include "outrider/jobs/guard/store_keeper.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
@@ -160,6 +163,178 @@ TEST(SupplyPlan, WithoutEndIsThePlanItself) {
   ASSERT_TRUE(same);
   EXPECT_EQ(same->cost_s, plan->cost_s);
   EXPECT_EQ(same->stops.size(), plan->stops.size());
+}
+
+/// An open floor with a well and a dock, and the charge that it takes to get about there, by hand.
+struct OpenFloor {
+  GuardProblem problem;
+  std::optional<FiringMap> firing_map;
+  StopTasks tasks;
+  StoreKeeper keeper;
+
+  explicit OpenFloor(Vec2 well = {2.0, -3.5}, Vec2 dock = {-2.0, 0.5}) {
+    problem.world.bounds = {{-4, -4}, {4, 4}};
+    problem.world.solids = {testing::floor_at(0)};
+    problem.start = {{-2, -3.5}, radians(90)};
+    problem.targets = {{"fox", {0.5, 3.3, 0}, {0.4, 0.3, 0.4}}, {"cat", {-3, -1, 0}, {0.4, 0.3, 0.4}}};
+    problem.supplies.tank = 3.0;
+    problem.supplies.battery_wh = 1.0;
+    problem.supplies.stations = {{"well", well, true, false}, {"dock", dock, false, true}};
+    firing_map = build_firing_map(problem, coarse()).value();
+    tasks.records.resize(2);
+    tasks.queue.push_back({{1.0, 1.0}, {0}});
+  }
+
+  [[nodiscard]] double drive_j(Pose2 from, Vec2 to) const {
+    const RobotModel& robot = problem.robot;
+    const Vec2 way = to - from.position;
+    if (norm(way) == 0.0) return 0.0;
+    const double turn = testing::own_angle(std::atan2(way.y, way.x) - from.heading_rad);
+    const double time_s = testing::own_duration(turn, robot.turn_rate_radps, robot.turn_acceleration_radps2) +
+                          testing::own_duration(norm(way), robot.speed_mps, robot.acceleration_mps2);
+    return problem.supplies.power_w * time_s + problem.supplies.drive_jpm * norm(way);
+  }
+  [[nodiscard]] Pose2 after(Pose2 from, Vec2 to) const { return {to, heading_of(to - from.position)}; }
+  [[nodiscard]] Vec2 dock() const { return problem.supplies.stations[1].position; }
+  [[nodiscard]] double home_j(Pose2 from) const { return drive_j(from, dock()); }
+  /// Aim by half a turn, and the longest flight.
+  [[nodiscard]] double any_shot_j() const {
+    const double aim_s = pi / std::min(problem.gun.yaw_rate_radps, problem.gun.pitch_rate_radps);
+    const double flight_s = 2.0 * problem.gun.muzzle_speed_mps / problem.world.gravity_mps2;
+    return problem.supplies.power_w * (aim_s + flight_s) + problem.supplies.shot_j;
+  }
+  [[nodiscard]] Observation with(double water, double charge_j) const {
+    Observation seen{.time_s = 10.0, .odometry = problem.start, .gun = GunState{}};
+    seen.stores = StoreLevels{water, charge_j};
+    return seen;
+  }
+  std::optional<Store> lacking(Command command, double water, double charge_j) const {
+    return outrider::lacking(command, tasks, with(water, charge_j), problem, *firing_map);
+  }
+  /// The command takes just that charge, and water where it says so.
+  void expect_needs(const Command& command, double charge_j, bool water) const {
+    EXPECT_EQ(lacking(command, 3.0, charge_j + 1e-6), std::nullopt);
+    EXPECT_EQ(lacking(command, 3.0, charge_j - 1e-6), Store::charge);
+    EXPECT_EQ(lacking(command, 0.5, 3600.0), water ? std::optional(Store::water) : std::nullopt);
+  }
+  void provide(Store store, double water, double charge_j) {
+    outrider::provide(keeper, tasks, store, with(water, charge_j), problem, *firing_map);
+  }
+};
+
+TEST(StoreKeeper, KnowsWhatEachCommandTakes) {
+  OpenFloor floor;
+  const Pose2 start = floor.problem.start;
+  const double home_j = floor.home_j(start);
+  EXPECT_GT(home_j, 100.0);
+  floor.tasks.records[0].shot = PlannedShot{};
+  floor.tasks.records[0].shot->flight_s = 0.8;
+  const double shot_j = 0.8 * floor.problem.supplies.power_w + floor.problem.supplies.shot_j;
+  floor.expect_needs(Fire{0, {}}, shot_j + home_j, true);
+  floor.expect_needs(AimGun{0.3, 0.2}, floor.any_shot_j() + home_j, true);
+  const Vec2 stop{1.0, 1.0};
+  const FollowWaypoints drive{{start.position, stop}};
+  floor.expect_needs(
+      drive, floor.drive_j(start, stop) + floor.any_shot_j() + floor.home_j(floor.after(start, stop)), true);
+
+  // To the well: as far as the charger behind it. To the dock: as far as there.
+  const Vec2 well = floor.problem.supplies.stations[0].position;
+  floor.tasks.queue.push_front({well, {}, StationCall{0, Store::water}});
+  floor.expect_needs(FollowWaypoints{{start.position, well}},
+                     floor.drive_j(start, well) + floor.home_j(floor.after(start, well)), false);
+  EXPECT_EQ(floor.lacking(AimGun{0.0, 0.0}, 0.0, 0.0), std::nullopt) << "the gun is stowed at a station";
+  floor.tasks.queue.front() = {floor.dock(), {}, StationCall{1, Store::charge}};
+  floor.expect_needs(FollowWaypoints{{start.position, floor.dock()}}, floor.drive_j(start, floor.dock()),
+                     false);
+  EXPECT_EQ(floor.lacking(Fill{{1, Store::charge}}, 0.0, 0.0), std::nullopt);
+
+  // Without a charger only what the command takes counts; without a battery nothing does.
+  OpenFloor no_dock;
+  no_dock.problem.supplies.stations.pop_back();
+  no_dock.expect_needs(AimGun{0.3, 0.2}, no_dock.any_shot_j(), true);
+  no_dock.problem.supplies.battery_wh = 0.0;
+  EXPECT_EQ(no_dock.lacking(drive, 3.0, 0.0), std::nullopt);
+  EXPECT_EQ(no_dock.lacking(drive, 0.0, 0.0), Store::water);
+}
+
+TEST(StoreKeeper, CutsAWaitSoThatTheChargeSufficesToGetToTheCharger) {
+  OpenFloor floor;
+  const double needed_j = floor.any_shot_j() + floor.home_j(floor.problem.start);
+  for (const double until_s : {70.0, std::numeric_limits<double>::infinity()}) {
+    Command wait = Wait{until_s};
+    const Observation seen = floor.with(0.0, needed_j + 30.0 * floor.problem.supplies.power_w);
+    EXPECT_EQ(lacking(wait, floor.tasks, seen, floor.problem, *floor.firing_map), std::nullopt);
+    EXPECT_NEAR(std::get<Wait>(wait).until_s, 10.0 + 30.0, 1e-9);
+  }
+  Command brief = Wait{12.0};
+  EXPECT_EQ(lacking(brief, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
+            std::nullopt);
+  EXPECT_EQ(std::get<Wait>(brief).until_s, 12.0);
+  EXPECT_EQ(floor.lacking(Wait{70.0}, 3.0, needed_j - 1e-6), Store::charge);
+  floor.problem.supplies.power_w = 0.0;
+  Command free = Wait{1e9};
+  EXPECT_EQ(lacking(free, floor.tasks, floor.with(0.0, 3600.0), floor.problem, *floor.firing_map),
+            std::nullopt);
+  EXPECT_EQ(std::get<Wait>(free).until_s, 1e9);
+}
+
+TEST(StoreKeeper, GoesToTheChargerFirstWhenTheWaterIsTooFar) {
+  OpenFloor floor;
+  const Pose2 start = floor.problem.start;
+  const Vec2 well = floor.problem.supplies.stations[0].position;
+  const double to_well_j = floor.drive_j(start, well) + floor.home_j(floor.after(start, well));
+  floor.provide(Store::water, 0.0, to_well_j + 1e-6);
+  ASSERT_EQ(floor.tasks.queue.size(), 2U);
+  EXPECT_EQ(floor.tasks.queue.front().call, (StationCall{0, Store::water}));
+  EXPECT_EQ(floor.tasks.queue.front().place, well);
+  EXPECT_EQ(floor.keeper.detours, 1);
+
+  OpenFloor flat;
+  flat.tasks.arrived = flat.tasks.aimed = true;
+  flat.provide(Store::water, 0.0, to_well_j - 1e-6);
+  ASSERT_EQ(flat.tasks.queue.size(), 2U);
+  EXPECT_EQ(flat.tasks.queue.front().call, (StationCall{1, Store::charge}));
+  EXPECT_FALSE(flat.tasks.arrived || flat.tasks.aimed);
+  EXPECT_FALSE(flat.keeper.stranded);
+}
+
+TEST(StoreKeeper, GivesUpWhenNoStationCanBeGotTo) {
+  OpenFloor flat;
+  const double to_dock_j = flat.home_j(flat.problem.start);
+  flat.tasks.records[1].status = TargetStatus::reached;
+  flat.provide(Store::charge, 3.0, to_dock_j - 1e-6);
+  EXPECT_TRUE(flat.keeper.stranded);
+  EXPECT_NE(flat.keeper.reason.find("the charge does not suffice"), std::string::npos) << flat.keeper.reason;
+  EXPECT_TRUE(flat.tasks.queue.empty());
+  EXPECT_EQ(flat.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_EQ(flat.tasks.records[0].reason, flat.keeper.reason);
+  EXPECT_EQ(flat.tasks.records[1].status, TargetStatus::reached);
+
+  OpenFloor dry;
+  dry.problem.supplies.stations.erase(dry.problem.supplies.stations.begin());
+  dry.provide(Store::water, 0.0, 3600.0);
+  EXPECT_TRUE(dry.keeper.stranded);
+  EXPECT_NE(dry.keeper.reason.find("the water does not suffice"), std::string::npos);
+}
+
+TEST(StoreKeeper, GivesUpATaskForWhichFullStoresDoNotSuffice) {
+  OpenFloor floor;
+  floor.provide(Store::charge, 3.0, 3600.0);
+  EXPECT_FALSE(floor.keeper.stranded);
+  EXPECT_TRUE(floor.tasks.queue.empty());
+  EXPECT_EQ(floor.tasks.records[0].status, TargetStatus::failed);
+  EXPECT_NE(floor.tasks.records[0].reason.find("not even full stores"), std::string::npos);
+  EXPECT_EQ(floor.tasks.records[1].status, TargetStatus::waiting);
+
+  // Six fills without a shot between them are enough.
+  OpenFloor often;
+  for (int i = 0; i < 6; ++i) note_command(often.keeper, Fill{{1, Store::charge}});
+  EXPECT_EQ(often.keeper.fills, 6);
+  often.provide(Store::charge, 3.0, 1000.0);
+  EXPECT_EQ(often.tasks.records[0].status, TargetStatus::failed);
+  note_command(often.keeper, Fill{{1, Store::charge}});
+  note_command(often.keeper, Wait{1.0});
+  EXPECT_EQ(often.keeper.fills, 0);
 }
 
 }  // namespace

@@ -1,0 +1,375 @@
+// Capabilities together: whole missions on small yards, with every shot flown again and every store counted
+// again by code that took no part in the mission (support/guard_replay.hpp).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/jobs/guard/scout_run.hpp"
+#include "outrider/jobs/guard/simulate.hpp"
+#include "outrider/jobs/guard/supply_plan.hpp"
+#include "outrider/report/json.hpp"
+#include "support/guard_replay.hpp"
+#include "support/guard_runs.hpp"
+#include "support/guard_yard.hpp"
+#include "support/random_cases.hpp"
+#include "support/random_terrain.hpp"
+
+namespace outrider {
+namespace {
+
+using testing::cases;
+using testing::expect_everybody_accounted_for;
+using testing::expect_sound_stores;
+using testing::Ledger;
+using testing::replay_shots;
+using testing::Replayed;
+
+/// Where somebody at the place of a target is, and how large.
+auto boxes_of(const GuardProblem& problem) {
+  return [&problem](const ReportTarget& target, const ReportShot& shot, double) {
+    return testing::box_in(problem, target, shot.time_s);  // who was hit goes on only then
+  };
+}
+
+GuardOptions coarse() {
+  GuardOptions options;
+  options.resolution_m = 0.25;
+  options.stops = 60;
+  options.refinements = 0;
+  options.iterations = 50;
+  return options;
+}
+
+/// A tank of two shots and a small battery; the well and the dock are beside the start.
+void limit_stores(GuardProblem& problem) {
+  problem.supplies.tank = 2.0;
+  problem.supplies.battery_wh = 0.5;
+  problem.supplies.stations = {{"well", problem.start.position + Vec2{0.5, 0.0}, true, false},
+                               {"dock", problem.start.position + Vec2{-0.5, 0.0}, false, true}};
+}
+
+ArrivalOptions eight_intruders() {
+  ArrivalOptions options;
+  options.count = 8;
+  options.rate_hz = 0.05;
+  options.stops = 30;
+  options.beam = 20;
+  return options;
+}
+
+/// Intruders that come by one of two doors, as the options say; they are drawn from the seed.
+Outcome<Report> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals,
+                             std::uint64_t seed) {
+  const auto firing_map = build_firing_map(problem, coarse());
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  if (auto ok = check_supplies(problem, *firing_map); !ok) return pass_on(ok);
+  const auto plan = plan_guard(problem, *firing_map, coarse(), {});
+  if (!plan) return tl::unexpected<Fault>(plan.error());
+  if (!arrivals.any()) {
+    return simulate_surviving_targets(problem, *firing_map, *plan, arrivals, coarse(), seed);
+  }
+  const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
+  const auto intruders = draw_arrivals(problem, doors, arrivals, seed);
+  if (!intruders) return tl::unexpected<Fault>(intruders.error());
+  return simulate_arriving_targets(problem, *firing_map, *plan, *intruders, arrivals, coarse(), seed);
+}
+
+double survivals(const Report& report) {
+  return static_cast<double>(std::ranges::count(report.events, "survive", &ReportEvent::kind));
+}
+
+/// What several missions with limited stores had in them, so that a test shows something.
+struct Premises {
+  int missions = 0;
+  int done = 0;
+  int fills = 0;
+  int recharges = 0;
+  int hits = 0;
+  double survived = 0.0;
+};
+
+/// Missions on random yards with limited stores.
+Premises run_with_limited_stores(const ArrivalOptions& arrivals, std::uint64_t first_yard, int yards) {
+  Premises had;
+  for (int i = 0; i < yards; ++i) {
+    Rng rng(first_yard + static_cast<std::uint64_t>(i));
+    GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
+    limit_stores(problem);
+    problem.supplies.battery_wh = rng.uniform(0.15, 0.5);
+    const auto report = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3));
+    if (!report) {
+      EXPECT_EQ(report.error().where, "supplies.stations") << report.error().sentence;
+      continue;  // a station stands in an obstacle
+    }
+    ++had.missions;
+    SCOPED_TRACE(first_yard + static_cast<std::uint64_t>(i));
+    expect_everybody_accounted_for(*report, arrivals.any() ? 8 : 4);
+    const Replayed told = replay_shots(*report, problem, boxes_of(problem));
+    const Ledger ledger = expect_sound_stores(*report, problem);
+    EXPECT_GE(ledger.least_water, -1e-9);
+    EXPECT_GE(ledger.least_charge_j, -1e-3);
+    EXPECT_EQ(told.shots, static_cast<int>(report->shots.size()));
+    for (const ReportShot& shot : report->shots) {
+      const auto target = std::ranges::find(report->targets, shot.target, &ReportTarget::name);
+      if (target->visit) {
+        EXPECT_GE(shot.time_s, target->visit->settles_s) << shot.target;
+      }
+    }
+    had.done += report->status == "done" ? 1 : 0;
+    had.fills += ledger.fills;
+    had.recharges += ledger.recharges;
+    had.hits += told.hits;
+    had.survived += survivals(*report);
+  }
+  return had;
+}
+
+TEST(Combinations, IntrudersKeepComingAndStoresEnd) {
+  const Premises had = run_with_limited_stores(eight_intruders(), 300, cases(5));
+  EXPECT_GE(had.missions, 2);
+  EXPECT_GE(had.fills, 2 * had.missions) << "the stores were no limit";
+  EXPECT_GT(had.recharges, 0);
+  EXPECT_GT(had.done, 0);
+  EXPECT_GT(had.hits, 3 * had.missions);
+}
+
+TEST(Combinations, IntrudersSurviveAndStoresEnd) {
+  ArrivalOptions arrivals;
+  arrivals.leave = 0.5;
+  arrivals.stops = 30;
+  arrivals.beam = 4;
+  const Premises had = run_with_limited_stores(arrivals, 320, cases(5));
+  EXPECT_GE(had.missions, 2);
+  EXPECT_GE(had.fills, had.missions);
+  EXPECT_GT(had.done, 0);
+  EXPECT_GT(had.survived, 0.0);
+}
+
+TEST(Combinations, IntrudersKeepComingSurviveAndStoresEnd) {
+  ArrivalOptions arrivals = eight_intruders();
+  arrivals.leave = 0.6;
+  const Premises had = run_with_limited_stores(arrivals, 340, cases(5));
+  EXPECT_GE(had.missions, 2);
+  EXPECT_GE(had.fills, had.missions);
+  EXPECT_GT(had.done, 0);
+  EXPECT_GT(had.survived, 0.0);
+}
+
+TEST(Combinations, IntrudersKeepComingOverHills) {
+  Rng rng(360);
+  int hits = 0, shots = 0, on_slopes = 0;
+  for (int i = 0; i < cases(3); ++i) {
+    GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
+    const HeightField field = testing::hill(4.5, 0.5, rng.uniform(0.3, 0.7), 3.0);
+    problem.world = problem.world.on(std::make_shared<const HeightField>(field));
+    for (std::size_t s = 1; s < problem.world.solids.size(); ++s) {
+      Vec3& at = problem.world.solids[s].world_T_solid.position;
+      at.z += field.height(xy(at));
+    }
+    for (Target& target : problem.targets) target.base.z += field.height(xy(target.base));
+    const auto report = run_arrivals(problem, eight_intruders(), 1);
+    ASSERT_TRUE(report) << to_string(report.error());
+    expect_everybody_accounted_for(*report, 8);
+    const Replayed told = replay_shots(*report, problem, boxes_of(problem));
+    shots += told.shots;
+    hits += told.hits;
+    for (const ReportShot& shot : report->shots) {
+      const auto target = std::ranges::find(report->targets, shot.target, &ReportTarget::name);
+      on_slopes += std::abs(target->centre.z - shot.muzzle.z) > 0.3 ? 1 : 0;
+    }
+    double along = 0.0;
+    for (const ReportPath& path : report->paths) {
+      for (std::size_t k = 1; k < path.waypoints.size(); ++k) {
+        along += field.length({path.waypoints[k - 1], path.waypoints[k]});
+      }
+    }
+    EXPECT_NEAR(metric(*report, "driven_m"), along, 1e-9);
+  }
+  EXPECT_GT(hits, 0);
+  EXPECT_GT(shots, 8);
+  EXPECT_GT(on_slopes, 0);
+}
+
+/// Where a walk is, by hand.
+Vec2 place_on(const Walk& walk, double time_s) {
+  for (std::size_t i = walk.knots.size() - 1; i > 0; --i) {
+    const auto& a = walk.knots[i - 1];
+    const auto& b = walk.knots[i];
+    if (time_s >= b.time_s) return b.position;
+    if (time_s < a.time_s) continue;
+    return a.position + (time_s - a.time_s) / (b.time_s - a.time_s) * (b.position - a.position);
+  }
+  return walk.knots.front().position;
+}
+
+TEST(Combinations, IntrudersWalkAboutInWind) {
+  int hits = 0, walking = 0;
+  double by_air_m = 0.0;
+  for (int i = 0; i < cases(2); ++i) {
+    GuardProblem problem;
+    problem.world.bounds = {{-4, -4}, {4, 4}};
+    problem.world.solids = {testing::floor_at(0), testing::box_at("wall", {0, 0.5, 0.6}, {3, 0.2, 1.2})};
+    problem.start = {{0, -3}, radians(90)};
+    const Vec3 size{0.5, 0.4, 0.4};
+    problem.targets = {
+        {"pond", {2.5, 2.5, 0}, size}, {"bench", {-2.5, 2, 0}, size, 1.0}, {"bin", {-2.5, -2, 0}, size, 2.0}};
+    problem.air = {0.02, 1.5, radians(40.0 + 90.0 * i)};
+    GuardOptions options = coarse();
+    options.pitch_step_rad = radians(7.5);
+    const auto firing_map = build_firing_map(problem, options, {}, RegionSearch::none);
+    ASSERT_TRUE(firing_map) << to_string(firing_map.error());
+    WanderOptions wander;
+    wander.speed_mps = 0.5;
+    wander.rest_s = 2.0;
+    wander.chance = 0.3;
+    const auto seed = static_cast<std::uint64_t>(i + 1);
+    const auto walks = draw_walks(problem, *firing_map, {1.0, 1.0, 1.0}, wander, seed, 7200.0);
+    const auto plan =
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), options, wander);
+    ASSERT_TRUE(walks && plan);
+    const Report report = testing::run_walkers(*plan, *walks, options, seed);
+    expect_everybody_accounted_for(report, 3);
+    EXPECT_EQ(report.status, "done") << report.reason;
+    const Replayed told =
+        replay_shots(report, problem, [&](const ReportTarget& target, const ReportShot&, double time_s) {
+          const auto who = static_cast<std::size_t>(
+              std::ranges::find(problem.targets, target.name, &Target::name) - problem.targets.begin());
+          Target box = problem.targets[who];
+          const Vec2 place = place_on((*walks)[who], time_s);
+          box.base = {place.x, place.y, 0.0};
+          return box;
+        });
+    hits += told.hits;
+    walking += told.moved_while_flying_m > 0.02 ? 1 : 0;
+    by_air_m = std::max(by_air_m, told.moved_by_air_m);
+  }
+  EXPECT_GT(hits, 0);
+  EXPECT_GT(walking, 0) << "everybody stood still when shot at";
+  EXPECT_GT(by_air_m, 0.1) << "the air did nothing";
+}
+
+/// A room of 5 x 4 m with a target in the open and one behind a hedge.
+GuardProblem room() {
+  const auto box = [](std::string name, Vec2 low, Vec2 high) {
+    const Vec2 middle = 0.5 * (low + high), size = high - low;
+    return testing::box_at(std::move(name), {middle.x, middle.y, 0.5}, {size.x, size.y, 1.0});
+  };
+  GuardProblem problem;
+  problem.world.name = "room";
+  problem.world.solids = {testing::floor_at(0),
+                          box("south", {-0.1, -0.1}, {5.1, 0}),
+                          box("north", {-0.1, 4}, {5.1, 4.1}),
+                          box("west", {-0.1, 0}, {0, 4}),
+                          box("east", {5, 0}, {5.1, 4}),
+                          box("hedge", {1.5, 2.2}, {3.5, 2.4})};
+  problem.world.bounds = {{0, 0}, {5, 4}};
+  problem.start = {{1.0, 1.0}, 0.0};
+  problem.errors.position_m = 0.02;
+  problem.targets = {{"open", {3.0, 0.6, 0.0}, {0.3, 0.3, 0.3}},
+                     {"hidden", {2.5, 3.2, 0.0}, {0.3, 0.3, 0.3}},
+                     {"corner", {4.4, 3.3, 0.0}, {0.3, 0.3, 0.3}}};
+  problem.supplies.tank = 1.0;
+  problem.supplies.battery_wh = 3.0;
+  problem.supplies.stations = {{"well", {1.0, 2.0}, true, false}, {"dock", {0.7, 1.0}, false, true}};
+  return problem;
+}
+
+/// Explores the room, plans with stations on the map found, and guards it.
+Outcome<Report> explore_and_guard(const GuardProblem& problem, std::uint64_t seed) {
+  ScoutTask task;
+  task.options.unknown = true;
+  auto yard = scout(problem, task, seed);
+  if (!yard) return pass_on(yard);
+  const auto firing_map = build_firing_map(yard->found.problem, coarse());
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  yard->found.problem.supplies.stations = stations_in_reach(yard->found.problem, *firing_map);
+  auto plan = plan_guard(yard->found.problem, *firing_map, coarse(), {});
+  if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), {});
+  if (!plan) return tl::unexpected<Fault>(plan.error());
+  return run_guard_on_map(problem, std::move(*yard), *firing_map, *plan, coarse(), seed);
+}
+
+TEST(Combinations, TheYardIsUnknownAndStoresEnd) {
+  const GuardProblem problem = room();
+  int fills = 0, hits = 0;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(2)); ++seed) {
+    const auto report = explore_and_guard(problem, seed);
+    ASSERT_TRUE(report) << to_string(report.error());
+    expect_everybody_accounted_for(*report, problem.targets.size());
+    // The track of the exploring has a pose a scan: its chords are a little shorter than the way.
+    const Ledger ledger = expect_sound_stores(*report, problem, 60.0);
+    hits += replay_shots(*report, problem, boxes_of(problem)).hits;
+    fills += ledger.fills;
+    EXPECT_EQ(report->status, "done") << report->reason;
+    EXPECT_GE(ledger.least_water, 0.0);
+    EXPECT_GE(ledger.least_charge_j, 0.0);
+    EXPECT_LT(ledger.least_charge_j, 0.9 * 3600.0 * problem.supplies.battery_wh);
+    const double explore_s = metric(*report, "explore_s");
+    ASSERT_FALSE(report->shots.empty());
+    EXPECT_GT(report->shots.front().time_s, explore_s);
+  }
+  EXPECT_GE(fills, 2) << "a tank of one shot has to be filled for three targets";
+  EXPECT_GE(hits, 3);
+}
+
+TEST(Combinations, ABatteryThatIsEmptyBeforeTheYardIsExploredIsSaid) {
+  GuardProblem problem = room();
+  problem.supplies.battery_wh = 0.1;
+  const auto report = explore_and_guard(problem, 1);
+  ASSERT_TRUE(report) << to_string(report.error());
+  expect_everybody_accounted_for(*report, problem.targets.size());
+  EXPECT_EQ(report->status, "not_done");
+  EXPECT_NE(report->reason.find("the battery was empty"), std::string::npos) << report->reason;
+  EXPECT_LT(testing::count_stores(*report, problem).least_charge_j, 0.0);
+  EXPECT_TRUE(report->shots.empty()) << "it shot with an empty battery";
+}
+
+/// A tank that nothing fills: the mission ends while intruders keep coming, and says why.
+TEST(Combinations, WithoutAWellTheMissionEndsWhenTheTankIsEmpty) {
+  for (const double leave : {1.0, 0.5}) {
+    Rng rng(380);
+    GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
+    limit_stores(problem);
+    problem.supplies.stations.erase(problem.supplies.stations.begin());
+    ArrivalOptions arrivals = eight_intruders();
+    arrivals.leave = leave;
+    const auto report = run_arrivals(problem, arrivals, 1);
+    ASSERT_TRUE(report) << to_string(report.error());
+    expect_everybody_accounted_for(*report, 8);
+    EXPECT_EQ(report->status, "not_done");
+    EXPECT_EQ(report->shots.size(), 2U);
+    EXPECT_NE(report->reason.find("water"), std::string::npos) << report->reason;
+    EXPECT_LT(metric(*report, "reached"), 3.0);
+    const double end_s = report->track.back().time_s;
+    EXPECT_GT(report->targets.back().visit->enters_s, end_s) << "everybody had come by then";
+    EXPECT_GE(metric(*report, "intruder_seconds"), 0.0);
+    for (const ReportEvent& event : report->events) EXPECT_LE(event.time_s, end_s + 1e-9) << event.text;
+    replay_shots(*report, problem, boxes_of(problem));
+    EXPECT_GE(expect_sound_stores(*report, problem).least_water, 0.0);
+  }
+}
+
+/// The only charger is farther away than the battery lasts, or there is none.
+TEST(Combinations, WithoutAChargerInReachTheMissionEnds) {
+  for (const bool far_charger : {true, false}) {
+    Rng rng(390);
+    GuardProblem problem = testing::random_guard_problem(rng, 0, 4, 3.0);
+    limit_stores(problem);
+    problem.supplies.battery_wh = 0.06;
+    problem.supplies.stations.pop_back();
+    if (far_charger) problem.supplies.stations.push_back({"dock", {0.0, 2.6}, false, true});
+    const auto report = run_arrivals(problem, eight_intruders(), 1);
+    ASSERT_TRUE(report) << to_string(report.error());
+    expect_everybody_accounted_for(*report, 8);
+    EXPECT_EQ(report->status, "not_done");
+    EXPECT_NE(report->reason.find("charge"), std::string::npos) << report->reason;
+    EXPECT_GE(expect_sound_stores(*report, problem).least_charge_j, -1e-3)
+        << "it drove or shot without charge";
+    EXPECT_LT(report->track.back().time_s, report->targets.back().visit->enters_s);
+    EXPECT_GE(metric(*report, "intruder_seconds"), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace outrider
