@@ -11,6 +11,7 @@
 #include "outrider/io/world_file.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/catalog.hpp"
+#include "outrider/report/world_scene.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 #include "tool.hpp"
@@ -69,7 +70,8 @@ class PatrolJob final : public JobTask {
     const Rng rng(static_cast<std::uint64_t>(seed_));
     SimulatedRobot robot(WaypointBody(robot_, {ground, level}, start_, errors_, rng.child("arrival")));
     PatrolMission mission{points_, points_.size() * static_cast<std::size_t>(rounds_)};
-    Report report = scene();
+    Report report = world_scene("patrol", static_cast<std::uint64_t>(seed_), world_, start_, robot_.radius_m,
+                                robot_.height_m);
     const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
       watch.part(static_cast<double>(mission.sent) / static_cast<double>(mission.visits));
       if (!watch.wanted()) return;
@@ -97,23 +99,6 @@ class PatrolJob final : public JobTask {
   }
 
  private:
-  [[nodiscard]] Report scene() const {
-    Report report;
-    report.job = "patrol";
-    report.seed = static_cast<std::uint64_t>(seed_);
-    report.world_name = world_.name;
-    report.bounds = world_.bounds;
-    report.robot_radius_m = robot_.radius_m;
-    report.start = start_;
-    for (const Solid& solid : world_.solids) {
-      const Box3 box = bounds(solid);
-      if (std::holds_alternative<HalfSpaceShape>(solid.shape)) continue;  // the floor
-      report.solids.push_back({solid.name, std::string(kind(solid.shape)),
-                               footprint(solid, box.low.z, box.high.z), box.low.z, box.high.z, true});
-    }
-    return report;
-  }
-
   /// Judged by where the robot really came, not by where it was sent.
   void conclude(Report& report, const SimRecord& record, std::size_t visits) const {
     std::size_t made = 0;

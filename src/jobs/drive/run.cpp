@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
+#include "outrider/report/world_scene.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -105,20 +106,8 @@ class Recorder {
 };
 
 Report opened(const DriveTask& task, std::uint64_t seed) {
-  Report report;
-  report.job = "drive";
-  report.seed = seed;
-  report.world_name = task.world.name;
-  report.bounds = task.world.bounds;
-  report.robot_radius_m = task.radius_m;
-  report.start = task.start;
-  for (const Solid& solid : task.world.solids) {
-    const Box3 box = bounds(solid);
-    const bool floor = std::holds_alternative<HalfSpaceShape>(solid.shape);
-    if (floor || box.high.z <= task.world.floor_z_m) continue;
-    report.solids.push_back({solid.name, std::string(kind(solid.shape)),
-                             footprint(solid, box.low.z, box.high.z), box.low.z, box.high.z, true});
-  }
+  constexpr double any_m = std::numeric_limits<double>::infinity();  // all that stands is in its way
+  Report report = world_scene("drive", seed, task.world, task.start, task.radius_m, any_m);
   report.drive.emplace();
   report.drive->loop = task.closed_loop ? "closed" : "open";
   return report;

@@ -7,6 +7,7 @@
 
 #include "outrider/job/clock.hpp"
 #include "outrider/report/discovery.hpp"
+#include "outrider/report/world_scene.hpp"
 
 namespace outrider {
 namespace {
@@ -85,21 +86,7 @@ class Recorder {
 
 Report opened(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
               std::uint64_t seed) {
-  Report report;
-  report.job = "explore";
-  report.seed = seed;
-  report.world_name = world.name;
-  report.bounds = world.bounds;
-  report.robot_radius_m = task.robot.radius_m;
-  report.start = task.start;
-  for (const Solid& solid : world.solids) {
-    const Box3 box = bounds(solid);
-    const bool floor = std::holds_alternative<HalfSpaceShape>(solid.shape);
-    if (floor || box.high.z <= world.floor_z_m) continue;
-    report.solids.push_back({solid.name, std::string(kind(solid.shape)),
-                             footprint(solid, box.low.z, box.high.z), box.low.z, box.high.z,
-                             box.low.z < world.floor_z_m + task.robot.height_m});
-  }
+  Report report = world_scene("explore", seed, world, task.start, task.robot.radius_m, task.robot.height_m);
   report.explore.emplace();
   const RangeFinderModel& laser = params.laser;
   report.explore->laser = {static_cast<int>(laser.beams), laser.most_m, laser.height_m, laser.robot_T_laser};
