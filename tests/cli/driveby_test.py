@@ -59,9 +59,9 @@ class DriveBy(ToolTest):
 
     def test_what_does_not_go_together_gets_a_sentence(self):
         for flags, says in [
-                (["--sim", "physics"], ["sim", "shooting on the move"]),
-                (["--arrivals-leave", "0.5"], ["arrivals.leave", "shooting on the move"]),
-                (["--wander-speed", "0.5"], ["wander.speed", "shooting on the move"]),
+                (["--sim", "physics"], ["sim", "shots on the move"]),
+                (["--arrivals-leave", "0.5"], ["arrivals.leave", "shots on the move"]),
+                (["--wander-speed", "0.5"], ["wander.speed", "shots on the move"]),
                 (["--errors-timing", "-1"], ["--errors-timing", "'-1'", "from 0 to 1"])]:
             with self.subTest(flags=flags):
                 self.refused("run", LANE, *flags, "--out", "out", says=says)
