@@ -7,8 +7,8 @@
 namespace outrider {
 namespace {
 
-std::size_t whenever_someone_enters(const ReplanState& news) {
-  return news.idle || news.entered > 0 ? news.inside : 0;
+std::size_t whenever_someone_enters(const ReplanState& state) {
+  return state.idle || state.entered > 0 ? state.inside : 0;
 }
 
 }  // namespace
@@ -17,10 +17,10 @@ const std::vector<ReplanPolicy>& replan_policies() {
   static const std::vector<ReplanPolicy> policies = {
       {"groups", "When idle, plan for the few who have been inside longest; finish that before the next few.",
        "the reference report's groups of k targets, k being arrivals.group",
-       [](const ReplanState& news) { return news.idle ? std::min(news.inside, news.group) : 0; }},
+       [](const ReplanState& state) { return state.idle ? std::min(state.inside, state.group) : 0; }},
       {"when_idle", "When idle, plan for everybody inside; finish that before looking again.",
        "the gated policy of polling systems, Takagi, 1986",
-       [](const ReplanState& news) { return news.idle ? news.inside : 0; }},
+       [](const ReplanState& state) { return state.idle ? state.inside : 0; }},
       {"each_arrival",
        "Plan anew for everybody inside whenever someone enters, at the next waypoint or after the shot.",
        "re-optimization as in Bertsimas and van Ryzin, Operations Research 39(4), 1991",

@@ -23,7 +23,7 @@ std::size_t nearest(const std::vector<Vec2>& regions, Vec2 p) {
       regions.begin());
 }
 
-/// The glimpses from `from` on that stay where the first of them is: one past the last.
+/// The positions seen from `from` on that stay where the first of them is: one past the last.
 std::size_t end_of_rest(const Track& track, std::size_t from, double tolerance_m) {
   std::size_t end = from + 1;
   while (end < track.size() && distance(track[from].position, track[end].position) <= tolerance_m) ++end;

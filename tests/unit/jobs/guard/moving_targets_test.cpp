@@ -189,7 +189,7 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
 /// Without errors a straight walker is hit by the first shot.
 TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
   Rng rng(74);
-  int hunted = 0;
+  int shots = 0;
   for (int i = 0; i < cases(6); ++i) {
     GuardProblem problem = yard(false);
     problem.world.solids.resize(1);
@@ -210,12 +210,12 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     GuardMission mission(*plan);
     const auto command = mission.step(robot.sense());
     if (!command || !std::holds_alternative<AimGun>(*command)) continue;
-    ++hunted;
+    ++shots;
     robot.act(*command);
     robot.act(*mission.step(robot.sense()));
     EXPECT_TRUE(robot.record.shots.back().hit);
   }
-  EXPECT_GT(hunted, 0);
+  EXPECT_GT(shots, 0);
 }
 
 /// One who never moves is hit as a still one is: by the best shot from where the robot stands.

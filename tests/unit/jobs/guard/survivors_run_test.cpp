@@ -126,36 +126,36 @@ TEST(Survivors, AtTwoPlacesTakeTheSumOfTheSeries) {
     };
     const PrecomputedStops& precomputed = one;
     const std::function<void(State, std::vector<std::pair<std::size_t, std::size_t>>, double, bool, int)>
-        go_through = [&](State state, std::vector<std::pair<std::size_t, std::size_t>> errands,
-                         double probability, bool news, int depth) {
+        go_through = [&](State state, std::vector<std::pair<std::size_t, std::size_t>> hits,
+                         double probability, bool somebody_new, int depth) {
           if (state.pending.empty() || probability < least) {
             mean += probability * state.from.time_s;
             cut += state.pending.empty() ? 0.0 : probability;
             return;
           }
-          if (errands.empty() || (news && policy.replan.name == "each_arrival")) {
+          if (hits.empty() || (somebody_new && policy.replan.name == "each_arrival")) {
             const bool still = depth == 0 && policy.objective == ArrivalObjective::makespan;
             const std::size_t group = std::min<std::size_t>(
                 state.pending.size(), policy.replan.name == "groups" ? 3 : state.pending.size());
             const std::vector<PendingTarget> first(
                 state.pending.begin(), state.pending.begin() + static_cast<std::ptrdiff_t>(group));
-            errands.clear();
+            hits.clear();
             for (const Visit& v :
                  sequence_beside(precomputed.tour, table, first, state.from, policy.objective, 10, still)
                      .visits) {
-              for (const std::uint32_t who : v.goals) errands.emplace_back(v.stop, who);
+              for (const std::uint32_t who : v.goals) hits.emplace_back(v.stop, who);
             }
           }
-          const auto [stop, who] = errands.front();
-          errands.erase(errands.begin());
+          const auto [stop, who] = hits.front();
+          hits.erase(hits.begin());
           state.from = after_hit(table, state.pending[who], state.from, stop);
-          const PendingTarget hit = state.pending[who];
+          const PendingTarget now_hit = state.pending[who];
           state.pending.erase(state.pending.begin() + static_cast<std::ptrdiff_t>(who));
-          for (auto& errand : errands) errand.second -= errand.second > who ? 1 : 0;
-          go_through(state, errands, probability * p, false, depth + 1);
-          const std::uint32_t other = 1 - hit.goal;
-          state.pending.push_back({other, state.from.time_s + walk_s(hit.goal, other)});
-          go_through(state, errands, probability * (1.0 - p), true, depth + 1);
+          for (auto& hit : hits) hit.second -= hit.second > who ? 1 : 0;
+          go_through(state, hits, probability * p, false, depth + 1);
+          const std::uint32_t other = 1 - now_hit.goal;
+          state.pending.push_back({other, state.from.time_s + walk_s(now_hit.goal, other)});
+          go_through(state, hits, probability * (1.0 - p), true, depth + 1);
         };
     RobotState start;
     start.heading_rad = table.heading_rad;
