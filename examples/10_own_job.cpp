@@ -141,6 +141,7 @@ int main(int argc, char** argv) {
   const auto run = outrider::run_task(jobs.back(), task);
   if (!run) return 2;
   fmt::print("{}: {} visits\n", run->report.status, metric(run->report, "visits"));
+  return 0;
 }
 
 // Prints:
