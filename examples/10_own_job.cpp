@@ -113,7 +113,7 @@ class PatrolJob final : public JobTask {
                       {"driven_m", record.driven_m}};
   }
 
-  std::string world_file_ = "scenarios/arena/arena.sdf", start_text_ = "0.5,0.5,0";
+  std::string world_file_, start_text_ = "0.5,0.5,0";
   std::string text_ = "2.5,0.5 2.5,2.5 0.5,2.5 0.5,0.5";
   std::int64_t rounds_ = 3, seed_ = 1;
   RobotModel robot_;
@@ -138,6 +138,7 @@ int main(int argc, char** argv) {
   jobs.push_back(outrider::patrol_job());
   if (argc > 1) return outrider::cli::run_tool(jobs, argc, argv);
   outrider::PatrolJob task;
+  if (!change(task, {{"world", "scenarios/arena/arena.sdf"}})) return 2;
   const auto run = outrider::run_task(jobs.back(), task);
   if (!run) return 2;
   fmt::print("{}: {} visits\n", run->report.status, metric(run->report, "visits"));

@@ -28,7 +28,7 @@ class OwnJob(ToolTest):
     def test_it_is_listed_described_and_in_the_schema(self):
         self.assertIn("patrol", self.run_tool("--help").stdout)
         self.assertIn("--rounds", self.run_tool("patrol", "--help").stdout)
-        schema = self.run_tool("schema", "patrol").stdout
+        schema = self.run_tool("schema", "--job", "patrol").stdout
         self.assertIn('patrol', schema)
         self.assertIn('"rounds"', schema)
 
