@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "dense.hpp"
-#include "outrider/slam/localiser.hpp"
 #include "outrider/slam/pose_graph.hpp"
 #include "support/costly_cases.hpp"
 #include "support/random_cases.hpp"
@@ -355,29 +354,6 @@ TEST(LandmarkSlam, TagsStandWithinFiveCentimetresAndTheirEllipsesAreHonest) {
       EXPECT_LE(pose_nees, 83.30) << "chi squared of 60 at 97.5 %: " << engine << " " << course.sides;
     }
   }
-}
-
-TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
-  const TagRun made = tag_run(12, {4, 2}), run = tag_run(13, {4, 2});
-  const LandmarkMap map = after({}, made.log).landmarks();
-  for (const bool ids : {true, false}) {
-    auto localiser = Localiser::begin(map, {}, {run.log.start.position + Vec2{0.05, -0.05}, 0.1},
-                                      0.01 * Eigen::Matrix3d::Identity());
-    ASSERT_TRUE(localiser);
-    for (std::size_t i = 0; i < run.log.steps.size(); ++i) {
-      LogStep step = run.log.steps[i];
-      for (LandmarkSighting& s : step.sightings) {
-        if (!ids) s.id.reset();
-      }
-      const auto outcome = localiser->advance(step);
-      ASSERT_TRUE(outcome);
-      EXPECT_FALSE(outcome->lost);
-    }
-    EXPECT_LT(distance(localiser->pose().position, run.poses.back().position), 0.1);
-    EXPECT_EQ(localiser->map(), map);
-  }
-  EXPECT_EQ(Localiser::begin({}, {}, {}, Eigen::Matrix3d::Zero()).error().sentence,
-            "the map has no landmarks; it takes one at least");
 }
 
 TEST(LandmarkSlam, RefusesInASentence) {
