@@ -12,7 +12,7 @@
 namespace outrider {
 namespace {
 
-constexpr double coarse = 5e-5;      // accuracy of a flight in air: 1 mm after 1.5 s
+constexpr double coarse_track = 5e-5;      // accuracy of a flight in air: 1 mm after 1.5 s
 constexpr std::size_t flown = 32;    // futures that a shot is flown at
 constexpr std::size_t futures = 24;  // that a stop is judged by
 constexpr double horizon_s = 60.0;   // of these
@@ -53,7 +53,7 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
     shot.yaw_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
     shot.pitch_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
     shot.speed_mps *= 1.0 + rules.errors.speed_ratio * rng.uniform(-1.0, 1.0);
-    const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse);
+    const Flight flight = launch(rules, {position, {}}, plan.problem.targets[who], shot, coarse_track);
     hits += fly_at(flight, rules.gun.ball_radius_m, plan.firing_map.space(who), plan.problem.targets[who],
                    walk, led.fires_s, rules.floor_z_m)
                     .hit
