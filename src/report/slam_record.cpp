@@ -152,7 +152,7 @@ void SlamRecord::thin() {
   ReportSlam& slam = *report_.slam;
   for (std::size_t i = 1; i < kept.rows.size(); ++i) {  // since the belief before
     for (std::size_t row = kept.rows[i - 1] + 1; row < kept.rows[i]; ++row)
-      slam.beliefs[kept.rows[i]].saw_tag |= slam.beliefs[row].saw_tag;
+      slam.beliefs[kept.rows[i]].corrected |= slam.beliefs[row].corrected;
   }
   keep(report_.track, kept.rows);
   keep(slam.beliefs, kept.rows);

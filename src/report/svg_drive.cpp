@@ -173,7 +173,7 @@ std::string chart(const Report& report, double top_px) {
   for (std::size_t i = 0; i < count; ++i) {
     error.push_back(at(i, errors[i]));
     band.push_back(at(i, bands[i]));
-    if (beliefs[i].saw_tag) {
+    if (beliefs[i].corrected) {
       marks += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"2\" height=\"4\" fill=\"{}\"/>\n",
                            at(i, 0.0).x, bottom_px + 3.0, tag_colour);
     }

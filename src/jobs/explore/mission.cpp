@@ -38,7 +38,7 @@ std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
   return ends;
 }
 
-void say(ExploreMission& mission, std::string kind, std::string text) {
+void add_event(ExploreMission& mission, std::string kind, std::string text) {
   mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
 }
 
@@ -47,7 +47,7 @@ void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
   mission.path.reset();
   mission.stop_reason = std::move(stop_reason);
   mission.reason = std::move(reason);
-  say(mission, "end", mission.reason);
+  add_event(mission, "end", mission.reason);
 }
 
 ExploreState state_of(ExploreMission& mission) {
@@ -71,7 +71,7 @@ bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<doub
 
 /// The way home, or the end without one.
 void turn_home(ExploreMission& mission, const std::string& stop_reason, const std::string& reason) {
-  if (mission.stop_reason != stop_reason) say(mission, "home", reason);
+  if (mission.stop_reason != stop_reason) add_event(mission, "home", reason);
   mission.stop_reason = stop_reason;
   mission.reason = reason;
   mission.home =
@@ -101,7 +101,7 @@ void take(ExploreMission& mission, Decision decision) {
     ++mission.goal_changes;
     mission.settled_m.reset();
     moved_on(mission);
-    say(mission, "goal", mission.decision.sentence);
+    add_event(mission, "goal", mission.decision.sentence);
   }
   mission.stage = ExploreStage::seek;
   mission.stop_reason.clear();
@@ -170,10 +170,10 @@ void back_off(ExploreMission& mission) {
   mission.stuck_m = mission.driven_m;
   ++mission.stuck;
   ++mission.stuck_here;
-  say(mission, mission.touching ? "touch" : "stuck",
-      fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
-                  mission.pose.position.y,
-                  mission.touching ? "something was touched" : "it does not move on"));
+  add_event(mission, mission.touching ? "touch" : "stuck",
+            fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
+                        mission.pose.position.y,
+                        mission.touching ? "something was touched" : "it does not move on"));
   if (mission.stuck_here > mission.task.rules.most_stuck)
     return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
   if (mission.stage == ExploreStage::seek && mission.path)
@@ -281,7 +281,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
     ++mission.loops;
     mission.path.reset();
     moved_on(mission);
-    say(mission, "loop", "a place was recognised, and the map drawn anew");
+    add_event(mission, "loop", "a place was recognised, and the map drawn anew");
   }
   const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));

@@ -73,19 +73,19 @@ std::string ellipse(const View& view, const LandmarkEstimate& landmark) {
 }
 
 std::string legend(double y, const SlamPicture& picture) {
-  struct Entry {
+  struct LegendEntry {
     const char* kind;
     const char* word;
     bool shown;
   };
-  const Entry entries[] = {{"driven", "estimated", !picture.driven.empty()},
-                           {"odometry", "odometry alone", !picture.odometry.empty()},
-                           {"loop", "loop closures", !picture.loops.empty()},
-                           {"sure", "landmarks, 95 %", !picture.landmarks.empty()},
-                           {"truth", "true places", !picture.truth.empty()}};
+  const LegendEntry entries[] = {{"driven", "estimated", !picture.driven.empty()},
+                                 {"odometry", "odometry alone", !picture.odometry.empty()},
+                                 {"loop", "loop closures", !picture.loops.empty()},
+                                 {"sure", "landmarks, 95 %", !picture.landmarks.empty()},
+                                 {"truth", "true places", !picture.truth.empty()}};
   std::string text;
   double x = margin_px;
-  for (const Entry& entry : entries) {
+  for (const LegendEntry& entry : entries) {
     if (!entry.shown) continue;
     fmt::format_to(std::back_inserter(text),
                    "<path class=\"{}\" d=\"M{:.0f} {:.0f}h22\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n",

@@ -51,4 +51,4 @@ function remembered(): string | null {
 }
 
 /** Of robots beside each other: those that stand apart from the target's. */
-export const chaserColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];
+export const pursuerColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];

@@ -58,11 +58,11 @@ export class Run {
     this.believedUntil = last ? last.time_s + 1.5 : -Infinity;
     this.relief = Relief.of(report.world.terrain?.relief);
     this.flights = report.shots.map(flightOf);
-    const { chase, explore, drive, slam } = report;
+    const { pursuit, explore, drive, slam } = report;
     const latest = (times: (number | null | undefined)[]): number =>
       times.reduce<number>((most, t) => Math.max(most, finite(t)), 0);
     const told = Math.max(1e-3, this.track.end, latest(this.flights.map((one) => one.end)),
-      latest(report.events.map((one) => one.time_s)), latest((chase?.robots ?? []).map((way) => way.length - 1)),
+      latest(report.events.map((one) => one.time_s)), latest((pursuit?.robots ?? []).map((way) => way.length - 1)),
       latest([explore, drive, slam].map((part) => part?.beliefs.at(-1)?.time_s)));
     this.duration = goesOn && this.track.end > 0 ? this.track.end : told;
   }

@@ -1,4 +1,4 @@
-// What the robot believed: the way it took itself to have driven, its pose, and the ellipse of its doubt.
+// What the robot believed: the way it took itself to have driven, its pose, and the ellipse of its uncertainty.
 import { degrees, finite, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";

@@ -59,8 +59,8 @@ function wayActor(run: Run, time: ArrayLike<number>, places: Vec2[], colour: str
 }
 
 export function robotActor(run: Run): Actor[] {
-  const { robot, track, chase } = run.report;
-  if (track.length === 0 && chase) return [];
+  const { robot, track, pursuit } = run.report;
+  if (track.length === 0 && pursuit) return [];
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const body = new Group();
@@ -92,7 +92,7 @@ export function robotActor(run: Run): Actor[] {
   return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), theme.robot, 0.012)];
 }
 
-/** A ghost at the believed pose on the ellipse of its doubt. */
+/** A ghost at the believed pose on the ellipse of its uncertainty. */
 export function beliefActor(run: Run): Actor[] {
   const beliefs = Beliefs.of(run);
   if (beliefs.all.length === 0) return [];

@@ -12,7 +12,7 @@ import { report } from "./report";
 vi.hoisted(() => { (globalThis as { matchMedia?: unknown }).matchMedia = () => ({ matches: false, addEventListener: () => undefined }); });
 
 const belief = (time_s: number, x: number, y: number): Belief =>
-  ({ time_s, pose: [x, y, 0], sigma_x_m: 0.1, sigma_y_m: 0.2, correlation: 0, sigma_rad: 0.01, saw_tag: false });
+  ({ time_s, pose: [x, y, 0], sigma_x_m: 0.1, sigma_y_m: 0.2, correlation: 0, sigma_rad: 0.01, corrected: false });
 
 /** Along x at 1 m/s, turned to the left; the belief 0.3 m aside from 5 s on. */
 function mapped(more: Partial<Slam> = {}, rest: Partial<Report> = {}): Run {

@@ -19,10 +19,10 @@ namespace outrider {
 struct Coverage {
   Region covered;  ///< within the area asked about, as the other two
   Region missed;
-  Region twice;
+  Region overlap;
   double covered_m2 = 0.0;
   double missed_m2 = 0.0;
-  double twice_m2 = 0.0;
+  double overlap_m2 = 0.0;
   double fraction = 0.0;  ///< covered part of the area asked about; 1 where that is empty
 };
 
@@ -33,7 +33,7 @@ Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region
 
 struct CoverageSums {
   double covered_m2 = 0.0;
-  double twice_m2 = 0.0;
+  double overlap_m2 = 0.0;
 };
 
 /// The areas within `area` after each of the stretches, which go on where the one before ended and have a

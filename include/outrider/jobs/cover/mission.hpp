@@ -24,7 +24,7 @@ struct CoverMission {
 
 /// Drives the track on a simulated robot. Of a drive that was stopped it has the pieces driven until then.
 /// `watch` is told the part of the pieces that are driven.
-PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace, double stray_m,
-                       std::uint64_t seed, const RunWatch& watch = {});
+PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
+                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch = {});
 
 }  // namespace outrider

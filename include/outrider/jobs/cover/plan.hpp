@@ -1,17 +1,17 @@
 // CoverPlan: a track that covers all that a robot can reach, with the proof that it does.
 //
 // Every method drives laps along all that bounds the standing room S of the disk's centre, and inside of
-// them lanes (sweep_cells.hpp). Let the sure radius q = radius - stray be at least half a stride h. Then
-// every point x within q of S is covered, however the robot strays:
+// them lanes (sweep_cells.hpp). Let the sure radius q = radius - tracking error be at least half a stride h.
+// Then every point x within q of S is covered, however the robot strays:
 //   1. x nearer than q to the border of S, on either side of it: a lap passes within q.
 //   2. x in S, h or more from its border: x is in the core that the lanes are made for, and the lane of its
 //      slab passes beside x at most h away. All of that lane is in S, because each of its points is at most
 //      h beside a point of the core.
-// The rest of the reach is farther than q from S: a strip along its rim, `stray` wide beside straight walls,
-// where a robot that may stray can promise nothing. A part `leave` of the reach may be left out where only a
-// detour would cover it.
-// In which order, from where and which way round laps and cells are driven is a tour with one stop for each
-// way to begin one of them (tour/solve.hpp); the moves between are shortest paths of the disk.
+// The rest of the reach is farther than q from S: a strip along its rim, `tracking_error` wide beside
+// straight walls, where a robot that may tracking error can promise nothing. A part `uncovered` of the reach
+// may be left out where only a detour would cover it. In which order, from where and which way round laps and
+// cells are driven is a tour with one stop for each way to begin one of them (tour/solve.hpp); the moves
+// between are shortest paths of the disk.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,7 @@ struct CoverPlan {
   std::size_t laps = 0;
   std::size_t cells = 0;
   std::size_t lanes = 0;
-  double left_m2 = 0.0;        ///< not covered by choice; at most `leave` of the reach
+  double uncovered_m2 = 0.0;   ///< not covered by choice; at most `uncovered` of the reach
   double order_bound_s = 0.0;  ///< no other order of the same laps and cells takes less time
 };
 
@@ -68,7 +68,7 @@ struct CoverProof {
 };
 
 /// The judge. Refuses a track whose pieces do not join, that comes nearer to an edge than the radius, begins
-/// outside or in a hole, or leaves more than `leave` of the reach and 0.1 % within the sure radius of the
+/// outside or in a hole, or leaves more than `uncovered` of the reach and 0.1 % within the sure radius of the
 /// standing room.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 

@@ -24,12 +24,13 @@ struct CoverRun {
 };
 
 /// How much was covered by then is measured at 61 equal times (coverage_along()). The metrics are:
-/// - by the drive: covered_fraction of the reach, covered_m2, missed_m2, twice_m2, of reach_m2 and area_m2;
+/// - by the drive: covered_fraction of the reach, covered_m2, missed_m2, overlap_m2, of reach_m2 and area_m2;
 ///   time_s, length_m, turned_rad, strayed_m;
 /// - bounds: t_min_s and t_max_s on the time of any drive, order_bound_s of any order of laps and cells;
 /// - of the track: planned_s at full speed, planned_m, stops (turns in place), laps, cells, lanes,
-///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_twice_m2 by its disk;
-/// - whatever a robot does within stray_m: sure_fraction of the reach, sure_inner_fraction off its rim.
+///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_overlap_m2 by its disk;
+/// - whatever a robot does within tracking_error_m: sure_fraction of the reach, sure_inner_fraction off its
+/// rim.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
                     const std::string& name, const std::stop_token& stop = {});
 

@@ -16,7 +16,7 @@ struct PursuitScenario {
   std::string planner = "optimal";         ///< a name of the catalogue of pursuit planners
   std::int64_t known = -1;                 ///< seconds of the target's future that are known; -1: all
   std::string forecast = "last_velocity";  ///< of the seconds that are not known
-  std::int64_t chasers = 1;                ///< robots
+  std::int64_t pursuers = 1;               ///< robots
   std::string starts;  ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
   double call_s = 1.5;
   std::int64_t seed = 1;
