@@ -90,30 +90,30 @@ void replace(std::vector<T>& old, const std::vector<T>& by) {
   if (!by.empty()) old = by;
 }
 
-void join(Report& whole, const Report& delta) {
-  append(whole.paths, delta.paths);
-  append(whole.shots, delta.shots);
-  append(whole.events, delta.events);
-  append(whole.track, delta.track);
-  replace(whole.targets, delta.targets);
-  if (delta.supplies) append(whole.supplies->levels, delta.supplies->levels);
-  append(whole.drive->beliefs, delta.drive->beliefs);
-  replace(whole.drive->stops, delta.drive->stops);
-  append(whole.explore->beliefs, delta.explore->beliefs);
-  append(whole.explore->decisions, delta.explore->decisions);
-  if (delta.explore->map.columns > 0) whole.explore->map = delta.explore->map;
-  append(whole.slam->beliefs, delta.slam->beliefs);
-  append(whole.slam->odometry, delta.slam->odometry);
-  append(whole.slam->reference, delta.slam->reference);
-  append(whole.slam->scans, delta.slam->scans);
-  replace(whole.slam->loops, delta.slam->loops);
-  replace(whole.slam->landmarks, delta.slam->landmarks);
-  if (delta.slam->map) whole.slam->map = delta.slam->map;
-  append(whole.pursuit->target, delta.pursuit->target);
-  append(whole.pursuit->paid, delta.pursuit->paid);
-  append(whole.pursuit->bounds, delta.pursuit->bounds);
-  whole.pursuit->robots.resize(2);
-  for (std::size_t i = 0; i < 2; ++i) append(whole.pursuit->robots[i], delta.pursuit->robots[i]);
+void join(Report& joined, const Report& delta) {
+  append(joined.paths, delta.paths);
+  append(joined.shots, delta.shots);
+  append(joined.events, delta.events);
+  append(joined.track, delta.track);
+  replace(joined.targets, delta.targets);
+  if (delta.supplies) append(joined.supplies->levels, delta.supplies->levels);
+  append(joined.drive->beliefs, delta.drive->beliefs);
+  replace(joined.drive->stops, delta.drive->stops);
+  append(joined.explore->beliefs, delta.explore->beliefs);
+  append(joined.explore->decisions, delta.explore->decisions);
+  if (delta.explore->map.columns > 0) joined.explore->map = delta.explore->map;
+  append(joined.slam->beliefs, delta.slam->beliefs);
+  append(joined.slam->odometry, delta.slam->odometry);
+  append(joined.slam->reference, delta.slam->reference);
+  append(joined.slam->scans, delta.slam->scans);
+  replace(joined.slam->loops, delta.slam->loops);
+  replace(joined.slam->landmarks, delta.slam->landmarks);
+  if (delta.slam->map) joined.slam->map = delta.slam->map;
+  append(joined.pursuit->target, delta.pursuit->target);
+  append(joined.pursuit->paid, delta.pursuit->paid);
+  append(joined.pursuit->bounds, delta.pursuit->bounds);
+  joined.pursuit->robots.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) append(joined.pursuit->robots[i], delta.pursuit->robots[i]);
 }
 
 TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
@@ -125,9 +125,9 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
   Rng rng(7);
   for (int i = 0; i < testing::cases(20); ++i) {
     ReportGrowth growth;
-    Report whole = growth.delta(at(whole, 0.0));
-    EXPECT_EQ(whole.job, whole.job);
-    EXPECT_EQ(whole.solids.size(), whole.solids.size());
+    Report joined = growth.delta(at(whole, 0.0));
+    EXPECT_EQ(joined.job, whole.job);
+    EXPECT_EQ(joined.solids.size(), whole.solids.size());
     std::vector<double> parts(static_cast<std::size_t>(i % 7));
     for (double& part : parts) part = rng.uniform();
     std::ranges::sort(parts);
@@ -136,9 +136,9 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
       const Report delta = growth.delta(at(whole, part));
       EXPECT_EQ(delta.job, "");
       EXPECT_TRUE(delta.solids.empty());
-      join(whole, delta);
+      join(joined, delta);
     }
-    EXPECT_EQ(to_json(whole), to_json(expected));
+    EXPECT_EQ(to_json(joined), to_json(expected));
   }
 }
 

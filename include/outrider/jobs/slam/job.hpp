@@ -23,7 +23,7 @@ class SlamJob final : public JobTask {
   std::unique_ptr<Input> input_;  ///< once loaded
 };
 
-/// Its row in the catalogue.
+/// Returns its row in the catalogue of jobs.
 Job slam_job();
 
 }  // namespace outrider
