@@ -19,7 +19,7 @@ class SlamJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 
  private:
-  struct Input;
+  struct Input;                   ///< the log, read
   std::unique_ptr<Input> input_;  ///< once loaded
 };
 
