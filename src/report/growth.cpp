@@ -14,7 +14,7 @@ std::vector<T> rest_of(const std::vector<T>& items, std::size_t& told) {
   return {items.begin() + static_cast<std::ptrdiff_t>(begin), items.end()};
 }
 
-/// What stands still while the run goes on: all but the lists that grow.
+/// Returns the static parts of the report: everything except the lists that grow.
 Report scene_of(const Report& report) {
   Report scene = report;
   scene.reason.clear();

@@ -36,7 +36,7 @@ void add_heading(std::vector<double>& column, double heading_rad) {
   column.push_back(before + wrap_angle(heading_rad - before));
 }
 
-/// All that is linear between two rows.
+/// All values that are interpolated linearly between two rows.
 std::vector<std::vector<double>> columns_of(const Report& report) {
   const ReportSlam& slam = *report.slam;
   std::vector<std::vector<double>> columns(8);

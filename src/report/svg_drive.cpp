@@ -43,7 +43,7 @@ std::string label(Vec2 at, std::string_view colour, std::string_view text) {
                      markup_text(text));
 }
 
-/// What was driven over, with a margin, within the bounds.
+/// Returns the box of the driven path with a margin, within the bounds.
 Box2 drawn_area(const Report& report) {
   Box2 box;
   for (const TrackSample& sample : report.track) box.include(sample.pose.position);

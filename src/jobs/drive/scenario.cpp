@@ -109,7 +109,7 @@ Status check_arguments(const DriveScenario& scenario) {
   return check(scenario.task.follow);
 }
 
-/// What stands in the options themselves, and what words and files make of the rest.
+/// Builds the task from the options, and from the texts and files that they name.
 Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   DriveTask task = scenario.task;
   auto chassis = make_chassis(scenario.chassis, scenario.wheel_radius_m, scenario.wheel_reach_m);

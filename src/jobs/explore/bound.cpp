@@ -85,7 +85,7 @@ std::vector<Cell> viewers(const Scene& scene, Cell seen) {
   return cells;
 }
 
-/// From the corners of some cells to all others along the eight moves, in cells.
+/// Returns the distances from the corners of some cells to all others along the eight moves, in cells.
 std::vector<double> distances(const GridMap& ground, const std::vector<Cell>& from) {
   using QueueEntry = std::pair<double, std::uint32_t>;
   std::vector<double> least(ground.moves.size(), infinity);

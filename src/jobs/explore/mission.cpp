@@ -19,13 +19,13 @@ constexpr double nearby_m = 0.9;
 constexpr double here_m = 0.5;
 constexpr double elsewhere_m = 20.0;  ///< driven between two times stuck that have nothing in common
 
-/// Whether anything can be read off it.
+/// Returns true if the scan is usable.
 bool usable(const LaserScan& scan) {
   return check(scan) &&
          std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
 }
 
-/// Where its beams end on something.
+/// Returns the end points of the beams that hit something.
 std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
@@ -113,7 +113,7 @@ bool spent(const ExploreMission& mission, const ExploreRules& rules) {
   return mission.time_s - *mission.started_s > rules.most_time_s || mission.driven_m > rules.most_distance_m;
 }
 
-/// Whether what is next of the path has been found to be in the way.
+/// Returns true if the next part of the path is blocked.
 bool blocked(const ExploreMission& mission, const Nearby& nearby) {
   const double wanted = std::min(mission.task.robot.radius_m + mission.task.steer.least_gap_m,
                                  nearby.clearance(mission.pose.position) - 1e-3);
@@ -132,7 +132,7 @@ bool blocked(const ExploreMission& mission, const Nearby& nearby) {
   return false;
 }
 
-/// Whether it is time to think where to go.
+/// Returns true if it is time for a new decision.
 bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
   if (!mission.looked) return false;
   if (!mission.path) return true;
@@ -192,7 +192,7 @@ void back_off(ExploreMission& mission) {
   moved_on(mission);
 }
 
-/// The same twist for a robot that drives backwards.
+/// Returns the twist for a robot that drives backwards.
 Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
   const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
   const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
@@ -210,7 +210,7 @@ bool stands_still(ExploreMission& mission) {
   return mission.time_s - mission.moved_on_s > mission.task.rules.patience_s;
 }
 
-/// What stands around: by the map, or by the newest scan where the map has hemmed the robot in.
+/// Returns the obstacles around the robot: by the map, or by the newest scan if the map encloses the robot.
 Nearby surroundings(const ExploreMission& mission) {
   constexpr std::int64_t often = 3;
   constexpr double beam_m = 0.01;
@@ -219,7 +219,7 @@ Nearby surroundings(const ExploreMission& mission) {
   return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
 }
 
-/// Where to drive now, or nowhere.
+/// Returns the current driving target, or nothing.
 Twist2 drive(ExploreMission& mission) {
   const Nearby nearby = surroundings(mission);
   if (mission.path) advance_along(*mission.path, mission.pose.position);
@@ -281,7 +281,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
     ++mission.loops;
     mission.path.reset();
     moved_on(mission);
-    add_event(mission, "loop", "a place was recognised, and the map drawn anew");
+    add_event(mission, "loop", "a place was recognised, and the map was redrawn");
   }
   const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));

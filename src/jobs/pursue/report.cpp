@@ -62,7 +62,7 @@ Report scene(const PursuitProblem& problem, const std::string& name) {
   return report;
 }
 
-/// What the robot on duty paid until each second: the state keeps the sum only, the rest is counted again.
+/// Returns the cost paid until each second. It is computed again, because the state keeps only the sum.
 std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitState& state) {
   std::vector<double> paid{0.0};
   for (int s = 1; s <= state.time_s; ++s) {

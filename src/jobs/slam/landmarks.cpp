@@ -55,7 +55,7 @@ double way_of(const LandmarkLog& log) {
   return way_m;
 }
 
-/// What is noted while the log is mapped, for the report and for who looks on.
+/// Records the report while the log is mapped, and shows it to the observer.
 class Recorder {
  public:
   Recorder(const SlamScenario& scenario, const LandmarkLog& log, RunObserver* observer)
@@ -207,7 +207,7 @@ Outcome<Mapped> run_log(const SlamJob& job, const LandmarkSlamOptions& options, 
   return run;
 }
 
-/// What a log that vouches for its ids needs: no gate and no patience, where nobody chose them.
+/// Returns options for a log with reliable ids: no gate and no patience, unless they were set.
 LandmarkSlamOptions options_of(const SlamJob& job, const LandmarkLog& log) {
   LandmarkSlamOptions options = job.scenario.landmarks;
   if (!log.told_apart || options.unknown_ids) return options;

@@ -28,7 +28,7 @@ struct View {
   }
 };
 
-/// Of what was estimated; odometry may leave the picture.
+/// Returns the view of the estimates; odometry may leave the picture.
 View view_of(const SlamPicture& picture) {
   std::vector<Vec2> points = picture.truth;
   for (const auto& track : picture.driven) points.insert(points.end(), track.begin(), track.end());

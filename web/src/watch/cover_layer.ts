@@ -37,7 +37,7 @@ export function pathOf(...all: Outlines[]): Path {
 
 export const turnedRound = (outlines: Outlines): Outlines => outlines.map((ring) => [...ring].reverse());
 
-/** Whether there is a part of the area, to speak of, that the robot cannot cover. */
+/** Returns true if a relevant part of the area is out of reach. */
 const reachesLess = ({ area, reach }: Cover): boolean => areaOfOutlines(area) - areaOfOutlines(reach) > 1e-4 * areaOfOutlines(area);
 
 export const outOfReach = (cover: Cover): Path | null => (reachesLess(cover) ? pathOf(cover.area, turnedRound(cover.reach)) : null);
@@ -47,7 +47,7 @@ export function passAt({ passes }: Cover, t: number): Cover["passes"][number] | 
   return passes.find((one) => one.start_s <= t && t < one.end_s);
 }
 
-/** Whether a place is in an area, by the rule of even and odd. */
+/** Returns true if a place is in an area, by the even-odd rule. */
 export function within(outlines: Outlines, x: number, y: number): boolean {
   let inside = false;
   for (const ring of outlines) {

@@ -12,7 +12,7 @@ import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
 const mostSteps = 20_000;
 const up = new Vector3(0, 0, 1);
 
-/** Of a robot whose size is not told, so large that it is seen from afar. */
+/** Returns the radius of the robot; if it is unknown, one that is large enough to see from afar. */
 export function radiusOf(run: Run): number {
   if (finite(run.report.robot.radius_m) > 0 || !run.report.slam) return Math.max(0.05, finite(run.report.robot.radius_m));
   const [x0, y0, x1, y1] = areaOf(run);

@@ -63,7 +63,7 @@ describe("the plots", () => {
   });
   it("say nothing of a way as settled while nothing is", () => {
     const titles = slamSeries(mapped({}, { status: "running" })).map((one) => one.title);
-    expect(titles).toEqual(["Doubt of the pose", "Odometry alone, off the belief", "Known"]);
+    expect(titles).toEqual(["Uncertainty of the pose", "Odometry alone, off the belief", "Known"]);
     expect(slamLegend(mapped({}, { status: "running" }))[0]![0]).toBe("way believed so far");
   });
   it("have nothing to tell of another job", () => {

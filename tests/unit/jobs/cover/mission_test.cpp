@@ -42,7 +42,7 @@ TEST(CoverDrive, TheRoomIsCoveredWithinItsBoundsBySlowAndFastDrives) {
   }
 }
 
-TEST(CoverDrive, ExactlyTheTrackWithoutAStray) {
+TEST(CoverDrive, FollowsTheTrackExactlyWithoutTrackingError) {
   CoverProblem problem = room();
   problem.pace.slowest_speed_mps = problem.pace.speed_mps;
   problem.pace.slowest_turn_rate_radps = problem.pace.turn_rate_radps;

@@ -74,7 +74,7 @@ TEST(CoverPlan, TheSpiralOfASquareIsTheReports) {
   EXPECT_NEAR(laps, squares_length_m(1.5, problem.stride_m(), 5), 1e-9);
 }
 
-TEST(CoverPlan, AStrayWithinTheOverlapLeavesNothingOffTheRim) {
+TEST(CoverPlan, ATrackingErrorWithinTheOverlapLeavesOnlyTheRimUncovered) {
   for (const CoverMethod& method : cover_methods()) {
     CoverProblem problem = room(1.5);
     problem.tracking_error_m = 0.009;

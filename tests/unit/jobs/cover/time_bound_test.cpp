@@ -61,7 +61,7 @@ TEST(TimeBound, TheReportsExample) {
   EXPECT_NEAR(bound.most_s, 418.53, 0.01);
 }
 
-TEST(TimeBound, GrowsWithTheStray) {
+TEST(TimeBound, GrowsWithTheTrackingError) {
   const CoverTrack track = squares(1.5, 0.18, 4);
   const Pace pace;
   TimeBound before = time_bound(track, pace, 0.0, 1.0);
