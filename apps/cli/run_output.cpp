@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Something to play: a robot that moves, or a pursuit.
-bool plays(const Report& report) { return !report.track.empty() || report.chase; }
+bool plays(const Report& report) { return !report.track.empty() || report.pursuit; }
 
 /// A run without anything to play, as a file keeps it: what is printed as JSON, but for how long the machine
 /// took, which differs from run to run.

@@ -30,7 +30,7 @@ class SpaceSearch {
     for (const std::size_t i : touched_) paid_[i] = never;
     touched_.clear();
     const GridFrame& frame = problem_.costs->frame;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
     const auto add = [&](Cell cell, std::uint64_t paid, std::size_t from) {
       const std::size_t i = frame.index(cell);
       if (paid >= paid_[i]) return;
@@ -59,7 +59,7 @@ class SpaceSearch {
   }
 
  private:
-  using Entry = std::tuple<std::uint64_t, std::uint64_t, std::size_t>;  // bound, paid, cell
+  using QueueEntry = std::tuple<std::uint64_t, std::uint64_t, std::size_t>;  // bound, paid, cell
 
   static std::uint64_t moves(Cell a, Cell b) {
     return static_cast<std::uint64_t>(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));

@@ -14,14 +14,14 @@ LabelSearch::LabelSearch(const PursuitField& field, Relaxations relaxations, std
   add({0, 0, field.costs[field.start], field.start, none, none, false}, 0);
 }
 
-bool LabelSearch::dominated(const Label& label) {
-  const auto beats = [](const Label& a, const Label& b) {
+bool LabelSearch::dominated(const PursuitLabel& label) {
+  const auto beats = [](const PursuitLabel& a, const PursuitLabel& b) {
     return a.t <= b.t && a.m <= b.m && a.g + std::uint64_t{b.t - a.t} * a.m <= b.g;
   };
   std::uint32_t* link = &first_[label.cell];
   while (*link != none) {
     ++work_;
-    Label& other = labels_[*link];
+    PursuitLabel& other = labels_[*link];
     if (beats(other, label)) return true;
     if (beats(label, other)) {
       other.dropped = true;
@@ -33,7 +33,7 @@ bool LabelSearch::dominated(const Label& label) {
   return false;
 }
 
-void LabelSearch::add(const Label& label, std::uint64_t at_least) {
+void LabelSearch::add(const PursuitLabel& label, std::uint64_t at_least) {
   if (label.t > static_cast<std::uint32_t>(field_->last_s)) return;
   const std::uint64_t least =
       std::max(at_least, least_total(relaxations_, label.cell, static_cast<int>(label.t), label.g));
@@ -62,7 +62,7 @@ std::optional<TimedWay> LabelSearch::next_better(BudgetMeter& meter) {
       break;
     }
     work_ += work_to_take_up;
-    const Label from = labels_[id];
+    const PursuitLabel from = labels_[id];
     const std::uint64_t g = from.g + field_->costs[from.cell];
     for_neighbours(field_->free, from.cell, field_->stride, [&](CellIndex n) {
       add({g, from.t + 1, std::min(from.m, field_->costs[n]), n, id, none, false}, least);

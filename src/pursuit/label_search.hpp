@@ -48,7 +48,7 @@ class LabelSearch {
   static constexpr std::size_t most_labels = std::size_t{1} << 31U;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  struct Label {
+  struct PursuitLabel {
     std::uint64_t g;
     std::uint32_t t;
     std::uint32_t m;
@@ -58,8 +58,8 @@ class LabelSearch {
     bool dropped;
   };
 
-  void add(const Label& label, std::uint64_t at_least);
-  bool dominated(const Label& label);
+  void add(const PursuitLabel& label, std::uint64_t at_least);
+  bool dominated(const PursuitLabel& label);
   [[nodiscard]] TimedWay way_of(std::uint32_t label, int second) const;
 
   const PursuitField* field_;
@@ -67,7 +67,7 @@ class LabelSearch {
   std::uint64_t best_;
   std::uint64_t most_work_;
   std::uint64_t work_ = 0;
-  std::vector<Label> labels_;
+  std::vector<PursuitLabel> labels_;
   std::vector<std::uint32_t> first_;  // of each cell
   RadixQueue<Ties::newest_first> queue_;
   std::optional<TimedWay> better_;

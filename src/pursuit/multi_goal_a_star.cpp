@@ -26,8 +26,8 @@ void for_each_step(const PursuitProblem& problem, Cell cell, Visit visit) {
 std::vector<std::uint64_t> costs_to_go(const PursuitProblem& problem) {
   const CostGrid& costs = *problem.costs;
   std::vector<std::uint64_t> to_go(costs.cells.size(), never);
-  using Entry = std::pair<std::uint64_t, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  using QueueEntry = std::pair<std::uint64_t, std::size_t>;
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
   for (auto t = static_cast<std::size_t>(problem.start_s) + 1; t < problem.target.size(); ++t) {
     const std::size_t i = costs.frame.index(problem.target[t]);
     if (problem.wall(problem.target[t]) || to_go[i] == 0) continue;
@@ -101,8 +101,9 @@ Outcome<PursuitPlan> multi_goal_a_star(const PursuitProblem& problem, const Mult
   const auto start = static_cast<std::uint32_t>(costs.frame.index(problem.start));
   Closed closed(costs.cells.size(), problem.target.size());
   std::vector<State> states{{0, start, problem.start_s, 0}};
-  using Entry = std::tuple<std::uint64_t, std::int32_t, std::uint32_t>;  // bound, last seconds first, state
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  using QueueEntry =
+      std::tuple<std::uint64_t, std::int32_t, std::uint32_t>;  // bound, last seconds first, state
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
   if (to_go[start] != never) open.emplace(to_go[start], -problem.start_s, 0);
   BudgetMeter meter(budget);
   while (!open.empty()) {

@@ -24,7 +24,7 @@ class Follower {
   std::optional<Cell> move(Cell here, Cell goal) {
     const GridFrame& frame = problem_.costs->frame;
     std::map<std::size_t, Seen> seen{{frame.index(here), {}}};
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> open;
     open.emplace(estimate(here, goal), 0, frame.index(here));
     std::vector<std::size_t> searched;
     std::size_t aim = frame.index(here);
@@ -53,7 +53,7 @@ class Follower {
   }
 
  private:
-  using Entry = std::tuple<std::uint64_t, std::uint64_t, std::size_t>;  // bound, paid, cell
+  using QueueEntry = std::tuple<std::uint64_t, std::uint64_t, std::size_t>;  // bound, paid, cell
   struct Seen {
     std::uint64_t paid = 0;
     std::size_t from = 0;
@@ -61,7 +61,7 @@ class Follower {
   };
 
   void expand(Cell cell, Cell goal, std::uint64_t after, std::map<std::size_t, Seen>& seen,
-              std::priority_queue<Entry, std::vector<Entry>, std::greater<>>& open) {
+              std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>>& open) {
     const GridFrame& frame = problem_.costs->frame;
     for (int y = -1; y <= 1; ++y) {
       for (int x = -1; x <= 1; ++x) {

@@ -1,10 +1,10 @@
 #include <vector>
 
 #include "outrider/report/pictures.hpp"
-#include "svg_chase.hpp"
 #include "svg_cover.hpp"
 #include "svg_drive.hpp"
 #include "svg_explore.hpp"
+#include "svg_pursuit.hpp"
 #include "svg_scene.hpp"
 #include "svg_slam.hpp"
 #include "text.hpp"
@@ -112,7 +112,7 @@ std::string drawn(const Scene& scene) {
 
 std::string to_animated_svg(const Report& report, double seconds) {
   const double loop_s = std::isfinite(seconds) ? std::clamp(seconds, 1.0, 600.0) : 20.0;
-  if (report.chase) return chase_picture(report, loop_s);
+  if (report.pursuit) return pursuit_picture(report, loop_s);
   if (report.cover) return cover_picture(report, loop_s);
   if (report.drive) return drive_picture(report);
   if (report.slam) return slam_picture(report, loop_s);

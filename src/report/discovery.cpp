@@ -30,7 +30,7 @@ struct Block {
   float known_s = std::numeric_limits<float>::infinity();
 };
 
-/// Of the cells of a square.
+/// The merged value of the cells of a square.
 Block summary(const Grid<std::uint8_t>& occupancy, const Grid<float>& known_s, Cell low, Cell high) {
   Block block;
   for (int y = low.y; y < high.y; ++y) {

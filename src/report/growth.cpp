@@ -14,7 +14,7 @@ std::vector<T> rest_of(const std::vector<T>& items, std::size_t& told) {
   return {items.begin() + static_cast<std::ptrdiff_t>(begin), items.end()};
 }
 
-/// What stands still while the run goes on: all but the lists that grow.
+/// Returns the static parts of the report: everything except the lists that grow.
 Report scene_of(const Report& report) {
   Report scene = report;
   scene.reason.clear();
@@ -25,11 +25,11 @@ Report scene_of(const Report& report) {
   scene.events.clear();
   scene.track.clear();
   if (scene.supplies) scene.supplies->levels.clear();
-  if (auto& chase = scene.chase) {
-    chase->target.clear();
-    chase->robots.clear();
-    chase->paid.clear();
-    chase->bounds.clear();
+  if (auto& pursuit = scene.pursuit) {
+    pursuit->target.clear();
+    pursuit->robots.clear();
+    pursuit->paid.clear();
+    pursuit->bounds.clear();
   }
   if (auto& drive = scene.drive) {
     drive->stops.clear();
@@ -52,7 +52,7 @@ bool same(const ReportMap& a, const ReportMap& b) {
          a.step_s == b.step_s && a.state_runs == b.state_runs && a.known_runs == b.known_runs;
 }
 
-/// The part that a report tells of, made where the news has none yet.
+/// Returns the part of the report, which it creates if there is none yet.
 template <class Part>
 Part& part_of(std::optional<Part>& part) {
   return part ? *part : part.emplace();
@@ -62,59 +62,59 @@ Part& part_of(std::optional<Part>& part) {
 
 Report ReportGrowth::delta(const Report& so_far) {
   const bool begins = std::exchange(job_, so_far.job) != so_far.job;
-  Report news = begins ? scene_of(so_far) : Report{};
-  news.status = "running";
-  news.paths = rest_of(so_far.paths, told_.paths);
-  news.shots = rest_of(so_far.shots, told_.shots);
-  news.events = rest_of(so_far.events, told_.events);
-  news.track = rest_of(so_far.track, told_.track);
+  Report changes = begins ? scene_of(so_far) : Report{};
+  changes.status = "running";
+  changes.paths = rest_of(so_far.paths, sent_.paths);
+  changes.shots = rest_of(so_far.shots, sent_.shots);
+  changes.events = rest_of(so_far.events, sent_.events);
+  changes.track = rest_of(so_far.track, sent_.track);
   std::vector<TargetState> targets;
   for (const ReportTarget& one : so_far.targets) {
     targets.emplace_back(one.name, one.status, one.shots, one.moves ? one.moves->size() : 0);
   }
-  if (targets != targets_) news.targets = so_far.targets;
+  if (targets != targets_) changes.targets = so_far.targets;
   targets_ = std::move(targets);
-  if (so_far.supplies) part_of(news.supplies).levels = rest_of(so_far.supplies->levels, told_.levels);
-  if (so_far.chase) add_chase(news, *so_far.chase);
-  if (so_far.drive) add_drive(news, *so_far.drive);
-  if (so_far.explore) add_explore(news, *so_far.explore);
-  if (so_far.slam) add_slam(news, *so_far.slam);
-  return news;
+  if (so_far.supplies) part_of(changes.supplies).levels = rest_of(so_far.supplies->levels, sent_.levels);
+  if (so_far.pursuit) add_pursuit(changes, *so_far.pursuit);
+  if (so_far.drive) add_drive(changes, *so_far.drive);
+  if (so_far.explore) add_explore(changes, *so_far.explore);
+  if (so_far.slam) add_slam(changes, *so_far.slam);
+  return changes;
 }
 
-void ReportGrowth::add_chase(Report& news, const ReportChase& chase) {
-  ReportChase& part = part_of(news.chase);
-  part.target = rest_of(chase.target, told_.target);
-  part.paid = rest_of(chase.paid, told_.paid);
-  part.bounds = rest_of(chase.bounds, told_.bounds);
-  told_.robots.resize(chase.robots.size(), 0);
-  for (std::size_t i = 0; i < chase.robots.size(); ++i)
-    part.robots.push_back(rest_of(chase.robots[i], told_.robots[i]));
+void ReportGrowth::add_pursuit(Report& changes, const ReportPursuit& pursuit) {
+  ReportPursuit& part = part_of(changes.pursuit);
+  part.target = rest_of(pursuit.target, sent_.target);
+  part.paid = rest_of(pursuit.paid, sent_.paid);
+  part.bounds = rest_of(pursuit.bounds, sent_.bounds);
+  sent_.robots.resize(pursuit.robots.size(), 0);
+  for (std::size_t i = 0; i < pursuit.robots.size(); ++i)
+    part.robots.push_back(rest_of(pursuit.robots[i], sent_.robots[i]));
 }
 
-void ReportGrowth::add_drive(Report& news, const ReportDrive& drive) {
-  ReportDrive& part = part_of(news.drive);
-  part.beliefs = rest_of(drive.beliefs, told_.drive_beliefs);
+void ReportGrowth::add_drive(Report& changes, const ReportDrive& drive) {
+  ReportDrive& part = part_of(changes.drive);
+  part.beliefs = rest_of(drive.beliefs, sent_.drive_beliefs);
   std::vector<double> arrivals;
   for (const ReportStop& stop : drive.stops) arrivals.push_back(std::isnan(stop.time_s) ? -1.0 : stop.time_s);
   if (arrivals != arrivals_) part.stops = drive.stops;
   arrivals_ = std::move(arrivals);
 }
 
-void ReportGrowth::add_explore(Report& news, const ReportExplore& explore) {
-  ReportExplore& part = part_of(news.explore);
-  part.beliefs = rest_of(explore.beliefs, told_.beliefs);
-  part.decisions = rest_of(explore.decisions, told_.decisions);
+void ReportGrowth::add_explore(Report& changes, const ReportExplore& explore) {
+  ReportExplore& part = part_of(changes.explore);
+  part.beliefs = rest_of(explore.beliefs, sent_.beliefs);
+  part.decisions = rest_of(explore.decisions, sent_.decisions);
   if (!same(explore.map, map_)) part.map = map_ = explore.map;
 }
 
-void ReportGrowth::add_slam(Report& news, const ReportSlam& slam) {
-  ReportSlam& part = part_of(news.slam);
+void ReportGrowth::add_slam(Report& changes, const ReportSlam& slam) {
+  ReportSlam& part = part_of(changes.slam);
   part.engine = slam.engine;
-  part.beliefs = rest_of(slam.beliefs, told_.slam_beliefs);
-  part.odometry = rest_of(slam.odometry, told_.odometry);
-  part.reference = rest_of(slam.reference, told_.reference);
-  part.scans = rest_of(slam.scans, told_.scans);
+  part.beliefs = rest_of(slam.beliefs, sent_.slam_beliefs);
+  part.odometry = rest_of(slam.odometry, sent_.odometry);
+  part.reference = rest_of(slam.reference, sent_.reference);
+  part.scans = rest_of(slam.scans, sent_.scans);
   part.loops = slam.loops;
   part.landmarks = slam.landmarks;
   if (slam.map && !same(*slam.map, slam_map_)) part.map = slam_map_ = *slam.map;

@@ -58,7 +58,7 @@ void members(Io& io, T& report) {
   io("events", report.events);
   io("track", report.track);
   io.optional("supplies", report.supplies);
-  io.optional("chase", report.chase);
+  io.optional("pursuit", report.pursuit);
   io.optional("drive", report.drive);
   io.optional("explore", report.explore);
   io.optional("cover", report.cover);
@@ -126,7 +126,7 @@ class Writer {
     return Json::array({written(l.time_s, true), written(l.water, true), written(l.charge_j, true)});
   }
   static Json written(const ReportCovered& c, bool) {
-    return Json::array({written(c.time_s, true), written(c.covered_m2, true), written(c.twice_m2, true)});
+    return Json::array({written(c.time_s, true), written(c.covered_m2, true), written(c.overlap_m2, true)});
   }
   static Json written(const ReportBound& b, bool) {
     return Json::array({written(b.time_s, false), written(b.expansions, false), written(b.cost, false),
@@ -327,7 +327,7 @@ class Reader {
     read(place, std::array{&l.time_s, &l.water, &l.charge_j}, false);
   }
   static void read(const Place& place, ReportCovered& c, bool) {
-    read(place, std::array{&c.time_s, &c.covered_m2, &c.twice_m2}, true);
+    read(place, std::array{&c.time_s, &c.covered_m2, &c.overlap_m2}, true);
   }
   static void read(const Place& place, ReportBound& b, bool) {
     read(place, std::array{&b.time_s, &b.expansions, &b.cost, &b.lower_bound}, false);

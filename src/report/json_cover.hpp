@@ -23,7 +23,7 @@ void members(Io& io, T& cover) {
   io.drawn("area", cover.area);
   io.drawn("reach", cover.reach);
   io.drawn("missed", cover.missed);
-  io.drawn("twice", cover.twice);
+  io.drawn("overlap", cover.overlap);
   io.drawn("planned", cover.planned);
   io("passes", cover.passes);
   io("covered", cover.covered);

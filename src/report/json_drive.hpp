@@ -50,7 +50,7 @@ void members(Io& io, T& belief) {
   io.drawn("sigma_y_m", belief.sigma_y_m);
   io.drawn("correlation", belief.correlation);
   io.drawn("sigma_rad", belief.sigma_rad);
-  io("saw_tag", belief.saw_tag);
+  io("corrected", belief.corrected);
 }
 
 template <class Io, class T>

@@ -125,16 +125,16 @@ void members(Io& io, T& supplies) {
 }
 
 template <class Io, class T>
-  requires std::same_as<std::remove_const_t<T>, ReportChase>
-void members(Io& io, T& chase) {
-  io("columns", chase.columns);
-  io("rows", chase.rows);
-  io("cell_m", chase.cell_m);
-  io.runs("cost_runs", chase.cost_runs, chase.columns, chase.rows);
-  io("target", chase.target);
-  io("robots", chase.robots);
-  io("paid", chase.paid);
-  io("bounds", chase.bounds);
+  requires std::same_as<std::remove_const_t<T>, ReportPursuit>
+void members(Io& io, T& pursuit) {
+  io("columns", pursuit.columns);
+  io("rows", pursuit.rows);
+  io("cell_m", pursuit.cell_m);
+  io.runs("cost_runs", pursuit.cost_runs, pursuit.columns, pursuit.rows);
+  io("target", pursuit.target);
+  io("robots", pursuit.robots);
+  io("paid", pursuit.paid);
+  io("bounds", pursuit.bounds);
 }
 
 }  // namespace outrider

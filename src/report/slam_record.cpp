@@ -36,7 +36,7 @@ void add_heading(std::vector<double>& column, double heading_rad) {
   column.push_back(before + wrap_angle(heading_rad - before));
 }
 
-/// All that is linear between two rows.
+/// All values that are interpolated linearly between two rows.
 std::vector<std::vector<double>> columns_of(const Report& report) {
   const ReportSlam& slam = *report.slam;
   std::vector<std::vector<double>> columns(8);
@@ -152,7 +152,7 @@ void SlamRecord::thin() {
   ReportSlam& slam = *report_.slam;
   for (std::size_t i = 1; i < kept.rows.size(); ++i) {  // since the belief before
     for (std::size_t row = kept.rows[i - 1] + 1; row < kept.rows[i]; ++row)
-      slam.beliefs[kept.rows[i]].saw_tag |= slam.beliefs[row].saw_tag;
+      slam.beliefs[kept.rows[i]].corrected |= slam.beliefs[row].corrected;
   }
   keep(report_.track, kept.rows);
   keep(slam.beliefs, kept.rows);

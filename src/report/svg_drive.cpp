@@ -43,7 +43,7 @@ std::string label(Vec2 at, std::string_view colour, std::string_view text) {
                      markup_text(text));
 }
 
-/// What was driven over, with a margin, within the bounds.
+/// Returns the box of the driven path with a margin, within the bounds.
 Box2 drawn_area(const Report& report) {
   Box2 box;
   for (const TrackSample& sample : report.track) box.include(sample.pose.position);
@@ -173,7 +173,7 @@ std::string chart(const Report& report, double top_px) {
   for (std::size_t i = 0; i < count; ++i) {
     error.push_back(at(i, errors[i]));
     band.push_back(at(i, bands[i]));
-    if (beliefs[i].saw_tag) {
+    if (beliefs[i].corrected) {
       marks += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"2\" height=\"4\" fill=\"{}\"/>\n",
                            at(i, 0.0).x, bottom_px + 3.0, tag_colour);
     }

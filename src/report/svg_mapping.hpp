@@ -1,4 +1,5 @@
-// What moving pictures of mapping share: the view, the map as it grows, ways, doubt, and the clock.
+// Parts that the animated pictures of mapping share: the view, the map as it grows, paths, uncertainty, and
+// the clock.
 #pragma once
 
 #include <fmt/format.h>

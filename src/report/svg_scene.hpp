@@ -1,4 +1,4 @@
-// What the parts of the animated picture share: the scale, the loop, and how values move over it.
+// Functions that the parts of the animated picture share: the scale, the loop, and how values move over it.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ inline constexpr std::string_view water = "#62c6ff";
 inline constexpr std::string_view robot_colour = "#ffc857";
 inline constexpr std::string_view waiting = "#a9b8c4";
 
-/// Of a target's status.
+/// Returns the colour of a target's status.
 std::string_view colour(std::string_view status);
 
 /// Three decimals (1 mm), without zeros at the end.

@@ -14,7 +14,7 @@ struct Farthest {
   double away = 0.0;
 };
 
-/// Of the rows between two others, the one that lies farthest from the line between these.
+/// Returns the row between two others that lies farthest from the line between them.
 Farthest farthest(const std::vector<double>& time, const Columns& columns, std::size_t low,
                   std::size_t high) {
   Farthest found{low, 0.0};

@@ -7,8 +7,8 @@ import xml.etree.ElementTree as ElementTree
 from tool import DATA, PAGE, SOURCE, ToolTest, flat, main
 
 ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
-KEYS = {"status", "planned_fraction", "planned_missed_m2", "planned_twice_m2", "planned_m", "covered_fraction", "missed_m2",
-        "twice_m2", "length_m", "turned_rad", "stops", "t_min_s", "t_max_s", "time_s", "reach_m2", "clearance_m",
+KEYS = {"status", "planned_fraction", "planned_missed_m2", "planned_overlap_m2", "planned_m", "covered_fraction", "missed_m2",
+        "overlap_m2", "length_m", "turned_rad", "stops", "t_min_s", "t_max_s", "time_s", "reach_m2", "clearance_m",
         "sure_fraction", "sure_inner_fraction"}
 # A width that suits each area, m.
 PUBLISHED = {"ethz_example_l.yaml": 0.08, "ethz_example_polygon_bcd_cell.yaml": 6, "f2c_test_ring.json": 0.6,
@@ -50,14 +50,14 @@ class Cover(ToolTest):
             self.assertEqual(result.returncode, 0, result.stderr)
             answer = flat(self.json_of(result))
             self.assertLess(answer["time_s"], 176)
-            self.assertLessEqual(answer["strayed_m"], 0.005)
+            self.assertLessEqual(answer["tracking_error_m"], 0.005)
             self.assertGreaterEqual(answer["covered_fraction"], 0.995)
             self.assertGreaterEqual(answer["sure_inner_fraction"], 0.997)
 
     def test_the_field_scenario(self):
         answer = self.cover("--scenario", SOURCE / "scenarios/cover/cover_field.yaml")
         self.assertGreater(answer["area_m2"], 5000)
-        self.assertEqual(answer["stray_m"], 0.08)
+        self.assertEqual(answer["tracking_error_limit_m"], 0.08)
 
     def test_published_areas(self):
         folder = DATA / "slam" / "coverage"
@@ -67,7 +67,7 @@ class Cover(ToolTest):
         self.assertEqual(found, set(PUBLISHED))
         for name, width in PUBLISHED.items():
             with self.subTest(name):
-                self.cover(folder / name, "--width", width, "--method", "boustrophedon", "--stray", 0.02 * width)
+                self.cover(folder / name, "--width", width, "--method", "boustrophedon", "--tracking-error", 0.02 * width)
 
     def test_methods_differ_and_repeat(self):
         spiral = self.cover("room.txt", "--method", "spiral")
@@ -79,7 +79,7 @@ class Cover(ToolTest):
         self.assertEqual(best, self.cover("room.txt"))
 
     def test_files(self):
-        self.cover("room.txt", "--out", "out", "--stray", "0.005")
+        self.cover("room.txt", "--out", "out", "--tracking-error", "0.005")
         for name in ("cover.svg", "driven.svg"):
             self.assertTrue(ElementTree.parse(self.folder / "out" / name).getroot().tag.endswith("svg"))
         areas = {f["properties"]["name"]: f for f in
@@ -95,7 +95,7 @@ class Cover(ToolTest):
             at = piece["to"]
 
     def test_the_report_is_the_drive(self):
-        answer = self.cover("room.txt", "--out", "out", "--stray", "0.005", "--seed", "7")
+        answer = self.cover("room.txt", "--out", "out", "--tracking-error", "0.005", "--seed", "7")
         self.assertEqual(answer["report"], "out/cover.json")
         report = json.loads((self.folder / "out/cover.json").read_text())
         self.assertEqual((report["job"], report["status"], report["seed"]), ("cover", "done", 7))
@@ -136,7 +136,7 @@ class Cover(ToolTest):
         for width in ("0", "-1", "x"):
             self.refused("cover", "room.txt", "--width", width, says=["--width", width])
         self.refused("cover", "room.txt", "--method", "random", says=["there is no method 'random'"])
-        self.refused("cover", "room.txt", "--stray", "0.05", says=["stray", "overlap of at least 0.5"])
+        self.refused("cover", "room.txt", "--tracking-error", "0.05", says=["tracking_error", "overlap of at least 0.5"])
         self.refused("cover", "room.txt", "--start", "0,0,0", says=["start", "cannot stand"])
         self.refused("cover", "room.txt", "--units", "feet", says=["units", "metres"])
         self.write("crossed.txt", "(0,0) (1,1) (1,0) (0,1)\n---\n")

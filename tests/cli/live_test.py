@@ -100,9 +100,9 @@ class Live(ToolTest):
         self.write("small.txt", SMALL)
         report, lines = self.check("pursue", "pursue", "small.txt")
         for key in ("target", "paid", "bounds"):
-            self.assertEqual(self.together(lines, "chase", key), report["chase"][key], key)
-        ways = [line["chase"]["robots"] for line in lines]
-        self.assertEqual([place for way in ways for place in way[0]], report["chase"]["robots"][0])
+            self.assertEqual(self.together(lines, "pursuit", key), report["pursuit"][key], key)
+        ways = [line["pursuit"]["robots"] for line in lines]
+        self.assertEqual([place for way in ways for place in way[0]], report["pursuit"]["robots"][0])
 
     def test_a_world_that_is_too_large_to_be_told(self):
         """A net of 80,000 triangles high above the yard: whoever watches is told that the scene is left out, and why."""

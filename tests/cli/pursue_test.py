@@ -59,7 +59,7 @@ class Pursue(ToolTest):
         self.assertEqual(self.pursue("small.txt", "--known", "5")["metrics"]["cost"], 11)
         little = self.pursue("small.txt", "--known", "0", "--forecast", "evade")["metrics"]
         self.assertGreaterEqual(little["cost"], little["lower_bound"])
-        team = self.pursue("small.txt", "--chasers", "2", "--starts", "3,1")["metrics"]
+        team = self.pursue("small.txt", "--pursuers", "2", "--starts", "3,1")["metrics"]
         self.assertEqual((team["cost"], team["catcher"], team["robots"]), (5, 2, 2))
 
     def test_files_and_replay(self):
@@ -116,7 +116,7 @@ class Pursue(ToolTest):
         self.refused("pursue", "small.txt", "--clock", "sun", says=["clock", "virtual or wall"])
         self.refused("pursue", "small.txt", "--planner", "optimall", says=["did you mean 'optimal'?"])
         self.refused("pursue", "small.txt", "--forecast", "stays", says=["did you mean 'stay'?"])
-        self.refused("pursue", "small.txt", "--chasers", "3", "--starts", "2,1", says=["starts", "give 2"])
+        self.refused("pursue", "small.txt", "--pursuers", "3", "--starts", "2,1", says=["starts", "give 2"])
         self.write("wall.txt", SMALL.replace("1.0\n5.0", "9\n5.0"))
         self.refused("pursue", "wall.txt", says=["a wall"])
 

@@ -31,7 +31,7 @@ inline CoverProblem random_cover_problem(Rng& rng) {
   }
   problem.width_m = rng.uniform(0.4, 0.9);
   problem.overlap = rng.uniform(0.02, 0.3);
-  problem.stray_m = rng.uniform() * 0.5 * problem.overlap * problem.width_m;
+  problem.tracking_error_m = rng.uniform() * 0.5 * problem.overlap * problem.width_m;
   return problem;
 }
 

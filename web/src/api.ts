@@ -17,7 +17,7 @@ export interface PlannerRow {
   guarantee: { sentence: string; measure: string; cost_unit: string };
   grounds: ("cells" | "corners" | "polygons")[];
   traces: boolean;
-  /** Of its search: every expansion and its queue, or the tree that it drew, or nothing because it looks its answer up. */
+  /** The trace of its search: every expansion and its queue, or the tree that it drew, or nothing because it looks its answer up. */
   tells: "search" | "tree" | "lookup";
   index: boolean;
   options: OptionRow[];
@@ -57,7 +57,7 @@ export interface GridTrace {
   frame: { origin: [number, number]; resolution_m: number; width: number; height: number };
   truncated: boolean;
 }
-/** Of a search without a grid: its states are numbers. */
+/** The trace of a search without a grid: its states are numbers. */
 export interface PlacedTrace {
   columns: string[];
   rows: number[][];

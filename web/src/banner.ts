@@ -20,7 +20,7 @@ export const heading = (report: Report): HTMLHeadingElement =>
 /** Title and verdict, for the header of the viewer and above a run in the app. */
 export function title(report: Report, seed: string): HTMLElement[] {
   const done = report.status === "done";
-  const reason = report.reason || (report.chase && done ? `caught in second ${report.metrics.catch_time_s ?? ""}` : "");
+  const reason = report.reason || (report.pursuit && done ? `caught in second ${report.metrics.catch_time_s ?? ""}` : "");
   return [heading(report),
     h("p", { class: "verdict", title: report.reason }, h("b", done ? {} : { class: "not" }, done ? "Done" : "Not done"), reason ? ` ${reason}` : ""),
     h("p", { class: "seed" }, seed ? `seed ${seed}` : "")];

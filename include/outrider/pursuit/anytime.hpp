@@ -1,4 +1,4 @@
-// AnytimePursuit: the search behind `optimal`, a piece at a time.
+// AnytimePursuit: the search behind `optimal`, in steps.
 //
 //   AnytimePursuit search(problem);
 //   while (!search.proven()) {
@@ -6,12 +6,13 @@
 //     ... search.best(), search.lower_bound() ...
 //   }
 //
-// improve() returns after each better catch, when the bound is as large as the cost, and when its budget
-// ends, which is no fault: the next call goes on. best() never gets dearer, lower_bound() never falls.
-// With budgets of expansions alone the same calls give the same answers. The first catch, the earliest one,
-// stands after one flood of the cells that are as near; methods and memory are those of optimal.hpp. Wall
-// time is kept but for laying out the map and for the moves of a way that the last step proved. To plan on
-// from where the robot has come to, make a new one from the problem with that cell and that second.
+// improve() returns after each better catch, when the bound equals the cost, and when its budget ends, which
+// is no fault: the next call continues. The cost of best() never increases, and lower_bound() never
+// decreases. With budgets of expansions alone, the same calls give the same answers. The first catch is the
+// earliest one; it takes one flood of the cells that are as near. Methods and memory are those of
+// optimal.hpp. Limits of wall time hold except while the map is prepared and while the path of the last step
+// is extracted. To plan from a later place of the robot, construct a new search from the problem with that
+// cell and that second.
 #pragma once
 
 #include <memory>
@@ -24,27 +25,30 @@
 
 namespace outrider {
 
+/// The search.
 class AnytimePursuit {
  public:
-  /// A problem that cannot be asked is refused by the first improve().
+  /// Never fails. The first improve() refuses an invalid problem.
   explicit AnytimePursuit(PursuitProblem problem);
   AnytimePursuit(AnytimePursuit&&) noexcept;
   AnytimePursuit& operator=(AnytimePursuit&&) noexcept;
   ~AnytimePursuit();
 
-  /// Faults: those of check(problem); no_path, with the reason of why_no_catch(), once it is proven that
-  /// there is no catch; cancelled.
+  /// Searches on. Faults: those of check(problem); no_path, with the reason of why_no_catch(), once it is
+  /// proven that there is no catch; cancelled.
   Status improve(const Budget& budget);
-  /// The same with a meter that goes on counting from call to call.
+  /// The same with a meter that counts over several calls.
   Status improve(BudgetMeter& meter);
 
-  /// The cheapest catch so far, with the bound as it is now.
+  /// Returns the cheapest catch so far with the current bound.
   [[nodiscard]] const std::optional<PursuitPlan>& best() const;
+  /// Returns the proven lower bound of the cost.
   [[nodiscard]] std::uint64_t lower_bound() const;
-  /// The first second in which a catch is possible, once it is known.
+  /// Returns the first second in which a catch is possible, if it is known yet.
   [[nodiscard]] std::optional<int> earliest_catch_s() const;
-  /// The best catch is the cheapest there is.
+  /// Returns true if best() is optimal.
   [[nodiscard]] bool proven() const;
+  /// Returns the work done so far.
   [[nodiscard]] const PursuitCounters& counters() const;
 
  private:
@@ -52,10 +56,12 @@ class AnytimePursuit {
   std::unique_ptr<Search> search_;
 };
 
+/// The planner has no options.
 struct AnytimePursuitOptions {};
 std::vector<Option> describe(AnytimePursuitOptions& options);
 
-/// The best catch when the budget ends. Faults: those of improve(); budget_exhausted when none was found.
+/// Returns the best catch when the budget ends. Faults: those of improve(); budget_exhausted when none was
+/// found.
 Outcome<PursuitPlan> anytime_pursuit(const PursuitProblem& problem, const AnytimePursuitOptions& options,
                                      const Budget& budget, Workspace& workspace);
 

@@ -12,19 +12,20 @@
 
 namespace outrider {
 
-/// What a planner promises with its default options.
+/// What a planner guarantees with its default options.
 struct PursuitGuarantee {
-  bool complete = true;  ///< finds a catch whenever there is one, or proves that there is none
-  bool optimal = true;   ///< and it is the cheapest, with lower_bound = cost
-  std::string_view sentence;
+  bool complete = true;       ///< finds a catch whenever there is one, or proves that there is none
+  bool optimal = true;        ///< the catch is the cheapest, with lower_bound = cost
+  std::string_view sentence;  ///< the guarantee in words
 };
 
 /// A planner with an instance of its options, which `plan` reads at each call.
 struct ConfiguredPursuitPlanner {
-  std::vector<Option> options;
+  std::vector<Option> options;  ///< by name
   std::function<Outcome<PursuitPlan>(const PursuitProblem&, const Budget&, Workspace&)> plan;
 };
 
+/// A row of the catalogue.
 struct PursuitPlanner {
   std::string_view name;
   std::string_view sentence;
@@ -33,7 +34,7 @@ struct PursuitPlanner {
   std::function<ConfiguredPursuitPlanner()> configure;
 };
 
-/// All of them, in the order of showing.
+/// Returns all planners in display order.
 const std::vector<PursuitPlanner>& pursuit_planners();
 
 /// Fault: bad_input with the nearest known name.

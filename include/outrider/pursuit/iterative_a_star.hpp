@@ -1,9 +1,9 @@
 // Iterative A* with penalties and backward goals: a reference method, kept for comparison.
 //
 // Goals are cells of the target taken backward from the end of its trajectory. Towards each, A* in space
-// alone minimises cost + penalty x steps; a way that arrives late is searched again with a ten times
-// larger penalty, until it is in time or even the fewest steps are late. Who is early waits at the goal. The
-// cheapest catch of all goals is the answer.
+// alone minimises cost + penalty x steps; a path that arrives late is searched again with a ten
+// times larger penalty, until it is in time or even the fewest steps are late. A robot that is early waits at
+// the goal. The answer is the cheapest catch of all goals.
 //
 // Not complete (only `goals` seconds of the trajectory are tried) and not optimal (it waits only at the
 // goal, and penalties skip ways between two of them). lower_bound is 0: nothing is proven.
@@ -18,12 +18,14 @@
 
 namespace outrider {
 
+/// Options of the planner.
 struct IterativeAStarOptions {
-  std::int64_t goals = 16;  ///< seconds tried, spread from the last one back to the first
+  std::int64_t goals = 16;  ///< number of seconds tried, spread from the last one back to the first
 };
 std::vector<Option> describe(IterativeAStarOptions& options);
 
-/// Faults: those of check(problem); budget_exhausted when no goal was reached in time, or the budget ended.
+/// Plans a catch. Faults: those of check(problem); budget_exhausted when no goal was reached in time, or the
+/// budget ended.
 Outcome<PursuitPlan> iterative_a_star(const PursuitProblem& problem, const IterativeAStarOptions& options,
                                       const Budget& budget, Workspace& workspace);
 

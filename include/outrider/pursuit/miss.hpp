@@ -1,4 +1,4 @@
-// Miss: why a target cannot be caught, and how near the robot can come to it.
+// Miss: the reason why a target cannot be caught, and how near the robot can come to it.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 namespace outrider {
 
+/// Reasons why there is no catch.
 enum class MissReason {
   too_few_seconds,  ///< the target is gone before the first second that counts
   always_on_walls,  ///< the target is on walls in every second that counts
@@ -16,17 +17,19 @@ enum class MissReason {
 };
 std::string_view to_string(MissReason reason);
 
+/// Why there is no catch, in numbers.
 struct Miss {
-  MissReason reason = MissReason::too_late;
-  std::optional<int> late_by_s;  ///< the least delay at any cell of the target; none when none is reached
-  Cell late_at;                  ///< and where
-  int late_for_s = 0;            ///< the second in which the target was there
-  int short_by_cells = 0;        ///< the least number of king's moves between robot and target in any second
-  int short_at_s = 0;            ///< and when
-  std::string sentence;          ///< all of it for a person
+  MissReason reason = MissReason::too_late;  ///< the first that applies
+  std::optional<int>
+      late_by_s;           ///< smallest delay at any cell of the target; empty if the robot reaches none
+  Cell late_at;            ///< the cell of that delay
+  int late_for_s = 0;      ///< the second in which the target was there
+  int short_by_cells = 0;  ///< smallest Chebyshev distance between robot and target in any second
+  int short_at_s = 0;      ///< the second of that distance
+  std::string sentence;    ///< the explanation for a person
 };
 
-/// Why there is no catch; nothing when there is one. The problem passes check(problem).
+/// Returns why there is no catch, or nothing if there is one. The problem must pass check(problem).
 /// O(cells log(side) + seconds).
 std::optional<Miss> why_no_catch(const PursuitProblem& problem);
 

@@ -16,13 +16,14 @@
 
 namespace outrider {
 
+/// Options of the planner.
 struct MultiGoalAStarOptions {
-  std::int64_t states = 20'000'000;  ///< at most, in memory at once
+  std::int64_t states = 20'000'000;  ///< largest number of states in memory
 };
 std::vector<Option> describe(MultiGoalAStarOptions& options);
 
-/// Faults: those of check(problem); no_path when every state that can be reached was looked at;
-/// budget_exhausted when the budget ended or the states are too many.
+/// Plans the cheapest catch. Faults: those of check(problem); no_path when all reachable states were
+/// expanded; budget_exhausted when the budget ended or the states are too many.
 Outcome<PursuitPlan> multi_goal_a_star(const PursuitProblem& problem, const MultiGoalAStarOptions& options,
                                        const Budget& budget, Workspace& workspace);
 

@@ -23,10 +23,12 @@
 
 namespace outrider {
 
+/// The planner has no options.
 struct OptimalPursuitOptions {};
 std::vector<Option> describe(OptimalPursuitOptions& options);
 
-/// Faults: those of check(problem); no_path with the reason of why_no_catch(); budget_exhausted; cancelled.
+/// Plans the cheapest catch. Faults: those of check(problem); no_path with the reason of why_no_catch();
+/// budget_exhausted; cancelled.
 Outcome<PursuitPlan> optimal_pursuit(const PursuitProblem& problem, const OptimalPursuitOptions& options,
                                      const Budget& budget, Workspace& workspace);
 

@@ -1,4 +1,4 @@
-// PursuitProblem: a robot on a grid of costs has to stand on the cell of a moving target in the same second.
+// PursuitProblem: a robot on a cost grid must be in the cell of a moving target in the same second.
 //
 // Each second the robot moves to one of the eight neighbours of its cell or waits, and pays the cost of
 // the cell in which it was before. Cells of at least `threshold` are walls to it; between two walls a
@@ -18,27 +18,29 @@
 
 namespace outrider {
 
+/// The cost of one second in each cell.
 using CostGrid = Grid<std::uint32_t>;
 
+/// The question to a pursuit planner.
 struct PursuitProblem {
-  std::shared_ptr<const CostGrid> costs;  ///< of one second in each cell
+  std::shared_ptr<const CostGrid> costs;  ///< cost of one second in each cell
   std::uint32_t threshold = 0;            ///< cells of this cost and above are walls
-  Cell start;                             ///< of the robot at start_s
+  Cell start;                             ///< cell of the robot at start_s
   std::vector<Cell> target;               ///< its cell at second 0, 1, ...
-  int start_s = 0;                        ///< the second from which is planned, 0 <= start_s
+  int start_s = 0;                        ///< the second in which the plan begins, at least 0
 
+  /// Returns true if the cell is a wall for the robot.
   [[nodiscard]] bool wall(Cell c) const { return (*costs)[c] >= threshold; }
-  /// The last second in which the target can be caught.
+  /// Returns the last second in which the target can be caught.
   [[nodiscard]] int last_s() const { return static_cast<int>(target.size()) - 1; }
 };
 
-/// The problems that are taken: at most so many cells, and so many seconds.
+/// Largest numbers of cells and seconds of a problem.
 inline constexpr std::size_t most_pursuit_cells = std::size_t{1} << 28U;
 inline constexpr std::size_t most_pursuit_seconds = std::size_t{1} << 24U;
 
-/// Whether the problem can be asked. Faults: bad_input without a map, with one of another size than it
-/// says, or of too many cells or seconds; with a target off the map; outside_map and start_blocked for
-/// the robot.
+/// Checks that the problem is valid. Faults: bad_input without a map, with a map whose size is wrong, with
+/// too many cells or seconds, or with a target off the map; outside_map and start_blocked for the robot.
 Status check(const PursuitProblem& problem);
 
 }  // namespace outrider

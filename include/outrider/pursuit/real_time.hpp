@@ -19,15 +19,18 @@
 
 namespace outrider {
 
+/// LRTA* has no options.
 struct LrtaStarOptions {};
 std::vector<Option> describe(LrtaStarOptions& options);
 
+/// Options of RTAA*.
 struct RtaaStarOptions {
-  std::int64_t lookahead = 250;  ///< cells searched each second
+  std::int64_t lookahead = 250;  ///< number of cells searched each second
 };
 std::vector<Option> describe(RtaaStarOptions& options);
 
-/// Faults: those of check(problem); budget_exhausted when the target was gone before it was caught.
+/// Simulate the robot second by second. Faults: those of check(problem); budget_exhausted when the target was
+/// gone before it was caught.
 Outcome<PursuitPlan> lrta_star(const PursuitProblem& problem, const LrtaStarOptions& options,
                                const Budget& budget, Workspace& workspace);
 Outcome<PursuitPlan> rtaa_star(const PursuitProblem& problem, const RtaaStarOptions& options,

@@ -1,7 +1,8 @@
-// sweep: the plain answer, every cell in every second, for judging and comparing.
+// sweep() solves the problem by dynamic programming over every cell in every second, for checks and
+// comparisons.
 //
 // The least cost of being in a cell at second t + 1 is the least over the cell and its neighbours of the
-// cost at t plus the cell's own. Two layers are kept, so the answer is without a path.
+// cost at t plus the cell's own. Only two layers are kept, so the answer has no path.
 // O(cells seconds) time, 16 bytes a cell. Faults: those of check(problem); no_path; budget_exhausted
 // (an expansion is a row of cells in one second); cancelled.
 #pragma once
@@ -11,12 +12,14 @@
 
 namespace outrider {
 
+/// The cheapest catch without its path.
 struct LeastCatch {
   std::uint64_t cost = 0;    ///< of the cheapest catch
   int catch_time_s = 0;      ///< the earliest second of a catch at that cost
   int earliest_catch_s = 0;  ///< the earliest second of any catch
 };
 
+/// Returns the cheapest and the earliest catch.
 Outcome<LeastCatch> sweep(const PursuitProblem& problem, const Budget& budget);
 
 }  // namespace outrider

@@ -1,7 +1,9 @@
-// Discovery: when each cell of a map that grows was first known, and the map of a report made from that.
+// Discovery records when each cell of a growing map first became known, and makes the map of a report from
+// it.
 //
-// Maps may grow between two notes, as long as the lattice of their cells stays: then a cell keeps its time.
-// note(): O(cells changed); O(cells of the map) where it was redrawn. Thread rule: one at a time.
+// A map may grow between two calls of note(), as long as the lattice of its cells stays the same; then each
+// cell keeps its time. note() takes O(cells changed), or O(cells of the map) for a redrawn map. Thread rule:
+// one at a time.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +18,16 @@ namespace outrider {
 
 class Discovery {
  public:
-  /// `occupancy` holds values of Occupancy. Since the note before, the cells with these numbers may have
-  /// changed, or with `redrawn` any of them. Times do not decrease.
+  /// Records the state of the map at `time_s`. `occupancy` holds values of Occupancy. Only the cells with the
+  /// indices `changed` may have changed since the last call, or any cell if `redrawn` is true. Times must not
+  /// decrease.
   void note(const Grid<std::uint8_t>& occupancy, bool redrawn, std::span<const std::size_t> changed,
             double time_s);
 
-  /// The part of the map that is known, as far as it was noted, drawn with at most so many cells, and never
-  /// more than most_drawn_cells: k x k cells of the map, with the least k that will do, make one. It is
-  /// occupied where one of them is, else free where one of them is, and known when the first of them was. At
-  /// most 500 steps of time. O(cells of the map).
+  /// Returns the known part of the map with at most `most_cells` cells, and never more than most_drawn_cells.
+  /// Each drawn cell merges k x k cells of the map, with the smallest k that suffices: it is occupied if any
+  /// of them is, else free if any of them is, and it became known with the first of them. Uses at most 500
+  /// steps of time. O(cells of the map).
   [[nodiscard]] ReportMap map(const Grid<std::uint8_t>& occupancy, std::size_t most_cells = 150'000) const;
 
  private:
@@ -32,7 +35,7 @@ class Discovery {
 
   void follow(const GridFrame& frame);
 
-  Grid<float> known_s_;  ///< by cell: when it was first known
+  Grid<float> known_s_;  ///< by cell: when it first became known
   double end_s_ = 0.0;
 };
 

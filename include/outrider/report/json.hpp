@@ -9,16 +9,17 @@
 
 namespace outrider {
 
-/// One object, UTF-8, keys in a fixed order. Numbers read back the same; what is only drawn (footprints,
-/// profiles, the track) is rounded to 1e-6 first. Infinite or unknown numbers are null.
+/// Returns the report as one JSON object in UTF-8 with keys in a fixed order. Numbers read back unchanged,
+/// except that values which are only drawn (footprints, profiles, the track) are rounded to 1e-6. Infinite
+/// and unknown numbers are null.
 std::string to_json(const Report& report);
 
-/// The same in one line, without its end.
+/// Returns the same text on one line, without a line break at the end.
 std::string to_json_line(const Report& report);
 
-/// Refuses text that is not a report of this version; the fault names the place that is missing or
-/// wrong, as in targets[3].pose[1]. null is read as NaN, and refused in what is drawn. Unknown keys are
-/// ignored. to_json() of the outcome is the text again.
+/// Reads a report. to_json() of the outcome is the same text again. Reads null as NaN, but refuses null in
+/// values that are drawn. Ignores unknown keys. Faults: bad_input on text that is not a report of this
+/// version; the fault names the missing or wrong place, as in targets[3].pose[1].
 Outcome<Report> report_from_json(std::string_view text);
 
 }  // namespace outrider

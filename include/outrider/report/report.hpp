@@ -1,8 +1,8 @@
-// Report: everything that happened in one run. The one thing that the summary, the JSON file, the
-// replay page and the pictures are made from; docs/report.md describes the JSON.
+// Report: everything that happened in one run. The summary, the JSON file, the replay page and the pictures
+// are made from nothing else. docs/report.md describes the JSON.
 //
-// Times are seconds on the run's own clock. Angles of yaw and heading are in the world, counter-
-// clockwise from +x; pitch is up from the horizon. A number that is not known is NaN.
+// Times are seconds on the run's own clock. Yaw and heading angles are in the world frame, counter-clockwise
+// from +x. Pitch counts up from the horizon. An unknown number is NaN.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,17 @@
 
 namespace outrider {
 
+/// A solid of the world.
 struct ReportSolid {
   std::string name;
   std::string kind;                       ///< box, cylinder, sphere, half_space, mesh
   std::vector<RoundedPolygon> footprint;  ///< of the whole solid
   double low_z_m = 0.0;
   double high_z_m = 0.0;
-  bool blocks_driving = false;  ///< some part of it stands in the robot's way
+  bool blocks_driving = false;  ///< some part of it is an obstacle for the robot
 };
 
-/// One instant of the motion; between two samples every value is interpolated linearly.
+/// One instant of the motion. Every value is interpolated linearly between two samples.
 struct TrackSample {
   double time_s = 0.0;
   Pose2 pose;
@@ -36,12 +37,13 @@ struct TrackSample {
   double gun_pitch_rad = 0.0;
 };
 
-/// A solid cut by the vertical plane of a shot: polygons in (distance along from the muzzle, height).
+/// The section of a solid with the vertical plane of a shot, in (distance along from the muzzle, height).
 struct ProfilePiece {
   std::string name;
   std::vector<Vec2> polygon;
 };
 
+/// One shot and its flight.
 struct ReportShot {
   std::string target;
   int attempt = 1;        ///< 1, 2, ... for this target
@@ -49,32 +51,33 @@ struct ReportShot {
   double flight_s = 0.0;  ///< until its first contact
   Vec3 muzzle;            ///< centre of the ball as it leaves
   Vec3 velocity_mps;      ///< of the ball as it leaves
-  std::string contact;    ///< name of what was touched first; the target's name on a hit
-  Vec3 contact_point;     ///< centre of the ball then
+  std::string contact;    ///< name of the solid that the ball touched first; the target's name on a hit
+  Vec3 contact_point;     ///< centre of the ball at the contact
   bool hit = false;
   bool hit_by_reference_rule = false;  ///< ball centre came within 0.5 m of the target's base
-  double clearance_m = 0.0;            ///< least distance from the ball to any solid before the contact
+  double clearance_m = 0.0;            ///< smallest distance from the ball to any solid before the contact
   std::vector<ProfilePiece> profile;   ///< the side view, the target's box included under its name
   std::optional<std::vector<Vec3>> path =
-      {};  ///< of the ball's centre at equal times from the muzzle to the contact, where it is no parabola
-  std::optional<Vec2> platform_velocity_mps = {};  ///< of the robot, where it drove; in the velocity above
+      {};  ///< centres of the ball at equal times from the muzzle to the contact; absent for a parabola
+  std::optional<Vec2> platform_velocity_mps = {};  ///< of a robot that drives; included in velocity_mps
 };
 
-/// The stay of an intruder.
+/// The visit of an intruder.
 struct ReportVisit {
   std::string entrance;
-  Vec2 from;               ///< where that is
-  double enters_s = 0.0;   ///< from then on it is known
-  double settles_s = 0.0;  ///< when it is in its place, after a straight way there
+  Vec2 from;               ///< position of the entrance
+  double enters_s = 0.0;   ///< when it enters and becomes known
+  double settles_s = 0.0;  ///< when it reaches its place along a straight line
 };
 
-/// Where a target that moves was at an instant; between two of them it went straight.
+/// The position of a moving target at an instant. It moves along a straight line between two instants.
 struct ReportMove {
   double time_s = 0.0;
-  Vec2 position;  ///< in truth
-  Vec2 believed;  ///< as the robot had it
+  Vec2 position;  ///< true position
+  Vec2 believed;  ///< position in the robot's belief
 };
 
+/// A target and what became of it.
 struct ReportTarget {
   std::string name;
   std::string status;  ///< reached, failed or unreachable
@@ -82,55 +85,56 @@ struct ReportTarget {
   Vec3 centre;
   Vec3 size;  ///< length, width, height, m
   double yaw_rad = 0.0;
-  Pose2 pose;  ///< from which it was shot last
+  Pose2 pose;  ///< pose of the robot at the last shot
   double pitch_rad = 0.0;
   double shot_yaw_rad = 0.0;
   double speed_mps = 0.0;
   double clearance_m = 0.0;
   double done_s = 0.0;  ///< when its status became final
   int shots = 0;
-  std::optional<ReportVisit> visit =
-      {};  ///< of one that was not there from the start; it leaves when reached
+  std::optional<ReportVisit> visit = {};  ///< of a target that arrived later; it leaves when it is reached
   std::optional<std::vector<ReportMove>> moves =
-      {};  ///< of one that moved after it was in its place; `centre` and `size` are of the last place
+      {};  ///< of a target that moved after it settled; `centre` and `size` are those of the last place
 };
 
+/// Something that happened at one time.
 struct ReportEvent {
   double time_s = 0.0;
   std::string kind;  ///< drive, aim, shot, hit, miss, status, ...
   std::string text;  ///< one sentence
 };
 
+/// A path that was driven.
 struct ReportPath {
   double start_s = 0.0;
   double end_s = 0.0;
   std::vector<Vec2> waypoints;
 };
 
-/// What was known of a pursuit at one moment; costs are of the whole mission.
+/// What was known about a pursuit at one moment. Costs are those of the whole mission.
 struct ReportBound {
   double time_s = 0.0;       ///< of the mission
-  double expansions = 0.0;   ///< of planning until then
-  double cost = 0.0;         ///< by the best catch known; NaN: none
-  double lower_bound = 0.0;  ///< proven; 0: nothing
+  double expansions = 0.0;   ///< of all planning until this time
+  double cost = 0.0;         ///< of the best known catch; NaN: none
+  double lower_bound = 0.0;  ///< proven lower bound of the cost; 0: none
 };
 
-/// A map that is drawn in a report has at most so many cells; what was larger is drawn coarser.
+/// Largest number of cells of a map in a report. Larger maps are drawn coarser.
 inline constexpr std::int64_t most_drawn_cells = 4'000'000;
 
-/// A pursuit over a map of costs: who was where in each second, what it cost, what was known.
-struct ReportChase {
-  int columns = 0;  ///< of the map as it is drawn; coarser than the true one where that is large
+/// A pursuit on a cost grid: the positions in each second, the costs, and what was known.
+struct ReportPursuit {
+  int columns = 0;  ///< of the drawn map; a large map is drawn coarser
   int rows = 0;
   double cell_m = 1.0;            ///< side of a drawn cell; the lowest corner is bounds.low
   std::vector<double> cost_runs;  ///< cost, count, cost, count, ... row by row from the lowest; -1: wall
-  std::vector<Vec2> target;       ///< where it is at second 0, 1, ...
-  std::vector<std::vector<Vec2>> robots;  ///< the same of each robot, until the end of the mission
-  std::vector<double> paid;               ///< by all robots until second 0, 1, ...
+  std::vector<Vec2> target;       ///< its position at second 0, 1, ...
+  std::vector<std::vector<Vec2>> robots;  ///< the positions of each robot until the end of the mission
+  std::vector<double> paid;               ///< cost paid by all robots until second 0, 1, ...
   std::vector<ReportBound> bounds;
 };
 
-/// A place that fills the tank or the battery.
+/// A station that refills the tank or charges the battery.
 struct ReportStation {
   std::string name;
   Vec2 position;
@@ -138,14 +142,15 @@ struct ReportStation {
   bool gives_charge = false;
 };
 
-/// What was in the stores at one instant; between two of them the levels are interpolated linearly.
+/// The contents of tank and battery at one instant. The levels are interpolated linearly between two
+/// instants.
 struct ReportLevel {
   double time_s = 0.0;
   double water = 0.0;
   double charge_j = 0.0;
 };
 
-/// A tank and a battery that end. What has no end is infinite, and NaN once read back.
+/// A limited tank and battery. An unlimited one is infinite; it is NaN after reading a file.
 struct ReportSupplies {
   double tank = 0.0;
   double battery_j = 0.0;
@@ -153,16 +158,16 @@ struct ReportSupplies {
   std::vector<ReportLevel> levels;
 };
 
-/// A tag on a wall, and where the heading out of the wall goes.
+/// A tag on a wall.
 struct ReportTag {
   int id = 0;
   Vec2 position;
-  double facing_rad = 0.0;
+  double facing_rad = 0.0;  ///< heading of the normal that points out of the wall
   double size_m = 0.0;
-  std::optional<double> height_m = {};  ///< of its middle above the floor
+  std::optional<double> height_m = {};  ///< of its centre above the floor
 };
 
-/// A pinhole camera that looks straight ahead; the numbers of its image as those of Camera.
+/// A pinhole camera that looks straight ahead. The intrinsic parameters are those of Camera.
 struct ReportCamera {
   int width_px = 0;
   int height_px = 0;
@@ -170,20 +175,20 @@ struct ReportCamera {
   double fy = 1.0;
   double cx = 0.0;
   double cy = 0.0;
-  double ahead_m = 0.0;   ///< of the robot's middle
+  double ahead_m = 0.0;   ///< in front of the robot's centre
   double height_m = 0.0;  ///< above the floor
 };
 
-/// A place that a robot on wheels was to go to, and how it came there.
+/// A waypoint of a drive, and how accurately the robot reached it.
 struct ReportStop {
   Pose2 pose;
-  bool stop = true;     ///< it was to come to rest there
-  double time_s = 0.0;  ///< when it was reached; NaN: never, or passed by
-  Vec2 error;           ///< of the true position then, in the world
+  bool stop = true;     ///< the robot stops there; false: it passes by
+  double time_s = 0.0;  ///< when the robot reached it; NaN: never, or passed by
+  Vec2 error;           ///< of the true position at that time, in the world
   double heading_error_rad = 0.0;
 };
 
-/// What the robot believed of its pose at one moment.
+/// The robot's belief about its pose at one moment.
 struct ReportBelief {
   double time_s = 0.0;
   Pose2 pose;
@@ -191,11 +196,11 @@ struct ReportBelief {
   double sigma_y_m = 0.0;
   double correlation = 0.0;  ///< of x and y
   double sigma_rad = 0.0;
-  bool saw_tag = false;  ///< since the belief before, a tag told where the robot is; exploring: a place was
-                         ///< recognised
+  bool corrected = false;  ///< an observation corrected the belief since the one before: a tag, a landmark,
+                           ///< or, in exploration and laser mapping, a recognised place
 };
 
-/// A drive on wheels; the truth is the track of the report.
+/// A drive on wheels. The true poses are the track of the report.
 struct ReportDrive {
   std::string loop;  ///< closed or open
   std::vector<ReportTag> tags;
@@ -204,144 +209,147 @@ struct ReportDrive {
   std::optional<ReportCamera> camera = {};  ///< of a drive by tags
 };
 
-/// What a robot has found out of a map, and when. The lists go row by row from the lowest.
+/// A map, and when each of its cells became known. The lists go row by row from the lowest.
 struct ReportMap {
   Vec2 origin;           ///< lowest corner
   double cell_m = 0.05;  ///< side of a drawn cell; a large map is drawn coarser than it is
   int columns = 0;
   int rows = 0;
-  std::vector<int> state_runs;  ///< Occupancy in the end, count, Occupancy, count, ...
+  std::vector<int> state_runs;  ///< final Occupancy, count, Occupancy, count, ...
   double step_s = 1.0;
-  std::vector<int> known_runs;  ///< in which step the cell was first known, count, ...; as the cell before
-                                ///< where it never was
+  std::vector<int> known_runs;  ///< step in which the cell first became known, count, ...; an unknown cell
+                                ///< repeats the value of the cell before
 };
 
-/// Where exploring went next.
+/// A decision of exploration: the next goal.
 struct ReportDecision {
   double time_s = 0.0;
   std::string kind;  ///< frontier, home, ...
   Pose2 goal;
   std::vector<Vec2> waypoints;
-  int frontiers = 0;  ///< open then
+  int frontiers = 0;  ///< open at this time
 };
 
-/// A frontier that was left as it was.
+/// A frontier that was not explored.
 struct ReportRefusal {
   Vec2 position;
   std::string reason;  ///< one sentence
 };
 
-/// A range finder that looks all around.
+/// A range finder that measures in all directions.
 struct ReportLaser {
-  int beams = 0;  ///< equally far apart
+  int beams = 0;  ///< at equal angles
   double range_m = 0.0;
   double height_m = 0.0;  ///< of its plane above the floor
   Pose2 mount;            ///< robot_T_laser
 };
 
-/// The exploring of what was not known; the truth of the way is the track of the report.
+/// An exploration. The true poses are the track of the report.
 struct ReportExplore {
   ReportMap map;
-  std::vector<std::vector<Vec2>> walls;  ///< in truth: closed outlines of what the range finder meets
+  std::vector<std::vector<Vec2>> walls;  ///< true closed outlines of what the range finder can hit
   std::vector<ReportBelief> beliefs;
   std::vector<ReportDecision> decisions;
   std::vector<ReportRefusal> refused;
   std::optional<ReportLaser> laser = {};
 };
 
-/// A stretch of the way over an area.
+/// A section of the path over an area.
 struct ReportPass {
   double start_s = 0.0;
   double end_s = 0.0;
   std::string role;  ///< lap, lane or move
 };
 
-/// How much was covered by then; between two of them about linearly.
+/// How much was covered until a time. Between two rows the areas grow about linearly.
 struct ReportCovered {
   double time_s = 0.0;
-  double covered_m2 = 0.0;
-  double twice_m2 = 0.0;
+  double covered_m2 = 0.0;  ///< covered at least once
+  double overlap_m2 = 0.0;  ///< covered more than once
 };
 
-/// The way over every spot of an area; it is the track of the report. Areas are closed outlines: those of
-/// polygons run counter-clockwise, those of their holes clockwise.
+/// The coverage of an area. The driven path is the track of the report. Areas are closed outlines: polygons
+/// run counter-clockwise and their holes clockwise.
 struct ReportCover {
-  double width_m = 0.0;                   ///< of the strip that is covered
-  std::vector<std::vector<Vec2>> area;    ///< all that was asked for
-  std::vector<std::vector<Vec2>> reach;   ///< of it, what the robot can cover
-  std::vector<std::vector<Vec2>> missed;  ///< of the reach, in the end
-  std::vector<std::vector<Vec2>> twice;   ///< of the reach, in the end
-  std::vector<Vec2> planned;              ///< the track that was to be driven
+  double width_m = 0.0;                    ///< width of the strip that the robot covers
+  std::vector<std::vector<Vec2>> area;     ///< the area to cover
+  std::vector<std::vector<Vec2>> reach;    ///< the part of it that the robot can cover
+  std::vector<std::vector<Vec2>> missed;   ///< part of the reach that was not covered
+  std::vector<std::vector<Vec2>> overlap;  ///< part of the reach that was covered more than once
+  std::vector<Vec2> planned;               ///< the planned track
   std::vector<ReportPass> passes;
   std::vector<ReportCovered> covered;
 };
 
-/// A place that was recognised: two poses of the way that were joined, where they lie in the end.
+/// A loop closure: two poses that were joined, at their final positions.
 struct ReportLoop {
-  double time_s = 0.0;  ///< when
+  double time_s = 0.0;  ///< when the loop was closed
   Vec2 from;
   Vec2 to;
 };
 
+/// A landmark of the map.
 struct ReportLandmark {
   std::int64_t id = 0;
-  double first_s = 0.0;  ///< when it was first in the map
-  Vec2 position;         ///< in the end, as the sigmas
+  double first_s = 0.0;  ///< when it was added to the map
+  Vec2 position;         ///< final estimate; the sigmas are final, too
   double sigma_x_m = 0.0;
   double sigma_y_m = 0.0;
   double correlation = 0.0;  ///< of x and y
   int sightings = 0;
-  std::optional<Vec2> truth = {};  ///< in the frame of the map
+  std::optional<Vec2> truth = {};  ///< true position in the frame of the map
 };
 
-/// What a range finder met.
+/// The points that a range finder hit.
 struct ReportScan {
   double time_s = 0.0;
   std::vector<Vec2> points;  ///< in the frame of the robot
 };
 
-/// Mapping from what a robot has recorded. The track of the report is the way as it was settled in the end.
+/// Mapping from a recorded log. The track of the report is the final estimate of the path.
 struct ReportSlam {
   std::string engine;                 ///< laser, ekf, graph, ...
-  std::vector<ReportBelief> beliefs;  ///< as it was believed then
-  std::vector<Vec2> odometry;         ///< where odometry alone puts the robot at the times of the beliefs
-  std::vector<Vec2> reference;        ///< the same of a reference in the frame of the map; empty: none
+  std::vector<ReportBelief> beliefs;  ///< as they were at the time, before later corrections
+  std::vector<Vec2> odometry;         ///< positions by odometry alone, at the times of the beliefs
+  std::vector<Vec2> reference;        ///< positions of a reference in the frame of the map; empty: none
   std::vector<ReportLoop> loops;
   std::vector<ReportLandmark> landmarks;
-  std::vector<ReportScan> scans;  ///< some of them
+  std::vector<ReportScan> scans;  ///< a selection of all scans
   std::optional<ReportMap> map = {};
 };
 
-/// Heights on a lattice of posts, row by row from the lowest; between four posts lie two triangles, joined
-/// along the diagonal from the lowest x and y. A large field is drawn coarser than it is.
+/// A height field, row by row from the lowest. Each cell of the lattice is two triangles that share the
+/// diagonal from the lowest x and y. A large field is drawn coarser.
 struct ReportRelief {
-  Vec2 origin;  ///< of the first post
+  Vec2 origin;  ///< position of the first height
   Vec2 spacing_m{1.0, 1.0};
   int columns = 0;
   int rows = 0;
   std::vector<double> heights_m;
 };
 
+/// A contour line of the terrain.
 struct ReportContour {
   double height_m = 0.0;
-  std::vector<Vec2> points;  ///< the first again at the end of a closed one
+  std::vector<Vec2> points;  ///< a closed line repeats its first point at the end
 };
 
-/// Ground that is not flat.
+/// Terrain: height field and slopes.
 struct ReportTerrain {
   std::vector<ReportContour> contours;
   std::vector<RoundedPolygon> steep;  ///< too steep for the robot
   std::optional<ReportRelief> relief = {};
 };
 
+/// A whole run.
 struct Report {
   std::string status;                   ///< "done" or "not_done"
   std::string job;                      ///< "guard", ...
-  std::string reason;                   ///< why it was not done; empty when it was
-  std::optional<std::string> sim = {};  ///< "physics" when rigid bodies carried it out
+  std::string reason;                   ///< why it is not done; empty when it is
+  std::optional<std::string> sim = {};  ///< "physics" when a rigid-body simulation carried it out
   std::uint64_t seed = 0;
   std::vector<std::pair<std::string, std::string>> settings;  ///< option name -> value with unit
-  std::vector<std::string> warnings;                          ///< what was repaired in the input
+  std::vector<std::string> warnings;  ///< what was repaired or is uncertain in the input
 
   std::string world_name;
   Box2 bounds;
@@ -354,23 +362,24 @@ struct Report {
   std::vector<ReportSolid> solids;
   std::optional<ReportTerrain> terrain;
 
-  std::vector<std::pair<std::string, double>> metrics;  ///< in the order of showing
-  /// How long the machine took for what. Shown, and never stored: it differs from run to run.
+  std::vector<std::pair<std::string, double>> metrics;  ///< in display order
+  /// Processing times by name. They are displayed and never stored, because they differ from run to run.
   std::vector<std::pair<std::string, double>> machine_times = {};
   std::vector<ReportTarget> targets;
   std::vector<ReportPath> paths;
   std::vector<ReportShot> shots;
   std::vector<ReportEvent> events;
   std::vector<TrackSample> track;
-  std::optional<ReportSupplies> supplies;     ///< where they end
-  std::optional<ReportChase> chase;           ///< of the job pursue
-  std::optional<ReportDrive> drive = {};      ///< of the job drive
-  std::optional<ReportExplore> explore = {};  ///< of the job explore, and of a yard that was explored first
-  std::optional<ReportCover> cover = {};      ///< of the job cover
-  std::optional<ReportSlam> slam = {};        ///< of the job slam
+  std::optional<ReportSupplies> supplies;  ///< where they are limited
+  std::optional<ReportPursuit> pursuit;    ///< of the job pursue
+  std::optional<ReportDrive> drive = {};   ///< of the job drive
+  std::optional<ReportExplore> explore =
+      {};                                 ///< of the job explore, and of a guard mission that explores first
+  std::optional<ReportCover> cover = {};  ///< of the job cover
+  std::optional<ReportSlam> slam = {};    ///< of the job slam
 };
 
-/// The metric or the time of the machine of that name; `otherwise` where the report has none. O(metrics).
+/// Returns the metric or processing time of that name, or `otherwise` if the report has none. O(metrics).
 inline double metric(const Report& report, std::string_view name,
                      double otherwise = std::numeric_limits<double>::quiet_NaN()) {
   for (const auto* list : {&report.metrics, &report.machine_times}) {

@@ -1,8 +1,8 @@
-// ScanMap: the map of the scans that were kept of a log, and when each of its cells was first known.
+// ScanMap: the occupancy map of the keyframe scans of a log, and when each of its cells first became known.
 //
-// Scans go in where they were believed to be. When their places have changed, redraw() draws all of them
-// anew: then a cell is known from the time of the first scan that sees it from where it lies now. The map is
-// that of LaserSlam when the scans, the poses and their order are. Thread rule: one at a time.
+// add() draws a scan at its believed pose. After the poses have changed, redraw() draws all scans again; then
+// a cell is known from the time of the first scan that sees it from its new pose. The map equals that of
+// LaserSlam if the scans, the poses and their order are equal. Thread rule: one at a time.
 #pragma once
 
 #include <vector>
@@ -17,12 +17,15 @@ class ScanMap {
   ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser)
       : options_(options), robot_T_laser_(robot_T_laser), map_(options) {}
 
-  /// `pose_number`: of the pose at which it was taken, in what redraw() gets. The scan must stay where it is.
+  /// Adds a scan. `pose_number` is the index of its pose in the argument of redraw(). The scan must outlive
+  /// the map.
   void add(const Pose2& world_T_robot, const LaserScan& scan, double time_s, std::size_t pose_number);
-  /// O(cells that all scans cross).
+  /// Draws all scans again at these poses. O(cells that all scans cross).
   void redraw(const std::vector<Pose2>& poses);
 
+  /// Returns the map.
   [[nodiscard]] const OccupancyMap& map() const { return map_; }
+  /// Returns the map as a report keeps it; see Discovery::map().
   [[nodiscard]] ReportMap drawn(std::size_t most_cells) const {
     return discovery_.map(map_.occupancy(), most_cells);
   }

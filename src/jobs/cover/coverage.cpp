@@ -29,18 +29,18 @@ Region disk(Vec2 centre, double radius_m) {
   return {{capsule(centre, centre, around), {}}};
 }
 
-/// What the way covers; what it covers twice is added to `twice`, in parts that may overlap. Nothing once
-/// the token is raised.
-Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region>& twice,
+/// Returns what the way covers. Adds what it passes over more than once to `overlap`, in parts that may
+/// overlap. Returns nothing once the token is raised.
+Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region>& overlap,
                   const std::stop_token& stop) {
   if (way.size() == 1) return {{capsule(way[0], way[0], radius_m), {}}};
   if (way.size() == 2) return {{capsule(way[0], way[1], radius_m), {}}};
   const std::size_t middle = way.size() / 2;
-  const Region before = covered_by(way.first(middle + 1), radius_m, twice, stop);
-  const Region after = covered_by(way.subspan(middle), radius_m, twice, stop);
+  const Region before = covered_by(way.first(middle + 1), radius_m, overlap, stop);
+  const Region after = covered_by(way.subspan(middle), radius_m, overlap, stop);
   if (stop.stop_requested()) return {};
   Region again = without(common(before, after), disk(way[middle], radius_m));
-  if (!again.empty()) twice.push_back(std::move(again));
+  if (!again.empty()) overlap.push_back(std::move(again));
   return united(before, after);
 }
 
@@ -49,14 +49,14 @@ Region covered_by(std::span<const Vec2> way, double radius_m, std::vector<Region
 Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region& area,
                      const std::stop_token& stop) {
   Coverage coverage;
-  std::vector<Region> twice;
-  if (!way.empty()) coverage.covered = common(covered_by(way, radius_m, twice, stop), area);
+  std::vector<Region> overlap;
+  if (!way.empty()) coverage.covered = common(covered_by(way, radius_m, overlap, stop), area);
   if (stop.stop_requested()) return coverage;
   coverage.missed = without(area, coverage.covered);
-  coverage.twice = common(united(twice), area);
+  coverage.overlap = common(united(overlap), area);
   coverage.covered_m2 = area_of(coverage.covered);
   coverage.missed_m2 = area_of(coverage.missed);
-  coverage.twice_m2 = area_of(coverage.twice);
+  coverage.overlap_m2 = area_of(coverage.overlap);
   const double all = area_of(area);
   coverage.fraction = all > 0.0 ? coverage.covered_m2 / all : 1.0;
   return coverage;
@@ -64,14 +64,14 @@ Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region
 
 namespace {
 
-/// What one stretch covers by itself, and what of that is covered twice by then.
+/// What one stretch covers by itself, and which part of that was passed over more than once by then.
 struct Stretch {
   Region covered;
-  Region twice;
+  Region overlap;
   Box2 box;
 };
 
-/// What of the region some stretch before has in its `part`.
+/// Returns the part of the region that earlier stretches have in their member `part`.
 Region known_of(const Region& region, const Box2& box, const std::vector<Stretch>& before,
                 Region Stretch::* part) {
   std::vector<Region> known;
@@ -90,16 +90,16 @@ std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& s
   CoverageSums sum;
   for (const std::vector<Vec2>& way : stretches) {
     if (stop.stop_requested()) return sums;
-    std::vector<Region> twice;
+    std::vector<Region> overlap;
     Stretch now;
-    now.covered = common(covered_by(way, radius_m, twice, stop), area);
+    now.covered = common(covered_by(way, radius_m, overlap, stop), area);
     now.box = bounds_of(now.covered);
     const Region again = known_of(now.covered, now.box, before, &Stretch::covered);
-    twice.push_back(without(again, disk(way.front(), radius_m)));
-    now.twice = common(united(twice), area);
-    const Region told = known_of(now.twice, now.box, before, &Stretch::twice);
+    overlap.push_back(without(again, disk(way.front(), radius_m)));
+    now.overlap = common(united(overlap), area);
+    const Region counted = known_of(now.overlap, now.box, before, &Stretch::overlap);
     sum.covered_m2 += std::max(0.0, area_of(now.covered) - area_of(again));
-    sum.twice_m2 += std::max(0.0, area_of(now.twice) - area_of(told));
+    sum.overlap_m2 += std::max(0.0, area_of(now.overlap) - area_of(counted));
     sums.push_back(sum);
     before.push_back(std::move(now));
   }

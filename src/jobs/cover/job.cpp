@@ -53,9 +53,9 @@ Json areas_json(const CoverRun& run) {
           {"features",
            {feature("area", run.plan.ground.area), feature("reachable", run.plan.ground.reach),
             feature("covered", planned.covered), feature("missed", planned.missed),
-            feature("double", planned.twice), feature("covered by the drive", run.driven.covered),
+            feature("overlap", planned.overlap), feature("covered by the drive", run.driven.covered),
             feature("missed by the drive", run.driven.missed),
-            feature("double by the drive", run.driven.twice)}}};
+            feature("overlap of the drive", run.driven.overlap)}}};
 }
 
 Json track_json(const CoverRun& run) {
@@ -111,11 +111,11 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   if (!proof) throw std::logic_error(to_string(proof.error()));
   CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}};
   const CoverPlan& planned = driven.plan;
-  driven.bound = time_bound(planned.track, problem.pace, problem.stray_m, scenario.error_factor);
+  driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return pass_on(ok);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  driven.drive =
-      drive_track(planned.track, *planned.ground.ground, problem.pace, problem.stray_m, seed, steps.inner());
+  driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
+                             seed, steps.inner());
   // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
   const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
   driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);

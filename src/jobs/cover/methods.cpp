@@ -115,17 +115,17 @@ CellChoices cells_of(const Region& core, const CoverProblem& problem, const std:
   return choices;
 }
 
-/// Takes away the smallest cells, as long as they are not more than may be left. Returns their area, m2.
-double leave_out(CellChoices& cells, double most_m2) {
+/// Removes the smallest cells, as long as their area together is at most `most_m2`. Returns that area, m2.
+double leave_uncovered(CellChoices& cells, double most_m2) {
   std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
     return area_of(a.front().area) > area_of(b.front().area);
   });
-  double left = 0.0;
-  while (!cells.empty() && left + area_of(cells.back().front().area) <= most_m2) {
-    left += area_of(cells.back().front().area);
+  double removed = 0.0;
+  while (!cells.empty() && removed + area_of(cells.back().front().area) <= most_m2) {
+    removed += area_of(cells.back().front().area);
     cells.pop_back();
   }
-  return left;
+  return removed;
 }
 
 /// Orders laps and cells into one track.
@@ -134,7 +134,7 @@ Outcome<CoverPlan> assembled(CoverageArea ground, const std::vector<Lap>& laps, 
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
   CoverPlan plan;
-  plan.left_m2 = leave_out(cells, problem.leave * area_of(ground.reach));
+  plan.uncovered_m2 = leave_uncovered(cells, problem.uncovered * area_of(ground.reach));
   plan.laps = laps.size();
   plan.cells = cells.size();
   TransitPlanner transit(ground.ground, budget);

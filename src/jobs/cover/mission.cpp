@@ -21,9 +21,9 @@ std::optional<Command> CoverMission::step(const Observation&) {
   return command;
 }
 
-PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace, double stray_m,
-                       std::uint64_t seed, const RunWatch& watch) {
-  SimulatedRobot robot(PieceBody(track.start, pace, stray_m, ground, Rng(seed)));
+PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
+                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch) {
+  SimulatedRobot robot(PieceBody(track.start, pace, tracking_error_m, ground, Rng(seed)));
   CoverMission mission(track, pace.pause_s);
   const PieceDrive& drive = robot.body<PieceBody>().drive();
   run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {

@@ -66,7 +66,7 @@ std::string line(const View& view, const std::vector<Vec2>& points, const char* 
   return fmt::format("<path d=\"{}\" fill=\"none\" {}/>\n", d, style);
 }
 
-std::string words(double x, double y, const std::string& text) {
+std::string text_at(double x, double y, const std::string& text) {
   return fmt::format(
       "<text x=\"{:.0f}\" y=\"{:.0f}\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#222\">{}</text>\n",
       x, y, text);
@@ -75,7 +75,7 @@ std::string words(double x, double y, const std::string& text) {
 std::string legend(double y, const CoverPlan& plan, const Coverage& coverage) {
   const std::pair<const char*, std::string> entries[] = {
       {"#cfe3d4", fmt::format("covered {:.2f} %", 100.0 * coverage.fraction)},
-      {"#8fbf9f", fmt::format("twice {:.4g} m2", coverage.twice_m2)},
+      {"#8fbf9f", fmt::format("overlap {:.4g} m2", coverage.overlap_m2)},
       {"#d55e00", fmt::format("missed {:.2g} m2", coverage.missed_m2)},
       {"#332288", "laps"},
       {"#0072b2", "lanes"},
@@ -86,12 +86,12 @@ std::string legend(double y, const CoverPlan& plan, const Coverage& coverage) {
     fmt::format_to(std::back_inserter(text),
                    "<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"14\" fill=\"{}\"/>", x, y + 14.0,
                    colour);
-    text += words(x + 20.0, y + 26.0, name);
+    text += text_at(x + 20.0, y + 26.0, name);
     x += 44.0 + 7.4 * static_cast<double>(name.size());
   }
-  return text + words(12.0, y + 50.0,
-                      fmt::format("{}: {:.2f} m, {} stops, {} laps, {} cells, {} lanes", plan.method,
-                                  plan.sums.length_m, plan.sums.stops, plan.laps, plan.cells, plan.lanes));
+  return text + text_at(12.0, y + 50.0,
+                        fmt::format("{}: {:.2f} m, {} stops, {} laps, {} cells, {} lanes", plan.method,
+                                    plan.sums.length_m, plan.sums.stops, plan.laps, plan.cells, plan.lanes));
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::string cover_picture(const CoverPlan& plan, const Coverage& coverage, const
   const Vec2 start = view.at(plan.track.start.position);
   svg += shape(view, plan.ground.area, "fill=\"#f1e9dc\"");
   svg += shape(view, coverage.covered, "fill=\"#cfe3d4\"");
-  svg += shape(view, coverage.twice, "fill=\"#8fbf9f\"");
+  svg += shape(view, coverage.overlap, "fill=\"#8fbf9f\"");
   svg += shape(view, coverage.missed, "fill=\"#d55e00\"");
   if (!driven.empty())
     svg += line(view, driven, "stroke=\"#111\" stroke-width=\"0.5\" stroke-opacity=\"0.6\"");

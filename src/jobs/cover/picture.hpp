@@ -1,4 +1,5 @@
-// A picture of a covered area: what was covered, twice and not at all, and the track.
+// A picture of a covered area: what was covered, what was covered more than once, what was missed, and the
+// track.
 #pragma once
 
 #include <string>

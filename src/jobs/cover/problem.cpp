@@ -42,18 +42,20 @@ Status check_numbers(const CoverProblem& problem) {
         fmt::format("{:g} is no part of the width that strips share; give 0 to 0.9", problem.overlap),
         "overlap");
   }
-  if (!within(problem.leave, 0.0, 0.5)) {
-    return bad_input(fmt::format("{:g} is no part that may be left; give 0 to 0.5", problem.leave), "leave");
+  if (!within(problem.uncovered, 0.0, 0.5)) {
+    return bad_input(
+        fmt::format("{:g} is no part of the area that may stay uncovered; give 0 to 0.5", problem.uncovered),
+        "uncovered");
   }
-  const double most_stray = 0.5 * problem.width_m * problem.overlap;
-  if (!within(problem.stray_m, 0.0, most_stray * (1.0 + 1e-9))) {
+  const double most_error_m = 0.5 * problem.width_m * problem.overlap;
+  if (!within(problem.tracking_error_m, 0.0, most_error_m * (1.0 + 1e-9))) {
     return bad_input(
         fmt::format(
-            "strips of {:g} m that share {:g} of their width leave gaps when the robot strays by {:g} "
-            "m; give a stray of 0 to {:g} m, or an overlap of at least {:.4f}",
-            problem.width_m, problem.overlap, problem.stray_m, most_stray,
-            2.0 * std::abs(problem.stray_m) / problem.width_m),
-        "stray");
+            "strips of {:g} m that share {:g} of their width leave gaps when the tracking error is {:g} "
+            "m; give a tracking error of 0 to {:g} m, or an overlap of at least {:.4f}",
+            problem.width_m, problem.overlap, problem.tracking_error_m, most_error_m,
+            2.0 * std::abs(problem.tracking_error_m) / problem.width_m),
+        "tracking_error");
   }
   return check(problem.pace);
 }

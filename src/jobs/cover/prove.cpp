@@ -44,19 +44,19 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   }
   if (!contains(plan.ground.area, plan.track.start.position)) return refused("it begins outside of the area");
   const std::vector<Vec2> points = points_along(plan.track.start.position, plan.track.pieces, arc_step_rad);
-  const double sure = problem.sure_radius_m(), stray = problem.stray_m;
+  const double sure = problem.sure_radius_m(), error_m = problem.tracking_error_m;
   proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
   const Coverage surely =
-      stray > 0.0 ? coverage_of(points, sure, plan.ground.reach, budget.stop) : proof.planned;
+      error_m > 0.0 ? coverage_of(points, sure, plan.ground.reach, budget.stop) : proof.planned;
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it measured what the track covers");
   proof.sure_fraction = surely.fraction;
-  const Region inner = stray > 0.0
+  const Region inner = error_m > 0.0
                            ? common(grown(plan.ground.standing, sure, plan.ground.arc_m), plan.ground.area)
                            : plan.ground.reach;
   const double inner_m2 = area_of(inner);
   proof.inner_fraction = inner_m2 > 0.0 ? area_of(common(surely.covered, inner)) / inner_m2 : 1.0;
-  const double asked = 1.0 - problem.leave * area_of(plan.ground.reach) / std::max(inner_m2, 1e-12);
+  const double asked = 1.0 - problem.uncovered * area_of(plan.ground.reach) / std::max(inner_m2, 1e-12);
   if (!(proof.inner_fraction >= asked - measured_to)) {
     return refused(
         fmt::format("it surely covers only {:.5f} of what the robot can reach", proof.inner_fraction));

@@ -67,11 +67,11 @@ Region moved(const Region& region, double by_m, double arc_m) {
 }
 
 double signed_area(const std::vector<Vec2>& polygon) {
-  double twice = 0.0;
+  double double_area = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+    double_area += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
   }
-  return 0.5 * twice;
+  return 0.5 * double_area;
 }
 
 enum class Side { outside, border, inside };

@@ -73,7 +73,7 @@ std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m,
   const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach, stop);
   std::vector<ReportCovered> rows;
   for (std::size_t i = 0; i < sums.size(); ++i)
-    rows.push_back({times[i], sums[i].covered_m2, sums[i].twice_m2});
+    rows.push_back({times[i], sums[i].covered_m2, sums[i].overlap_m2});
   return rows;
 }
 
@@ -98,8 +98,8 @@ std::vector<ReportEvent> events_of(const CoverRun& run) {
   }
   if (run.finished())
     events.push_back({run.drive.time_s, "done",
-                      fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it twice",
-                                  100.0 * run.driven.fraction, run.driven.twice_m2)});
+                      fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
+                                  100.0 * run.driven.fraction, run.driven.overlap_m2)});
   return events;
 }
 
@@ -109,7 +109,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
   return {{"covered_fraction", driven.fraction},
           {"covered_m2", driven.covered_m2},
           {"missed_m2", driven.missed_m2},
-          {"twice_m2", driven.twice_m2},
+          {"overlap_m2", driven.overlap_m2},
           {"reach_m2", area_of(plan.ground.reach)},
           {"area_m2", area_of(plan.ground.area)},
           {"time_s", drive.time_s},
@@ -120,15 +120,15 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"length_m", drive.length_m},
           {"planned_m", plan.sums.length_m},
           {"turned_rad", drive.turned_rad},
-          {"strayed_m", drive.tracking_error_m},
-          {"stray_m", problem.stray_m},
+          {"tracking_error_m", drive.tracking_error_m},
+          {"tracking_error_limit_m", problem.tracking_error_m},
           {"stops", number(plan.sums.stops)},
           {"laps", number(plan.laps)},
           {"cells", number(plan.cells)},
           {"lanes", number(plan.lanes)},
           {"planned_fraction", proof.planned.fraction},
           {"planned_missed_m2", proof.planned.missed_m2},
-          {"planned_twice_m2", proof.planned.twice_m2},
+          {"planned_overlap_m2", proof.planned.overlap_m2},
           {"sure_fraction", proof.sure_fraction},
           {"sure_inner_fraction", proof.inner_fraction},
           {"clearance_m", proof.clearance_m}};
@@ -154,7 +154,7 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint6
                   outlines(ground.area),
                   outlines(ground.reach),
                   outlines(run.driven.missed),
-                  outlines(run.driven.twice),
+                  outlines(run.driven.overlap),
                   points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad),
                   passes_of(run.plan, run.drive),
                   covered_by_then(run, problem.radius_m(), stop)};

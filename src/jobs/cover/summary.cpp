@@ -28,13 +28,13 @@ std::string cover_summary(const Report& report) {
                       setting(report, "method"), value("planned_m"), value("stops"), value("laps"),
                       value("cells"), value("lanes"));
   text +=
-      fmt::format("  covered   {:.3f} % of the reach, {:.3g} m2 missed, {:.3g} m2 twice\n",
-                  100.0 * value("planned_fraction"), value("planned_missed_m2"), value("planned_twice_m2"));
+      fmt::format("  covered   {:.3f} % of the reach, {:.3g} m2 missed, {:.3g} m2 overlap\n",
+                  100.0 * value("planned_fraction"), value("planned_missed_m2"), value("planned_overlap_m2"));
   text += fmt::format("  time      {} to {}, at full speed {}\n", duration_text(value("t_min_s")),
                       duration_text(value("t_max_s")), duration_text(value("planned_s")));
   text += fmt::format(
-      "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, if the robot strays by {:g} m\n",
-      100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("stray_m"));
+      "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, with a tracking error of {:g} m\n",
+      100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("tracking_error_limit_m"));
   return text + fmt::format("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(value("time_s")),
                             report.seed, 100.0 * value("covered_fraction"));
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double instant_s = 1e-9;  ///< times closer than this are one
 
-/// Whether the image shows a known tag that is not where the belief has it.
+/// Returns true if the image shows a known tag at a place that contradicts the belief.
 bool contradicts(const TagFix& fix) {
   return !fix.belief && std::ranges::any_of(fix.verdicts, [](TagVerdict verdict) {
     return verdict == TagVerdict::off_prior || verdict == TagVerdict::outvoted;
@@ -59,14 +59,14 @@ void arrive(DriveMission& mission, std::size_t waypoint, double time_s) {
   mission.since_s = time_s;
 }
 
-/// Where the robot will be when a command that is sent now takes effect.
+/// Returns the pose of the robot when a command that is sent now takes effect.
 Pose2 foreseen(const DriveMission& mission) {
   Reckoning ahead = mission.reckoning;
   advance(ahead, ahead.time_s + mission.task.reckoning.delay_s, mission.task.reckoning);
   return ahead.belief.world_T_robot;
 }
 
-/// Whether a robot that rests at a stop knows well enough where it is, or will not know better.
+/// Returns true if a robot that rests at a stop knows its pose well enough, or has waited long enough.
 bool settled(const DriveMission& mission, double time_s, const DriveRules& rules) {
   const double rested_s = time_s - *mission.resting_since_s;
   const PoseBelief& belief = mission.reckoning.belief;

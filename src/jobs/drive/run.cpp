@@ -48,7 +48,7 @@ ReportCamera camera_entry(const TagEye& eye) {
   return {lens.width_px, lens.height_px, lens.fx, lens.fy, lens.cx, lens.cy, eye.ahead_m, eye.height_m};
 }
 
-/// What is noted while the robot drives.
+/// Records the report while the robot drives.
 class Recorder {
  public:
   Recorder(const DriveTask& task, const CollisionMap& ground, Report& report)

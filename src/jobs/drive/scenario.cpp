@@ -91,14 +91,14 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
   return {};
 }
 
-Status check_word(const std::string& value, const char* key, const char* one, const char* other) {
+Status check_argument(const std::string& value, const char* key, const char* one, const char* other) {
   if (value == one || value == other) return {};
   return bad_input(fmt::format("'{}' is no good; it takes {} or {}", excerpt(value), one, other), key);
 }
 
-Status check_words(const DriveScenario& scenario) {
-  if (auto ok = check_word(scenario.loop, "loop", "closed", "open"); !ok) return ok;
-  if (auto ok = check_word(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
+Status check_arguments(const DriveScenario& scenario) {
+  if (auto ok = check_argument(scenario.loop, "loop", "closed", "open"); !ok) return ok;
+  if (auto ok = check_argument(scenario.sight, "sight", "rendered", "modelled"); !ok) return ok;
   if (scenario.goal.empty() != scenario.planner.empty()) {
     return bad_input("a goal and a planner go together; give both, or waypoints",
                      scenario.goal.empty() ? "goal" : "planner");
@@ -109,7 +109,7 @@ Status check_words(const DriveScenario& scenario) {
   return check(scenario.task.follow);
 }
 
-/// What stands in the options themselves, and what words and files make of the rest.
+/// Builds the task from the options, and from the texts and files that they name.
 Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   DriveTask task = scenario.task;
   auto chassis = make_chassis(scenario.chassis, scenario.wheel_radius_m, scenario.wheel_reach_m);
@@ -183,7 +183,7 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
 }
 
 Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
-  if (auto ok = check_words(scenario); !ok) return pass_on(ok);
+  if (auto ok = check_arguments(scenario); !ok) return pass_on(ok);
   auto task = robot_from(scenario);
   if (!task) return pass_on(task);
   DriveSetup setup{std::move(*task), scenario.sim, scenario.sight == "rendered", std::nullopt, 0.0, {}};

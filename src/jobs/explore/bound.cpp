@@ -85,11 +85,11 @@ std::vector<Cell> viewers(const Scene& scene, Cell seen) {
   return cells;
 }
 
-/// From the corners of some cells to all others along the eight moves, in cells.
+/// Returns the distances from the corners of some cells to all others along the eight moves, in cells.
 std::vector<double> distances(const GridMap& ground, const std::vector<Cell>& from) {
-  using Entry = std::pair<double, std::uint32_t>;
+  using QueueEntry = std::pair<double, std::uint32_t>;
   std::vector<double> least(ground.moves.size(), infinity);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> queue;
   const auto reach = [&](std::uint32_t vertex, double away) {
     if (away >= least[vertex]) return;
     least[vertex] = away;

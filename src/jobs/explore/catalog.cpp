@@ -6,22 +6,26 @@ namespace outrider {
 
 const std::vector<ExploreStrategy>& explore_strategies() {
   static const std::vector<ExploreStrategy> strategies = {
-      {"tour",
-       "The first leg of the fastest round through all that is to be seen nearby, which ends at home where "
-       "nothing else is left.",
-       "Kulich, Faigl and Preucil, On distance utility in the exploration task, 2011; Held and Karp, A "
-       "dynamic "
-       "programming approach to sequencing problems, 1962",
-       choose_by_tour},
-      {"information_gain", "The view that is expected to show most for each second of turning and driving.",
-       "Gonzalez-Banos and Latombe, Navigation strategies for exploring indoor environments, 2002; Burgard, "
-       "Moors, Stachniss and Schneider, Coordinated multi-robot exploration, 2005",
-       choose_by_gain},
-      {"nearest", "The view that is reached first, where driving near walls counts twice.",
-       "Yamauchi, A frontier-based approach for autonomous exploration, 1997; the flood fill of the "
-       "reference "
-       "report, from its description",
-       choose_nearest},
+      {.name = "tour",
+       .sentence = "The first leg of the fastest round through all that is to be seen nearby, which ends at "
+                   "home where "
+                   "nothing else is left.",
+       .paper = "Kulich, Faigl and Preucil, On distance utility in the exploration task, 2011; Held and "
+                "Karp, A dynamic "
+                "programming approach to sequencing problems, 1962",
+       .choose = choose_by_tour},
+      {.name = "information_gain",
+       .sentence = "The view that is expected to show most for each second of turning and driving.",
+       .paper = "Gonzalez-Banos and Latombe, Navigation strategies for exploring indoor environments, 2002; "
+                "Burgard, "
+                "Moors, Stachniss and Schneider, Coordinated multi-robot exploration, 2005",
+       .choose = choose_by_gain},
+      {.name = "nearest",
+       .sentence = "The view that is reached first, where driving near walls counts twice.",
+       .paper = "Yamauchi, A frontier-based approach for autonomous exploration, 1997; the flood fill of the "
+                "reference "
+                "report, from its description",
+       .choose = choose_nearest},
   };
   return strategies;
 }

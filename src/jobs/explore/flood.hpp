@@ -28,7 +28,7 @@ class Flood {
   void begin(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls);
   /// Goes on to all blocks nearer than `cost`; false when no others are reached.
   bool advance(const Grid<std::uint8_t>& blocks, std::uint32_t cost);
-  /// From a block to all that it reaches, or until all of the goals are reached, if there are any.
+  /// Floods from a block to all reachable blocks, or until all goals are reached, if there are any.
   void run(const Grid<std::uint8_t>& blocks, std::uint32_t from, Walls walls,
            const std::vector<std::uint32_t>& goals = {});
 
@@ -37,7 +37,7 @@ class Flood {
 
   /// In fifths of a block; far where it was not reached, or not yet.
   [[nodiscard]] std::uint32_t cost(std::uint32_t block) const { return cost_[block]; }
-  /// Whether cost() is that of the shortest way.
+  /// Returns true if cost() is that of the shortest path.
   [[nodiscard]] bool settled(std::uint32_t block) const { return cost_[block] < next_; }
   /// Blocks reached so far.
   [[nodiscard]] std::size_t reached() const { return touched_.size(); }

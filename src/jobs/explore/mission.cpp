@@ -19,13 +19,13 @@ constexpr double nearby_m = 0.9;
 constexpr double here_m = 0.5;
 constexpr double elsewhere_m = 20.0;  ///< driven between two times stuck that have nothing in common
 
-/// Whether anything can be read off it.
+/// Returns true if the scan is usable.
 bool usable(const LaserScan& scan) {
   return check(scan) &&
          std::ranges::any_of(scan.ranges_m, [&](float range) { return range >= scan.least_m; });
 }
 
-/// Where its beams end on something.
+/// Returns the end points of the beams that hit something.
 std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
@@ -38,7 +38,7 @@ std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
   return ends;
 }
 
-void say(ExploreMission& mission, std::string kind, std::string text) {
+void add_event(ExploreMission& mission, std::string kind, std::string text) {
   mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
 }
 
@@ -47,7 +47,7 @@ void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
   mission.path.reset();
   mission.stop_reason = std::move(stop_reason);
   mission.reason = std::move(reason);
-  say(mission, "end", mission.reason);
+  add_event(mission, "end", mission.reason);
 }
 
 ExploreState state_of(ExploreMission& mission) {
@@ -71,7 +71,7 @@ bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<doub
 
 /// The way home, or the end without one.
 void turn_home(ExploreMission& mission, const std::string& stop_reason, const std::string& reason) {
-  if (mission.stop_reason != stop_reason) say(mission, "home", reason);
+  if (mission.stop_reason != stop_reason) add_event(mission, "home", reason);
   mission.stop_reason = stop_reason;
   mission.reason = reason;
   mission.home =
@@ -101,7 +101,7 @@ void take(ExploreMission& mission, Decision decision) {
     ++mission.goal_changes;
     mission.settled_m.reset();
     moved_on(mission);
-    say(mission, "goal", mission.decision.sentence);
+    add_event(mission, "goal", mission.decision.sentence);
   }
   mission.stage = ExploreStage::seek;
   mission.stop_reason.clear();
@@ -113,7 +113,7 @@ bool spent(const ExploreMission& mission, const ExploreRules& rules) {
   return mission.time_s - *mission.started_s > rules.most_time_s || mission.driven_m > rules.most_distance_m;
 }
 
-/// Whether what is next of the path has been found to be in the way.
+/// Returns true if the next part of the path is blocked.
 bool blocked(const ExploreMission& mission, const Nearby& nearby) {
   const double wanted = std::min(mission.task.robot.radius_m + mission.task.steer.least_gap_m,
                                  nearby.clearance(mission.pose.position) - 1e-3);
@@ -132,7 +132,7 @@ bool blocked(const ExploreMission& mission, const Nearby& nearby) {
   return false;
 }
 
-/// Whether it is time to think where to go.
+/// Returns true if it is time for a new decision.
 bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
   if (!mission.looked) return false;
   if (!mission.path) return true;
@@ -170,10 +170,10 @@ void back_off(ExploreMission& mission) {
   mission.stuck_m = mission.driven_m;
   ++mission.stuck;
   ++mission.stuck_here;
-  say(mission, mission.touching ? "touch" : "stuck",
-      fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
-                  mission.pose.position.y,
-                  mission.touching ? "something was touched" : "it does not move on"));
+  add_event(mission, mission.touching ? "touch" : "stuck",
+            fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
+                        mission.pose.position.y,
+                        mission.touching ? "something was touched" : "it does not move on"));
   if (mission.stuck_here > mission.task.rules.most_stuck)
     return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
   if (mission.stage == ExploreStage::seek && mission.path)
@@ -192,7 +192,7 @@ void back_off(ExploreMission& mission) {
   moved_on(mission);
 }
 
-/// The same twist for a robot that drives backwards.
+/// Returns the twist for a robot that drives backwards.
 Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
   const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
   const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
@@ -210,7 +210,7 @@ bool stands_still(ExploreMission& mission) {
   return mission.time_s - mission.moved_on_s > mission.task.rules.patience_s;
 }
 
-/// What stands around: by the map, or by the newest scan where the map has hemmed the robot in.
+/// Returns the obstacles around the robot: by the map, or by the newest scan if the map encloses the robot.
 Nearby surroundings(const ExploreMission& mission) {
   constexpr std::int64_t often = 3;
   constexpr double beam_m = 0.01;
@@ -219,7 +219,7 @@ Nearby surroundings(const ExploreMission& mission) {
   return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
 }
 
-/// Where to drive now, or nowhere.
+/// Returns the current driving target, or nothing.
 Twist2 drive(ExploreMission& mission) {
   const Nearby nearby = surroundings(mission);
   if (mission.path) advance_along(*mission.path, mission.pose.position);
@@ -281,7 +281,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
     ++mission.loops;
     mission.path.reset();
     moved_on(mission);
-    say(mission, "loop", "a place was recognised, and the map drawn anew");
+    add_event(mission, "loop", "a place was recognised, and the map was redrawn");
   }
   const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));

@@ -1,4 +1,4 @@
-// From a point to the known ground, and memory of the floods of a decision.
+// Finds the free cell nearest to a point, and keeps the floods of a decision.
 #pragma once
 
 #include <array>

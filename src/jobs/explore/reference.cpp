@@ -102,7 +102,7 @@ std::optional<Vec2> flood_ground(const Survey& survey, Vec2 start, const Box2& b
   return outside;
 }
 
-/// Whether one of the nearest places where the robot can be is in sight.
+/// Returns true if one of the nearest reachable places is visible.
 bool seen_from_near(const Survey& survey, Cell c, const std::vector<Cell>& offsets) {
   int tried = 0;
   for (const Cell d : offsets) {
@@ -114,7 +114,7 @@ bool seen_from_near(const Survey& survey, Cell c, const std::vector<Cell>& offse
   return false;
 }
 
-/// Whether a place where the robot can be lies along one of the directions, within range. `apart_m` is a
+/// Returns true if a reachable place lies along one of the directions, within range. `apart_m` is a
 /// lower bound of how far such a place is from any point of a cell, by which a ray may leap.
 bool seen_from_afar(const Survey& survey, Cell c, const Grid<float>& apart_m) {
   const GridFrame& frame = survey.places.frame;

@@ -18,7 +18,7 @@ constexpr double home_m = 0.3;
 constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
 constexpr double outline_step_rad = radians(15.0);
 
-/// What is noted while the robot explores.
+/// Records the report while the robot explores.
 class Recorder {
  public:
   explicit Recorder(Report& report) : report_(report) {}

@@ -22,7 +22,7 @@ struct FrontierSight {
   std::vector<Seat> seats;            ///< those that see half of the sample, or as much as any; by block
 };
 
-/// Of one map, kept between calls: the sights, while nothing changes that they are made of, and scratch.
+/// Results for one map that are kept between calls while their inputs do not change, and scratch memory.
 struct SightMemory {
   struct Known {
     std::uint64_t clock = 0;           ///< TraversabilityGrid::clock() when it was made
@@ -43,10 +43,10 @@ const FrontierSight& sight_of(const Frontier& frontier, const FrontierMap& map, 
 /// Drops what is known of frontiers that are no more.
 void forget_gone(SightMemory& memory, const FrontierMap& map);
 
-/// What is unknown in sight of a cell over that range, if only occupied cells hide anything, m2.
+/// Returns the unknown area visible from a cell within that range if only occupied cells hide anything, m2.
 double gain_at(Cell from, const Grid<std::uint8_t>& known, const RayFan& fan);
 
-/// What of it lies along the rays through the sample, each cell counted once, m2.
+/// Returns the part of that area along the rays through the sample, with each cell counted once, m2.
 double gain_behind(Cell from, const Grid<std::uint8_t>& known, const std::vector<std::uint32_t>& sample,
                    double range_m);
 

@@ -14,7 +14,7 @@ std::size_t choose_by_tour(const Views& views, const ExploreState& state, const 
 
 /// The view chosen before, if it is still there: of the same frontier, or else the nearest within 0.5 m.
 std::optional<std::size_t> chosen_before(const Views& views, const ExploreChoice& before);
-/// Of that view, in seconds.
+/// Returns the bonus of that view, s.
 double bonus_of_before(const ExploreState& state, const ExploreOptions& options);
 
 }  // namespace outrider

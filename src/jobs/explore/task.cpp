@@ -18,7 +18,7 @@ LaserSlamOptions near_sighted_slam() {
   slam.key_distance_m = 0.5;
   slam.learn_odometry = true;
   slam.loop_reach_sd = 0.75;  // the bound is several times what is left
-  // What is left once it is learnt what the wheels always count wrong.
+  // The error that is left once the constant scale error of the wheels is estimated.
   slam.odometry_distance = 0.02;
   slam.odometry_turn = 0.02;
   slam.odometry_turn_per_distance_rad = 0.03;

@@ -12,16 +12,17 @@ namespace {
 constexpr std::size_t most_stops = 12;
 constexpr double unreached_s = 1e6;
 
-/// The ways from a stop to the others, in s by their frontiers.
-struct Row {
-  std::uint64_t made = 0;  ///< for the how-manieth time that any was; 0: never
+/// The travel times from one stop to the others, s, by their frontiers.
+struct TravelTimes {
+  std::uint64_t made = 0;  ///< value of TourMemory::made when these were computed; 0: never
   std::map<std::uint32_t, double> seconds;
 };
 
-/// Of one map, kept between calls: the rows by the frontier of their stop, that of home by 0.
+/// Travel times that are kept between calls, for one map. The key is the frontier of the stop; home has the
+/// key 0.
 struct TourMemory {
-  std::uint64_t made = 0;
-  std::map<std::uint32_t, Row> rows;
+  std::uint64_t made = 0;  ///< how many entries were computed so far
+  std::map<std::uint32_t, TravelTimes> from;
 };
 
 struct Stop {
@@ -29,37 +30,38 @@ struct Stop {
   std::uint32_t block = 0;
 };
 
-Row row_from(std::uint32_t block, const Views& views, std::size_t count, const ExploreState& state,
-             Flood& flood) {
+TravelTimes travel_times_from(std::uint32_t block, const Views& views, std::size_t count,
+                              const ExploreState& state, Flood& flood) {
   const Grid<std::uint8_t>& blocks = state.map.ground().blocks();
   const double per_cost_s = blocks.frame.resolution_m / Flood::per_block / state.robot.speed_mps;
   std::vector<std::uint32_t> goals;
   for (std::size_t i = 0; i < count; ++i) goals.push_back(views.views[i].block);
   flood.run(blocks, block, Flood::Walls::do_not_matter, goals);
-  Row row;
+  TravelTimes times;
   for (std::size_t i = 0; i < count; ++i) {
-    double& least = row.seconds[views.views[i].frontier] = unreached_s;
+    double& least = times.seconds[views.views[i].frontier] = unreached_s;
     for (const std::uint32_t seat : views.views[i].seats) {
       if (flood.cost(seat) != Flood::far) least = std::min(least, per_cost_s * flood.cost(seat));
     }
   }
-  return row;
+  return times;
 }
 
-/// Makes rows anew, those that were never made and the oldest first, as many as a bounded effort lets.
+/// Computes entries again, those that are missing first and then the oldest, until a bounded effort is spent.
 void renew(std::vector<Stop> stops, const Views& views, std::size_t count, const ExploreState& state,
            TourMemory& memory, Flood& flood) {
   constexpr std::size_t most_blocks = 100'000;
-  std::erase_if(memory.rows, [&](const auto& row) {
+  std::erase_if(memory.from, [&](const auto& row) {
     return row.first != 0 && !state.map.frontiers().contains(row.first);
   });
   std::stable_sort(stops.begin(), stops.end(), [&](const Stop& a, const Stop& b) {
-    return memory.rows[a.frontier].made < memory.rows[b.frontier].made;
+    return memory.from[a.frontier].made < memory.from[b.frontier].made;
   });
   std::size_t reached = 0;
   for (const Stop& stop : stops) {
-    Row& row = memory.rows[stop.frontier] = row_from(stop.block, views, count, state, flood);
-    row.made = ++memory.made;
+    TravelTimes& times = memory.from[stop.frontier] =
+        travel_times_from(stop.block, views, count, state, flood);
+    times.made = ++memory.made;
     reached += flood.reached();
     if (reached > most_blocks) return;
   }
@@ -82,7 +84,7 @@ RoundTrip round_through(const Views& views, const ExploreState& state, Workspace
   renew(stops, views, round.count, state, memory, workspace.get<OtherFlood>().flood);
 
   const auto way = [&](std::uint32_t from, const View& to, double else_s) {
-    const std::map<std::uint32_t, double>& seconds = memory.rows[from].seconds;
+    const std::map<std::uint32_t, double>& seconds = memory.from[from].seconds;
     const auto known = seconds.find(to.frontier);
     return known == seconds.end() ? else_s : known->second;
   };

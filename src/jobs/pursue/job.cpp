@@ -50,7 +50,7 @@ void look_back(PursuitRun& run, const PursuitTask& task, const Budget& budget) {
   }
 }
 
-/// What the answer is, whatever it says: that it cannot be caught is one.
+/// Returns true for faults that are an answer: the target cannot be caught.
 bool is_proven_impossible(const Fault& fault) {
   return fault.code == FaultCode::no_path || fault.code == FaultCode::budget_exhausted;
 }

@@ -31,7 +31,7 @@ std::optional<Command> PursuitMission::step(const Observation& seen) {
   return go();
 }
 
-/// Where all are now, and what is newly known of the target.
+/// Takes in the positions of all robots and the newly known cells of the target.
 void PursuitMission::take_in(const GridObservation& grid) {
   target_.insert(target_.end(), grid.target.begin(), grid.target.end());
   if (run.state.robots.empty()) {
@@ -65,7 +65,7 @@ Command PursuitMission::go() const {
   return StepToCell{run.state.duty, robot_at(run.state, run.state.duty, 1)};
 }
 
-/// What looking takes is not charged.
+/// Shows the run. The time for that costs nothing.
 void PursuitMission::show() {
   if (!look_) return;
   look_(run);
@@ -153,7 +153,7 @@ void PursuitMission::search_in(Session& session) {
   session.done = search.proven();
 }
 
-/// What the first call proves holds for the mission; later ones start elsewhere.
+/// Keeps the bounds of the first call, which hold for the mission; later calls start elsewhere.
 void PursuitMission::keep_bounds() {
   run.lower_bound = std::numeric_limits<std::uint64_t>::max();
   for (const Session& session : sessions_) {
@@ -203,7 +203,7 @@ void PursuitMission::splice_answers() {
   }
 }
 
-/// Whether to go on thinking, and from how far ahead.
+/// Decides whether to plan on, and from how far ahead.
 void PursuitMission::settle() {
   const bool done = std::ranges::all_of(sessions_, [](const Session& s) { return s.done; });
   const bool on_the_way = run.state.caught || cost_ahead(run.state, belief_.believed).has_value();

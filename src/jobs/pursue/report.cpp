@@ -28,18 +28,18 @@ std::vector<double> drawn_costs(const PursuitProblem& problem, int block, int co
   return sums;
 }
 
-void draw_map(ReportChase& chase, const PursuitProblem& problem) {
+void draw_map(ReportPursuit& pursuit, const PursuitProblem& problem) {
   constexpr int most_cells = 500;
   const GridFrame& frame = problem.costs->frame;
   const int block = (std::max(frame.width, frame.height) + most_cells - 1) / most_cells;
-  chase.columns = (frame.width + block - 1) / block;
-  chase.rows = (frame.height + block - 1) / block;
-  chase.cell_m = block;
-  for (const double cost : drawn_costs(problem, block, chase.columns, chase.rows)) {
-    if (chase.cost_runs.empty() || chase.cost_runs[chase.cost_runs.size() - 2] != cost) {
-      chase.cost_runs.insert(chase.cost_runs.end(), {cost, 0.0});
+  pursuit.columns = (frame.width + block - 1) / block;
+  pursuit.rows = (frame.height + block - 1) / block;
+  pursuit.cell_m = block;
+  for (const double cost : drawn_costs(problem, block, pursuit.columns, pursuit.rows)) {
+    if (pursuit.cost_runs.empty() || pursuit.cost_runs[pursuit.cost_runs.size() - 2] != cost) {
+      pursuit.cost_runs.insert(pursuit.cost_runs.end(), {cost, 0.0});
     }
-    chase.cost_runs.back() += 1.0;
+    pursuit.cost_runs.back() += 1.0;
   }
 }
 
@@ -56,13 +56,13 @@ Report scene(const PursuitProblem& problem, const std::string& name) {
   report.world_name = name;
   report.bounds = problem.costs->frame.bounds();
   report.start = {problem.costs->frame.centre(problem.start), 0.0};
-  report.chase.emplace();
-  draw_map(*report.chase, problem);
-  report.chase->target = centres(problem, problem.target);
+  report.pursuit.emplace();
+  draw_map(*report.pursuit, problem);
+  report.pursuit->target = centres(problem, problem.target);
   return report;
 }
 
-/// What the robot on duty paid until each second: the state keeps the sum only, the rest is counted again.
+/// Returns the cost paid until each second. It is computed again, because the state keeps only the sum.
 std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitState& state) {
   std::vector<double> paid{0.0};
   for (int s = 1; s <= state.time_s; ++s) {
@@ -105,10 +105,10 @@ Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, cons
       {"planning_calls", static_cast<double>(run.calls)},
       {"expansions", static_cast<double>(run.expansions)},
   };
-  for (const auto& path : state.paths) report.chase->robots.push_back(centres(problem, path));
-  report.chase->paid = paid_by_second(problem, state);
+  for (const auto& path : state.paths) report.pursuit->robots.push_back(centres(problem, path));
+  report.pursuit->paid = paid_by_second(problem, state);
   for (const PursuitMoment& moment : run.moments) {
-    report.chase->bounds.push_back(
+    report.pursuit->bounds.push_back(
         {static_cast<double>(moment.time_s), static_cast<double>(moment.expansions),
          moment.cost ? static_cast<double>(*moment.cost) : unknown, static_cast<double>(moment.lower_bound)});
   }
@@ -125,8 +125,8 @@ Report pursuit_report(const PursuitProblem& problem, const Fault& fault, const s
                     {"lower_bound", unknown},
                     {"optimal", 0.0},
                     {"earliest_catch_s", unknown}};
-  report.chase->robots = {{report.start.position}};
-  report.chase->paid = {0.0};
+  report.pursuit->robots = {{report.start.position}};
+  report.pursuit->paid = {0.0};
   return report;
 }
 

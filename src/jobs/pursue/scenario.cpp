@@ -36,14 +36,14 @@ Outcome<std::vector<Cell>> other_starts(const PursuitScenario& scenario, const P
     }
     cells.push_back({*x - 1, *y - 1});
   }
-  if (cells.size() + 1 == static_cast<std::size_t>(scenario.chasers)) return cells;
-  return bad_input(fmt::format("{} cells for {} chasers; the first starts where the map says, so give {}",
-                               cells.size(), scenario.chasers, scenario.chasers - 1),
+  if (cells.size() + 1 == static_cast<std::size_t>(scenario.pursuers)) return cells;
+  return bad_input(fmt::format("{} cells for {} pursuers; the first starts where the map says, so give {}",
+                               cells.size(), scenario.pursuers, scenario.pursuers - 1),
                    "starts");
 }
 
 Outcome<std::vector<Cell>> robots_of(const PursuitScenario& scenario, const PursuitProblem& problem) {
-  if (scenario.starts.empty()) return place_team(problem, static_cast<std::size_t>(scenario.chasers));
+  if (scenario.starts.empty()) return place_team(problem, static_cast<std::size_t>(scenario.pursuers));
   auto others = other_starts(scenario, problem);
   if (!others) return others;
   others->insert(others->begin(), problem.start);
@@ -79,7 +79,7 @@ std::vector<OptionGroup> describe(PursuitScenario& scenario) {
         {"planner", "", 0, 0, "a pursuit planner of 'outrider list'", &scenario.planner},
         {"known", "s", -1, 1e7, "seconds of the target's future that are known; -1: all", &scenario.known},
         {"forecast", "", 0, 0, "of the rest: last_velocity, visit_map, evade or stay", &scenario.forecast},
-        {"chasers", "", 1, 100, "robots that chase the target", &scenario.chasers},
+        {"pursuers", "", 1, 100, "robots that pursue the target", &scenario.pursuers},
         {"starts", "", 0, 0, "x,y of each robot but the first, with blanks between; empty: spread out",
          &scenario.starts},
         {"call", "s", 0.01, 1.9, "of a planning call on the wall clock", &scenario.call_s},

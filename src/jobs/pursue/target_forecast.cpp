@@ -18,7 +18,7 @@ constexpr std::array<Cell, 9> moves = {
 
 constexpr Cell moved(Cell c, Cell by) { return {c.x + by.x, c.y + by.y}; }
 
-/// Where the target may be expected: on the map, and on walls only if it was seen on one.
+/// The cells where the target may be: all of the map, but walls only if it was seen on one.
 class Floor {
  public:
   explicit Floor(const TargetSeen& seen)

@@ -17,7 +17,7 @@
 namespace outrider {
 namespace {
 
-using Node = std::uint32_t;
+using NodeIndex = std::uint32_t;
 
 constexpr double step_s = 0.1;  // graphs have no times
 constexpr std::size_t most_waypoints = 4000;
@@ -27,13 +27,13 @@ constexpr std::size_t most_events = 300;
 SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution,
                        const std::vector<Eigen::Matrix3d>& covariances) {
   SlamPicture picture;
-  const auto at = [&](Node node) { return solution.poses[node].position; };
+  const auto at = [&](NodeIndex node) { return solution.poses[node].position; };
   for (const GraphEdge& edge : graph.edges) {
     if (edge.kind != EdgeKind::pose) continue;
     const bool follows = edge.to == edge.from + 1;
     (follows ? picture.driven : picture.loops).push_back({at(edge.from), at(edge.to)});
   }
-  for (Node i = 0; i < graph.nodes.size() && !covariances.empty(); ++i) {
+  for (NodeIndex i = 0; i < graph.nodes.size() && !covariances.empty(); ++i) {
     if (!graph.nodes[i].is_point) continue;
     const Eigen::Matrix3d& c = covariances[i];
     picture.landmarks.push_back({i, at(i), c.topLeftCorner<2, 2>(), 0});
@@ -57,11 +57,17 @@ Compared compared(const GraphInput& input, const std::vector<Pose2>& poses, bool
   return places;
 }
 
-/// Root mean squared error of the points, or of the poses, once the whole is moved onto the truth.
-std::optional<double> aligned_error(const GraphInput& input, const std::vector<Pose2>& poses, bool points,
-                                    bool aligned) {
-  const auto [estimate, truth] = compared(input, poses, points);
-  return rms_distance(estimate, truth, aligned ? rigid_alignment(estimate, truth) : Pose2{});
+/// What an error is taken of, and whether the estimate is first moved onto the truth as a rigid whole.
+struct ErrorKind {
+  bool points = false;  ///< of the landmarks; else of the poses
+  bool aligned = true;
+};
+
+/// Root mean squared error of the landmarks or of the poses.
+std::optional<double> aligned_error(const GraphInput& input, const std::vector<Pose2>& poses,
+                                    ErrorKind kind) {
+  const auto [estimate, truth] = compared(input, poses, kind.points);
+  return rms_distance(estimate, truth, kind.aligned ? rigid_alignment(estimate, truth) : Pose2{});
 }
 
 /// Ways of robots through a graph: poses that follow each other, each joined to the next by an edge.
@@ -72,8 +78,8 @@ class Ways {
       const GraphEdge& edge = graph.edges[i];
       if (edge.kind == EdgeKind::pose) edge_between_.try_emplace(std::minmax(edge.from, edge.to), i);
     }
-    std::optional<Node> before;
-    for (Node node = 0; node < graph.nodes.size(); ++node) {
+    std::optional<NodeIndex> before;
+    for (NodeIndex node = 0; node < graph.nodes.size(); ++node) {
       if (graph.nodes[node].is_point) continue;
       if (!before || !edge_between_.contains({*before, node})) all_.emplace_back();
       step_of_[node] = all_.back().size();
@@ -82,26 +88,26 @@ class Ways {
     }
   }
 
-  [[nodiscard]] const std::vector<std::vector<Node>>& all() const { return all_; }
+  [[nodiscard]] const std::vector<std::vector<NodeIndex>>& all() const { return all_; }
   /// The first of the longest.
-  [[nodiscard]] const std::vector<Node>& main() const {
-    return *std::ranges::max_element(all_, {}, &std::vector<Node>::size);
+  [[nodiscard]] const std::vector<NodeIndex>& main() const {
+    return *std::ranges::max_element(all_, {}, &std::vector<NodeIndex>::size);
   }
   /// When a pose was reached; every robot starts at 0.
-  [[nodiscard]] double time_s(Node node) const { return step_s * static_cast<double>(step_of_[node]); }
-  [[nodiscard]] bool follow(Node a, Node b) const {
+  [[nodiscard]] double time_s(NodeIndex node) const { return step_s * static_cast<double>(step_of_[node]); }
+  [[nodiscard]] bool follow(NodeIndex a, NodeIndex b) const {
     const auto [first, second] = std::minmax(a, b);
     return step_of_[second] == step_of_[first] + 1 && next_to(first, second);
   }
   /// The motion from a pose of a way to the next, as measured.
-  [[nodiscard]] Pose2 motion(Node from, Node to) const {
+  [[nodiscard]] Pose2 motion(NodeIndex from, NodeIndex to) const {
     const GraphEdge& edge = graph_.edges[edge_between_.at({from, to})];
     return edge.from == from ? edge.measured : wrap_heading(inverse(edge.measured));
   }
 
  private:
-  [[nodiscard]] bool next_to(Node a, Node b) const {
-    for (Node node = a + 1; node < b; ++node) {
+  [[nodiscard]] bool next_to(NodeIndex a, NodeIndex b) const {
+    for (NodeIndex node = a + 1; node < b; ++node) {
       if (!graph_.nodes[node].is_point) return false;
     }
     return true;
@@ -109,12 +115,12 @@ class Ways {
 
   const PoseGraph& graph_;
   std::vector<std::size_t> step_of_;  ///< by node: its place on its way
-  std::map<std::pair<Node, Node>, std::size_t> edge_between_;
-  std::vector<std::vector<Node>> all_;
+  std::map<std::pair<NodeIndex, NodeIndex>, std::size_t> edge_between_;
+  std::vector<std::vector<NodeIndex>> all_;
 };
 
 /// The number in a name such as L12 or 12; else that of the node.
-std::int64_t id_of(const PoseGraph& graph, Node node) {
+std::int64_t id_of(const PoseGraph& graph, NodeIndex node) {
   const std::string& name = graph.nodes[node].name;
   const std::size_t digits = name.find_first_of("0123456789");
   const bool ends = digits != std::string::npos && name.size() - digits <= 15 &&
@@ -128,20 +134,20 @@ struct Solved {
   const std::vector<Eigen::Matrix3d>& covariances;  ///< by node; or empty
   Pose2 map_T_truth;
 
-  [[nodiscard]] Vec2 at(Node node) const { return solution.poses[node].position; }
-  [[nodiscard]] Vec2 true_place(Node node) const { return map_T_truth * input.truth[node].position; }
-  [[nodiscard]] Eigen::Matrix3d covariance(Node node) const {
+  [[nodiscard]] Vec2 at(NodeIndex node) const { return solution.poses[node].position; }
+  [[nodiscard]] Vec2 true_place(NodeIndex node) const { return map_T_truth * input.truth[node].position; }
+  [[nodiscard]] Eigen::Matrix3d covariance(NodeIndex node) const {
     return covariances.empty() ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : covariances[node];
   }
 };
 
 void add_landmarks(Report& report, const Solved& solved, const Ways& ways) {
   const PoseGraph& graph = solved.input.graph;
-  std::map<Node, ReportLandmark> found;
+  std::map<NodeIndex, ReportLandmark> found;
   for (const GraphEdge& edge : graph.edges) {
     if (!graph.nodes[edge.to].is_point && !graph.nodes[edge.from].is_point) continue;
     const bool to = graph.nodes[edge.to].is_point;
-    const Node node = to ? edge.to : edge.from, pose = to ? edge.from : edge.to;
+    const NodeIndex node = to ? edge.to : edge.from, pose = to ? edge.from : edge.to;
     const double time_s = graph.nodes[pose].is_point ? 0.0 : ways.time_s(pose);
     const auto [place, added] = found.try_emplace(node);
     ReportLandmark& landmark = place->second;
@@ -179,7 +185,7 @@ void add_loops(Report& report, const Solved& solved, const Ways& ways) {
 /// The ways of several robots, in steps of equal time.
 void add_paths(Report& report, const Solved& solved, const Ways& ways) {
   if (ways.all().size() < 2) return;
-  for (const std::vector<Node>& way : ways.all()) {
+  for (const std::vector<NodeIndex>& way : ways.all()) {
     if (way.size() < 2) continue;
     const std::size_t every = (way.size() + most_waypoints - 1) / most_waypoints;
     ReportPath path;
@@ -195,7 +201,7 @@ void add_paths(Report& report, const Solved& solved, const Ways& ways) {
 Report report_of(const SlamScenario& scenario, const Solved& solved) {
   Report report = opened(scenario);
   const Ways ways(solved.input.graph);
-  const std::vector<Node>& way = ways.main();
+  const std::vector<NodeIndex>& way = ways.main();
   SlamRecord record(report, "pose_graph", 0.0);
   std::vector<Pose2> settled;
   std::vector<Vec2> reference;
@@ -221,15 +227,17 @@ Pose2 alignment_to_map(const GraphInput& input, const std::vector<Pose2>& poses)
 
 Metrics metrics_of(const GraphInput& input, const PoseGraphSolution& solution) {
   const auto number = [](auto value) { return static_cast<double>(value); };
-  return {{"landmark_rmse_m", known(aligned_error(input, solution.poses, true, false))},
-          {"landmark_rmse_aligned_m", known(aligned_error(input, solution.poses, true, true))},
-          {"ate_m", known(aligned_error(input, solution.poses, false, true))},
-          {"cost", solution.cost},
-          {"steps", number(solution.iterations)},
-          {"nodes", number(input.graph.nodes.size())},
-          {"edges", number(input.graph.edges.size())},
-          {"start_cost", solution.start_cost},
-          {"robust_cost", solution.robust_cost}};
+  return {
+      {"landmark_rmse_m", known(aligned_error(input, solution.poses, {.points = true, .aligned = false}))},
+      {"landmark_rmse_aligned_m",
+       known(aligned_error(input, solution.poses, {.points = true, .aligned = true}))},
+      {"ate_m", known(aligned_error(input, solution.poses, {.points = false, .aligned = true}))},
+      {"cost", solution.cost},
+      {"steps", number(solution.iterations)},
+      {"nodes", number(input.graph.nodes.size())},
+      {"edges", number(input.graph.edges.size())},
+      {"start_cost", solution.start_cost},
+      {"robust_cost", solution.robust_cost}};
 }
 
 }  // namespace

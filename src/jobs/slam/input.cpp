@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The words of the first line that has some and is no comment.
-std::vector<std::string> first_words(std::string_view text) {
+std::vector<std::string> first_tokens(std::string_view text) {
   std::vector<std::string> words;
   bool comment = false;
   for (const char c : text) {
@@ -108,7 +108,7 @@ Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& t
     if (!log) return pass_on(log);
     return SlamInput(std::move(*log));
   }
-  const std::vector<std::string> words = first_words(*text);
+  const std::vector<std::string> words = first_tokens(*text);
   const std::string tag = words.empty() ? "" : words.front();
   if (tag.starts_with("VERTEX") || tag.starts_with("EDGE") || tag == "FIX")
     return load_graph(path, *text, words);

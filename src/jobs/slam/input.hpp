@@ -1,4 +1,5 @@
-// What the job slam reads: told by what stands in the file, and completed by the files beside it.
+// The inputs of the job slam. The kind is detected from the contents of the file; files beside it complete
+// the input.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ double way_of(const LandmarkLog& log) {
   return way_m;
 }
 
-/// What is noted while the log is mapped, for the report and for who looks on.
+/// Records the report while the log is mapped, and shows it to the observer.
 class Recorder {
  public:
   Recorder(const SlamScenario& scenario, const LandmarkLog& log, RunObserver* observer)
@@ -73,13 +73,13 @@ class Recorder {
     record_.note_scan([&] { return places_of(log_.steps[step].sightings); });
     for (const std::int64_t id : outcome.added) {
       first_s_[id] = time_s;
-      tell(time_s, "landmark", fmt::format("landmark {} is in the map", id));
+      add_event(time_s, "landmark", fmt::format("landmark {} is in the map", id));
     }
     for (const std::int64_t id : outcome.removed)
-      tell(time_s, "removed", fmt::format("landmark {} is taken out of the map", id));
+      add_event(time_s, "removed", fmt::format("landmark {} is taken out of the map", id));
     if (outcome.lost != lost_)
-      tell(time_s, outcome.lost ? "lost" : "found",
-           outcome.lost ? "the robot is lost" : "the robot knows again where it is");
+      add_event(time_s, outcome.lost ? "lost" : "found",
+                outcome.lost ? "the robot is lost" : "the robot knows again where it is");
     lost_ = outcome.lost;
     if (observer_ != nullptr && observer_->wants()) show(slam);
   }
@@ -114,7 +114,7 @@ class Recorder {
     return found;
   }
 
-  void tell(double time_s, const char* kind, std::string text) {
+  void add_event(double time_s, const char* kind, std::string text) {
     report_.events.push_back({time_s, kind, std::move(text)});
   }
 
@@ -207,7 +207,7 @@ Outcome<Mapped> run_log(const SlamJob& job, const LandmarkSlamOptions& options, 
   return run;
 }
 
-/// What a log that vouches for its ids needs: no gate and no patience, where nobody chose them.
+/// Returns options for a log with reliable ids: no gate and no patience, unless they were set.
 LandmarkSlamOptions options_of(const SlamJob& job, const LandmarkLog& log) {
   LandmarkSlamOptions options = job.scenario.landmarks;
   if (!log.told_apart || options.unknown_ids) return options;

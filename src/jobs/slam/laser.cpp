@@ -40,7 +40,7 @@ double way_of(const LaserLog& log) {
   return way_m;
 }
 
-/// What is noted while the log is mapped, for the report and for who looks on.
+/// Records the report while the log is mapped, and shows it to the observer.
 class Recorder {
  public:
   Recorder(const SlamScenario& scenario, const LaserLog& log, RunObserver* observer)

@@ -27,7 +27,7 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   run.rms_error_m = rms_distance(from, onto, motion);
 }
 
-/// What the robot of the log sensed.
+/// Returns the observations of the robot that recorded the log.
 std::vector<Observation> records_of(const LaserLog& log) {
   std::vector<Observation> records;
   Observation seen;

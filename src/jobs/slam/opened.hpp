@@ -1,4 +1,5 @@
-// What the kinds of input of the job slam share: how each is mapped, and how their reports begin.
+// Functions shared by all kinds of input of the job slam: the mapping of each kind, and the start of its
+// report.
 #pragma once
 
 #include <optional>

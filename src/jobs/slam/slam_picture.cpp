@@ -28,7 +28,7 @@ struct View {
   }
 };
 
-/// Of what was estimated; odometry may leave the picture.
+/// Returns the view of the estimates; odometry may leave the picture.
 View view_of(const SlamPicture& picture) {
   std::vector<Vec2> points = picture.truth;
   for (const auto& track : picture.driven) points.insert(points.end(), track.begin(), track.end());
@@ -73,19 +73,19 @@ std::string ellipse(const View& view, const LandmarkEstimate& landmark) {
 }
 
 std::string legend(double y, const SlamPicture& picture) {
-  struct Entry {
+  struct LegendEntry {
     const char* kind;
     const char* word;
     bool shown;
   };
-  const Entry entries[] = {{"driven", "estimated", !picture.driven.empty()},
-                           {"odometry", "odometry alone", !picture.odometry.empty()},
-                           {"loop", "loop closures", !picture.loops.empty()},
-                           {"sure", "landmarks, 95 %", !picture.landmarks.empty()},
-                           {"truth", "true places", !picture.truth.empty()}};
+  const LegendEntry entries[] = {{"driven", "estimated", !picture.driven.empty()},
+                                 {"odometry", "odometry alone", !picture.odometry.empty()},
+                                 {"loop", "loop closures", !picture.loops.empty()},
+                                 {"sure", "landmarks, 95 %", !picture.landmarks.empty()},
+                                 {"truth", "true places", !picture.truth.empty()}};
   std::string text;
   double x = margin_px;
-  for (const Entry& entry : entries) {
+  for (const LegendEntry& entry : entries) {
     if (!entry.shown) continue;
     fmt::format_to(std::back_inserter(text),
                    "<path class=\"{}\" d=\"M{:.0f} {:.0f}h22\"/><text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n",

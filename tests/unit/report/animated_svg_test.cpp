@@ -109,7 +109,7 @@ TEST(AnimatedSvg, ShowsTheStripThatIsCovered) {
                              .area = {{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {{2, 1.6}, {2, 1.8}, {2.2, 1.6}}},
                              .reach = {{{0.1, 0}, {4, 0}, {4, 2}}},
                              .missed = {{{0.1, 0}, {0.2, 0}, {0.2, 0.1}}},
-                             .twice = {},
+                             .overlap = {},
                              .planned = {{1, 1}, {3, 1}},
                              .passes = {{0.0, 4.0, "lane"}},
                              .covered = {}};

@@ -25,10 +25,10 @@ Report everything() {
   ReportSlam& slam = report.slam.emplace();
   slam.engine = "laser";
   slam.map = report.explore->map;
-  ReportChase& chase = report.chase.emplace();
-  chase.columns = chase.rows = 1;
-  chase.cost_runs = {5.0, 1.0};
-  chase.robots.resize(2);
+  ReportPursuit& pursuit = report.pursuit.emplace();
+  pursuit.columns = pursuit.rows = 1;
+  pursuit.cost_runs = {5.0, 1.0};
+  pursuit.robots.resize(2);
   for (int i = 0; i < 9; ++i) {
     const Vec2 at{0.1 * i, 1.0};
     drive.beliefs.push_back({1.0 * i, {at, 0.0}, 0.1, 0.1, 0.0, 0.1, false});
@@ -38,10 +38,10 @@ Report everything() {
     slam.scans.push_back({1.0 * i, {at, at}});
     slam.loops.push_back({1.0 * i, at, {}});
     slam.landmarks.push_back({i, 1.0 * i, at, 0.1, 0.2, 0.0, i, {}});
-    chase.target.push_back(at);
-    for (auto& way : chase.robots) way.push_back(at);
-    chase.paid.push_back(i);
-    chase.bounds.push_back({1.0 * i, 1.0, 2.0, 1.0});
+    pursuit.target.push_back(at);
+    for (auto& way : pursuit.robots) way.push_back(at);
+    pursuit.paid.push_back(i);
+    pursuit.bounds.push_back({1.0 * i, 1.0, 2.0, 1.0});
   }
   return report;
 }
@@ -73,10 +73,10 @@ Report at(Report report, double part) {
   cut(report.slam->loops, part);
   cut(report.slam->landmarks, part);
   if (part < 0.5) report.slam->map.reset();
-  for (auto* list : {&report.chase->target, &report.chase->robots[0], &report.chase->robots[1]})
+  for (auto* list : {&report.pursuit->target, &report.pursuit->robots[0], &report.pursuit->robots[1]})
     cut(*list, part);
-  cut(report.chase->paid, part);
-  cut(report.chase->bounds, part);
+  cut(report.pursuit->paid, part);
+  cut(report.pursuit->bounds, part);
   return report;
 }
 
@@ -90,30 +90,30 @@ void replace(std::vector<T>& old, const std::vector<T>& by) {
   if (!by.empty()) old = by;
 }
 
-void join(Report& told, const Report& news) {
-  append(told.paths, news.paths);
-  append(told.shots, news.shots);
-  append(told.events, news.events);
-  append(told.track, news.track);
-  replace(told.targets, news.targets);
-  if (news.supplies) append(told.supplies->levels, news.supplies->levels);
-  append(told.drive->beliefs, news.drive->beliefs);
-  replace(told.drive->stops, news.drive->stops);
-  append(told.explore->beliefs, news.explore->beliefs);
-  append(told.explore->decisions, news.explore->decisions);
-  if (news.explore->map.columns > 0) told.explore->map = news.explore->map;
-  append(told.slam->beliefs, news.slam->beliefs);
-  append(told.slam->odometry, news.slam->odometry);
-  append(told.slam->reference, news.slam->reference);
-  append(told.slam->scans, news.slam->scans);
-  replace(told.slam->loops, news.slam->loops);
-  replace(told.slam->landmarks, news.slam->landmarks);
-  if (news.slam->map) told.slam->map = news.slam->map;
-  append(told.chase->target, news.chase->target);
-  append(told.chase->paid, news.chase->paid);
-  append(told.chase->bounds, news.chase->bounds);
-  told.chase->robots.resize(2);
-  for (std::size_t i = 0; i < 2; ++i) append(told.chase->robots[i], news.chase->robots[i]);
+void join(Report& joined, const Report& delta) {
+  append(joined.paths, delta.paths);
+  append(joined.shots, delta.shots);
+  append(joined.events, delta.events);
+  append(joined.track, delta.track);
+  replace(joined.targets, delta.targets);
+  if (delta.supplies) append(joined.supplies->levels, delta.supplies->levels);
+  append(joined.drive->beliefs, delta.drive->beliefs);
+  replace(joined.drive->stops, delta.drive->stops);
+  append(joined.explore->beliefs, delta.explore->beliefs);
+  append(joined.explore->decisions, delta.explore->decisions);
+  if (delta.explore->map.columns > 0) joined.explore->map = delta.explore->map;
+  append(joined.slam->beliefs, delta.slam->beliefs);
+  append(joined.slam->odometry, delta.slam->odometry);
+  append(joined.slam->reference, delta.slam->reference);
+  append(joined.slam->scans, delta.slam->scans);
+  replace(joined.slam->loops, delta.slam->loops);
+  replace(joined.slam->landmarks, delta.slam->landmarks);
+  if (delta.slam->map) joined.slam->map = delta.slam->map;
+  append(joined.pursuit->target, delta.pursuit->target);
+  append(joined.pursuit->paid, delta.pursuit->paid);
+  append(joined.pursuit->bounds, delta.pursuit->bounds);
+  joined.pursuit->robots.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) append(joined.pursuit->robots[i], delta.pursuit->robots[i]);
 }
 
 TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
@@ -125,20 +125,20 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
   Rng rng(7);
   for (int i = 0; i < testing::cases(20); ++i) {
     ReportGrowth growth;
-    Report told = growth.delta(at(whole, 0.0));
-    EXPECT_EQ(told.job, whole.job);
-    EXPECT_EQ(told.solids.size(), whole.solids.size());
+    Report joined = growth.delta(at(whole, 0.0));
+    EXPECT_EQ(joined.job, whole.job);
+    EXPECT_EQ(joined.solids.size(), whole.solids.size());
     std::vector<double> parts(static_cast<std::size_t>(i % 7));
     for (double& part : parts) part = rng.uniform();
     std::ranges::sort(parts);
     parts.push_back(1.0);
     for (const double part : parts) {
-      const Report news = growth.delta(at(whole, part));
-      EXPECT_EQ(news.job, "");
-      EXPECT_TRUE(news.solids.empty());
-      join(told, news);
+      const Report delta = growth.delta(at(whole, part));
+      EXPECT_EQ(delta.job, "");
+      EXPECT_TRUE(delta.solids.empty());
+      join(joined, delta);
     }
-    EXPECT_EQ(to_json(told), to_json(expected));
+    EXPECT_EQ(to_json(joined), to_json(expected));
   }
 }
 
@@ -150,8 +150,8 @@ TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
               nothing.paths.empty());
   EXPECT_TRUE(nothing.targets.empty() && nothing.drive->stops.empty() && nothing.drive->beliefs.empty());
   EXPECT_TRUE(nothing.explore->beliefs.empty() && nothing.explore->map.columns == 0);
-  EXPECT_TRUE(nothing.chase->robots[0].empty() && nothing.chase->paid.empty() &&
-              nothing.chase->cost_runs.empty());
+  EXPECT_TRUE(nothing.pursuit->robots[0].empty() && nothing.pursuit->paid.empty() &&
+              nothing.pursuit->cost_runs.empty());
   EXPECT_TRUE(nothing.slam->beliefs.empty() && nothing.slam->scans.empty() && !nothing.slam->map);
   EXPECT_EQ(to_json_line(nothing).find('\n'), std::string::npos);
 }
@@ -162,10 +162,10 @@ TEST(ReportGrowth, AnotherJobBeginsAnewAndItsListsGoOn) {
   report.job = "explore";
   growth.delta(at(report, 0.5));
   report.job = "guard";
-  const Report news = growth.delta(report);
-  EXPECT_EQ(news.job, "guard");
-  EXPECT_EQ(news.solids.size(), report.solids.size());
-  EXPECT_EQ(news.track.size(), report.track.size() - at(report, 0.5).track.size());
+  const Report delta = growth.delta(report);
+  EXPECT_EQ(delta.job, "guard");
+  EXPECT_EQ(delta.solids.size(), report.solids.size());
+  EXPECT_EQ(delta.track.size(), report.track.size() - at(report, 0.5).track.size());
 }
 
 }  // namespace

@@ -11,15 +11,15 @@
 namespace outrider {
 namespace {
 
-Report chase_of(int columns, int rows, std::vector<double> runs) {
+Report pursuit_of(int columns, int rows, std::vector<double> runs) {
   Report report;
   report.job = "pursue";
   report.status = "done";
   report.bounds = {{0.0, 0.0}, {3.0, 2.0}};
-  ReportChase& chase = report.chase.emplace();
-  chase.columns = columns;
-  chase.rows = rows;
-  chase.cost_runs = std::move(runs);
+  ReportPursuit& pursuit = report.pursuit.emplace();
+  pursuit.columns = columns;
+  pursuit.rows = rows;
+  pursuit.cost_runs = std::move(runs);
   return report;
 }
 
@@ -46,19 +46,19 @@ TEST(Runs, CostsThatDoNotFillTheMapAreRefused) {
       {{1, 9007199254740994.0}, "entry 1 is 9007199254740994"},
       {{}, "add up to 0 cells"}};
   for (const auto& [runs, part] : cases) {
-    expect_refused(to_json(chase_of(3, 2, runs)), "chase.cost_runs", part);
+    expect_refused(to_json(pursuit_of(3, 2, runs)), "pursuit.cost_runs", part);
   }
-  expect_refused(to_json(chase_of(3, 2, {1, std::numeric_limits<double>::quiet_NaN()})), "chase.cost_runs[1]",
-                 "null");
-  EXPECT_TRUE(report_from_json(to_json(chase_of(3, 2, {1, 2, 7, 4}))));
-  EXPECT_TRUE(report_from_json(to_json(chase_of(0, 0, {}))));
+  expect_refused(to_json(pursuit_of(3, 2, {1, std::numeric_limits<double>::quiet_NaN()})),
+                 "pursuit.cost_runs[1]", "null");
+  EXPECT_TRUE(report_from_json(to_json(pursuit_of(3, 2, {1, 2, 7, 4}))));
+  EXPECT_TRUE(report_from_json(to_json(pursuit_of(0, 0, {}))));
 }
 
 TEST(Runs, MapsOfMoreCellsThanAreDrawnAreRefused) {
-  expect_refused(to_json(chase_of(1'000'000'000, 1'000'000'000, {1, 1e18})), "chase.cost_runs",
+  expect_refused(to_json(pursuit_of(1'000'000'000, 1'000'000'000, {1, 1e18})), "pursuit.cost_runs",
                  "1000000000 x 1000000000 cells");
-  expect_refused(to_json(chase_of(4'000'001, 1, {1, 4'000'001})), "chase.cost_runs", "4000000 at most");
-  EXPECT_TRUE(report_from_json(to_json(chase_of(4'000'000, 1, {1, 4'000'000}))));
+  expect_refused(to_json(pursuit_of(4'000'001, 1, {1, 4'000'001})), "pursuit.cost_runs", "4000000 at most");
+  EXPECT_TRUE(report_from_json(to_json(pursuit_of(4'000'000, 1, {1, 4'000'000}))));
 }
 
 TEST(Runs, DiscoveredMapsAreCheckedAlike) {
@@ -76,12 +76,12 @@ TEST(Runs, DiscoveredMapsAreCheckedAlike) {
 // A report that was put together without its file.
 TEST(Runs, PictureOfRunsThatDoNotFitEndsWithoutTheMap) {
   for (const double count : {7.0, 1e9, 1e300}) {
-    EXPECT_LT(to_animated_svg(chase_of(3, 2, {1, 1, 2, count}), 12.0).size(), 5000U) << count;
+    EXPECT_LT(to_animated_svg(pursuit_of(3, 2, {1, 1, 2, count}), 12.0).size(), 5000U) << count;
   }
 }
 
 TEST(Runs, PictureIsNoLargerThanItsRuns) {
-  const std::string picture = to_animated_svg(chase_of(2, 2'000'000, {1, 1, 2, 3'999'998, 3, 1}), 12.0);
+  const std::string picture = to_animated_svg(pursuit_of(2, 2'000'000, {1, 1, 2, 3'999'998, 3, 1}), 12.0);
   EXPECT_LT(picture.size(), 5000U);
   EXPECT_EQ(picture.find("nan"), std::string::npos);
 }

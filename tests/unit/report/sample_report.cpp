@@ -133,7 +133,7 @@ class Run {
   }
 
  private:
-  void say(std::string kind, std::string text) {
+  void add_event(std::string kind, std::string text) {
     report_.events.push_back({now_.time_s, std::move(kind), std::move(text)});
   }
 
@@ -180,15 +180,15 @@ class Run {
     target.yaw_rad = cat.yaw_rad;
     if (cat.status == "unreachable") {
       target.reason = "none of 6310 reachable poses has a flight that stays clear of 'shed'";
-      say("status", cat.name + " is unreachable: " + target.reason);
+      add_event("status", cat.name + " is unreachable: " + target.reason);
     } else {
-      say("drive", "Driving to the firing pose for " + cat.name);
+      add_event("drive", "Driving to the firing pose for " + cat.name);
       drive(cat.stand);
-      say("aim", "Aiming at " + cat.name);
+      add_event("aim", "Aiming at " + cat.name);
       for (int i = 1; i <= cat.misses + (cat.status == "reached" ? 1 : 0); ++i) fire(cat, i, target);
       target.reason = cat.status == "reached" ? fmt::format("hit at shot {}", target.shots)
                                               : "missed 3 times: the ball touched 'hedge' first";
-      say("status", cat.name + " is " + cat.status);
+      add_event("status", cat.name + " is " + cat.status);
       change(now_, 0.3);
     }
     target.done_s = now_.time_s;
@@ -196,7 +196,7 @@ class Run {
   }
 
   void fire(const Intruder& cat, int attempt, ReportTarget& target) {
-    const bool stray = attempt <= cat.misses;
+    const bool misses_target = attempt <= cat.misses;
     const Vec2 to_target = xy(target.centre) - now_.pose.position;
     const double yaw = heading_of(to_target);
     TrackSample aimed = now_;
@@ -215,14 +215,14 @@ class Run {
     const double reach = norm(to_target) - 0.25;
     const double drop = reach * std::tan(cat.pitch_rad) - (target.centre.z - muzzle_height);
     double speed = reach / std::cos(cat.pitch_rad) * std::sqrt(0.5 * gravity / drop);
-    if (stray) speed *= cat.status == "failed" ? 0.84 : 0.9;
+    if (misses_target) speed *= cat.status == "failed" ? 0.84 : 0.9;
     shot.velocity_mps = {speed * std::cos(cat.pitch_rad) * along.x, speed * std::cos(cat.pitch_rad) * along.y,
                          speed * std::sin(cat.pitch_rad)};
     fly(cat, shot);
-    say("shot", fmt::format("Shot {} at {}: {:.2f} m/s, pitch {:.1f} degrees", attempt, cat.name, speed,
-                            degrees(cat.pitch_rad)));
+    add_event("shot", fmt::format("Shot {} at {}: {:.2f} m/s, pitch {:.1f} degrees", attempt, cat.name, speed,
+                                  degrees(cat.pitch_rad)));
     change(now_, shot.flight_s);
-    say(shot.hit ? "hit" : "miss", fmt::format("The ball touched {}", shot.contact));
+    add_event(shot.hit ? "hit" : "miss", fmt::format("The ball touched {}", shot.contact));
     change(now_, 0.4);
 
     target.pose = now_.pose;

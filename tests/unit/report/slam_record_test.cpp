@@ -151,8 +151,8 @@ TEST(SlamRecord, AShortLogStaysAsItWas) {
   EXPECT_GT(metric(report, "distance_m"), 49.9);
   EXPECT_NEAR(slam.beliefs[10].sigma_y_m, 0.2, 1e-12);
   EXPECT_NEAR(slam.beliefs[35].pose.position.y - report.track[35].pose.position.y, 0.0035, 1e-12);
-  EXPECT_TRUE(slam.beliefs[70].saw_tag);
-  EXPECT_FALSE(slam.beliefs[71].saw_tag);
+  EXPECT_TRUE(slam.beliefs[70].corrected);
+  EXPECT_FALSE(slam.beliefs[71].corrected);
   for (const Vec2 corner :
        {slam.landmarks[0].position, *slam.landmarks[0].truth, report.track.back().pose.position})
     EXPECT_TRUE(corner.x > report.bounds.low.x && corner.x < report.bounds.high.x &&
@@ -182,7 +182,7 @@ TEST(SlamRecord, ALongLogIsThinnedWithoutALieBetweenItsRows) {
     EXPECT_NEAR(lower.x + share * (upper.x - lower.x), t, within + 1e-9);
   }
   int recognised = 0;
-  for (const ReportBelief& belief : thin.slam->beliefs) recognised += belief.saw_tag ? 1 : 0;
+  for (const ReportBelief& belief : thin.slam->beliefs) recognised += belief.corrected ? 1 : 0;
   EXPECT_GE(recognised, 120);
 }
 

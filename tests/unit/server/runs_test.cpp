@@ -17,7 +17,7 @@ echo '{"step":1,"steps":2,"name":"thinking","part":0.00}' >&3
 echo 'this is no progress' >&3
 echo '{"step":2,"steps":2,"name":"driving","part":0.50}' >&3
 echo '{"outrider_report":1,"job":"guard","robot":{"start":[0,0,0]},"targets":[{"name":"cat"}],"events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5]],"explore":{"map":{"columns":1},"walls":[]}}' >&3
-echo '{"outrider_report":1,"job":"","robot":{"start":[0,0,0]},"targets":[],"events":[],"track":[[1,1,2,3,4,5]],"explore":{"map":{"columns":0},"beliefs":[7]},"chase":{"robots":[[],[]]}}' >&3
+echo '{"outrider_report":1,"job":"","robot":{"start":[0,0,0]},"targets":[],"events":[],"track":[[1,1,2,3,4,5]],"explore":{"map":{"columns":0},"beliefs":[7]},"pursuit":{"robots":[[],[]]}}' >&3
 echo '{"outrider_report":1,"job":"","events":7,"explore":{"map":{"columns":2}}}' >&3
 echo '{"outrider_report":1,"job":3}' >&3
 printf '{"outrider_report":1,"job":"guard","events":[{"time_s":1,"kind":"shot","text":"Shot."}],"track":[[0,1,2,3,4,5],[1,1,2,3,4,5]]}' > "$5/guard.json"

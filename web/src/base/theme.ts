@@ -50,5 +50,5 @@ function remembered(): string | null {
   }
 }
 
-/** Of robots beside each other: those that stand apart from the target's. */
-export const chaserColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];
+/** Colours of the pursuers; they differ from the colour of the target. */
+export const pursuerColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];

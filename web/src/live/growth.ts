@@ -37,7 +37,7 @@ export class Growth {
   report: Report | null = null;
 
   /** Takes a message of the run; tells whether the report has grown. */
-  hear(message: Message): boolean {
+  receive(message: Message): boolean {
     if (message.type === "scene") {
       this.add(message.report as Part);
       return true;

@@ -58,7 +58,7 @@ export class LivePage {
     } else if (over.has(run.state) && run.has_report) {
       void this.end(run);
     } else {
-      this.socket = new Socket(() => [{ type: "watch", run: this.id, from: this.seen }], (message) => this.hear(message), (connected) => {
+      this.socket = new Socket(() => [{ type: "watch", run: this.id, from: this.seen }], (message) => this.receive(message), (connected) => {
         if (connected) this.show(this.present);
         else if (!this.ended) this.state.textContent = "Connection lost, trying again";
       });
@@ -71,11 +71,11 @@ export class LivePage {
     this.bar.hidden = this.cancel.hidden = true;
   }
 
-  private hear(message: Message): void {
+  private receive(message: Message): void {
     if (message.type === "error") this.notFound(String(message.error));
     if (message.run !== this.id) return;
     this.seen = Math.max(this.seen, Number(message.seq ?? 0));
-    if (this.growth.hear(message)) this.timer ||= window.setTimeout(() => this.grow(), this.watch ? rest_ms : 0);
+    if (this.growth.receive(message)) this.timer ||= window.setTimeout(() => this.grow(), this.watch ? rest_ms : 0);
     if (message.type === "omitted") {
       this.omitted.hidden = false;
       this.omitted.textContent = `${message.what === "scene" ? "Not drawn while it runs" : "Not all is drawn while it runs"}: ${String(message.sentence)}.`;

@@ -1,4 +1,4 @@
-// The WebSocket to the server: says hello again after every break, with what is to be said first.
+// The WebSocket to the server: connects again after every break and sends the opening messages again.
 import { token } from "../api";
 
 export interface Message { type: string; [key: string]: unknown }
@@ -9,8 +9,8 @@ export class Socket {
   private wait = 250;
   private timer = 0;
 
-  /** `opened` speaks after each connection; `heard` takes each message; `state` tells whether it is connected. */
-  constructor(private opened: () => Message[], private heard: (message: Message) => void,
+  /** `opened` returns what to send after each connection; `receive` takes each message; `state` is called when the connection opens or breaks. */
+  constructor(private opened: () => Message[], private receive: (message: Message) => void,
     private state: (connected: boolean) => void = () => undefined) {
     this.connect();
   }
@@ -29,7 +29,7 @@ export class Socket {
       this.state(true);
       for (const message of this.opened()) this.send(message);
     };
-    socket.onmessage = (event) => this.heard(JSON.parse(String(event.data)) as Message);
+    socket.onmessage = (event) => this.receive(JSON.parse(String(event.data)) as Message);
     socket.onclose = () => {
       if (this.closed) return;
       this.state(false);

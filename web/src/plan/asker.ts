@@ -10,7 +10,7 @@ export class Asker {
   private id = 0;
 
   constructor(private answered: (answer: Shown, request: PlanRequest) => void) {
-    this.socket = new Socket(() => this.resumed(), (message) => this.hear(message));
+    this.socket = new Socket(() => this.resumed(), (message) => this.receive(message));
   }
 
   ask(request: PlanRequest): void {
@@ -37,7 +37,7 @@ export class Asker {
     this.socket.send({ type: "plan", id: this.id, request: this.asked.request });
   }
 
-  private hear(message: Message): void {
+  private receive(message: Message): void {
     if (!this.asked || message.id !== this.asked.id) return;
     const { request } = this.asked;
     this.asked = null;

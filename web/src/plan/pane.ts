@@ -22,7 +22,7 @@ export interface Scene {
   goal: Vec2 | null;
   radius_m: number;
   selected: "start" | "goal" | null;
-  /** Of the robot at the start; null where it does not matter. */
+  /** Heading of the robot at the start; null where it does not matter. */
   heading_rad: number | null;
   /** The planner does not count it, though it could. */
   idleHeading?: boolean;

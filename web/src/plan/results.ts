@@ -3,12 +3,12 @@ import { h } from "../base/dom";
 import { fixed } from "../base/numbers";
 import type { Shown } from "./shown";
 
-type Row = [string, (answer: Shown) => string];
+type ResultRow = [string, (answer: Shown) => string];
 
 /** Codes of a search that ended without a path. */
 const searched = new Set(["no_path", "budget_exhausted"]);
 
-const rows: Row[] = [
+const rows: ResultRow[] = [
   ["answer", (one) => (one.status === "done" ? "path found" : searched.has(one.status) ? "no path" : "refused")],
   ["cost", (one) => (one.cost == null ? "\u2013" : `${fixed(one.cost, 3)} ${one.cost_unit ?? ""}`)],
   ["lower bound", (one) => (one.lower_bound == null ? "\u2013" : `${fixed(one.lower_bound, 3)} ${one.cost_unit ?? ""}`)],

@@ -25,20 +25,20 @@ export class SaveForm {
   async save(): Promise<string | null> {
     const typed = this.name.value.trim();
     const path = typed.endsWith(".yaml") ? typed : `${typed}.yaml`;
-    this.say("", false);
+    this.print("", false);
     try {
       const { files } = await saveScenario(path, this.made(), this.own.has(path));
       this.own.add(path);
       this.name.value = path;
-      this.say(`Saved ${files.join(", ")}. Ask again with: outrider run ${path}`, false);
+      this.print(`Saved ${files.join(", ")}. Ask again with: outrider run ${path}`, false);
       return path;
     } catch (error) {
-      this.say(error instanceof Error ? error.message : String(error), true);
+      this.print(error instanceof Error ? error.message : String(error), true);
       return null;
     }
   }
 
-  say(sentence: string, refused: boolean): void {
+  print(sentence: string, refused: boolean): void {
     this.said.textContent = sentence;
     this.said.classList.toggle("refused", refused);
   }

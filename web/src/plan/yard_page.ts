@@ -70,7 +70,7 @@ export class YardPage {
       const { id } = await send<RunRow>("POST", "runs", { scenario: path });
       location.hash = formatAddress({ view: "live", path: id, query: {} });
     } catch (error) {
-      this.saving.say(error instanceof Error ? error.message : String(error), true);
+      this.saving.print(error instanceof Error ? error.message : String(error), true);
     }
   }
 

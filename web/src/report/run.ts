@@ -48,7 +48,7 @@ export class Run {
   readonly duration: number;
   /** After that the robot goes on by other means than what it believed: a yard that is explored is then guarded. */
   readonly believedUntil: number;
-  /** Where the ground is not flat. */
+  /** The terrain; null on flat ground. */
   readonly relief: Relief | null;
 
   /** `goesOn`: it is not over, and lasts so long as it is known where the robot was. */
@@ -58,18 +58,18 @@ export class Run {
     this.believedUntil = last ? last.time_s + 1.5 : -Infinity;
     this.relief = Relief.of(report.world.terrain?.relief);
     this.flights = report.shots.map(flightOf);
-    const { chase, explore, drive, slam } = report;
+    const { pursuit, explore, drive, slam } = report;
     const latest = (times: (number | null | undefined)[]): number =>
       times.reduce<number>((most, t) => Math.max(most, finite(t)), 0);
     const told = Math.max(1e-3, this.track.end, latest(this.flights.map((one) => one.end)),
-      latest(report.events.map((one) => one.time_s)), latest((chase?.robots ?? []).map((way) => way.length - 1)),
+      latest(report.events.map((one) => one.time_s)), latest((pursuit?.robots ?? []).map((way) => way.length - 1)),
       latest([explore, drive, slam].map((part) => part?.beliefs.at(-1)?.time_s)));
     this.duration = goesOn && this.track.end > 0 ? this.track.end : told;
   }
 
-  /** Of the ground, m. */
+  /** Height of the ground, m. */
   height(x: number, y: number): number { return this.relief?.height(x, y) ?? 0; }
-  /** Of the ground there, upwards, not of length 1. */
+  /** Upward normal of the ground, not normalised. */
   normal(x: number, y: number): Vec3 { return this.relief?.normal(x, y) ?? [0, 0, 1]; }
 
   /** Centre of the ball `tau` seconds after the muzzle: on the path of a shot in air, else on the line to the

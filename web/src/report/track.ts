@@ -28,7 +28,7 @@ export function nearest(column: ArrayLike<number>, t: number): number {
   return t - column[low]! <= column[high]! - t ? low : high;
 }
 
-/** Of rows, with 0 for what is not known. A loop, since of all ways it is the fastest by far. */
+/** One column of the rows, with 0 for unknown values. A loop, because it is by far the fastest method. */
 function column(rows: Num[][], k: number): Float64Array {
   const values = new Float64Array(rows.length);
   for (let i = 0; i < rows.length; ++i) values[i] = finite(rows[i]![k]);

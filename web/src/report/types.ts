@@ -54,7 +54,7 @@ export interface Belief {
   sigma_y_m: number;
   correlation: number;
   sigma_rad: number;
-  saw_tag: boolean;
+  corrected: boolean;
 }
 export interface Tag { id: number; position: Vec2; facing_rad: number; size_m: number; height_m?: Num }
 export interface Eye { width_px: number; height_px: number; fx: number; fy: number; cx: number; cy: number; ahead_m: number; height_m: number }
@@ -65,7 +65,7 @@ export interface Drive {
   beliefs: Belief[];
   camera?: Eye;
 }
-export interface Chase {
+export interface Pursuit {
   columns: number;
   rows: number;
   cell_m: number;
@@ -90,10 +90,10 @@ export interface Cover {
   area: Outlines;
   reach: Outlines;
   missed: Outlines;
-  twice: Outlines;
+  overlap: Outlines;
   planned: Vec2[];
   passes: { start_s: number; end_s: number; role: "lap" | "lane" | "move" }[];
-  /** Rows [time_s, covered_m2, twice_m2]. */
+  /** Rows [time_s, covered_m2, overlap_m2]. */
   covered: number[][];
 }
 export interface Landmark {
@@ -146,7 +146,7 @@ export interface Report {
     stations: { name: string; position: Vec2; gives_water: boolean; gives_charge: boolean }[];
     levels: Num[][];
   };
-  chase?: Chase;
+  pursuit?: Pursuit;
   drive?: Drive;
   explore?: Explore;
   cover?: Cover;
@@ -154,9 +154,9 @@ export interface Report {
 }
 
 /** Why a map of the report cannot be drawn, with its key; null when all can. */
-function faultOfMaps({ chase, explore, slam }: Partial<Report>): string | null {
-  const fault = chase ? faultOfRuns(chase.cost_runs, chase.columns, chase.rows) : null;
-  if (fault) return `chase.cost_runs: ${fault}`;
+function faultOfMaps({ pursuit, explore, slam }: Partial<Report>): string | null {
+  const fault = pursuit ? faultOfRuns(pursuit.cost_runs, pursuit.columns, pursuit.rows) : null;
+  if (fault) return `pursuit.cost_runs: ${fault}`;
   return (explore?.map ? faultOfMap(explore.map, "explore.map") : null) ?? (slam?.map ? faultOfMap(slam.map, "slam.map") : null);
 }
 

@@ -56,7 +56,7 @@ export class Way {
   }
 }
 
-/** Whether b lies on the leg from a to c. */
+/** Returns true if b lies on the leg from a to c. */
 function goesOn(a: Vec2, b: Vec2, c: Vec2): boolean {
   const [ux, uy, vx, vy] = [b[0] - a[0], b[1] - a[1], c[0] - b[0], c[1] - b[1]];
   return Math.abs(ux * vy - uy * vx) <= straight * Math.hypot(ux, uy) && ux * vx + uy * vy > 0;

@@ -5,7 +5,7 @@ import type { Run } from "../report/run";
 
 /** What the view shows when nobody moved it: the bounds, or all that the report tells of. */
 export function areaOf(run: Run): Box {
-  const { world, chase: hunt, explore: found, drive: driven, slam } = run.report;
+  const { world, pursuit, explore: found, drive: driven, slam } = run.report;
   if (world.bounds) return [...world.bounds[0], ...world.bounds[1]];
   const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
   const add = (x: number, y: number, r = 0): void => {
@@ -21,7 +21,7 @@ export function areaOf(run: Run): Box {
   }
   for (const tag of driven?.tags ?? []) add(...tag.position);
   for (const stop of driven?.stops ?? []) add(stop.pose[0], stop.pose[1], reach);
-  for (const way of hunt ? [hunt.target, ...hunt.robots] : []) for (const [x, y] of way) add(x, y);
+  for (const way of pursuit ? [pursuit.target, ...pursuit.robots] : []) for (const [x, y] of way) add(x, y);
   for (const { position } of slam?.landmarks ?? []) add(...position, reach);
   const map = found?.map ?? slam?.map;
   if (map && map.columns > 0) {

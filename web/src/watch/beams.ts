@@ -4,7 +4,7 @@ import type { Vec2 } from "../base/outline";
 export class Walls {
   private edges: Float64Array;  // ax, ay, bx, by, ...
 
-  /** Of closed outlines. */
+  /** Makes the beams from closed outlines. */
   constructor(outlines: Vec2[][]) {
     this.edges = Float64Array.from(outlines.flatMap((outline) =>
       outline.flatMap((a, i) => [...a, ...outline[(i + 1) % outline.length]!])));

@@ -1,4 +1,4 @@
-// What the robot believed: the way it took itself to have driven, its pose, and the ellipse of its doubt.
+// What the robot believed: the path that it believed to drive, its pose, and the ellipse of its uncertainty.
 import { degrees, finite, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../report/run";
@@ -12,7 +12,7 @@ export function believed(run: Run): Layer | null {
   const radius = finite(run.report.robot.radius_m);
   const { slam } = run.report;
   const reference = slam ? " the way as settled" : "";
-  /** Of a log that was mapped, the way believed is drawn where it is not that which was settled. */
+  /** For a mapped log, draws the believed path where it differs from the final estimate. */
   const away = Float64Array.from(slam ? beliefs.all : [], ({ time_s, pose: [x, y] }) => {
     const at = run.track.at(time_s);
     return Math.hypot(x - at.x, y - at.y);

@@ -24,7 +24,7 @@ export class Clock {
     this.changed();
   }
 
-  /** Whether the next frame shows another time. */
+  /** Returns true if the next frame shows another time. */
   get moves(): boolean { return this.playing || (this.live && this.t < this.duration); }
 
   /** The run has come so far by now. */

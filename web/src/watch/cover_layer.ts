@@ -37,7 +37,7 @@ export function pathOf(...all: Outlines[]): Path {
 
 export const turnedRound = (outlines: Outlines): Outlines => outlines.map((ring) => [...ring].reverse());
 
-/** Whether there is a part of the area, to speak of, that the robot cannot cover. */
+/** Returns true if a relevant part of the area is out of reach. */
 const reachesLess = ({ area, reach }: Cover): boolean => areaOfOutlines(area) - areaOfOutlines(reach) > 1e-4 * areaOfOutlines(area);
 
 export const outOfReach = (cover: Cover): Path | null => (reachesLess(cover) ? pathOf(cover.area, turnedRound(cover.reach)) : null);
@@ -47,7 +47,7 @@ export function passAt({ passes }: Cover, t: number): Cover["passes"][number] | 
   return passes.find((one) => one.start_s <= t && t < one.end_s);
 }
 
-/** Whether a place is in an area, by the rule of even and odd. */
+/** Returns true if a place is in an area, by the even-odd rule. */
 export function within(outlines: Outlines, x: number, y: number): boolean {
   let inside = false;
   for (const ring of outlines) {
@@ -111,7 +111,7 @@ export function cover(run: Run): Layer | null {
   const [strip, line] = [stripOf(way, found), rolesOf(way, found)];
   const [x0, y0, x1, y1] = areaOf(run);
   const around = pathOf([[[x0, y0], [x1, y0], [x1, y1], [x0, y1]]], turnedRound(found.area));
-  const [border, missed, twice] = [pathOf(found.area), pathOf(found.missed), pathOf(found.twice)];
+  const [border, missed, overlap] = [pathOf(found.area), pathOf(found.missed), pathOf(found.overlap)];
   const out = outOfReach(found);
   const planned = new Path();
   for (const [x, y] of found.planned) planned.lineTo(x, y);
@@ -150,7 +150,7 @@ export function cover(run: Run): Layer | null {
       const pass = passAt(found, now.t);
       if (!pass) {
         ctx.fillStyle = theme.reached;
-        ctx.fill(twice);
+        ctx.fill(overlap);
         ctx.fillStyle = ctx.strokeStyle = theme.failed;
         ctx.globalAlpha = 1;
         ctx.lineWidth = camera.px(0.8);  // so that slivers are seen
@@ -176,7 +176,7 @@ export function coverLegend({ report: { cover: found } }: Run): { name: string; 
     .map((role) => ({ name: role, style: `border-color:var(--${roleColours[role]})${role === "move" ? ";border-top-style:dotted" : ""}` }));
   const swatch = (name: string, colour: Colour, opacity = 1) => ({ name, style: `background:var(--${colour});opacity:${opacity}`, swatch: true });
   return [swatch("covered", "reached", coveredAlpha + 0.1),
-    ...(found.twice.length > 0 ? [swatch("twice, in the end", "reached", 2 * coveredAlpha)] : []),
+    ...(found.overlap.length > 0 ? [swatch("overlap, in the end", "reached", 2 * coveredAlpha)] : []),
     ...lines, { name: "planned", style: "border-color:var(--soft);border-top-width:1px" },
     ...(found.missed.length > 0 ? [swatch("missed, in the end", "failed")] : []),
     ...(reachesLess(found) ? [{ name: "out of reach", style: "background:repeating-linear-gradient(135deg,var(--inflated) 0 1.5px,transparent 1.5px 4px)", swatch: true }] : [])];

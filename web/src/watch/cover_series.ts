@@ -9,5 +9,5 @@ export function coverSeries({ report: { cover } }: Run): Series[] {
   const share = (column: number): (number | null)[] => cover.covered.map((row) => (reach > 0 ? (100 * row[column]!) / reach : null));
   return [{ title: "Covered", unit: "% of the reach", time: cover.covered.map(([t]) => t!), lines: [
     { name: "covered", colour: "reached", values: share(1) },
-    { name: "twice", colour: "failed", values: share(2) }] }];
+    { name: "overlap", colour: "failed", values: share(2) }] }];
 }

@@ -1,4 +1,4 @@
-// What a robot believed of its pose at an instant, and the ellipse of its doubt.
+// What a robot believed of its pose at an instant, and the ellipse of its uncertainty.
 import { mix, wrapped } from "../base/numbers";
 import type { Run } from "../report/run";
 import { lastNotAfter } from "../report/track";

@@ -77,6 +77,6 @@ export class Sight {
   /** Those in view while the robot took its pose from tags. */
   tagsSeen(t: number, at: Pose): Tag[] {
     const belief = this.beliefs.all[this.beliefs.index(t)];
-    return belief?.saw_tag ? this.tagsInView(at) : [];
+    return belief?.corrected ? this.tagsInView(at) : [];
   }
 }

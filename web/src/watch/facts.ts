@@ -27,7 +27,7 @@ export class Facts {
   readonly element = h("section", { class: "facts scrolls", tabindex: 0, "aria-label": "Numbers" });
   private noted = "";
 
-  /** Of a run that goes on, what is known by now. */
+  /** What is known so far of a run that is not over. */
   renew(run: Run, goesOn: boolean): void {
     const numbers = metrics(goesOn ? soFar(run) : run.report.metrics);
     const { settings, warnings, explore } = run.report;

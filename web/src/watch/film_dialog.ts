@@ -29,7 +29,7 @@ export function showFilmDialog(stage: Stage): void {
     h("header", {}, h("h2", {}, "Frames of a film")), form);
 
   const asked = (): Range => ({ from: from.input.valueAsNumber, to: to.input.valueAsNumber, rate: rate.input.valueAsNumber });
-  const tell = (): void => {
+  const report = (): void => {
     const fault = rangeFault(asked(), stage.duration);
     start.disabled = fault !== "";
     words.textContent = fault || `${frameCount(asked()).toLocaleString("en")} pictures of this view, numbered, in one zip archive`;
@@ -53,10 +53,10 @@ export function showFilmDialog(stage: Stage): void {
     }
     stage.done();
   };
-  form.addEventListener("input", tell);
+  form.addEventListener("input", report);
   form.addEventListener("submit", (event) => { event.preventDefault(); void make(); });
   dialog.addEventListener("close", () => dialog.remove());
-  tell();
+  report();
   document.body.append(dialog);
   dialog.showModal();
 }

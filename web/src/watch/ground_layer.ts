@@ -149,7 +149,7 @@ function groundOf(run: Run): Layer {
     return { ...solid, path, top: finite(solid.high_z_m, Infinity) };
   }).sort((a, b) => a.top - b.top);
   const highest = highestOf(run);
-  const inflated = run.report.chase ? null : inflationOf(run, shapes);
+  const inflated = run.report.pursuit ? null : inflationOf(run, shapes);
   let hatched: HTMLCanvasElement | null = null;
   let view = "";
 

@@ -8,7 +8,7 @@ export interface Now {
   t: number;
   shot: Flight | null;
   target: Target | null;
-  /** Of playing; 0 while it stands still. */
+  /** Speed of playing; 0 while paused. */
   speed: number;
 }
 

@@ -31,9 +31,9 @@ export function signedLegend(run: Run): HTMLElement {
     items.push(h("li", {}, h("i", { class: "swatch", style: "background:var(--failed);opacity:.35" }), "too steep"));
   }
   items.push(...coverLegend(run).map(({ name, style, swatch }) => h("li", {}, h("i", { class: swatch ? "swatch" : "line", style }), name)));
-  if (report.chase) {
+  if (report.pursuit) {
     line("target", "border-color:var(--failed)");
-    line(report.chase.robots.length > 1 ? "robots" : "robot", "border-color:var(--water)");
+    line(report.pursuit.robots.length > 1 ? "robots" : "robot", "border-color:var(--water)");
   }
   return h("ul", { class: "legend", "aria-label": "Legend" }, ...items);
 }

@@ -9,7 +9,7 @@ import type { Flight, Run } from "../report/run";
 import type { Target } from "../report/types";
 import { areaOf } from "./area";
 import { believed } from "./belief";
-import { chase } from "./chase_layer";
+import { pursuit } from "./pursuit_layer";
 import { cover } from "./cover_layer";
 import { drive } from "./drive_layer";
 import { explore } from "./explore_layer";
@@ -24,7 +24,7 @@ import { stations } from "./station_layer";
 import { targets } from "./target_layer";
 
 function layersOf(run: Run, area: Box): Layer[] {
-  const makers: LayerOf[] = [ground, chase, cover, explore, slam, laser, flights, drive, stations, targets, robot, believed];
+  const makers: LayerOf[] = [ground, pursuit, cover, explore, slam, laser, flights, drive, stations, targets, robot, believed];
   return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
 }
 

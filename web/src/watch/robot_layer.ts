@@ -30,7 +30,7 @@ export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: nu
 
 export function robot(run: Run): Layer | null {
   const { track, report } = run;
-  if (report.track.length === 0 && report.chase) return null;
+  if (report.track.length === 0 && report.pursuit) return null;
   const radius = finite(report.robot.radius_m);
   const gunLength = finite(report.robot.gun_length_m);
   return {

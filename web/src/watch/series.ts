@@ -40,7 +40,7 @@ function suppliesOf(run: Run): Series[] {
   return [...made("Water", "", 1, "water", supplies.tank), ...made("Charge", "J", 2, "robot", supplies.battery_j)];
 }
 
-/** How far the belief is from the truth, and its own doubt. */
+/** How far the belief is from the truth, and its own uncertainty. */
 function beliefOf(run: Run): Series | null {
   const beliefs = ((run.report.drive ?? run.report.explore)?.beliefs ?? []).filter(({ time_s }) => time_s <= run.track.end);
   if (beliefs.length < 2) return null;
@@ -53,20 +53,20 @@ function beliefOf(run: Run): Series | null {
     { name: "2 \u03c3", colour: "belief", values: beliefs.map((one) => 2000 * ellipseOf(one).major) }] };
 }
 
-function chaseOf(run: Run): Series | null {
-  const { chase } = run.report;
-  if (!chase) return null;
-  const time = chase.paid.map((_, s) => s);
-  const held = (column: number) => time.map((t) => chase.bounds.findLast((row) => finite(row[0]) <= t)?.[column] ?? null);
+function pursuitOf(run: Run): Series | null {
+  const { pursuit } = run.report;
+  if (!pursuit) return null;
+  const time = pursuit.paid.map((_, s) => s);
+  const held = (column: number) => time.map((t) => pursuit.bounds.findLast((row) => finite(row[0]) <= t)?.[column] ?? null);
   return { title: "Cost", unit: "", time, lines: [
-    { name: "paid", colour: "robot", values: chase.paid },
+    { name: "paid", colour: "robot", values: pursuit.paid },
     { name: "best catch known", colour: "failed", values: held(2), steps: true },
     { name: "lower bound", colour: "reached", values: held(3), steps: true }] };
 }
 
 /** What planning knew after so many expansions, of a pursuit that was planned step by step. */
 function planningOf(run: Run): Series | null {
-  const rows = (run.report.chase?.bounds ?? []).filter((row) => Number.isFinite(row[1]))
+  const rows = (run.report.pursuit?.bounds ?? []).filter((row) => Number.isFinite(row[1]))
     .sort((a, b) => finite(a[1]) - finite(b[1])).filter((row, i, all) => row[1] !== all[i + 1]?.[1]);
   if (rows.length < 2) return null;
   const column = (k: number): (number | null)[] => rows.map((row) => row[k] ?? null);
@@ -87,6 +87,6 @@ function knownOf(run: Run): Series | null {
 }
 
 export function seriesOf(run: Run): Series[] {
-  return [knownOf(run), ...coverSeries(run), chaseOf(run), planningOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), ...slamSeries(run), speedOf(run)]
+  return [knownOf(run), ...coverSeries(run), pursuitOf(run), planningOf(run), targetsOf(run), beliefOf(run), ...suppliesOf(run), ...slamSeries(run), speedOf(run)]
     .filter((one): one is Series => one !== null);
 }

@@ -1,5 +1,5 @@
 // What can be plotted of mapping from a log: how far belief, odometry and reference lie from the way as settled in the
-// end, the belief's own doubt, and what the map had when.
+// end, the belief's own uncertainty, and what the map had when.
 import { finite } from "../base/numbers";
 import type { Run } from "../report/run";
 import type { Vec2 } from "../report/types";
@@ -15,11 +15,11 @@ export function slamSeries(run: Run): Series[] {
     const place = places[i];
     return place ? Math.hypot(place[0] - at.x, place[1] - at.y) : null;
   });
-  const doubt: Series["lines"][number] = { name: "2 \u03c3", colour: "belief", values: slam.beliefs.map((one) => 2 * ellipseOf(one).major) };
+  const uncertainty: Series["lines"][number] = { name: "2 \u03c3", colour: "belief", values: slam.beliefs.map((one) => 2 * ellipseOf(one).major) };
   const settled = run.report.status !== "running";
   const beside: Series = settled && slam.engine !== "pose_graph"
-    ? { title: "Off the way as settled", unit: "m", time, lines: [{ name: "belief", colour: "failed", values: off(slam.beliefs.map(({ pose: [x, y] }): Vec2 => [x, y])) }, doubt] }
-    : { title: "Doubt of the pose", unit: "m", time, lines: [doubt] };
+    ? { title: "Off the way as settled", unit: "m", time, lines: [{ name: "belief", colour: "failed", values: off(slam.beliefs.map(({ pose: [x, y] }): Vec2 => [x, y])) }, uncertainty] }
+    : { title: "Uncertainty of the pose", unit: "m", time, lines: [uncertainty] };
   if (slam.reference.length > 0) beside.lines.push({ name: "reference off the way", colour: "reached", values: off(slam.reference) });
   const all = [beside];
   if (slam.odometry.length > 0) {

@@ -56,7 +56,7 @@ export function coverActor(run: Run): Actor[] {
   const picture = document.createElement("canvas");
   [picture.width, picture.height] = [width, height];
   const around = pathOf([[[x0, y0], [x1, y0], [x1, y1], [x0, y1]]], turnedRound(cover.area));
-  const [out, missed, twice] = [outOfReach(cover), pathOf(cover.missed), pathOf(cover.twice)];
+  const [out, missed, overlap] = [outOfReach(cover), pathOf(cover.missed), pathOf(cover.overlap)];
   const across = Math.max(x1 - x0, y1 - y0);
   const layer = Math.max(0.004, 4e-4 * across);  // so far apart that none shows through another from afar
   const { mesh, texture } = carpet(picture, box, layer);
@@ -79,7 +79,7 @@ export function coverActor(run: Run): Actor[] {
     fill(around, theme["solid-low"], 1);
     fill(out, theme.inflated, 1);
     if (!passAt(cover!, t)) {
-      fill(twice, theme.reached, coveredAlpha);
+      fill(overlap, theme.reached, coveredAlpha);
       fill(missed, theme.failed, 1);
     }
     ctx.globalAlpha = 1;

@@ -13,7 +13,7 @@ export interface Actor { things: Object3D[]; act?: (now: Now) => void }
 export const lambert = (colour: string, opacity = 1): MeshLambertMaterial =>
   new MeshLambertMaterial({ color: colour, transparent: opacity < 1, opacity });
 
-/** Of one colour whatever the light, and hiding nothing: for what is no body. */
+/** A material of one colour that ignores light and hides nothing, for things that are no solids. */
 export const glass = (colour: string, opacity: number): MeshBasicMaterial =>
   new MeshBasicMaterial({ color: colour, transparent: true, opacity, depthWrite: false, side: DoubleSide });
 

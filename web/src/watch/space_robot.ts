@@ -12,7 +12,7 @@ import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
 const mostSteps = 20_000;
 const up = new Vector3(0, 0, 1);
 
-/** Of a robot whose size is not told, so large that it is seen from afar. */
+/** Returns the radius of the robot; if it is unknown, one that is large enough to see from afar. */
 export function radiusOf(run: Run): number {
   if (finite(run.report.robot.radius_m) > 0 || !run.report.slam) return Math.max(0.05, finite(run.report.robot.radius_m));
   const [x0, y0, x1, y1] = areaOf(run);
@@ -59,8 +59,8 @@ function wayActor(run: Run, time: ArrayLike<number>, places: Vec2[], colour: str
 }
 
 export function robotActor(run: Run): Actor[] {
-  const { robot, track, chase } = run.report;
-  if (track.length === 0 && chase) return [];
+  const { robot, track, pursuit } = run.report;
+  if (track.length === 0 && pursuit) return [];
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const body = new Group();
@@ -92,7 +92,7 @@ export function robotActor(run: Run): Actor[] {
   return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), theme.robot, 0.012)];
 }
 
-/** A ghost at the believed pose on the ellipse of its doubt. */
+/** A ghost at the believed pose on the ellipse of its uncertainty. */
 export function beliefActor(run: Run): Actor[] {
   const beliefs = Beliefs.of(run);
   if (beliefs.all.length === 0) return [];

@@ -6,11 +6,11 @@ import type { Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
 import { clamp, finite } from "../base/numbers";
 import { statusColour } from "../base/signs";
-import { chaserColours, onTheme, theme } from "../base/theme";
+import { pursuerColours, onTheme, theme } from "../base/theme";
 import type { Flight, Run } from "../report/run";
 import type { Target } from "../report/types";
 import { areaOf } from "./area";
-import { costPicture, placeOnWay } from "./chase_layer";
+import { costPicture, placeOnWay } from "./pursuit_layer";
 import type { Now } from "./layer";
 import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
@@ -104,7 +104,7 @@ export class SpaceView {
     }
     for (const target of this.run.report.targets) this.addTarget(target);
     if (this.run.flights.length > 0) this.addWater();
-    this.addChase();
+    this.addPursuit();
   }
 
   /** What is taken away is disposed of after the next frame, which then needs no new shaders for what came instead. */
@@ -165,14 +165,14 @@ export class SpaceView {
     });
   }
 
-  private addChase(): void {
-    const { chase, world } = this.run.report;
-    if (!chase || !world.bounds) return;
+  private addPursuit(): void {
+    const { pursuit, world } = this.run.report;
+    if (!pursuit || !world.bounds) return;
     const [x, y] = world.bounds[0];
-    this.moving.add(carpet(costPicture(this.run), [x, y, x + chase.columns * chase.cell_m, y + chase.rows * chase.cell_m], 0).mesh);
-    const size = 0.6 * chase.cell_m;
-    [chase.target, ...chase.robots].forEach((way, i) => {
-      const colour = i === 0 ? theme.failed : chaserColours()[(i - 1) % chaserColours().length]!;
+    this.moving.add(carpet(costPicture(this.run), [x, y, x + pursuit.columns * pursuit.cell_m, y + pursuit.rows * pursuit.cell_m], 0).mesh);
+    const size = 0.6 * pursuit.cell_m;
+    [pursuit.target, ...pursuit.robots].forEach((way, i) => {
+      const colour = i === 0 ? theme.failed : pursuerColours()[(i - 1) % pursuerColours().length]!;
       const body = new Mesh(new SphereGeometry(size, 20, 14), lambert(colour));
       this.moving.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
       this.actors.push(({ t }) => body.position.set(...placeOnWay(way, t), size));
@@ -218,13 +218,13 @@ export class SpaceView {
   draw(now: Now): void {
     if (this.run !== this.drawn) this.bringUpToDate();
     for (const act of this.actors) act(now);
-    if (this.follow) this.chase(now.t);
+    if (this.follow) this.followRobot(now.t);
     this.renderer.render(this.scene, this.camera);
     for (const old of this.spent.splice(0)) dispose(old);
   }
 
   /** Keeps the robot in the middle, from the side that was chosen. */
-  private chase(t: number): void {
+  private followRobot(t: number): void {
     const at = this.run.track.at(t);
     const offset = this.camera.position.clone().sub(this.controls.target);
     const reach = clamp(offset.length(), 1, 6 * Math.max(1, finite(this.run.report.robot.radius_m)));

@@ -246,7 +246,7 @@ export class Watch {
 
   private savePicture(): void { saveCanvas(this.view.canvas, `${this.instant}.png`); }
 
-  /** Of the view as it is now; what is seen of the run depends on the time alone. */
+  /** Opens the dialog that saves frames of the current view; a frame depends on the time alone. */
   private saveFilm(): void {
     const { clock, run } = this;
     clock.toggle(false);

@@ -21,7 +21,7 @@ const row = (i) => [i / 20, 8 * Math.sin(i / 800), 5 * Math.sin(i / 460), i / 60
 const rows = Array.from({ length: 12001 }, (_, i) => row(i));
 const events = Array.from({ length: 600 }, (_, i) => ({ time_s: i, kind: "wait", text: `waits for the ${i}th time` }));
 const beliefs = rows.map(([time_s, x, y, heading], i) => ({ time_s, pose: [x + 0.02 * Math.sin(i / 90), y, heading].map(round),
-  sigma_x_m: 0.03, sigma_y_m: 0.02, correlation: 0.2, sigma_rad: 0.01, saw_tag: i % 40 < 20 }));
+  sigma_x_m: 0.03, sigma_y_m: 0.02, correlation: 0.2, sigma_rad: 0.01, corrected: i % 40 < 20 }));
 const tags = Array.from({ length: 8 }, (_, id) => ({ id, position: [2.2 * id - 8, 6.5], facing_rad: -1.5708, size_m: 0.2, height_m: 0.4 }));
 const write = (name, report) => writeFileSync(join(folder, `reports/${name}.json`), JSON.stringify(report));
 const long = { guard: { ...yard, track: rows, events },

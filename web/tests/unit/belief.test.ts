@@ -5,7 +5,7 @@ import type { Belief, Pose } from "../../src/report/types";
 import { Beliefs, ellipseOf, enlargement } from "../../src/watch/ellipse";
 import { report } from "./report";
 
-const belief = (time_s: number, pose: Pose): Belief => ({ time_s, pose, sigma_x_m: 1, sigma_y_m: 1, correlation: 0, sigma_rad: 0, saw_tag: false });
+const belief = (time_s: number, pose: Pose): Belief => ({ time_s, pose, sigma_x_m: 1, sigma_y_m: 1, correlation: 0, sigma_rad: 0, corrected: false });
 
 describe("the ellipse of a belief", () => {
   it("has the extent of the covariance in every direction", () => {

@@ -16,7 +16,7 @@ const rows = [[0, 0, 0, 0, 0, 0], [1, 0.5, 0, 0, 0, 0], [2, 2, 0, 0, 0, 0], [5, 
   [11, 0, 0, 3.14, 0, 0]];
 const track = new Track(rows, [0, 0, 0]);
 const square = (low: number, high: number): Vec2[] => [[low, low], [high, low], [high, high], [low, high]];
-const cover: Cover = { width_m: 1, area: [square(-1, 4), [...square(3, 3.5)].reverse()], reach: [square(-0.9, 2.9)], missed: [], twice: [], planned: [],
+const cover: Cover = { width_m: 1, area: [square(-1, 4), [...square(3, 3.5)].reverse()], reach: [square(-0.9, 2.9)], missed: [], overlap: [], planned: [],
   passes: [{ start_s: 0, end_s: 5, role: "lap" }, { start_s: 5, end_s: 11, role: "lane" }], covered: [[0, 0, 0], [11, 7.22, 3.61]] };
 const run = new Run(report({ job: "cover", track: rows, cover }));
 
@@ -72,9 +72,9 @@ describe("what is told of covering", () => {
   it("is the share of the reach, by outlines with holes", () => {
     expect(areaOfOutlines(cover.area)).toBeCloseTo(25 - 0.25);
     const [series] = coverSeries(run);
-    const [covered, twice] = series!.lines.map((line) => line.values[1]);
+    const [covered, overlap] = series!.lines.map((line) => line.values[1]);
     expect(covered).toBeCloseTo(50);
-    expect(twice).toBeCloseTo(25);
+    expect(overlap).toBeCloseTo(25);
   });
 
   it("is the pass that goes on, and none in the end", () => {

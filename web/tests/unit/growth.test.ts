@@ -6,7 +6,7 @@ import { report } from "./report";
 
 const told = (messages: Message[]): Growth => {
   const growth = new Growth();
-  for (const message of messages) growth.hear(message);
+  for (const message of messages) growth.receive(message);
   return growth;
 };
 const scene = (more: object): Message => ({ type: "scene", report: { ...report(), status: "running", ...more } });
@@ -16,10 +16,10 @@ const target = (status: string) => ({ name: "cat", status, reason: "", pose: [0,
 describe("a report that grows", () => {
   it("is nothing before the scene, and then what the scene says", () => {
     const growth = new Growth();
-    expect(growth.hear({ type: "samples", rows: [[0, 0, 0, 0, 0, 0]] })).toBe(false);
-    expect(growth.hear({ type: "progress", step: 1 })).toBe(false);
+    expect(growth.receive({ type: "samples", rows: [[0, 0, 0, 0, 0, 0]] })).toBe(false);
+    expect(growth.receive({ type: "progress", step: 1 })).toBe(false);
     expect(growth.report).toBeNull();
-    expect(growth.hear(scene({ job: "drive" }))).toBe(true);
+    expect(growth.receive(scene({ job: "drive" }))).toBe(true);
     expect(growth.report).toMatchObject({ job: "drive", track: [], world: { name: "w" } });
     expect(new Run(growth.report!).duration).toBeGreaterThan(0);
   });
@@ -42,17 +42,17 @@ describe("a report that grows", () => {
       { type: "growth", report: { targets: [target("reached")] } }]);
     expect(growth.report!.targets).toMatchObject([{ status: "reached" }]);
     expect(growth.report!.explore!.map.columns).toBe(0);
-    growth.hear({ type: "map", map });
-    growth.hear({ type: "map", map: { ...map, columns: 3, state_runs: [0, 3], known_runs: [0, 3] } });
-    growth.hear({ type: "growth", report: { explore: { beliefs: [{ time_s: 1 }] } } });
-    growth.hear({ type: "growth", report: { explore: { beliefs: [{ time_s: 2 }] } } });
+    growth.receive({ type: "map", map });
+    growth.receive({ type: "map", map: { ...map, columns: 3, state_runs: [0, 3], known_runs: [0, 3] } });
+    growth.receive({ type: "growth", report: { explore: { beliefs: [{ time_s: 1 }] } } });
+    growth.receive({ type: "growth", report: { explore: { beliefs: [{ time_s: 2 }] } } });
     expect(growth.report!.explore).toMatchObject({ map: { columns: 3 }, walls: [[[0, 0]]], beliefs: [{ time_s: 1 }, { time_s: 2 }] });
   });
 
-  it("lets each robot of a chase go on", () => {
-    const growth = told([scene({ job: "pursue", chase: { columns: 1, rows: 1, cell_m: 1, cost_runs: [1, 1], target: [[0, 0], [1, 0]], robots: [[[0, 0]], [[5, 5]]], paid: [0], bounds: [] } }),
-      { type: "growth", report: { chase: { robots: [[[1, 1], [2, 2]], []], paid: [3, 4] } } }]);
-    expect(growth.report!.chase).toMatchObject({ robots: [[[0, 0], [1, 1], [2, 2]], [[5, 5]]], paid: [0, 3, 4], target: [[0, 0], [1, 0]], cost_runs: [1, 1] });
+  it("lets each robot of a pursuit go on", () => {
+    const growth = told([scene({ job: "pursue", pursuit: { columns: 1, rows: 1, cell_m: 1, cost_runs: [1, 1], target: [[0, 0], [1, 0]], robots: [[[0, 0]], [[5, 5]]], paid: [0], bounds: [] } }),
+      { type: "growth", report: { pursuit: { robots: [[[1, 1], [2, 2]], []], paid: [3, 4] } } }]);
+    expect(growth.report!.pursuit).toMatchObject({ robots: [[[0, 0], [1, 1], [2, 2]], [[5, 5]]], paid: [0, 3, 4], target: [[0, 0], [1, 0]], cost_runs: [1, 1] });
   });
 
   it("keeps what was found when exploring is over and another job begins", () => {

@@ -150,17 +150,17 @@ const target = (name: string, status: string, shots = 0): Target => ({ name, sta
 describe("a run that grows, and what shows it", () => {
   const rows = Array.from({ length: 401 }, (_, i) => [i / 20, 3 * Math.cos(i / 50), 3 * Math.sin(i / 50), i / 50, 0, 0]);
   const events = Array.from({ length: 20 }, (_, i) => ({ time_s: i, kind: "drive", text: `leg ${i}` }));
-  const beliefs = rows.map(([time_s, x, y, heading]) => ({ time_s, pose: [x! + 0.01, y, heading], sigma_x_m: 0.02, sigma_y_m: 0.01, correlation: 0, sigma_rad: 0.01, saw_tag: true }));
+  const beliefs = rows.map(([time_s, x, y, heading]) => ({ time_s, pose: [x! + 0.01, y, heading], sigma_x_m: 0.02, sigma_y_m: 0.01, correlation: 0, sigma_rad: 0.01, corrected: true }));
 
   it("says in parts what it says whole", () => {
     const whole = new Run(report({ job: "drive", track: rows, events, drive: { loop: "closed", tags: [], stops: [], beliefs: beliefs as never } }));
     const growth = new Growth();
-    growth.hear({ type: "scene", report: { ...report({ job: "drive" }), drive: { loop: "closed", tags: [], stops: [], beliefs: [] } } });
+    growth.receive({ type: "scene", report: { ...report({ job: "drive" }), drive: { loop: "closed", tags: [], stops: [], beliefs: [] } } });
     const list = new EventList(new Run(growth.report!, true), () => undefined);
     for (let i = 0; i < rows.length; i += 37) {
-      growth.hear({ type: "samples", rows: rows.slice(i, i + 37) });
-      growth.hear({ type: "growth", report: { drive: { beliefs: beliefs.slice(i, i + 37) } } });
-      growth.hear({ type: "events", events: events.filter(({ time_s }) => time_s * 20 >= i && time_s * 20 < i + 37) });
+      growth.receive({ type: "samples", rows: rows.slice(i, i + 37) });
+      growth.receive({ type: "growth", report: { drive: { beliefs: beliefs.slice(i, i + 37) } } });
+      growth.receive({ type: "events", events: events.filter(({ time_s }) => time_s * 20 >= i && time_s * 20 < i + 37) });
       list.renew(new Run(growth.report!, true));
     }
     const grown = new Run(growth.report!);

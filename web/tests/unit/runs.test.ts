@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import { Growth } from "../../src/live/growth";
 import { faultOfRuns, spread } from "../../src/report/runs";
-import { parseReport, type Chase, type Explore } from "../../src/report/types";
+import { parseReport, type Pursuit, type Explore } from "../../src/report/types";
 import { report } from "./report";
 
-const chase = (columns: number, rows: number, cost_runs: number[]): Chase =>
+const pursuit = (columns: number, rows: number, cost_runs: number[]): Pursuit =>
   ({ columns, rows, cell_m: 1, cost_runs, target: [], robots: [], paid: [], bounds: [] });
 const explore = (state_runs: number[], known_runs: number[]): Explore =>
   ({ map: { origin: [0, 0], cell_m: 1, columns: 2, rows: 2, state_runs, step_s: 1, known_runs }, walls: [], beliefs: [], decisions: [], refused: [] });
@@ -27,8 +27,8 @@ describe("runs of a map", () => {
 
   it("keeps reports out whose maps are not whole, and names the key", () => {
     const read = (more: object) => parseReport(JSON.stringify(report(more)));
-    expect(read({ chase: chase(3, 2, [1, 2, 7, 4]) })).toMatchObject({ job: "guard" });
-    expect(read({ chase: chase(3, 2, [1, 2, 7, 3]) })).toMatch(/^chase\.cost_runs: the counts add up to 5 cells/);
+    expect(read({ pursuit: pursuit(3, 2, [1, 2, 7, 4]) })).toMatchObject({ job: "guard" });
+    expect(read({ pursuit: pursuit(3, 2, [1, 2, 7, 3]) })).toMatch(/^pursuit\.cost_runs: the counts add up to 5 cells/);
     expect(read({ explore: explore([0, 4], [0, 4]) })).toMatchObject({ job: "guard" });
     expect(read({ explore: explore([0, 5], [0, 4]) })).toMatch(/^explore\.map\.state_runs: entry 1 is 5/);
     expect(read({ slam: { map: explore([0, 4], [0, 2]).map } })).toMatch(/^slam\.map\.known_runs: the counts add up to 2/);
@@ -36,9 +36,9 @@ describe("runs of a map", () => {
 
   it("leaves a map out that comes broken while a mission runs", () => {
     const growth = new Growth();
-    growth.hear({ type: "scene", report: { ...report(), explore: { walls: [], beliefs: [], decisions: [], refused: [] } } });
-    expect(growth.hear({ type: "map", map: explore([0, 4], [0, 9]).map })).toBe(false);
+    growth.receive({ type: "scene", report: { ...report(), explore: { walls: [], beliefs: [], decisions: [], refused: [] } } });
+    expect(growth.receive({ type: "map", map: explore([0, 4], [0, 9]).map })).toBe(false);
     expect(growth.report!.explore!.map.columns).toBe(0);
-    expect(growth.hear({ type: "map", map: explore([0, 4], [0, 4]).map })).toBe(true);
+    expect(growth.receive({ type: "map", map: explore([0, 4], [0, 4]).map })).toBe(true);
   });
 });

@@ -12,7 +12,7 @@ import { report } from "./report";
 vi.hoisted(() => { (globalThis as { matchMedia?: unknown }).matchMedia = () => ({ matches: false, addEventListener: () => undefined }); });
 
 const belief = (time_s: number, x: number, y: number): Belief =>
-  ({ time_s, pose: [x, y, 0], sigma_x_m: 0.1, sigma_y_m: 0.2, correlation: 0, sigma_rad: 0.01, saw_tag: false });
+  ({ time_s, pose: [x, y, 0], sigma_x_m: 0.1, sigma_y_m: 0.2, correlation: 0, sigma_rad: 0.01, corrected: false });
 
 /** Along x at 1 m/s, turned to the left; the belief 0.3 m aside from 5 s on. */
 function mapped(more: Partial<Slam> = {}, rest: Partial<Report> = {}): Run {
@@ -63,7 +63,7 @@ describe("the plots", () => {
   });
   it("say nothing of a way as settled while nothing is", () => {
     const titles = slamSeries(mapped({}, { status: "running" })).map((one) => one.title);
-    expect(titles).toEqual(["Doubt of the pose", "Odometry alone, off the belief", "Known"]);
+    expect(titles).toEqual(["Uncertainty of the pose", "Odometry alone, off the belief", "Known"]);
     expect(slamLegend(mapped({}, { status: "running" }))[0]![0]).toBe("way believed so far");
   });
   it("have nothing to tell of another job", () => {

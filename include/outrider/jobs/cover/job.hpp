@@ -21,7 +21,7 @@ class CoverJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 };
 
-/// Its row in the catalogue.
+/// Returns its row in the catalogue of jobs.
 Job cover_job();
 
 }  // namespace outrider

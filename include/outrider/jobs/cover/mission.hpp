@@ -1,4 +1,4 @@
-// CoverMission: the execution of a track, piece by piece; and a simulated drive of it.
+// CoverMission executes a track piece by piece. drive_track() simulates it.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,23 @@
 
 namespace outrider {
 
+/// The state of the execution.
 struct CoverMission {
   CoverMission(CoverTrack driven, double pause);
 
-  /// The next FollowPiece, or nothing after the last. The robot pauses where the track turns in place.
+  /// Returns the next FollowPiece, or nothing after the last piece. The robot pauses where the track turns in
+  /// place.
   std::optional<Command> step(const Observation& seen);
 
   CoverTrack track;
-  double pause_s;
-  double heading_rad;    ///< of the track where the next piece begins
-  std::size_t next = 0;  ///< of the pieces
+  double pause_s;        ///< pause at each turn in place
+  double heading_rad;    ///< heading of the track at the start of the next piece
+  std::size_t next = 0;  ///< index of the next piece
 };
 
-/// Drives the track on a simulated robot. Of a drive that was stopped it has the pieces driven until then.
-/// `watch` is told the part of the pieces that are driven.
-PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace, double stray_m,
-                       std::uint64_t seed, const RunWatch& watch = {});
+/// Drives the track with a simulated robot whose tracking error is at most `tracking_error_m`. A drive that
+/// is stopped has the pieces driven until then. `watch` receives the fraction of the pieces that are driven.
+PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
+                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -1,17 +1,18 @@
-// CoverPlan: a track that covers all that a robot can reach, with the proof that it does.
+// CoverPlan: a track that covers everything the robot can reach, with the proof that it does.
 //
-// Every method drives laps along all that bounds the standing room S of the disk's centre, and inside of
-// them lanes (sweep_cells.hpp). Let the sure radius q = radius - stray be at least half a stride h. Then
-// every point x within q of S is covered, however the robot strays:
-//   1. x nearer than q to the border of S, on either side of it: a lap passes within q.
-//   2. x in S, h or more from its border: x is in the core that the lanes are made for, and the lane of its
-//      slab passes beside x at most h away. All of that lane is in S, because each of its points is at most
-//      h beside a point of the core.
-// The rest of the reach is farther than q from S: a strip along its rim, `stray` wide beside straight walls,
-// where a robot that may stray can promise nothing. A part `leave` of the reach may be left out where only a
-// detour would cover it.
-// In which order, from where and which way round laps and cells are driven is a tour with one stop for each
-// way to begin one of them (tour/solve.hpp); the moves between are shortest paths of the disk.
+// Every method drives laps along the border of the standing room S of the disk's centre, and lanes inside of
+// them (sweep_cells.hpp). Let the sure radius q = radius - tracking error be at least half a stride h. Then
+// every point x within q of S is covered for every allowed tracking error:
+//   1. x is nearer than q to the border of S, on either side of it: a lap passes within q.
+//   2. x is in S, h or more from its border: x is in the core that the lanes cover, and the lane of its slab
+//   passes
+//      beside x at a distance of at most h. All of that lane is in S, because each of its points is at most h
+//      beside a point of the core.
+// The rest of the reach is farther than q from S: a strip along its rim, as wide as the tracking error beside
+// straight walls, where nothing can be guaranteed. A fraction `uncovered` of the reach may be left out where
+// only a detour would cover it. The order, starting points and directions of laps and cells form a tour with
+// one stop for each way to begin a lap or cell (tour/solve.hpp). The moves between them are shortest paths of
+// the disk.
 #pragma once
 
 #include <functional>
@@ -25,51 +26,61 @@
 
 namespace outrider {
 
+/// What a piece of the track is for: a move between cells, a lap along a border, or a lane of a cell.
 enum class PieceRole { move, lap, lane };
 
+/// Options of the planner.
 struct CoverOptions {
-  std::int64_t directions = 4;  ///< sweep directions tried: those of the longest edges, and across them
-  TourOptions order{
-      .exact_goals = 9, .expansions = 20'000, .iterations = 4000, .gap = 1.0};  ///< no long proof
+  std::int64_t directions =
+      4;  ///< number of sweep directions tried: along the longest edges, and across them
+  TourOptions order{.exact_goals = 9,
+                    .expansions = 20'000,
+                    .iterations = 4000,
+                    .gap = 1.0};  ///< options of the tour; the default spends little time on a proof
 };
+/// Describes the options by name.
 std::vector<Option> describe(CoverOptions& options);
 
+/// A planned track.
 struct CoverPlan {
   std::string method;
   CoverTrack track;
-  std::vector<PieceRole> roles;     ///< of the pieces of the track
-  std::vector<std::size_t> begins;  ///< first pieces of the laps and cells, in the order they are driven in
+  std::vector<PieceRole> roles;     ///< roles of the pieces of the track
+  std::vector<std::size_t> begins;  ///< first piece of each lap and cell, in driving order
   TrackSums sums;
   CoverageArea ground;
   std::size_t laps = 0;
   std::size_t cells = 0;
   std::size_t lanes = 0;
-  double left_m2 = 0.0;        ///< not covered by choice; at most `leave` of the reach
-  double order_bound_s = 0.0;  ///< no other order of the same laps and cells takes less time
+  double uncovered_m2 = 0.0;   ///< area left out on purpose; at most the fraction `uncovered` of the reach
+  double order_bound_s = 0.0;  ///< lower bound of the time over all orders of the same laps and cells
 };
 
-/// A row of the catalogue of methods. Faults: those of cover_ground(); bad_input on more than 4095 ways to
-/// begin the laps and cells; budget_exhausted; cancelled. Same problem and options, same track.
+/// A row of the catalogue of methods. The same problem and options give the same track. Faults of plan():
+/// those of cover_ground(); bad_input on more than 4095 ways to begin the laps and cells; budget_exhausted;
+/// cancelled.
 struct CoverMethod {
   std::string_view name;
   std::string_view sentence;
   std::string_view paper;
   std::function<Outcome<CoverPlan>(const CoverProblem&, const CoverOptions&, const Budget&)> plan;
 };
+/// Returns all methods in display order.
 const std::vector<CoverMethod>& cover_methods();
+/// Fault: bad_input with the nearest known name.
 Outcome<CoverMethod> find_cover_method(std::string_view name);
 
-/// What a track is worth, found from the track and the area alone.
+/// The guaranteed coverage of a track, computed from the track and the area alone.
 struct CoverProof {
-  Coverage planned;             ///< by the full disk on the track, of the reach
-  double sure_fraction = 0.0;   ///< of the reach, however the robot strays
-  double inner_fraction = 0.0;  ///< the same of all within the sure radius of the standing room
-  double clearance_m = 0.0;     ///< least distance of the track from an edge, exactly
+  Coverage planned;             ///< coverage of the reach by the disk exactly on the track
+  double sure_fraction = 0.0;   ///< covered fraction of the reach for every allowed tracking error
+  double inner_fraction = 0.0;  ///< the same for all points within the sure radius of the standing room
+  double clearance_m = 0.0;     ///< exact smallest distance of the track from an edge
 };
 
-/// The judge. Refuses a track whose pieces do not join, that comes nearer to an edge than the radius, begins
-/// outside or in a hole, or leaves more than `leave` of the reach and 0.1 % within the sure radius of the
-/// standing room.
+/// Checks the track independently of the planner. Refuses a track whose pieces do not join, that comes nearer
+/// to an edge than the radius, that begins outside or in a hole, or that covers less than 1 - `uncovered` -
+/// 0.1 % of all points within the sure radius of the standing room.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The report of covering an area. A pure function of its arguments.
+// cover_report() makes the report of a coverage run. It is a pure function of its arguments.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,27 @@
 
 namespace outrider {
 
-/// A track, what is known of it before it is driven, and how it was driven.
+/// A track, its proofs, and its simulated drive.
 struct CoverRun {
   CoverPlan plan;
   CoverProof proof;
   TimeBound bound;
   PieceDrive drive;
-  Coverage driven;  ///< by the drive, of the reach
+  Coverage driven;  ///< coverage of the reach by the drive
 
-  /// False where the drive was stopped.
+  /// Returns false if the drive was stopped.
   [[nodiscard]] bool finished() const { return drive.ends_s.size() == plan.track.pieces.size(); }
 };
 
-/// How much was covered by then is measured at 61 equal times (coverage_along()). The metrics are:
-/// - by the drive: covered_fraction of the reach, covered_m2, missed_m2, twice_m2, of reach_m2 and area_m2;
-///   time_s, length_m, turned_rad, strayed_m;
+/// Returns the report. The covered area is measured at 61 equal times (coverage_along()). The metrics are:
+/// - of the drive: covered_fraction of the reach, covered_m2, missed_m2, overlap_m2, of reach_m2 and area_m2;
+///   time_s, length_m, turned_rad, tracking_error_m (the largest distance from the track);
 /// - bounds: t_min_s and t_max_s on the time of any drive, order_bound_s of any order of laps and cells;
 /// - of the track: planned_s at full speed, planned_m, stops (turns in place), laps, cells, lanes,
-///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_twice_m2 by its disk;
-/// - whatever a robot does within stray_m: sure_fraction of the reach, sure_inner_fraction off its rim.
+///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_overlap_m2 by its disk;
+/// - for every tracking error up to tracking_error_limit_m: sure_fraction of the reach, and
+/// sure_inner_fraction
+///   of the reach without its rim.
 Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
                     const std::string& name, const std::stop_token& stop = {});
 

@@ -9,35 +9,35 @@
 
 namespace outrider {
 
+/// The settings of the job.
 struct CoverScenario {
-  std::string area;            ///< path of an area (io/cover_area.hpp)
-  std::string units = "auto";  ///< of its numbers: auto, degrees or metres
-  std::string method = "quickest";
-  std::string start;          ///< "x,y,heading"; empty: where the track begins
-  double error_factor = 1.0;  ///< see cover/time_bound.hpp
-  std::int64_t seed = 1;
-  CoverProblem problem;  ///< its numbers are options; its polygons come from the file
-  CoverOptions options;
+  std::string area;                 ///< path of an area (io/cover_area.hpp)
+  std::string units = "auto";       ///< units of the area: auto, degrees or metres
+  std::string method = "quickest";  ///< name of a row of cover_methods()
+  std::string start;                ///< "x,y,heading"; empty: where the track begins
+  double error_factor = 1.0;        ///< see cover/time_bound.hpp
+  std::int64_t seed = 1;            ///< of the simulated drive
+  CoverProblem problem;             ///< its numbers are options; its polygons come from the file
+  CoverOptions options;             ///< of the planner
 };
 
-/// The top-level keys first, then the sections pace and order.
+/// Describes the options: the top-level keys, then the sections pace and order.
 std::vector<OptionGroup> describe(CoverScenario& scenario);
 
-/// All that a job is made of.
+/// Everything that a run needs.
 struct CoverTask {
   CoverProblem problem;
   CoverMethod method;
-  std::string note;  ///< how numbers of the file were understood, where that is not certain
+  std::string note;  ///< how the units of the file were interpreted, if that is uncertain
 
-  /// Where the boundary and the holes stand in the file.
-  std::string boundary_where;
-  std::vector<std::string> hole_wheres;
+  std::string boundary_where;            ///< place of the boundary in the file
+  std::vector<std::string> hole_wheres;  ///< places of the holes in the file
 };
 
 /// Reads the area and the names. Faults: bad_input with the file and line, or the key.
 Outcome<CoverTask> load_task(const CoverScenario& scenario);
 
-/// A fault of the job with "boundary" or "hole 2" as its place, told with the place in the file instead.
+/// Replaces the place "boundary" or "hole 2" of a fault by the place in the file.
 Fault placed(Fault fault, const CoverTask& task);
 
 }  // namespace outrider

@@ -1,10 +1,10 @@
-// Dead reckoning: what a robot believes of its pose between two looks at the tags.
+// Dead reckoning: the belief about the pose between two observations of tags.
 //
-// The robot is taken to do what it is commanded, `delay` later and with the lag of a first-order system. The
-// speed is off by a part `drift` that lasts about a second, so while the robot moves the covariance grows
-// with the time and the square of the speed; while it stands nothing grows. Linearised about the belief, as
-// in an extended Kalman filter: Thrun, Burgard and Fox, Probabilistic Robotics, section 7.4.
-// Commands are kept until they take effect. O(1) a period.
+// The model: the robot executes each command after `delay_s`, with the lag of a first-order system. The speed
+// has a relative error `drift` that lasts about a second. So the covariance grows with the time and the
+// square of the speed while the robot moves, and stays constant while it stands. Linearised about the belief,
+// as in an extended Kalman filter: Thrun, Burgard and Fox, Probabilistic Robotics, section 7.4. Commands are
+// kept until they take effect. O(1) a period.
 #pragma once
 
 #include <deque>
@@ -16,34 +16,40 @@
 
 namespace outrider {
 
+/// Options of the model.
 struct ReckoningOptions {
-  double delay_s = 0.07;     ///< of a command
-  double lag_s = 0.08;       ///< time constant with which the robot follows it
-  double drift = 0.1;        ///< standard deviation of the speed and of the turn rate, relative
-  double drift_radpm = 0.2;  ///< and of the turn rate, per speed, rad/m
-  double lost_m = 0.25;      ///< a belief with a larger standard deviation is lost
-  double lost_rad = 0.5;
+  double delay_s = 0.07;     ///< delay of a command
+  double lag_s = 0.08;       ///< time constant with which the robot follows a command
+  double drift = 0.1;        ///< relative standard deviation of the speed and of the turn rate
+  double drift_radpm = 0.2;  ///< standard deviation of the turn rate per speed, rad/m
+  double lost_m = 0.25;      ///< the robot is lost if the standard deviation of the position is larger
+  double lost_rad = 0.5;     ///< the same for the heading
 };
+/// Describes the options by name.
 std::vector<Option> describe(ReckoningOptions& options);
 
+/// The state of dead reckoning.
 struct Reckoning {
+  /// A command and when it was sent.
   struct Sent {
     double at_s = 0.0;
     Twist2 twist;
   };
   double time_s = 0.0;
-  PoseBelief belief;
-  Twist2 twist;           ///< as it is believed to be now
-  Twist2 target;          ///< which it follows
-  std::deque<Sent> sent;  ///< not yet in effect
+  PoseBelief belief;      ///< at time_s
+  Twist2 twist;           ///< believed current velocity
+  Twist2 target;          ///< commanded velocity that takes effect now
+  std::deque<Sent> sent;  ///< commands that are not yet in effect
 };
 
-/// The belief at a later time.
+/// Advances the belief to a later time.
 void advance(Reckoning& reckoning, double until_s, const ReckoningOptions& options);
 
-/// The standard deviation of the position along the worst direction, m, and of the heading, rad.
+/// Returns the largest standard deviation of the position over all directions, m.
 double position_sigma_m(const PoseBelief& belief);
+/// Returns the standard deviation of the heading, rad.
 double heading_sigma_rad(const PoseBelief& belief);
+/// Returns true if a standard deviation exceeds its limit.
 bool is_lost(const PoseBelief& belief, const ReckoningOptions& options);
 
 }  // namespace outrider

@@ -1,10 +1,10 @@
-// Drive routes: what a path planner answers, as few waypoints for a robot on wheels.
+// DriveRoute: the path of a planner as a few waypoints for a robot on wheels.
 //
-// The planner is asked on polygons where it takes them, else on a grid of `resolution`. Its path is thinned
-// by Ramer, Douglas and Peucker: no point of it lies farther than `thin` from the legs that are left, so
-// length and clearance change by little more than that; a leg that would touch an obstacle is not taken.
-// The last waypoint is a stop, the others are passed. A robot that moves sideways passes each with its
-// camera towards the nearest tag that faces it, where there is one in sight, and otherwise looks ahead.
+// The planner works on polygons if it supports them, else on a grid of `resolution_m`. Its path is simplified
+// by the rule of Ramer, Douglas and Peucker: no point of it lies farther than `thin_m` from the remaining
+// legs, so length and clearance change by little more than that. No leg touches an obstacle. The last
+// waypoint is a stop; the robot passes the others. A robot that moves sideways points its camera at the
+// nearest visible tag that faces it at each waypoint, and looks ahead if there is none.
 //
 // Faults: those of the planner; bad_input on a name that the catalogue does not have.
 // Sources: Ramer (1972); Douglas and Peucker (1973).
@@ -19,33 +19,35 @@
 
 namespace outrider {
 
+/// Options of the route.
 struct DriveRouteOptions {
-  double margin_m = 0.05;      ///< that the path keeps beyond the robot's radius
-  double resolution_m = 0.05;  ///< of a grid
-  double thin_m = 0.02;
+  double margin_m = 0.05;      ///< distance to obstacles in addition to the robot's radius
+  double resolution_m = 0.05;  ///< cell size, for planners on grids
+  double thin_m = 0.02;        ///< largest distance of the planned path from its waypoints' legs
 };
+/// Describes the options by name.
 std::vector<Option> describe(DriveRouteOptions& options);
 
+/// A planned route.
 struct DriveRoute {
-  Plan plan;
+  Plan plan;                        ///< answer of the planner
   std::vector<Waypoint> waypoints;  ///< without the start
 };
 
-/// From task.start to the goal, over this ground with the task's robot and tags.
+/// Plans a route from task.start to the goal for the task's robot and tags.
 Outcome<DriveRoute> plan_route(const DriveTask& task, const CollisionMap& ground, const Pose2& goal,
                                const std::string& planner, const DriveRouteOptions& options);
 
-/// The points of a polyline that are left when those within `thin_m` of the legs between them go; first and
-/// last stay. A leg on which
-/// the disk would touch an obstacle is not taken. O(n^2).
+/// Removes points of a polyline that lie within `thin_m` of the remaining legs. Keeps the first and the last
+/// point. On no new leg does the disk touch an obstacle. O(n^2).
 std::vector<Vec2> thinned(const std::vector<Vec2>& points, double thin_m, const CollisionMap& ground,
                           double radius_m);
 
-/// Least distance from the legs between these points to an obstacle or the edge, m. Exact. O(points
-/// obstacles).
+/// Returns the exact smallest distance from the legs between these points to an obstacle or the edge, m.
+/// O(points obstacles).
 double way_clearance_m(const std::vector<Vec2>& points, const CollisionMap& ground);
 
-/// Refuses waypoints where the robot cannot stand, and straight ways between them that it cannot go.
+/// Refuses waypoints where the robot cannot stand, and straight lines between waypoints that are blocked.
 Status check_waypoints(const DriveTask& task, const CollisionMap& ground);
 
 }  // namespace outrider

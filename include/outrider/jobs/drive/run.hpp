@@ -1,4 +1,4 @@
-// A whole drive, simulated: what the robot does, what it believes, and how far the truth is from it.
+// run_drive() simulates a whole drive: what the robot does, what it believes, and the errors of its belief.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,23 @@
 
 namespace outrider {
 
-/// Drives the task on a simulated robot and reports. `rendered`: images are rendered and the tags detected in
-/// them (sim/tag_camera.hpp); otherwise sightings come from a model (sim/tag_model.hpp). status is "done"
-/// when every waypoint was reached and nothing touched. A pure function of its arguments, the observer left
-/// out. `progress` is told the part of the stops that is reached. Metrics:
-///   driven_m, ideal_m      by the true middle of the robot; along straight legs through the waypoints
+/// Drives the task with a simulated robot and reports. If `rendered` is true, images are rendered and tags
+/// are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
+/// (sim/tag_model.hpp). The status is "done" if the robot reached every waypoint and touched nothing. A pure
+/// function of its arguments except for the observer. `watch` receives the fraction of the stops that are
+/// reached. Metrics:
+///   driven_m, ideal_m      of the true centre of the robot; along straight legs through the waypoints
 ///   turned_rad, ideal_rad  the same of the heading
-///   tag_fraction           images, of all taken, with a tag that told where the robot is
+///   tag_fraction           fraction of the images with a tag that corrected the belief
 ///   time_s                 until the last stop
-///   clearance_m            least distance of the robot's disk to an obstacle or the edge, at most 1
+///   clearance_m            smallest distance of the robot's disk to an obstacle or the edge, at most 1
 /// and report.drive has the waypoints with their errors.
 Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
                  const RunWatch& watch = {});
 
-/// Runs to calibrate that robot from: each direction it can go in, `repeats` times for each of 5 times, from
-/// rest to rest with a fresh battery, at the speeds of the task; the ends are measured with errors of
-/// `sigma_m` and `sigma_rad`.
+/// Returns runs for the calibration of that robot. For each direction and each of 5 durations it drives
+/// `repeats` times from rest to rest with a full battery at the speeds of the task. The measured ends have
+/// errors of `sigma_m` and `sigma_rad`.
 std::vector<CalibrationRun> record_runs(const DriveTask& task, const DriveSimParams& params, int repeats,
                                         double sigma_m, double sigma_rad, std::uint64_t seed);
 

@@ -9,9 +9,9 @@
 //   goal: "2.5,2.5,45"
 //   planner: visibility_graph               # a path planner of 'outrider list'
 //
-// The other keys stand in describe(): the robot, its loop (open or closed), how images come about (rendered
-// or modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, faults and link.
-// What the robot does not know stands in faults and link.
+// describe() has the other keys: the robot, its loop (open or closed), the source of images (rendered or
+// modelled), and the sections follow, pid, reckoning, localise, camera, rules, route, faults and link. The
+// sections faults and link hold what the robot does not know.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,7 @@
 
 namespace outrider {
 
+/// The settings of the job.
 struct DriveScenario {
   std::string world;            ///< path of an SDF file; empty: open ground around waypoints and tags
   std::string bounds;           ///< low x, low y, high x, high y in m; empty: the box of the walls
@@ -34,31 +35,31 @@ struct DriveScenario {
   std::string goal;             ///< as the start
   std::string planner;          ///< a name of the catalogue of path planners
   std::string tags;             ///< as above
-  double tag_size_m = default_tag_size_m;
-  std::string loop = "closed";      ///< or open
-  std::string sight = "rendered";   ///< or modelled
-  std::string chassis = "mecanum";  ///< or differential, holonomic
-  double wheel_radius_m = 0.03;
-  double wheel_reach_m = 0.1225;  ///< of chassis.hpp
-  double radius_m = 0.15;         ///< of the robot's disk
-  double height_m = 0.25;         ///< of the robot
-  std::string calibration;        ///< path of a calibration file; empty: none
-  std::int64_t seed = 1;
-  DriveRouteOptions route;
-  DriveSimParams sim;
-  DriveTask task;  ///< the rest of what is set
+  double tag_size_m = default_tag_size_m;  ///< side of a tag
+  std::string loop = "closed";             ///< or open
+  std::string sight = "rendered";          ///< or modelled
+  std::string chassis = "mecanum";         ///< or differential, holonomic
+  double wheel_radius_m = 0.03;            ///< of each wheel
+  double wheel_reach_m = 0.1225;           ///< see chassis.hpp
+  double radius_m = 0.15;                  ///< of the robot's disk
+  double height_m = 0.25;                  ///< of the robot
+  std::string calibration;                 ///< path of a calibration file; empty: none
+  std::int64_t seed = 1;                   ///< of the simulation
+  DriveRouteOptions route;                 ///< of planned paths
+  DriveSimParams sim;                      ///< errors of the simulated robot
+  DriveTask task;                          ///< the other settings
 };
 
-/// Top-level keys first, then the sections.
+/// Describes the options: the top-level keys, then the sections.
 std::vector<OptionGroup> describe(DriveScenario& scenario);
 
-/// All that a run is made of.
+/// Everything that a run needs.
 struct DriveSetup {
   DriveTask task;
   DriveSimParams sim;
-  bool rendered = true;
-  std::optional<Plan> plan;           ///< of the path, where a planner was asked
-  double path_clearance_m = 0.0;      ///< of its legs, from the robot's disk
+  bool rendered = true;               ///< images are rendered; false: modelled
+  std::optional<Plan> plan;           ///< answer of the planner, if one was used
+  double path_clearance_m = 0.0;      ///< clearance of its legs from the robot's disk
   std::vector<std::string> warnings;  ///< what was repaired in the world
 };
 

@@ -1,4 +1,4 @@
-// DriveTask: all that a robot on wheels knows of where to drive and how.
+// DriveTask: everything that a robot on wheels knows about its drive.
 #pragma once
 
 #include <cstdint>
@@ -15,45 +15,49 @@
 
 namespace outrider {
 
-/// The camera and how it is carried; it looks straight ahead.
+/// The camera and its mount. It looks straight ahead.
 struct TagEye {
-  Camera camera;
-  double ahead_m = 0.0;  ///< of the robot's middle
-  double height_m = 0.2;
-  double rate_hz = 10.0;
-  double exposure_s = 0.01;
+  Camera camera;             ///< intrinsic parameters
+  double ahead_m = 0.0;      ///< in front of the robot's centre
+  double height_m = 0.2;     ///< above the floor
+  double rate_hz = 10.0;     ///< images per second
+  double exposure_s = 0.01;  ///< exposure time
 };
+/// Describes the options by name.
 std::vector<Option> describe(TagEye& eye);
+/// Returns the camera with its pose on the robot.
 RobotCamera robot_camera(const TagEye& eye);
 
-/// When the executor looks, waits and gives up.
+/// When the mission uses images, waits and gives up.
 struct DriveRules {
-  double period_s = 0.05;         ///< of control; a tag pose older than half of it is not used
-  double settle_s = 0.5;          ///< of standing at a stop before it counts as reached
-  double most_settle_s = 4.0;     ///< after which it counts although the belief is still wide
-  double settle_sigma_m = 0.006;  ///< what is wide
-  double settle_sigma_rad = 0.006;
-  double patience_s = 120.0;       ///< for one waypoint
-  std::int64_t most_refused = 10;  ///< images in a row whose tags are where they cannot be
-  double rest_s = 1.0;             ///< between two motions of the open loop
+  double period_s = 0.05;           ///< control period; tag poses older than half of it are ignored
+  double settle_s = 0.5;            ///< time to stand at a stop before it counts as reached
+  double most_settle_s = 4.0;       ///< after this time it counts although the uncertainty is still large
+  double settle_sigma_m = 0.006;    ///< largest standard deviation of the position at a stop
+  double settle_sigma_rad = 0.006;  ///< the same for the heading
+  double patience_s = 120.0;        ///< longest time for one waypoint
+  std::int64_t most_refused = 10;   ///< images in a row with impossible tags after which the robot is lost
+  double rest_s = 1.0;              ///< rest between two motions of the open loop
 };
+/// Describes the options by name.
 std::vector<Option> describe(DriveRules& rules);
 
+/// The settings.
 struct DriveTask {
-  World world;
-  TagMap tags;
+  World world;  ///< obstacles
+  TagMap tags;  ///< poses of the tags
   Chassis chassis = mecanum_chassis(0.03, 0.1225);
-  double radius_m = 0.15;  ///< of the disk that the robot stays within
-  Pose2 start;
-  std::vector<Waypoint> waypoints;  ///< the start is none
-  bool closed_loop = true;
-  Calibration calibration;
-  FollowOptions follow;
-  PidGains pid;
-  ReckoningOptions reckoning;
-  LocaliseOptions localise;
-  TagEye eye;
-  DriveRules rules;
+  double radius_m = 0.15;           ///< of a disk that contains the robot
+  Pose2 start;                      ///< exact
+  std::vector<Waypoint> waypoints;  ///< without the start
+  bool closed_loop = true;          ///< false: open loop by time
+  Calibration calibration;          ///< of the wheels
+  FollowOptions follow;             ///< of following waypoints
+  PidGains pid;                     ///< of the controllers
+  ReckoningOptions reckoning;       ///< of dead reckoning
+  LocaliseOptions localise;         ///< of corrections by tags
+  TagEye eye;                       ///< camera
+  DriveRules rules;                 ///< limits
 };
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The catalogue of ways to choose the next view; src/explore/catalog.cpp is the only list.
+// The catalogue of exploration strategies; src/jobs/explore/catalog.cpp is the only list.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace outrider {
 
-/// A row. choose() answers with the index of the view to go to, of at least one.
+/// A row of the catalogue. choose() returns the index of the next view to visit; `views` must not be empty.
 struct ExploreStrategy {
   std::string_view name;
   std::string_view sentence;
@@ -17,7 +17,7 @@ struct ExploreStrategy {
                         Workspace& workspace) = nullptr;
 };
 
-/// All of them, in the order of showing; the first is the default.
+/// Returns all strategies in display order. The first is the default.
 const std::vector<ExploreStrategy>& explore_strategies();
 
 /// Fault: bad_input with the nearest known name.

@@ -1,18 +1,20 @@
-// Where to go next in order to map the unknown.
+// decide(): chooses the next goal of an exploration.
 //
-// Every frontier has views: poses that the robot can reach on the known ground and from which the unknown
-// cells beside the frontier are in sight, within range (explore/view.hpp). A row of the catalogue
-// (explore/catalog.hpp) chooses among them; the way there is planned by an ordinary path planner on the known
-// ground and pulled straight. Ask again whenever the map has changed: the robot need not arrive, and the
-// choice before has a bonus, so that it does not swing between two of like worth. Each change of mind that
-// leaves its frontier behind doubles the bonus, until something has come of a choice: it swings for ever
-// between no two.
+// Every frontier has views: poses that the robot can reach on known free cells and from which it sees the
+// unknown cells beside the frontier within range (explore/view.hpp). A strategy of the catalogue
+// (explore/catalog.hpp) chooses one of them. A path planner plans the path on the known cells, and the path
+// is pulled straight. Call decide() again whenever the map has changed; the robot need not arrive first.
 //
-// A decision goes over the map only as far as it must: until enough views are reached. What it finds out of
-// the surroundings of frontiers, and of the ways between views, is kept with the map; the former while
-// nothing changes there, the latter for a few decisions (a tour makes anew as many as a bounded effort lets).
-// Same map with the same past, same decision; it notes on the map which frontier is pursued
-// (FrontierMap::pursue). Thread rule: one map and one workspace a thread. Sources: as in explore/catalog.hpp.
+// The previous choice gets a bonus, so the robot does not switch between two goals of similar value. Each
+// switch that leaves the previous frontier unseen doubles the bonus, until the robot has seen its goal or
+// failed. So the robot never oscillates between two frontiers.
+//
+// A decision searches the map only until enough views are reached. Results about the surroundings of
+// frontiers are kept with the map until something changes there. Travel times between views are kept for a
+// few decisions; each decision computes as many of them again as a bounded effort allows. The same map with
+// the same past gives the same decision. A decision marks the pursued frontier on the map
+// (FrontierMap::pursue). Thread rule: one map and one workspace for each thread. Sources: as in
+// explore/catalog.hpp.
 #pragma once
 
 #include <cstdint>
@@ -29,69 +31,75 @@
 
 namespace outrider {
 
+/// Options of the decisions.
 struct ExploreOptions {
-  std::string strategy = "tour";  ///< row of explore/catalog.hpp
-  std::string planner = "jps";    ///< row of path/catalog.hpp that takes the model `cells`
-  FrontierOptions frontier;
-  double view_m = 2.5;           ///< a view is no farther than this from what it is to see
-  double least_gain_m2 = 0.05;   ///< what hides less is not worth a drive
-  double momentum_s = 4.0;       ///< bonus of the choice before
-  double most_extent_m = 500.0;  ///< a map wider or higher than this leaks
-  double ban_s = 30.0;           ///< see Blacklist
-  std::int64_t most_views = 16;  ///< nearest frontiers that a decision weighs
+  std::string strategy = "tour";  ///< name of a row of explore/catalog.hpp
+  std::string planner = "jps";    ///< name of a path planner for the model `cells`
+  FrontierOptions frontier;       ///< of the frontier map
+  double view_m = 2.5;            ///< largest distance from a view to the unknown cells that it sees
+  double least_gain_m2 = 0.05;    ///< frontiers with less unknown area are refused
+  double momentum_s = 4.0;        ///< bonus of the previous choice
+  double most_extent_m = 500.0;   ///< a wider or higher map counts as an open world
+  double ban_s = 30.0;            ///< duration of the first ban of a failed goal; see Blacklist
+  std::int64_t most_views = 16;   ///< number of nearest frontiers that a decision compares
 };
 
+/// Describes the options by name.
 std::vector<Option> describe(ExploreOptions& options);
 
-/// What was chosen before.
+/// The previous choice.
 struct ExploreChoice {
   std::uint32_t frontier = 0;  ///< 0: none
-  Vec2 place;
-  int swings = 0;  ///< changes of mind in a row that left a frontier behind as it was
+  Vec2 place;                  ///< the chosen view
+  int swings = 0;              ///< consecutive switches that left the previous frontier unseen
 };
 
+/// The state of the robot and the map at a decision.
 struct ExploreState {
-  FrontierMap& map;  ///< its ground for the planners is brought up to date
+  FrontierMap& map;  ///< decisions update its grid for the planners
   const Blacklist& blacklist;
   const RobotModel& robot;
   double range_m = 3.5;  ///< of the range finder
-  Pose2 pose;
-  Pose2 home;
+  Pose2 pose;            ///< current pose
+  Pose2 home;            ///< where the robot returns to in the end
   double time_s = 0.0;
   ExploreChoice before = {};
 };
 
+/// What a decision says.
 enum class DecisionKind : std::uint8_t {
-  go,        ///< to the goal, in order to see more
-  complete,  ///< no frontier is left that can be reached and is worth it: go home
-  leak,      ///< the map has grown beyond what was said to be its extent: the world is open
+  go,        ///< drive to the goal to see more
+  complete,  ///< no reachable frontier with enough unknown area is left: go home
+  leak,      ///< the map exceeds most_extent_m: the world is open
 };
 std::string_view to_string(DecisionKind kind);
 
+/// A frontier that is not worth a visit or cannot be seen.
 struct RefusedFrontier {
-  std::uint32_t frontier = 0;
+  std::uint32_t frontier = 0;  ///< id
   Vec2 centroid;
-  std::size_t cells = 0;
-  std::string reason;  ///< a sentence
+  std::size_t cells = 0;  ///< number of its cells
+  std::string reason;     ///< one sentence
 };
 
+/// A decision.
 struct Decision {
   DecisionKind kind = DecisionKind::complete;
-  std::string sentence;  ///< why
+  std::string sentence;  ///< the reason, one sentence
   ExploreChoice choice;
-  Pose2 goal;                            ///< facing what is to be seen; home when nothing is
-  std::vector<Vec2> waypoints;           ///< from the pose to the goal; empty when there is no way
-  double way_m = 0.0;                    ///< length of it
-  double gain_m2 = 0.0;                  ///< unknown area that the goal is expected to show
-  std::vector<RefusedFrontier> refused;  ///< by id; those passed over because others are nearer are not
+  Pose2 goal;                            ///< faces the unknown cells; home if there is nothing to see
+  std::vector<Vec2> waypoints;           ///< path from the pose to the goal; empty if there is none
+  double way_m = 0.0;                    ///< length of the path
+  double gain_m2 = 0.0;                  ///< unknown area that the robot expects to see from the goal
+  std::vector<RefusedFrontier> refused;  ///< by id, without frontiers that were skipped for nearer ones
 };
 
-/// Faults: bad_input on an unknown strategy or planner; start_blocked when no known free ground is within
-/// 0.5 m of the robot.
+/// Chooses the next goal. Faults: bad_input on an unknown strategy or planner; start_blocked when no known
+/// free ground is within 0.5 m of the robot.
 Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& options, Workspace& workspace);
 
-/// The way from the pose of the state to a place on the known ground, pulled straight. A robot or a place
-/// that stands on blocked ground is first led to the nearest free cell within 0.5 m. Faults: those of the
+/// Plans a path from the pose of the state to a place over known free cells, and pulls it straight. A robot
+/// or a place in a blocked cell is first moved to the nearest free cell within 0.5 m. Faults: those of the
 /// planner.
 Outcome<std::vector<Vec2>> way_to(const ExploreState& state, Vec2 place, const ExploreOptions& options,
                                   Workspace& workspace);

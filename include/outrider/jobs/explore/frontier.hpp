@@ -1,16 +1,18 @@
-// FrontierMap: where what is known to be free borders on what is unknown, kept as the map grows.
+// FrontierMap: the frontiers between free and unknown cells of a growing map, updated incrementally.
 //
-// A frontier cell is a free cell with an unknown 4-neighbour; beyond the edge of the map all is unknown.
-// Frontiers are the 8-connected groups of frontier cells, cut across their longer side, in halves, while that
-// is longer than `longest_m`. After every update they are what a full computation gives; a frontier keeps its
-// id as long as it holds more of the cells of its former self than any other does.
+// A frontier cell is a free cell with an unknown 4-neighbour; everything beyond the edge of the map is
+// unknown. Frontiers are the 8-connected groups of frontier cells. A group longer than `longest_m` is cut in
+// halves across its longer side, repeatedly. After every update the frontiers equal those of a full
+// computation. A frontier keeps its id as long as it holds more of its former cells than any other frontier
+// does.
 //
-// Not all that is unknown can be learnt: the inside of walls stays as it is, and noise opens cracks to it.
-// Unknown cells beside a frontier that was pursued in vain for long are given up, so that pursuits end.
+// Not all unknown cells can become known: the inside of walls stays unknown, and noise opens gaps to it.
+// Unknown cells beside a frontier that was pursued in vain for `patience` updates are given up, so
+// exploration ends.
 //
-// update(): O(cells changed + cells of the groups that they touch), and no more.
+// update() takes O(cells changed + cells of the groups that they touch).
 // Sources: Yamauchi, A frontier-based approach for autonomous exploration (1997); Keidar and Kaminka,
-// Efficient frontier detection for robot exploration (2014), for doing it incrementally.
+// Efficient frontier detection for robot exploration (2014), for the incremental update.
 #pragma once
 
 #include <cstdint>
@@ -24,43 +26,47 @@
 
 namespace outrider {
 
+/// Options of the map.
 struct FrontierOptions {
-  KnownGroundOptions ground;
+  KnownGroundOptions ground;    ///< of the traversability grid
   double longest_m = 1.5;       ///< a longer frontier is cut
-  std::int64_t patience = 120;  ///< updates with a pursuit before a cell is given up
+  std::int64_t patience = 120;  ///< updates with a pursuit after which a cell is given up
 };
 
+/// Describes the options by name.
 std::vector<Option> describe(FrontierOptions& options);
 
+/// A frontier.
 struct Frontier {
-  std::uint32_t id = 0;
-  std::vector<std::uint32_t> cells;  ///< by FrontierMap::frame(), ascending, at least one
-  Vec2 centroid;                     ///< of the centres of its cells, m
-  Box2 bounds;                       ///< of the same
-  std::uint32_t group = 0;           ///< the least id of the frontiers that are connected with it
+  std::uint32_t id = 0;              ///< not 0
+  std::vector<std::uint32_t> cells;  ///< indices in FrontierMap::frame(), ascending, at least one
+  Vec2 centroid;                     ///< mean of the centres of its cells, m
+  Box2 bounds;                       ///< box of the centres of its cells
+  std::uint32_t group = 0;           ///< smallest id of the frontiers connected with it
 };
 
+/// The map.
 class FrontierMap {
  public:
   FrontierMap(const FrontierOptions& options, double radius_m);
 
-  /// Takes over what changed on the map since the update before. True when much has: the frame, or thousands
-  /// of cells.
+  /// Applies the changes of the map since the last update. Returns true if the frame or thousands of cells
+  /// changed.
   bool update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update);
 
-  /// Says that the robot is after a frontier, and near it. Only the first call after an update counts.
+  /// Marks that the robot pursues a frontier and is near it. Only the first call after an update counts.
   void pursue(std::uint32_t frontier);
-  /// True for an unknown cell beside which a frontier was pursued `patience` times.
+  /// Returns true for an unknown cell beside which a frontier was pursued `patience` times.
   [[nodiscard]] bool given_up(std::uint32_t cell) const { return pursuits_[cell] >= options_.patience; }
 
   [[nodiscard]] const GridFrame& frame() const { return ground_.frame(); }
   [[nodiscard]] TraversabilityGrid& ground() { return ground_; }
   [[nodiscard]] const TraversabilityGrid& ground() const { return ground_; }
-  /// By id.
+  /// Returns the frontiers by id.
   [[nodiscard]] const std::map<std::uint32_t, Frontier>& frontiers() const { return frontiers_; }
-  /// Of what was worked out about this map, for those who decide.
+  /// Returns the workspace in which decisions keep results about this map.
   [[nodiscard]] Workspace& memory() { return memory_; }
-  /// Id of the frontier that holds the cell, or 0.
+  /// Returns the id of the frontier that holds the cell, or 0.
   [[nodiscard]] std::uint32_t frontier_of(std::uint32_t cell) const { return owner_[cell]; }
 
  private:

@@ -1,14 +1,14 @@
-// ExplorationReference: what of a world a robot with a range finder can see at all, and how good a map of it
-// is.
+// ExplorationReference: what a robot with a range finder can see of a known world, to measure the quality of
+// a map.
 //
-// Places lie at the centres of the cells of a lattice through the origin of the world. The robot can be at a
-// place when its disk can be swept there, exactly, along steps between neighbouring places (four each), from
-// a place beside its start. A place can be seen when a line of sight at the laser's height, no longer than
-// its range, leads from there to a place where the robot can be: one of the nearest twelve, or one along 720
-// directions. Finds visible neighbours of visible cells.
+// Places are the centres of the cells of a lattice through the origin of the world. The robot can reach a
+// place if its disk can be swept there, exactly, along steps between neighbouring places (four each), from a
+// place beside its start. A place is visible if a line of sight at the laser's height, no longer than its
+// range, leads from it to a reachable place: one of the nearest twelve, or one along 720 directions. Finds
+// visible neighbours of visible cells.
 //
-// O(places x obstacles near them), plus O(directions x range / resolution) for each place seen from afar
-// only.
+// O(places x obstacles near them), plus O(directions x range / resolution) for each place that is visible
+// only from afar.
 #pragma once
 
 #include <cstdint>
@@ -21,38 +21,41 @@
 
 namespace outrider {
 
+/// What the robot can see or reach of a place.
 enum Seeable : std::uint8_t {
   not_seeable = 0,
-  beside_surface = 1,  ///< can be seen, but is nearer to a surface than a cell: there a map shows the surface
+  beside_surface = 1,  ///< visible, but within a cell of a surface, where a map shows the surface
   only_seeable = 2,
   reachable = 3,
 };
 
+/// The reference of a world.
 struct ExplorationReference {
   Grid<std::uint8_t> places;  ///< values of Seeable, for the centres of the cells
-  double reachable_m2 = 0.0;  ///< where the middle of the robot can be
-  double seeable_m2 = 0.0;    ///< all that can be seen, that included
-  Box2 standing;              ///< the box of all that stands
-  bool leaks = false;         ///< the robot can leave that box: the world has no end
-  Vec2 leaks_at;              ///< of the places outside, the one that it reaches in the fewest steps
+  double reachable_m2 = 0.0;  ///< area that the centre of the robot can reach
+  double seeable_m2 = 0.0;    ///< visible area, with the reachable one
+  Box2 standing;              ///< box of all obstacles
+  bool leaks = false;         ///< the robot can leave that box: the world is open
+  Vec2 leaks_at;              ///< the place outside that the robot reaches in the fewest steps
 };
 
-/// Faults: start_blocked when the robot touches something at its start, with the nearest place where it would
-/// not; bad_input when the world is larger than 25 million places.
+/// Computes the reference. Faults: start_blocked when the robot touches something at its start, with the
+/// nearest place where it would not; bad_input when the world is larger than 25 million places.
 Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
                                                     Vec2 start, double resolution_m = 0.05);
 
+/// How good a map is.
 struct MapQuality {
-  /// Part of the places that are only_seeable or reachable which the map knows to be free; 1 without any.
+  /// Fraction of the only_seeable and reachable places that are free in the map; 1 if there are none.
   double explored_fraction = 0.0;
-  /// Mean distance from the centres of the occupied cells to the nearest surface at the laser's height, no
-  /// cell more than 1 m. Maps are not moved: the start of the robot is exact.
+  /// Mean distance from the centres of the occupied cells to the nearest surface at the laser's height; each
+  /// distance counts 1 m at most. Maps are not aligned, because the start pose is exact.
   double map_error_m = 0.0;
-  double mapped_free_m2 = 0.0;   ///< on the whole map
-  double wrongly_free_m2 = 0.0;  ///< mapped free where it can neither be seen nor borders on what can
+  double mapped_free_m2 = 0.0;   ///< free area of the whole map
+  double wrongly_free_m2 = 0.0;  ///< free in the map although neither visible nor beside a visible place
 };
 
-/// `occupancy` holds values of Occupancy, in the frame of the world. O(cells).
+/// Measures a map. `occupancy` holds values of Occupancy, in the frame of the world. O(cells).
 MapQuality map_quality(const ExplorationReference& truth, const RangeFinder& laser,
                        const Grid<std::uint8_t>& occupancy);
 

@@ -6,7 +6,7 @@
 //   walls: "0,0,4,0 4,0,4,3"   # more walls: x1,y1,x2,y2
 //   seed: 1
 //
-// The other keys stand in describe().
+// describe() has the other keys.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,25 @@
 
 namespace outrider {
 
+/// The settings of the job.
 struct ExploreScenario {
-  ExploreWorldFiles world;
+  ExploreWorldFiles world;      ///< files of the world
   std::string start = "0,0,0";  ///< x, y in m, heading in degrees
-  std::int64_t seed = 1;
-  bool perfect_pose = false;  ///< wheels that count right and are believed: no SLAM
-  ExplorerSimParams sim;
-  ExploreTask task;  ///< the rest of what is set; its start comes from the text
+  std::int64_t seed = 1;        ///< of the simulation
+  bool perfect_pose = false;    ///< odometry without errors, and no SLAM
+  ExplorerSimParams sim;        ///< errors of the simulated robot
+  ExploreTask task;             ///< the other settings; load_explore() sets its start
 };
 
-/// The top-level keys first, then the sections.
+/// Describes the options: the top-level keys, then the sections.
 std::vector<OptionGroup> describe(ExploreScenario& scenario);
 
-/// All that a run is made of.
+/// Everything that a run needs.
 struct ExploreSetup {
   World world;
   ExploreTask task;
   ExplorerSimParams sim;
-  std::vector<std::string> warnings;  ///< what was repaired in the world or left out of it
+  std::vector<std::string> warnings;  ///< what was repaired or left out in the world
 };
 
 /// Reads the files and the texts. Faults: bad_input with the file and line, or the key.

@@ -1,16 +1,14 @@
-// TraversabilityGrid: where a disk robot may go on a map that still grows.
+// TraversabilityGrid: the cells where a disk robot may stand, on a growing map.
 //
-// The centre of the robot may stand on a cell that is known to be free and whose centre is farther than
-// radius + margin from the centre of every occupied cell; unknown cells are blocked. Cells from there to the
-// distance `near_m` beyond are free but near a wall, where driving costs more. Both are kept as counts of the
-// occupied cells around, so an update costs O(cells changed x cells of the disk) and equals a full
-// computation.
+// The centre of the robot may be in a cell that is known to be free and whose centre is farther than radius +
+// margin from the centre of every occupied cell. Unknown cells are blocked. Free cells nearer than `near_m`
+// to the blocked belt are near a wall, where driving costs more. Both are counts of the occupied cells around
+// a cell, so an update costs O(cells changed x cells of the disk) and equals a full computation.
 //
-// The ground has a frame of its own on the lattice of the map, wider than the map by at least two cells all
-// around, so that it seldom changes and its border is always blocked. A second grid of cells twice as large,
-// of the same frame, serves for estimates of reach: such a cell is free when any of its four cells is, so it
-// joins whatever the fine one joins.
-// Thread rule: one at a time.
+// The grid has its own frame on the lattice of the map. It is at least two cells wider than the map on all
+// sides, so it seldom changes and its border is always blocked. A second grid with cells twice as large and
+// the same frame serves to estimate reachability: such a cell is free if any of its four cells is, so it
+// connects whatever the fine grid does. Thread rule: one at a time.
 #pragma once
 
 #include <memory>
@@ -22,52 +20,57 @@
 
 namespace outrider {
 
+/// Options of the grid.
 struct KnownGroundOptions {
-  double margin_m = 0.045;  ///< kept from occupied cells beyond the radius of the robot
-  double near_m = 0.1;      ///< beyond the margin, the belt in which driving costs more
+  double margin_m = 0.045;  ///< distance to occupied cells in addition to the radius of the robot
+  double near_m = 0.1;      ///< width of the belt beyond the margin in which driving costs more
 };
 
+/// Describes the options by name.
 std::vector<Option> describe(KnownGroundOptions& options);
 
+/// The grid.
 class TraversabilityGrid {
  public:
   TraversabilityGrid(const KnownGroundOptions& options, double radius_m);
 
-  /// What an update changed: cells of frame() as it is then.
+  /// What an update changed.
   struct Change {
-    std::vector<std::uint32_t> cells;
-    bool reframed = false;
-    bool anew = false;  ///< reframed on another lattice: what was known before is forgotten
-    Cell shift;         ///< else what was cell c is now c + shift
+    std::vector<std::uint32_t> cells;  ///< changed cells of the new frame()
+    bool reframed = false;             ///< the frame has changed
+    bool anew = false;                 ///< the lattice has changed, and all former knowledge is dropped
+    Cell shift;                        ///< otherwise, former cell c is now c + shift
   };
-  /// Takes over what changed on the map. A redrawn map is compared with what was known, O(cells).
+  /// Applies the changes of the map. A redrawn map is compared with the known cells, O(cells).
   Change update(const Grid<std::uint8_t>& occupancy, const MapUpdate& update);
 
   [[nodiscard]] const GridFrame& frame() const { return known_.frame; }
-  /// Values of Occupancy.
+  /// Returns the known cells as values of Occupancy.
   [[nodiscard]] const Grid<std::uint8_t>& known() const { return known_; }
+  /// Returns true if the robot must not stand in the cell.
   [[nodiscard]] bool blocked(std::uint32_t cell) const {
     return known_.cells[cell] != free_cell || touching_[cell] != 0;
   }
+  /// Returns true if the cell is in the belt where driving costs more.
   [[nodiscard]] bool near_wall(std::uint32_t cell) const { return near_[cell] != 0; }
-  /// Of the cells that were ever known; highest below lowest at first.
+  /// Return the corners of the box of all cells that were ever known. At first highest() is below lowest().
   [[nodiscard]] Cell lowest() const { return lowest_; }
   [[nodiscard]] Cell highest() const { return highest_; }
 
-  /// Cells of twice the side.
+  /// Values of the coarse grid, whose cells have twice the side.
   enum Block : std::uint8_t { no_block = 0, near_block = 1, free_block = 2 };
   [[nodiscard]] const Grid<std::uint8_t>& blocks() const { return blocks_; }
   [[nodiscard]] std::uint32_t block_of(std::uint32_t cell) const;
 
-  /// Goes up with every change.
+  /// Returns a counter that increases with every change.
   [[nodiscard]] std::uint64_t clock() const { return clock_; }
-  /// The clock at the last change of known() or blocked() between two corners, or later: by tiles of 16
-  /// cells.
+  /// Returns the clock of the last change of known() or blocked() between two corners, or a later one: it is
+  /// kept for tiles of 16 cells.
   [[nodiscard]] std::uint64_t changed_within(Cell low, Cell high) const;
-  /// Counts as a change of the cell.
+  /// Counts as a change of the cell, without changing it.
   void touch(std::uint32_t cell);
 
-  /// The same for the path planners. Made anew when something changed, by GridMap::with().
+  /// Returns the same grid for the path planners. Updates it by GridMap::with() if something changed.
   std::shared_ptr<const GridMap> grid();
 
  private:

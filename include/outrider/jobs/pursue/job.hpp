@@ -21,7 +21,7 @@ class PursueJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 };
 
-/// Its row in the catalogue.
+/// Returns its row in the catalogue of jobs.
 Job pursue_job();
 
 }  // namespace outrider

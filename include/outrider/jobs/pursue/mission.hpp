@@ -1,13 +1,14 @@
-// PursuitMission: plan, go, see more of the target, plan again, until the catch or the target's last second.
+// PursuitMission: plans, moves, observes the target and plans again, until the catch or the target's last
+// second.
 //
-// On the virtual clock planning is free. On the wall clock each planning call costs what it takes
-// (jobs/pursue/state.hpp); the robot goes on along the best way known meanwhile. The anytime search works in
-// calls of `call_s`; a call that brings no proof is continued from a place further along the way, twice as
-// far ahead each time. Other planners are asked once, from far enough ahead that their answer is not late.
+// On the virtual clock planning is free. On the wall clock each planning call costs the time that it takes
+// (jobs/pursue/state.hpp); the robot follows the best known path meanwhile. The anytime search works in calls
+// of `call_s`. After a call without a proof it continues from a place further along the path, twice as far
+// ahead each time. Other planners are called once, far enough ahead that their answer is in time.
 //
-// With `known_s` seconds of the future known, the rest is believed to be as the forecast says; when a
-// second that is revealed differs from what was believed, there is a new forecast and a new plan. A target
-// believed to be out of reach for good is believed to stay instead. The length of the trajectory is known.
+// If only `known_s` seconds of the future are known, the forecast predicts the rest. A second that differs
+// from the prediction causes a new forecast and a new plan. A target that the robot can never reach by the
+// forecast is predicted to stay where it is. The length of the target's path is always known.
 //
 // Thread rule: no shared state. The library reads no clock: time comes from the StopWatch.
 #pragma once
@@ -25,15 +26,16 @@
 
 namespace outrider {
 
+/// Whether planning costs mission time.
 enum class PursuitClock { free_planning, wall };
 
-/// The port to a clock.
+/// Interface to a clock.
 class StopWatch {
  public:
   virtual ~StopWatch() = default;
-  /// Seconds since the last call, or since it was made.
+  /// Returns the seconds since the last call, or since construction.
   virtual double lap_s() = 0;
-  /// What has passed since then is in no lap.
+  /// Starts a new lap. The time since the last call belongs to no lap.
   virtual void restart() = 0;
 
  protected:
@@ -42,61 +44,65 @@ class StopWatch {
   StopWatch& operator=(const StopWatch&) = default;
 };
 
+/// A planner.
 using PursuitAsk = std::function<Outcome<PursuitPlan>(const PursuitProblem&, const Budget&)>;
 
+/// Options of the mission.
 struct PursuitRules {
-  PursuitClock clock = PursuitClock::free_planning;
-  int known_s = std::numeric_limits<int>::max();  ///< seconds of the target's future that are known
-  TargetForecast forecast;                        ///< of the rest; the first of the catalogue unless set
-  PursuitAsk ask;                                 ///< a planner; empty: the anytime search
-  double call_s = 1.5;                            ///< of a call of the anytime search on the wall clock
-  Budget budget;                                  ///< of each call, beside `call_s`
+  PursuitClock clock = PursuitClock::free_planning;  ///< whether planning costs mission time
+  int known_s = std::numeric_limits<int>::max();     ///< seconds of the target's future that are known
+  TargetForecast forecast;  ///< predicts the rest; the first of the catalogue unless set
+  PursuitAsk ask;           ///< the planner; empty: the anytime search
+  double call_s = 1.5;      ///< duration of a call of the anytime search on the wall clock
+  Budget budget;            ///< limit of each call, in addition to `call_s`
 };
 
 /// What was known at one moment of planning.
 struct PursuitMoment {
-  int time_s = 0;                     ///< of the mission
-  double planning_s = 0.0;            ///< spent on planning until then
-  std::uint64_t expansions = 0;       ///< by all calls until then; repeats exactly
-  std::optional<std::uint64_t> cost;  ///< of the whole mission by the best catch known
+  int time_s = 0;                     ///< mission time
+  double planning_s = 0.0;            ///< planning time until this moment
+  std::uint64_t expansions = 0;       ///< of all calls until this moment; repeats exactly
+  std::optional<std::uint64_t> cost;  ///< of the whole mission by the best known catch
   std::uint64_t lower_bound = 0;      ///< proven for the whole mission; 0 where the future is not known
 };
 
+/// A pursuit and its planning.
 struct PursuitRun {
-  PursuitState state;
-  std::vector<PursuitMoment> moments;
-  std::uint64_t lower_bound = 0;   ///< proven for the whole mission; 0 where the future is not known
-  int earliest_catch_s = -1;       ///< the first second in which a catch is possible; -1: not known
-  double first_feasible_s = -1.0;  ///< of planning, until the first catch was known; -1: never
-  double planning_s = 0.0;         ///< in all
-  int calls = 0;                   ///< of the planner
-  std::uint64_t expansions = 0;    ///< over all calls
+  PursuitState state;                  ///< current state
+  std::vector<PursuitMoment> moments;  ///< in the order of time
+  std::uint64_t lower_bound = 0;       ///< proven for the whole mission; 0 where the future is not known
+  int earliest_catch_s = -1;           ///< first second in which a catch is possible; -1: unknown
+  double first_feasible_s = -1.0;      ///< planning time until the first catch was known; -1: never
+  double planning_s = 0.0;             ///< total planning time
+  int calls = 0;                       ///< number of planner calls
+  std::uint64_t expansions = 0;        ///< over all calls
 };
 
+/// The execution.
 class PursuitMission {
  public:
-  /// The target's path has so many seconds, second 0 included; that of `map` is not looked at. `look` is
-  /// shown the run so far whenever planning knows more; what it takes is not charged. References must outlive
-  /// the mission.
+  /// Starts a mission. `seconds` is the length of the target's path with second 0; the target of `map` is
+  /// ignored. `look` receives the run so far whenever planning knows more; its duration costs nothing.
+  /// References must outlive the mission.
   PursuitMission(const PursuitProblem& map, std::size_t seconds, const PursuitRules& rules, StopWatch& watch,
                  std::function<void(const PursuitRun&)> look = {});
 
-  /// The next StepToCell, or nothing when it is over: caught, the target gone, or no catch possible any more.
-  /// It takes a GridObservation each second.
+  /// Returns the next StepToCell, or nothing when the mission is over: the target is caught or gone, or no
+  /// catch is possible any more. Expects a GridObservation each second.
   std::optional<Command> step(const Observation& seen);
 
   PursuitRun run;
-  std::optional<Fault> fault;  ///< of the planner in its first call, which ends the mission
+  std::optional<Fault> fault;  ///< fault of the first planner call, which ends the mission
 
  private:
-  /// The work on one question.
+  /// The planning for one robot from one place.
   struct Session {
     std::size_t robot = 0;
     PursuitProblem problem;
-    std::optional<AnytimePursuit> search;  ///< none for other planners
+    std::optional<AnytimePursuit> search;  ///< empty for other planners
     std::optional<PursuitPlan> answer;
     std::optional<Fault> fault;
-    bool done = false;  ///< nothing more will come
+    bool done = false;  ///< the planner has finished
     std::uint64_t lower_bound = 0;
     int earliest_catch_s = -1;
   };
@@ -123,15 +129,15 @@ class PursuitMission {
   StopWatch& watch_;
   std::function<void(const PursuitRun&)> look_;
   std::size_t seconds_;
-  std::vector<Cell> target_;  ///< as far as it is known
+  std::vector<Cell> target_;  ///< known part of the target's path
   TargetBelief belief_;
   std::vector<Session> sessions_;
   int lead_s_ = 0;
-  bool settled_ = false;     ///< nothing is left to think about
-  int thinking_s_ = 0;       ///< seconds that the present call still costs before its answer comes
-  bool called_ = false;      ///< the last second of a call is passing
-  double planning_s_ = 0.0;  ///< of the newest call
-  bool taken_ = false;       ///< its answer was taken up
+  bool settled_ = false;     ///< nothing is left to plan
+  int thinking_s_ = 0;       ///< seconds until the answer of the current call arrives
+  bool called_ = false;      ///< the current second is the last one of a call
+  double planning_s_ = 0.0;  ///< planning time of the newest call
+  bool taken_ = false;       ///< the answer of the newest call was used
 };
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// A whole pursuit, simulated, until the catch or the target's last second.
+// pursue() simulates a whole pursuit until the catch or the target's last second.
 #pragma once
 
 #include <functional>
@@ -10,14 +10,15 @@ namespace outrider {
 
 /// Runs the mission. Faults: those of check(problem) for any robot; no_path when it is proven at the start
 /// that no robot can ever catch the target; those of the planner in its first call. A mission that ends
-/// without a catch is no fault. `look` is shown the run so far, whenever a second has passed or planning
-/// knows more; nothing of it changes what happens.
+/// without a catch is no fault. `look` receives the run so far after each second and whenever planning
+/// knows more; it does not change the run.
 Outcome<PursuitRun> pursue(const PursuitProblem& truth, const std::vector<Cell>& robots,
                            const PursuitRules& rules, StopWatch& watch,
                            const std::function<void(const PursuitRun&)>& look = {});
 
-/// Cells for a team: the first as given, each next one the free cell farthest in king's moves, as if there
-/// were no walls, from all before it; the lowest row and then column among equals. O(cells count).
+/// Returns start cells for a team. The first is the given start. Each next one is the free cell with the
+/// largest Chebyshev distance from all cells before it; among equals the one of the lowest row, then column.
+/// O(cells count).
 std::vector<Cell> place_team(const PursuitProblem& problem, std::size_t count);
 
 }  // namespace outrider

@@ -10,25 +10,28 @@
 
 namespace outrider {
 
+/// The settings of the job.
 struct PursuitScenario {
   std::string map;                         ///< path of a pursuit map (io/pursuit_map.hpp)
   std::string clock = "virtual";           ///< virtual or wall
   std::string planner = "optimal";         ///< a name of the catalogue of pursuit planners
   std::int64_t known = -1;                 ///< seconds of the target's future that are known; -1: all
-  std::string forecast = "last_velocity";  ///< of the seconds that are not known
-  std::int64_t chasers = 1;                ///< robots
-  std::string starts;  ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
-  double call_s = 1.5;
-  std::int64_t seed = 1;
+  std::string forecast = "last_velocity";  ///< name of the forecast for the unknown seconds
+  std::int64_t pursuers = 1;               ///< number of robots
+  std::string starts;     ///< cells of the robots after the first, "x,y x,y", as in the file; empty: placed
+  double call_s = 1.5;    ///< duration of a call of the anytime search on the wall clock
+  std::int64_t seed = 1;  ///< written into the report
   std::vector<ConfiguredPursuitPlanner> planners = configured_planners();  ///< in the order of the catalogue
 
+  /// Returns all planners with their default options.
   static std::vector<ConfiguredPursuitPlanner> configured_planners();
 };
 
-/// The top-level keys first, then a section for each planner that has options, under its name.
+/// Describes the options: the top-level keys, then a section for each planner that has options, under its
+/// name.
 std::vector<OptionGroup> describe(PursuitScenario& scenario);
 
-/// All that a run is made of.
+/// Everything that a run needs.
 struct PursuitTask {
   PursuitProblem problem;
   std::vector<Cell> robots;

@@ -1,4 +1,4 @@
-// TargetBelief: what a planner is told of the target: its cells as far as they are known, then a forecast.
+// TargetBelief: the target's path that planners use: its known cells, then a forecast.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,20 @@
 
 namespace outrider {
 
+/// The belief about the target.
 class TargetBelief {
  public:
-  /// The path of the target has so many seconds, second 0 included; the target of `map` is not looked at.
+  /// `seconds` is the length of the target's path with second 0. The target of `map` is ignored.
   TargetBelief(PursuitProblem map, std::size_t seconds, TargetForecast forecast);
 
-  /// True when all of the path is known.
+  /// Returns true if the whole path is known.
   [[nodiscard]] bool is_certain() const { return known_ == seconds_; }
-  /// Takes in what is known now; returns true when it was not as believed.
+  /// Takes in the known cells. Returns true if they differ from the belief.
   bool update(const std::vector<Cell>& known, Cell robot);
-  /// Gives up the forecast: the target stays where it was seen last.
+  /// Replaces the forecast: the target stays in its last known cell.
   void expect_rest();
 
-  PursuitProblem believed;
+  PursuitProblem believed;  ///< the problem with the believed path of the target
 
  private:
   void foresee(const TargetForecast& forecast, Cell robot);

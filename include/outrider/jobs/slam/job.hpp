@@ -19,11 +19,11 @@ class SlamJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 
  private:
-  struct Input;
+  struct Input;                   ///< the log, read
   std::unique_ptr<Input> input_;  ///< once loaded
 };
 
-/// Its row in the catalogue.
+/// Returns its row in the catalogue of jobs.
 Job slam_job();
 
 }  // namespace outrider

@@ -1,7 +1,7 @@
 // LaserMission: mapping with a laser on a robot that somebody else drives.
 //
-// Each scan goes through LaserSlam, with the motion since the scan before by odometry. The mission gives no
-// command but to wait, and ends with the first observation without a scan, or when a scan is refused.
+// LaserSlam processes each scan with the odometry since the previous scan. The mission only commands to wait.
+// It ends with the first observation without a scan, or when a scan is refused.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,20 @@
 
 namespace outrider {
 
+/// The state of the execution.
 struct LaserMission {
   explicit LaserMission(LaserSlam mapping) : slam(std::move(mapping)) {}
 
+  /// Returns a command to wait, or nothing if the mission is over.
   std::optional<Command> step(const Observation& seen);
 
   LaserSlam slam;
-  std::optional<Pose2> odometry;        ///< at the scan before
-  std::optional<LaserSlamStep> newest;  ///< what SLAM made of the scan of this step
-  std::size_t scans = 0;
-  std::size_t matched = 0;     ///< of these
-  std::size_t lost = 0;        ///< and of these
-  std::optional<Fault> fault;  ///< of the scan that was refused
+  std::optional<Pose2> odometry;        ///< odometry of the previous scan
+  std::optional<LaserSlamStep> newest;  ///< SLAM result of this step
+  std::size_t scans = 0;                ///< number of scans
+  std::size_t matched = 0;              ///< number of scans that SLAM matched
+  std::size_t lost = 0;                 ///< number of scans at which the robot was lost
+  std::optional<Fault> fault;           ///< why a scan was refused
 };
 
 }  // namespace outrider

@@ -4,7 +4,7 @@
 //   log: hall.log.gz           # laser log, landmark log, g2o or PyFG graph
 //   laser: {reach: 20}
 //
-// The other keys stand in describe().
+// describe() has the other keys.
 #pragma once
 
 #include <string>
@@ -18,25 +18,27 @@
 
 namespace outrider {
 
-/// For recorded logs: odometry that is worse than a wheel's, and a map that is drawn once.
+/// Returns options for recorded logs: odometry less accurate than wheel encoders, and a map that is drawn
+/// once.
 LaserSlamOptions laser_options_for_logs();
 
+/// The settings of the job.
 struct SlamScenario {
   std::string log;     ///< path of a file
   std::string truth;   ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
   std::string resume;  ///< path of the state of an earlier run to continue from; landmark logs only
   bool measured_frame = false;  ///< errors of graph poses in the frame of the measured pose, as g2o has them
-  LandmarkSlamOptions landmarks;
-  LogNoise noise;
-  PoseGraphOptions graph;
-  CarmenOptions carmen;
-  LaserSlamOptions laser = laser_options_for_logs();
+  LandmarkSlamOptions landmarks;                      ///< of landmark logs
+  LogNoise noise;                                     ///< noise of landmark logs
+  PoseGraphOptions graph;                             ///< of pose graphs
+  CarmenOptions carmen;                               ///< of reading laser logs
+  LaserSlamOptions laser = laser_options_for_logs();  ///< of laser logs
 };
 
-/// The top-level keys first, then the sections. They point into the scenario.
+/// Describes the options: the top-level keys, then the sections. They point into the scenario.
 std::vector<OptionGroup> describe(SlamScenario& scenario);
 
-/// Refuses another job, and a log that is missing.
+/// Refuses a scenario without a log or of another job.
 Status check(const SlamScenario& scenario);
 
 }  // namespace outrider

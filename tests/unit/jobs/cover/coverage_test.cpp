@@ -14,14 +14,14 @@ const Region plane = region_of({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, {})
 TEST(Coverage, OneLegIsACapsule) {
   const Coverage coverage = coverage_of({{0, 0}, {3, 0}}, 0.5, plane);
   EXPECT_NEAR(coverage.covered_m2, 3.0 + 0.25 * pi, 0.003);
-  EXPECT_EQ(coverage.twice_m2, 0.0);
+  EXPECT_EQ(coverage.overlap_m2, 0.0);
   EXPECT_NEAR(coverage.missed_m2 + coverage.covered_m2, 10000.0, 1e-6);
 }
 
 TEST(Coverage, ThereAndBackIsTwiceButForTheTurn) {
   const Coverage coverage = coverage_of({{0, 0}, {3, 0}, {0, 0}}, 0.5, plane);
   EXPECT_NEAR(coverage.covered_m2, 3.0 + 0.25 * pi, 0.004);
-  EXPECT_NEAR(coverage.twice_m2, 3.0, 0.01);  // the disk about the turning point counts once
+  EXPECT_NEAR(coverage.overlap_m2, 3.0, 0.01);  // the disk about the turning point counts once
 }
 
 TEST(Coverage, NothingIsCoveredByNoWay) {
@@ -31,7 +31,7 @@ TEST(Coverage, NothingIsCoveredByNoWay) {
   EXPECT_EQ(coverage_of({{0, 0}}, 1.0, {}).fraction, 1.0);
 }
 
-/// Areas against a count on a raster, along random ways that cross and double themselves.
+/// Areas against a count on a raster, along random paths that cross and overlap themselves.
 TEST(Coverage, AgreesWithARaster) {
   Rng rng(5);
   constexpr double cell = 0.02;
@@ -42,19 +42,19 @@ TEST(Coverage, AgreesWithARaster) {
     const double radius = rng.uniform(0.1, 0.5);
     const Region area = region_of(testing::random_star(rng, {0, 0}, 1.5, 2.5, 8), {});
     const Coverage coverage = coverage_of(way, radius, area);
-    double covered = 0.0, twice = 0.0, all = 0.0;
+    double covered = 0.0, overlap = 0.0, all = 0.0;
     for (double x = -2.5 + 0.5 * cell; x < 2.5; x += cell) {
       for (double y = -2.5 + 0.5 * cell; y < 2.5; y += cell) {
         if (!contains(area, {x, y})) continue;
         const int passes = testing::passes_over({x, y}, way, radius);
         all += cell * cell;
         covered += passes >= 1 ? cell * cell : 0.0;
-        twice += passes >= 2 ? cell * cell : 0.0;
+        overlap += passes >= 2 ? cell * cell : 0.0;
       }
     }
     EXPECT_NEAR(coverage.covered_m2, covered, 0.005 * all) << "case " << k;
     EXPECT_NEAR(coverage.missed_m2, all - covered, 0.005 * all) << "case " << k;
-    EXPECT_NEAR(coverage.twice_m2, twice, 0.007 * all) << "case " << k;
+    EXPECT_NEAR(coverage.overlap_m2, overlap, 0.007 * all) << "case " << k;
     EXPECT_NEAR(coverage.fraction, covered / all, 0.005) << "case " << k;
   }
 }
@@ -82,7 +82,7 @@ TEST(Coverage, GrowsAlongTheWay) {
       const Coverage whole =
           coverage_of({way.begin(), way.begin() + static_cast<std::ptrdiff_t>(points)}, radius, area);
       EXPECT_NEAR(sums[i].covered_m2, whole.covered_m2, 0.005 * area_of(area)) << k << ", stretch " << i;
-      EXPECT_NEAR(sums[i].twice_m2, whole.twice_m2, 0.01 * area_of(area)) << k << ", stretch " << i;
+      EXPECT_NEAR(sums[i].overlap_m2, whole.overlap_m2, 0.01 * area_of(area)) << k << ", stretch " << i;
     }
   }
 }

@@ -17,7 +17,7 @@ CoverProblem room() {
   CoverProblem problem;
   problem.boundary = {{0, 0}, {1.5, 0}, {1.5, 1.5}, {0, 1.5}};
   problem.overlap = 1.0 - 1.0 / 1.1;
-  problem.stray_m = 0.009;
+  problem.tracking_error_m = 0.009;
   return problem;
 }
 
@@ -27,22 +27,22 @@ TEST(CoverDrive, TheRoomIsCoveredWithinItsBoundsBySlowAndFastDrives) {
   ASSERT_TRUE(plan);
   const auto proof = prove(*plan, problem);
   ASSERT_TRUE(proof);
-  const TimeBound bound = time_bound(plan->track, problem.pace, problem.stray_m, 1.0);
+  const TimeBound bound = time_bound(plan->track, problem.pace, problem.tracking_error_m, 1.0);
   for (int seed = 1; seed <= testing::cases(10); ++seed) {
-    const PieceDrive drive = drive_track(plan->track, *plan->ground.ground, problem.pace, problem.stray_m,
-                                         static_cast<std::uint64_t>(seed));
+    const PieceDrive drive = drive_track(plan->track, *plan->ground.ground, problem.pace,
+                                         problem.tracking_error_m, static_cast<std::uint64_t>(seed));
     EXPECT_LT(drive.time_s, 176.0) << "the reference takes 176 s";
     EXPECT_GE(drive.time_s, bound.least_s);
     EXPECT_LE(drive.time_s, bound.most_s);
     EXPECT_GT(drive.tracking_error_m, 0.0);
-    EXPECT_LE(drive.tracking_error_m, problem.stray_m);
+    EXPECT_LE(drive.tracking_error_m, problem.tracking_error_m);
     const Coverage driven = coverage_of(drive.way, problem.radius_m(), plan->ground.reach);
     EXPECT_GE(driven.fraction, proof->sure_fraction - 1e-4);
     for (const Vec2 p : drive.way) EXPECT_TRUE(plan->ground.ground->point_free(p));
   }
 }
 
-TEST(CoverDrive, ExactlyTheTrackWithoutAStray) {
+TEST(CoverDrive, FollowsTheTrackExactlyWithoutTrackingError) {
   CoverProblem problem = room();
   problem.pace.slowest_speed_mps = problem.pace.speed_mps;
   problem.pace.slowest_turn_rate_radps = problem.pace.turn_rate_radps;
@@ -63,9 +63,9 @@ TEST(CoverDrive, RandomAreasStayWithinBounds) {
     ASSERT_TRUE(plan) << k;
     const auto proof = prove(*plan, problem);
     ASSERT_TRUE(proof) << k;
-    const TimeBound bound = time_bound(plan->track, problem.pace, problem.stray_m, 1.0);
+    const TimeBound bound = time_bound(plan->track, problem.pace, problem.tracking_error_m, 1.0);
     const PieceDrive drive =
-        drive_track(plan->track, *plan->ground.ground, problem.pace, problem.stray_m, rng.bits());
+        drive_track(plan->track, *plan->ground.ground, problem.pace, problem.tracking_error_m, rng.bits());
     EXPECT_GE(drive.time_s, bound.least_s) << k;
     EXPECT_LE(drive.time_s, bound.most_s) << k;
     const double fraction = coverage_of(drive.way, problem.radius_m(), plan->ground.reach).fraction;
@@ -79,7 +79,7 @@ TEST(CoverDrive, SameSeedSameDrive) {
   const auto plan = find_cover_method("boustrophedon")->plan(problem, {}, {});
   ASSERT_TRUE(plan);
   const auto drive = [&](std::uint64_t seed) {
-    return drive_track(plan->track, *plan->ground.ground, problem.pace, problem.stray_m, seed);
+    return drive_track(plan->track, *plan->ground.ground, problem.pace, problem.tracking_error_m, seed);
   };
   EXPECT_EQ(drive(4).way, drive(4).way);
   EXPECT_EQ(drive(4).time_s, drive(4).time_s);
@@ -114,7 +114,7 @@ TEST(CoverDrive, AStopLeavesThePiecesDrivenUntilThen) {
     if (++told == 4) source.request_stop();
   };
   const auto drive = [&](const RunWatch& by) {
-    return drive_track(plan->track, *plan->ground.ground, problem.pace, problem.stray_m, 1, by);
+    return drive_track(plan->track, *plan->ground.ground, problem.pace, problem.tracking_error_m, 1, by);
   };
   const PieceDrive part = drive(watch), whole = drive({});
   ASSERT_EQ(part.ends_s.size(), 3U);

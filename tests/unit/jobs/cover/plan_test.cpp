@@ -74,14 +74,14 @@ TEST(CoverPlan, TheSpiralOfASquareIsTheReports) {
   EXPECT_NEAR(laps, squares_length_m(1.5, problem.stride_m(), 5), 1e-9);
 }
 
-TEST(CoverPlan, AStrayWithinTheOverlapLeavesNothingOffTheRim) {
+TEST(CoverPlan, ATrackingErrorWithinTheOverlapLeavesOnlyTheRimUncovered) {
   for (const CoverMethod& method : cover_methods()) {
     CoverProblem problem = room(1.5);
-    problem.stray_m = 0.009;
+    problem.tracking_error_m = 0.009;
     const CoverPlan plan = planned(problem, method.name);
     const auto proof = prove(plan, problem);
     ASSERT_TRUE(proof) << to_string(proof.error());
-    EXPECT_GE(proof->inner_fraction, 1.0 - problem.leave - 1e-3) << method.name;
+    EXPECT_GE(proof->inner_fraction, 1.0 - problem.uncovered - 1e-3) << method.name;
     EXPECT_LT(proof->sure_fraction, proof->planned.fraction);
     EXPECT_LT(plan.sums.time_s, 176.0) << method.name;
   }
@@ -100,19 +100,19 @@ TEST(CoverPlan, RandomAreasAgainstARaster) {
     EXPECT_GE(sampled_clearance(plan, problem), problem.radius_m() * (1.0 - 2e-4)) << k;
     const auto way = points_along(plan.track.start.position, plan.track.pieces, radians(2.0));
     const double cell = 0.1 * problem.width_m;
-    double reach = 0.0, covered = 0.0, twice = 0.0;
+    double reach = 0.0, covered = 0.0, overlap = 0.0;
     for (double x = -6.0; x < 6.0; x += cell) {
       for (double y = -6.0; y < 6.0; y += cell) {
         if (!contains(plan.ground.reach, {x, y})) continue;
         const int passes = testing::passes_over({x, y}, way, problem.radius_m());
         reach += cell * cell;
         covered += passes >= 1 ? cell * cell : 0.0;
-        twice += passes >= 2 ? cell * cell : 0.0;
+        overlap += passes >= 2 ? cell * cell : 0.0;
       }
     }
     EXPECT_NEAR(area_of(plan.ground.reach) / reach, 1.0, 0.01) << k;
     EXPECT_NEAR(proof->planned.covered_m2 / reach, covered / reach, 0.01) << k;
-    EXPECT_NEAR(proof->planned.twice_m2 / reach, twice / reach, 0.015) << k;
+    EXPECT_NEAR(proof->planned.overlap_m2 / reach, overlap / reach, 0.015) << k;
   }
 }
 
@@ -174,8 +174,8 @@ TEST(CoverPlan, BadInputIsRefusedInASentence) {
   out.holes = {{{0.5, 0.5}, {0.6, 0.5}, {0.6, 0.6}}, {{1.4, 0.5}, {1.8, 0.5}, {1.8, 0.8}}};
   expect_refused(out, "hole 2", "outside the boundary");
   CoverProblem loose = room(1.5);
-  loose.stray_m = 0.02;
-  expect_refused(loose, "stray", "an overlap of at least 0.2");
+  loose.tracking_error_m = 0.02;
+  expect_refused(loose, "tracking_error", "an overlap of at least 0.2");
   CoverProblem blocked = room(1.5);
   blocked.start = Pose2{{0.05, 0.05}, 0.0};
   expect_refused(blocked, "start", "cannot stand");

@@ -38,7 +38,7 @@ TEST(PublishedAreas, EveryPublishedPolygonIsCovered) {
     problem.boundary = area->boundary.corners;
     for (const AreaRing& hole : area->holes) problem.holes.push_back(hole.corners);
     problem.width_m = width;
-    problem.stray_m = 0.02 * width;
+    problem.tracking_error_m = 0.02 * width;
     for (int m = 0; m < (whole ? 2 : 1); ++m) {
       const CoverMethod& method = cover_methods()[static_cast<std::size_t>(m)];
       const auto plan = method.plan(problem, {}, {});

@@ -17,8 +17,9 @@ CoverRun run_of(const CoverProblem& problem, const char* method, std::uint64_t s
   auto proof = prove(*plan, problem);
   if (!proof) throw std::runtime_error(to_string(proof.error()));
   CoverRun run{std::move(*plan), std::move(*proof), {}, {}, {}};
-  run.bound = time_bound(run.plan.track, problem.pace, problem.stray_m, 1.0);
-  run.drive = drive_track(run.plan.track, *run.plan.ground.ground, problem.pace, problem.stray_m, seed);
+  run.bound = time_bound(run.plan.track, problem.pace, problem.tracking_error_m, 1.0);
+  run.drive =
+      drive_track(run.plan.track, *run.plan.ground.ground, problem.pace, problem.tracking_error_m, seed);
   run.driven = coverage_of(run.drive.way, problem.radius_m(), run.plan.ground.reach);
   return run;
 }
@@ -33,7 +34,7 @@ struct Case {
 std::vector<Case> made_cases() {
   CoverProblem room;
   room.boundary = {{0, 0}, {1.5, 0}, {1.5, 1.5}, {0, 1.5}};
-  room.stray_m = 0.005;
+  room.tracking_error_m = 0.005;
   Rng rng(17);
   std::vector<CoverProblem> problems{room};
   for (int k = testing::cases(1); k > 0; --k) problems.push_back(testing::random_cover_problem(rng));
@@ -123,26 +124,26 @@ TEST(CoverReport, WhatIsCoveredByThenAgreesWithARaster) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
       EXPECT_GT(rows[i].time_s, rows[i - 1].time_s);
       EXPECT_GE(rows[i].covered_m2, rows[i - 1].covered_m2 - 1e-9 * reach);
-      EXPECT_GE(rows[i].twice_m2, rows[i - 1].twice_m2 - 1e-9 * reach);
+      EXPECT_GE(rows[i].overlap_m2, rows[i - 1].overlap_m2 - 1e-9 * reach);
     }
     EXPECT_NEAR(rows.back().covered_m2, run.driven.covered_m2, 1e-4 * reach);
-    EXPECT_NEAR(rows.back().twice_m2, run.driven.twice_m2, 2e-3 * reach);
+    EXPECT_NEAR(rows.back().overlap_m2, run.driven.overlap_m2, 2e-3 * reach);
     const Box2 box = bounds_of(run.plan.ground.reach);
     const double cell = box.size().x / 120.0;
     for (const std::size_t i : {0U, 17U, 41U}) {
       const auto way = way_until(report.track, rows[i].time_s);
-      double covered = 0.0, twice = 0.0;
+      double covered = 0.0, overlap = 0.0;
       for (double x = box.low.x + 0.5 * cell; x < box.high.x; x += cell) {
         for (double y = box.low.y + 0.5 * cell; y < box.high.y; y += cell) {
           if (!contains(run.plan.ground.reach, {x, y})) continue;
           const int passes = way.size() > 1 ? testing::passes_over({x, y}, way, problem.radius_m())
                                             : norm(Vec2{x, y} - way[0]) <= problem.radius_m();
           covered += passes >= 1 ? cell * cell : 0.0;
-          twice += passes >= 2 ? cell * cell : 0.0;
+          overlap += passes >= 2 ? cell * cell : 0.0;
         }
       }
       EXPECT_NEAR(rows[i].covered_m2, covered, 0.005 * reach) << i;
-      EXPECT_NEAR(rows[i].twice_m2, twice, 0.007 * reach) << i;
+      EXPECT_NEAR(rows[i].overlap_m2, overlap, 0.007 * reach) << i;
     }
   }
 }

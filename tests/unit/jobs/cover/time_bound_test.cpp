@@ -61,14 +61,14 @@ TEST(TimeBound, TheReportsExample) {
   EXPECT_NEAR(bound.most_s, 418.53, 0.01);
 }
 
-TEST(TimeBound, GrowsWithTheStray) {
+TEST(TimeBound, GrowsWithTheTrackingError) {
   const CoverTrack track = squares(1.5, 0.18, 4);
   const Pace pace;
   TimeBound before = time_bound(track, pace, 0.0, 1.0);
   EXPECT_NEAR(before.least_s, sums_of(0.0, track.pieces, pace).time_s, 1e-9);
   EXPECT_NEAR(before.most_s, sums_of(0.0, track.pieces, pace.slow()).time_s, 1e-9);
-  for (const double stray : {0.001, 0.01, 0.1, 1.0}) {
-    const TimeBound bound = time_bound(track, pace, stray, 1.0);
+  for (const double tracking_error_m : {0.001, 0.01, 0.1, 1.0}) {
+    const TimeBound bound = time_bound(track, pace, tracking_error_m, 1.0);
     EXPECT_LT(bound.least_s, before.least_s);
     EXPECT_GT(bound.most_s, before.most_s);
     before = bound;

@@ -193,7 +193,7 @@ TEST(PursuitRun, MoreKnowledgeIsNeverWorseOnAverage) {
   }
 }
 
-TEST(PursuitRun, MoreChasersAreNeverLaterNorDearer) {
+TEST(PursuitRun, MorePursuersAreNeverLaterNorDearer) {
   Rng rng(8);
   for (int k = 0; k < testing::cases(100); ++k) {
     const PursuitProblem problem = catchable(rng, 8, 20);

@@ -16,56 +16,56 @@ Report sample() {
   report.status = "done";
   report.world_name = "a <small> map";
   report.bounds = {{0.0, 0.0}, {3.0, 2.0}};
-  ReportChase& chase = report.chase.emplace();
-  chase.columns = 3;
-  chase.rows = 2;
-  chase.cost_runs = {1, 2, 7, 3, -1, 1};
-  chase.target = {{2.5, 0.5}, {1.5, 0.5}};
-  chase.robots = {{{0.5, 0.5}, {1.5, 0.5}}};
-  chase.paid = {0, 1};
-  chase.bounds = {{0, 10, std::numeric_limits<double>::quiet_NaN(), 1}, {0, 25, 1, 1}};
+  ReportPursuit& pursuit = report.pursuit.emplace();
+  pursuit.columns = 3;
+  pursuit.rows = 2;
+  pursuit.cost_runs = {1, 2, 7, 3, -1, 1};
+  pursuit.target = {{2.5, 0.5}, {1.5, 0.5}};
+  pursuit.robots = {{{0.5, 0.5}, {1.5, 0.5}}};
+  pursuit.paid = {0, 1};
+  pursuit.bounds = {{0, 10, std::numeric_limits<double>::quiet_NaN(), 1}, {0, 25, 1, 1}};
   return report;
 }
 
-TEST(ChaseReport, ReadsBackByteEqual) {
+TEST(PursuitReport, ReadsBackByteEqual) {
   const std::string text = to_json(sample());
   const auto report = report_from_json(text);
   ASSERT_TRUE(report) << to_string(report.error());
   EXPECT_EQ(to_json(*report), text);
-  ASSERT_TRUE(report->chase);
-  EXPECT_TRUE(std::isnan(report->chase->bounds[0].cost));
-  EXPECT_EQ(report->chase->cost_runs, sample().chase->cost_runs);
+  ASSERT_TRUE(report->pursuit);
+  EXPECT_TRUE(std::isnan(report->pursuit->bounds[0].cost));
+  EXPECT_EQ(report->pursuit->cost_runs, sample().pursuit->cost_runs);
 }
 
-TEST(ChaseReport, IsAbsentFromOtherJobs) {
+TEST(PursuitReport, IsAbsentFromOtherJobs) {
   Report report = sample();
-  report.chase.reset();
+  report.pursuit.reset();
   const auto back = report_from_json(to_json(report));
   ASSERT_TRUE(back);
-  EXPECT_FALSE(back->chase);
+  EXPECT_FALSE(back->pursuit);
 }
 
-TEST(ChaseReport, FaultsNameThePlace) {
+TEST(PursuitReport, FaultsNameThePlace) {
   std::string text = to_json(sample());
   text.replace(text.find("\"rows\""), 6, "\"rwos\"");
   const auto report = report_from_json(text);
   ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().where, "chase.rows");
+  EXPECT_EQ(report.error().where, "pursuit.rows");
 }
 
-TEST(ChaseReport, RunsBeyondTheMapAreNotDrawn) {
+TEST(PursuitReport, RunsBeyondTheMapAreNotDrawn) {
   const std::string picture = to_animated_svg(sample(), 12.0);
   Report report = sample();
-  report.chase->cost_runs.back() = 1e300;
+  report.pursuit->cost_runs.back() = 1e300;
   EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size()) << "a map that does not add up is left out";
-  report.chase->cost_runs = {std::numeric_limits<double>::quiet_NaN(), 2, 7, 3, 1, 1e300, 4, -1e300};
-  report.chase->rows = 1'000'000'000;
+  report.pursuit->cost_runs = {std::numeric_limits<double>::quiet_NaN(), 2, 7, 3, 1, 1e300, 4, -1e300};
+  report.pursuit->rows = 1'000'000'000;
   EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size() + 1000);
-  report.chase->columns = 0;
+  report.pursuit->columns = 0;
   EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size() + 1000);
 }
 
-TEST(ChaseReport, PictureHoldsEverybodyAndEscapesTheName) {
+TEST(PursuitReport, PictureHoldsEverybodyAndEscapesTheName) {
   const Report report = sample();
   const std::string picture = to_animated_svg(report, 12.0);
   EXPECT_NE(picture.find("a &lt;small&gt; map"), std::string::npos);

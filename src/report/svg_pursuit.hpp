@@ -9,7 +9,7 @@ namespace outrider {
 
 /// A self-contained SVG: above, the ways over the map, with dots that go along them in a loop of `seconds`;
 /// below, paid and proven over the seconds of the mission, and what planning knew over its time. The
-/// report has a chase.
-std::string chase_picture(const Report& report, double seconds);
+/// report has a pursuit.
+std::string pursuit_picture(const Report& report, double seconds);
 
 }  // namespace outrider

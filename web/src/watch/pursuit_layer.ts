@@ -1,7 +1,7 @@
 // A pursuit: the map of costs, the target and the robots on it.
 import { mix, clamp } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
-import { chaserColours, theme, isDark } from "../base/theme";
+import { pursuerColours, theme, isDark } from "../base/theme";
 import type { Run } from "../report/run";
 import { spread } from "../report/runs";
 import { disk, type Layer, type Pen } from "./layer";
@@ -10,7 +10,7 @@ const wall = -1;
 
 /** The map of costs as a picture of one pixel a cell, on a scale of logarithms. */
 export function costPicture(run: Run): HTMLCanvasElement {
-  const { columns, rows, cost_runs } = run.report.chase!;
+  const { columns, rows, cost_runs } = run.report.pursuit!;
   const costs = spread(cost_runs, columns, rows, Float64Array);
   const passable = cost_runs.filter((value, i) => i % 2 === 0 && value !== wall);
   const low = Math.log1p(passable.reduce((least, cost) => Math.min(least, cost), Infinity));
@@ -62,21 +62,21 @@ function drawWay({ ctx, camera, now }: Pen, way: Vec2[], colour: string): void {
   ctx.stroke();
 }
 
-export function chase(run: Run): Layer | null {
-  const hunt = run.report.chase;
+export function pursuit(run: Run): Layer | null {
+  const found = run.report.pursuit;
   const bounds = run.report.world.bounds;
-  if (!hunt || !bounds) return null;
+  if (!found || !bounds) return null;
   return {
     still({ ctx }) {
       const [x, y] = bounds[0];
       ctx.imageSmoothingEnabled = false;
-      ctx.translate(x, y + hunt.rows * hunt.cell_m);
-      ctx.scale(hunt.cell_m, -hunt.cell_m);
+      ctx.translate(x, y + found.rows * found.cell_m);
+      ctx.scale(found.cell_m, -found.cell_m);
       ctx.drawImage(costPicture(run), 0, 0);
     },
     moving(pen) {
-      drawWay(pen, hunt.target, theme.failed);
-      hunt.robots.forEach((way, i) => drawWay(pen, way, chaserColours()[i % chaserColours().length]!));
+      drawWay(pen, found.target, theme.failed);
+      found.robots.forEach((way, i) => drawWay(pen, way, pursuerColours()[i % pursuerColours().length]!));
     },
   };
 }

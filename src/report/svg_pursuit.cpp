@@ -1,4 +1,4 @@
-#include "svg_chase.hpp"
+#include "svg_pursuit.hpp"
 
 #include <fmt/format.h>
 
@@ -25,13 +25,13 @@ constexpr std::array<std::string_view, 6> robot_colours = {"#0a6cc4", "#d55e00",
 using Points = std::vector<Vec2>;
 
 /// Costs from which each colour begins: every cost its own where they are few, else equal shares of cells.
-std::vector<double> levels_of(const ReportChase& chase) {
+std::vector<double> levels_of(const ReportPursuit& pursuit) {
   std::vector<std::pair<double, double>> counts;  // cost, cells
   double cells = 0.0;
-  for (std::size_t i = 0; i + 1 < chase.cost_runs.size(); i += 2) {
-    if (!(chase.cost_runs[i] >= 0.0 && chase.cost_runs[i + 1] > 0.0)) continue;  // walls, and NaN
-    counts.emplace_back(chase.cost_runs[i], chase.cost_runs[i + 1]);
-    cells += chase.cost_runs[i + 1];
+  for (std::size_t i = 0; i + 1 < pursuit.cost_runs.size(); i += 2) {
+    if (!(pursuit.cost_runs[i] >= 0.0 && pursuit.cost_runs[i + 1] > 0.0)) continue;  // walls, and NaN
+    counts.emplace_back(pursuit.cost_runs[i], pursuit.cost_runs[i + 1]);
+    cells += pursuit.cost_runs[i + 1];
   }
   std::ranges::sort(counts);
   std::vector<double> distinct;
@@ -51,22 +51,22 @@ std::vector<double> levels_of(const ReportChase& chase) {
 
 /// Rectangles for each run of cells of one colour, three at most: its first row, whole rows, its last row; a
 /// path for each colour. Nothing where the runs do not fill the map.
-std::string cost_map(const ReportChase& chase, double px) {
-  if (fault_of_runs(chase.cost_runs, chase.columns, chase.rows)) return {};
-  const std::vector<double> levels = levels_of(chase);
+std::string cost_map(const ReportPursuit& pursuit, double px) {
+  if (fault_of_runs(pursuit.cost_runs, pursuit.columns, pursuit.rows)) return {};
+  const std::vector<double> levels = levels_of(pursuit);
   std::vector<std::string> paths(levels.size() + 1);  // the last: walls
   double at = 0.0;
-  for (std::size_t i = 0; i + 1 < chase.cost_runs.size(); i += 2) {
-    const double cost = chase.cost_runs[i];
+  for (std::size_t i = 0; i + 1 < pursuit.cost_runs.size(); i += 2) {
+    const double cost = pursuit.cost_runs[i];
     const auto level = std::upper_bound(levels.begin(), levels.end(), cost) - levels.begin();
     std::string& path =
         cost < 0.0 ? paths.back() : paths[static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, level)) - 1];
-    for (double left = chase.cost_runs[i + 1]; left >= 1.0;) {
-      const double column = std::fmod(at, chase.columns), row = std::floor(at / chase.columns);
-      const double run = std::min(left, chase.columns - column);
-      const double rows = run < chase.columns ? 1.0 : std::floor(left / run);
+    for (double left = pursuit.cost_runs[i + 1]; left >= 1.0;) {
+      const double column = std::fmod(at, pursuit.columns), row = std::floor(at / pursuit.columns);
+      const double run = std::min(left, pursuit.columns - column);
+      const double rows = run < pursuit.columns ? 1.0 : std::floor(left / run);
       fmt::format_to(std::back_inserter(path), "M{:.2f} {:.2f}h{:.2f}v{:.2f}h-{:.2f}z", column * px,
-                     (chase.rows - row - rows) * px, run * px, rows * px, run * px);
+                     (pursuit.rows - row - rows) * px, run * px, rows * px, run * px);
       at += run * rows;
       left -= run * rows;
     }
@@ -166,11 +166,12 @@ Points steps(const std::vector<ReportBound>& bounds, double ReportBound::* x, do
   return points;
 }
 
-std::string charts(const ReportChase& chase, double top) {
+std::string charts(const ReportPursuit& pursuit, double top) {
   const double half = 0.5 * (width_px - 60.0);
-  const auto& bounds = chase.bounds;
+  const auto& bounds = pursuit.bounds;
   Points paid;
-  for (std::size_t s = 0; s < chase.paid.size(); ++s) paid.push_back({static_cast<double>(s), chase.paid[s]});
+  for (std::size_t s = 0; s < pursuit.paid.size(); ++s)
+    paid.push_back({static_cast<double>(s), pursuit.paid[s]});
   const double end = paid.empty() ? 0.0 : paid.back().x;
   const auto held = [&](double ReportBound::* value) {
     Points points = steps(bounds, &ReportBound::time_s, value);
@@ -192,15 +193,15 @@ std::string charts(const ReportChase& chase, double top) {
 
 }  // namespace
 
-std::string chase_picture(const Report& report, double seconds) {
-  const ReportChase& chase = *report.chase;
-  const double px = width_px / std::max(1, chase.columns);
-  const double map_height = px * chase.rows;
+std::string pursuit_picture(const Report& report, double seconds) {
+  const ReportPursuit& pursuit = *report.pursuit;
+  const double px = width_px / std::max(1, pursuit.columns);
+  const double map_height = px * pursuit.rows;
   const auto drawn = [&](const Points& way) {
     Points points;
     for (const Vec2 p : way) {
-      points.push_back({px / chase.cell_m * (p.x - report.bounds.low.x),
-                        map_height - px / chase.cell_m * (p.y - report.bounds.low.y)});
+      points.push_back({px / pursuit.cell_m * (p.x - report.bounds.low.x),
+                        map_height - px / pursuit.cell_m * (p.y - report.bounds.low.y)});
     }
     return points;
   };
@@ -209,10 +210,10 @@ std::string chase_picture(const Report& report, double seconds) {
       "height=\"{1:.0f}\" font-family=\"sans-serif\" font-size=\"13\" fill=\"#222\">\n<title>{2}</title>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fbfcfc\"/>\n<g shape-rendering=\"crispEdges\">\n",
       width_px, map_height + chart_px, markup_text(report.job + ": " + report.world_name));
-  svg += cost_map(chase, px) + "</g>\n";
-  const Points target = drawn(chase.target);
+  svg += cost_map(pursuit, px) + "</g>\n";
+  const Points target = drawn(pursuit.target);
   std::size_t longest = 1;
-  for (const auto& way : chase.robots) longest = std::max(longest, way.size());
+  for (const auto& way : pursuit.robots) longest = std::max(longest, way.size());
   const std::size_t every = (longest + most_frames - 1) / most_frames;
   const std::size_t frames = (longest + every - 1) / every + 1;
   if (!target.empty()) {
@@ -221,8 +222,8 @@ std::string chase_picture(const Report& report, double seconds) {
     svg += polyline(target, target_colour, 1.5, " stroke-dasharray=\"2 4\" opacity=\"0.7\"");
     svg += polyline(seen, target_colour, 2.5) + moving_dot(seen, frames, every, target_colour, seconds);
   }
-  for (std::size_t i = 0; i < chase.robots.size(); ++i) {
-    const Points way = drawn(chase.robots[i]);
+  for (std::size_t i = 0; i < pursuit.robots.size(); ++i) {
+    const Points way = drawn(pursuit.robots[i]);
     if (way.empty()) continue;
     const std::string_view colour = robot_colours[i % robot_colours.size()];
     svg += polyline(way, colour, 3);
@@ -231,7 +232,7 @@ std::string chase_picture(const Report& report, double seconds) {
         way.front().x, way.front().y, colour);
     svg += moving_dot(way, frames, every, colour, seconds);
   }
-  return svg + charts(chase, map_height) + "</svg>\n";
+  return svg + charts(pursuit, map_height) + "</svg>\n";
 }
 
 }  // namespace outrider
