@@ -12,8 +12,8 @@ class SimulatedLaser {
   SimulatedLaser(const World& world, const RangeFinderModel& model, const Rng& rng)
       : finder_(world, model), rng_(rng) {}
 
-  /// Returns a scan from the given pose if a rotation of the laser is complete since the last scan; else
-  /// nothing.
+  /// Returns a scan from the given pose if the next scan is due at `time_s`, else nothing. The first scan is
+  /// due at time 0.
   std::optional<LaserScan> look(const Pose2& world_T_robot, double time_s);
   [[nodiscard]] const RangeFinder& finder() const { return finder_; }
 
