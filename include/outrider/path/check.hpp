@@ -1,7 +1,7 @@
 // check: an independent verification of plans. It shares no line-of-sight code with the planners.
 //
 // On every ground it verifies that
-//  - the path begins and ends at the vertices of start and goal,
+//  - the path begins at the start and ends at the goal (on a grid: at their vertices),
 //  - the cost is the sum of the legs, to a relative error of 1e-9,
 //  - an exposure in the cost is within 1 % of the value that safety_of() proves,
 //  - the lower bound is not above the cost, and
