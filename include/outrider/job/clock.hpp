@@ -1,12 +1,12 @@
-// Clocks, for how long the machine took. What they tell is shown and never stored, and decides nothing.
+// Clocks that measure computing time. Their values are only displayed: no result depends on them.
 #pragma once
 
 namespace outrider {
 
-/// Passed on a clock that never goes back, s.
+/// Returns the time of a monotonic clock, s.
 double wall_s();
 
-/// Spent by this thread alone, s: nothing else of the program counts.
+/// Returns the processor time used by the calling thread, s.
 double processor_s();
 
 }  // namespace outrider

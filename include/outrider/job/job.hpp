@@ -1,11 +1,12 @@
-// A job as a value: all that the tool, the server, Python, a sweep or a test needs to run one.
+// Job: the description of a kind of task. It holds all that the command line tool, the server, Python, a
+// sweep or a test needs to run such a task.
 //
 //   struct Patrol : JobTask { ... };                      // its options, its inputs, its run
 //   const Job patrol{.name = "patrol", .sentence = "...", .blank = [] { return std::make_unique<Patrol>();
 //   }};
 //
-// jobs/catalog.hpp lists the jobs of Outrider, job/run_job.hpp runs one; tests/unit/job/run_job_test.cpp
-// has one of its own.
+// jobs/catalog.hpp lists the jobs of Outrider. job/run_job.hpp runs a job. tests/unit/job/run_job_test.cpp
+// defines a job outside the library.
 #pragma once
 
 #include <functional>
@@ -24,63 +25,64 @@
 
 namespace outrider {
 
-/// What was repaired in an input or left out of it, a sentence each.
+/// One sentence for each repair to an input and for each part of it that was ignored.
 using Warnings = std::vector<std::string>;
 
-/// What a run gives. Verdict, reason and metrics stand in the report.
+/// The result of a run. The report holds the status, the reason and the metrics.
 struct Run {
   Report report;                         ///< status "done", "not_done" or "cancelled"
-  std::vector<NamedContent> files = {};  ///< what else the job made, by name, such as "map.yaml"
-  std::vector<Report> parts = {};  ///< missions within the mission that have pictures of their own, by job
-  std::vector<Table> tables = {};  ///< those that are not made from the report by Job::tables
+  std::vector<NamedContent> files = {};  ///< other files that the job made, such as "map.yaml"
+  std::vector<Report> parts = {};        ///< reports of sub-missions that have their own pictures
+  std::vector<Table> tables = {};        ///< tables that Job::tables does not make from the report
 };
 
-/// One task: options first, then the inputs that they name, then a run. Thread rule: one thread.
+/// One task of a job. Set its options, then call load(), then run(). Thread rule: use each task from one
+/// thread.
 class JobTask {
  public:
   virtual ~JobTask() = default;
   JobTask(const JobTask&) = delete;
   JobTask& operator=(const JobTask&) = delete;
 
-  /// The options with their present values, the key `job` first. They point into the task.
+  /// Returns the options with their present values; the key `job` comes first. They point into the task.
   std::vector<OptionGroup> options();
 
-  /// Reads every file that the options name, and checks the options against each other. Faults: bad_input
-  /// with file and line, or the key.
+  /// Reads every file that the options name and checks that the options fit together. Faults: bad_input with
+  /// file and line, or with the key of the option.
   virtual Outcome<Warnings> load() = 0;
 
-  /// Plans and carries out; after load(). A pure function of the task, machine_times of the report left out.
-  /// A run that is stopped while its mission is under way returns what was done so far, with the status
-  /// "cancelled"; before that the fault is cancelled.
+  /// Plans the task and carries it out. Call load() first. The result is a pure function of the task, except
+  /// for Report::machine_times. A run that is stopped during its mission returns the part done, with the
+  /// status "cancelled"; if it is stopped earlier, the fault is `cancelled`.
   virtual Outcome<Run> run(const RunWatch& watch) = 0;
 
   std::string job;              ///< the value of the key `job`
-  std::set<std::string> given;  ///< keys that a scenario or a caller has set, as "seed" or "robot.radius"
+  std::set<std::string> given;  ///< keys set by a scenario or a caller, such as "seed" or "robot.radius"
 
  protected:
   explicit JobTask(std::string_view name) : job(name) {}
-  /// The options but for `job`: those of the group "" stand at the top of a scenario.
+  /// Returns all options except `job`. Options of the group "" are top-level keys of a scenario.
   virtual std::vector<OptionGroup> describe() = 0;
 };
 
-/// A row of a catalogue of jobs.
+/// A job: its name, its documentation, and functions that make a task and present its result.
 struct Job {
   std::string_view name;
-  std::string_view sentence;
-  std::string_view example = {};  ///< words of a command line after "outrider"
-  /// A task with all options at their defaults.
+  std::string_view sentence;      ///< one sentence that says what the job does
+  std::string_view example = {};  ///< arguments of an example command line, after "outrider"
+  /// Makes a task with all options at their defaults.
   std::function<std::unique_ptr<JobTask>()> blank;
-  /// The option that a file named without a flag stands for, and what it may be; empty: none.
+  /// The option that receives a file given without a flag; empty: none.
   std::string_view file_option = {};
-  std::string_view file_sentence = {};
-  /// Second names of flags: {"planner", "plan.planner"}.
+  std::string_view file_sentence = {};  ///< which files this option accepts
+  /// Alternative names of flags, such as {"planner", "plan.planner"}.
   std::vector<std::pair<std::string_view, std::string_view>> aliases = {};
-  double picture_s = 24.0;  ///< length of its moving picture
-  /// A report of this job in text that a person enjoys.
+  double picture_s = 24.0;  ///< length of the animation, s
+  /// Formats a report of this job as text for a person.
   std::function<std::string(const Report&)> summary = {};
-  /// The same of a whole run, where its report does not hold what a person wants to read.
+  /// Formats a whole run as text, for jobs whose summary needs more than the report.
   std::function<std::string(const Run&)> run_summary = {};
-  /// Its tables, such as the targets.
+  /// Makes the tables of a report, such as the table of targets.
   std::function<std::vector<Table>(const Report&)> tables = {};
 };
 

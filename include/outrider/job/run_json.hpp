@@ -1,10 +1,10 @@
-// A run as JSON: the one form of it, which the tool prints with --json and the server sends.
+// The JSON form of a run. The command line tool prints it with --json, and the server sends it.
 //
 //   {"status", "job", "reason", "metrics": {...}, the tables by their names, "files": {...}, "warnings":
 //   [...]}
 //
-// Numbers that are not known are null, counts have no decimal point. `Json` is a type with the interface of
-// nlohmann::ordered_json, so that only who asks for it needs that library.
+// Unknown numbers are null; whole numbers have no decimal point. `Json` is any type with the interface of
+// nlohmann::ordered_json, so this header does not depend on that library.
 #pragma once
 
 #include <cmath>
@@ -19,9 +19,11 @@
 
 namespace outrider {
 
-/// What stands in a folder, and where: "report", "picture", "page", and what the job made by its names.
+/// The files written for a run, as pairs of name and path. Names are "report", "picture", "page" and the
+/// names that the job gave to its own files.
 using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
 
+/// Converts a number: null if it is not finite, an integer if it is whole.
 template <class Json>
 Json number_json(double value) {
   constexpr double exact = 9e15;
@@ -61,7 +63,7 @@ Json table_value_json(const TableValue& value) {
                     value);
 }
 
-/// A list of objects, with a member for each column.
+/// Converts a table to a list of objects, one per row, with one member per column.
 template <class Json>
 Json table_json(const Table& table) {
   Json rows = Json::array();
@@ -75,7 +77,7 @@ Json table_json(const Table& table) {
   return rows;
 }
 
-/// The object above.
+/// Converts a run to the JSON object described at the top of this file.
 template <class Json>
 Json run_json(const Report& report, const std::vector<Table>& tables, const WrittenFiles& files = {}) {
   Json metrics = Json::object(), paths = Json::object();

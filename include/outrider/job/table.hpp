@@ -1,4 +1,4 @@
-// A table of a run, such as its targets: columns by name, and a value of each in every row.
+// Table: named columns and rows of values, such as the targets of a run.
 #pragma once
 
 #include <string>
@@ -9,22 +9,23 @@
 
 namespace outrider {
 
-/// A piece of a path: an arc about its centre, or a straight leg where it does not turn.
+/// A piece of a path: an arc about `centre`, or a straight leg if `turn_rad` is 0.
 struct TableArc {
   Vec2 from;
   Vec2 to;
-  Vec2 centre;            ///< of an arc
-  double turn_rad = 0.0;  ///< of an arc, counter-clockwise positive; 0 for a leg
+  Vec2 centre;            ///< centre of the arc; unused for a leg
+  double turn_rad = 0.0;  ///< angle of the arc, counter-clockwise positive; 0 for a leg
   friend bool operator==(const TableArc&, const TableArc&) = default;
 };
 
-/// A number (NaN: unknown), a text, a point, a list of points or the pieces of a path, m.
+/// A cell of a table: a number (NaN if unknown), a text, a point, a list of points or the pieces of a path.
+/// Points are in metres.
 using TableValue = std::variant<double, std::string, Vec2, std::vector<Vec2>, std::vector<TableArc>>;
 
 struct Table {
   std::string name;
-  std::vector<std::string> columns;
-  std::vector<std::vector<TableValue>> rows;  ///< each as long as `columns`
+  std::vector<std::string> columns;           ///< names of the columns
+  std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column
 };
 
 }  // namespace outrider

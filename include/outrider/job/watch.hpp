@@ -1,4 +1,4 @@
-// Who watches a run: progress, the report while it grows, and the token that stops it.
+// RunWatch: how a caller follows a run and stops it: progress, the growing report, and a stop token.
 #pragma once
 
 #include <functional>
@@ -10,46 +10,46 @@
 
 namespace outrider {
 
-/// How far a run is.
+/// The progress of a run.
 struct RunStep {
-  std::string name;   ///< what it is at
-  int number = 0;     ///< of the step, from 1
-  int steps = 1;      ///< in all
-  double part = 0.0;  ///< of the step that is done, from 0 to 1
+  std::string name;   ///< name of the present step
+  int number = 0;     ///< number of the present step, from 1
+  int steps = 1;      ///< number of steps in the run
+  double part = 0.0;  ///< completed fraction of the present step, from 0 to 1
 };
 
-/// Nothing of it changes what happens, but that a raised token ends the run.
+/// The caller's side of a run. A stop request ends the run; nothing else here changes its result.
 struct RunWatch {
   std::stop_token stop = {};
-  std::function<void(const RunStep&)> progress = {};  ///< called from the thread of the run
-  RunObserver* observer = nullptr;                    ///< sees the report while it grows
+  std::function<void(const RunStep&)> progress = {};  ///< called on the thread of the run
+  RunObserver* observer = nullptr;                    ///< receives the report while it grows; may be null
 
-  /// No limit but the token.
+  /// Returns a budget that is limited by the stop token only.
   [[nodiscard]] Budget budget() const;
   [[nodiscard]] bool stopped() const { return stop.stop_requested(); }
-  /// True when somebody looks on and wants to see the report now.
+  /// Returns true if there is an observer and it wants the report now.
   [[nodiscard]] bool wanted() const { return observer != nullptr && observer->wants(); }
-  /// Shows the report, where somebody looks on.
+  /// Passes the report to the observer, if there is one.
   void show(const Report& so_far) const {
     if (observer != nullptr) observer->see(so_far);
   }
-  /// Tells that this part of the present step is done, from 0 to 1.
+  /// Reports the completed fraction of the present step, from 0 to 1.
   void part(double done) const {
     if (progress) progress({"", 1, 1, done});
   }
 };
 
-/// Marks a report as that of a mission that was stopped at that time of its clock.
+/// Sets the status of a report to "cancelled". `time_s` is the mission time at which the mission was stopped.
 void mark_cancelled(Report& report, double time_s);
 
-/// Tells a watch of the steps of a run, in order.
+/// Reports the steps of a run to a watch, in order.
 class RunSteps {
  public:
-  /// The watch must outlive it.
+  /// The watch must outlive this object.
   RunSteps(const RunWatch& watch, int steps);
-  /// The next step begins. Fault: cancelled, when the token is raised.
+  /// Begins the next step. Fault: cancelled, if a stop was requested.
   Status next(const std::string& name);
-  /// A watch for what does the present step: the parts that it tells are of this step.
+  /// Returns a watch for the code that does the present step. Progress reported to it counts for this step.
   [[nodiscard]] RunWatch inner() const;
 
  private:

@@ -1,5 +1,5 @@
-// The catalogue of path planners. Command line, page, bench, bindings, documentation and the contract
-// tests walk it; src/path/catalog.cpp is the only list.
+// The catalogue of path planners. src/path/catalog.cpp is the only list of them; the command line tool, the
+// web page, benchmarks, bindings, documentation and contract tests all read it.
 #pragma once
 
 #include <algorithm>
@@ -15,77 +15,82 @@
 
 namespace outrider {
 
-/// The paths among which a planner claims its bound.
+/// The class of paths for which the lower bound of a planner holds.
 enum class PathClass {
-  along_moves,    ///< along the eight moves of the grid
-  any_direction,  ///< legs between vertices in any direction
-  any_curve,      ///< whatever way the disk can go over the ground
+  along_moves,    ///< paths along the eight moves of the grid
+  any_direction,  ///< paths of straight legs between vertices, in any direction
+  any_curve,      ///< all paths that the disk can drive on the ground
 };
 
-/// What a planner makes least, and counts as the cost of a plan.
+/// What a planner minimises: the cost of its plans.
 enum class Measure {
-  length,  ///< m
-  time,    ///< s
-  safety,  ///< m eq: metres of length, and those that the integral of 1 / clearance counts as
+  length,  ///< length, m
+  time,    ///< driving time, s
+  safety,  ///< length plus weighted exposure (the integral of 1 / clearance), m eq
 };
+/// Returns the unit of a measure: "m", "s" or "m eq".
 std::string_view unit_of(Measure measure);
 
-/// What a planner tells a Trace of how it found its answer.
+/// What a planner reports to a Trace while it works.
 enum class TraceKind {
-  search,  ///< each expansion, and each state when it is first put into the queue
-  tree,    ///< each point that it joined to the start, with its parent; it has no queue
-  lookup,  ///< nothing: it finds its answer in an index, without a search
+  search,  ///< each expansion, and each state when it first enters the queue
+  tree,    ///< each point that it connects to the start, with its parent; there is no queue
+  lookup,  ///< nothing: it looks the answer up in an index
 };
 std::string_view to_string(TraceKind tells);
 
-/// What a planner promises with its default options.
+/// The guarantees of a planner with its default options.
 struct Guarantee {
-  bool complete = true;                        ///< finds a path whenever the grid has one
-  PathClass among = PathClass::any_direction;  ///< the class of its paths and of its lower bound
-  double most_ratio = 1.0;  ///< cost <= most_ratio * the least of the class; infinite: none claimed
-  std::string_view sentence;
-  Measure measure = Measure::length;
+  bool complete = true;                        ///< finds a path whenever one exists on its ground
+  PathClass among = PathClass::any_direction;  ///< class of its paths and of its lower bound
+  double most_ratio = 1.0;    ///< cost <= most_ratio * least cost of the class; infinite: no guarantee
+  std::string_view sentence;  ///< the guarantee in words
+  Measure measure = Measure::length;  ///< what it minimises
 };
 
-/// A planner with an instance of its options, which `plan` reads at each call.
+/// A planner with its own set of options.
 struct ConfiguredPlanner {
-  std::vector<Option> options;
+  std::vector<Option> options;  ///< set them at any time; `plan` reads them at each call
   std::function<Outcome<Plan>(const Problem&, const Budget&, Workspace&)> plan;
-  /// From the start to each of the goals in one search; empty for planners that take one at a time.
+  /// Plans from the start to each of several goals in one search. Empty if the planner has no such search.
   std::function<std::vector<Outcome<Plan>>(const Problem&, const std::vector<Vec2>& goals, const Budget&,
                                            Workspace&)>
       plan_many = nullptr;
 };
 
-/// From the start of the problem to each of the goals: in one search, or one after another.
+/// Plans from the start of the problem to each of the goals, in one search if the planner has one, otherwise
+/// one goal after another.
 std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Problem& problem,
                                      const std::vector<Vec2>& goals, const Budget& budget,
                                      Workspace& workspace);
 
+/// A planner in the catalogue.
 struct PathPlanner {
   std::string_view name;
-  std::string_view sentence;
-  std::string_view paper;
-  Guarantee guarantee;
-  std::function<ConfiguredPlanner()> configure;
-  std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< grids; others are bad_input
-  bool index = false;     ///< builds something that outlasts the first query on a ground, for the next ones
-  bool polygons = false;  ///< takes polygons as its ground
-  TraceKind tells = TraceKind::search;
+  std::string_view sentence;                     ///< one sentence that says what the planner does
+  std::string_view paper;                        ///< source of the algorithm
+  Guarantee guarantee;                           ///< with the default options
+  std::function<ConfiguredPlanner()> configure;  ///< makes a planner with default options
+  std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< accepted grid models
+  bool index = false;                   ///< builds an index at the first query on a ground and reuses it
+  bool polygons = false;                ///< accepts polygons as ground
+  TraceKind tells = TraceKind::search;  ///< what it reports to a Trace
 
+  /// Returns true if the planner accepts grids of that model; it refuses others with bad_input.
   [[nodiscard]] bool takes(GridModel model) const {
     return std::find(models.begin(), models.end(), model) != models.end();
   }
 };
 
-/// All of them, in the order of showing.
+/// Returns all path planners, in the order of display.
 const std::vector<PathPlanner>& path_planners();
 
-/// Fault: bad_input with the nearest known name.
+/// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<PathPlanner> find_path_planner(std::string_view name);
 
-/// The path by the planner of that name, with its default options and fresh memory. For many questions keep
-/// a ConfiguredPlanner and a Workspace. Faults: those of the planner; bad_input on an unknown name.
+/// Plans a path with the planner of that name, its default options and a new workspace. For many queries,
+/// keep a ConfiguredPlanner and a Workspace instead. Faults: those of the planner; bad_input for an unknown
+/// name.
 Outcome<Plan> plan_path(const Problem& problem, std::string_view planner, const Budget& budget = {});
 
 }  // namespace outrider

@@ -1,11 +1,11 @@
-// A grid from polygons, for a disk robot.
+// Makes a grid for a disk robot from polygons, like from_world.hpp.
 //
-// As from_world.hpp: a cell is free when every point of its closed square is at least the radius away
-// from every edge and outside all solid ground, by exact distances between square and edge. So every path
-// on the grid, in both models, is free of collision for the disk, and a way with more clearance than
-// radius + sqrt(2) resolution runs through free cells only. The grid spans the boundary; its origin is
-// the lowest corner of the boundary's box. O(cells near edges + cells log n). Fault: bad_input on a
-// resolution that makes no grid, or one of more cells than the cap.
+// A cell is free if every point of its closed square is at least the radius away from every edge and outside
+// all solid ground. The distance between square and edge is exact. So every path on the grid, in both grid
+// models, is collision-free for the disk, and a path with more clearance than radius + sqrt(2) resolution
+// uses only free cells. The grid covers the boundary; its origin is the lowest corner of the boundary's
+// bounding box. O(cells near edges + cells log n). Fault: bad_input if the resolution makes no grid or more
+// cells than `most_cells`.
 #pragma once
 
 #include "outrider/path/from_world.hpp"
@@ -13,7 +13,7 @@
 
 namespace outrider {
 
-/// 1 where the centre of the disk must not be.
+/// Returns a grid with 1 in each blocked cell and 0 in each free cell.
 Outcome<Grid<std::uint8_t>> blocked_for_disk(const PolygonGround& ground, const GridOptions& options);
 
 }  // namespace outrider

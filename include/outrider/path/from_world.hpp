@@ -1,14 +1,13 @@
-// A grid from the exact shapes of a world, for a disk robot.
+// Makes a grid for a disk robot from the exact shapes of a world.
 //
-// A cell is free when every point of its closed square is at least the radius away from every obstacle
-// and from the edge of the bounds, by the exact distance between square and obstacle. Every point of a
-// legal leg lies in a closed free cell, so every path on the grid, in both models, is free of collision
-// for the disk; so is the straight way from any point of a free cell to the cell's centre. Nothing is
-// lost beyond the resolution: a blocked cell has a point no farther than the radius, so all of it lies
-// within radius + sqrt(2) resolution of an obstacle, and a way with more clearance than that runs
-// through free cells only. Derivation: docs/planners/grid-from-world.md.
-// O(cells near obstacles). Fault: bad_input on numbers that make no grid, or one of more cells than
-// the cap.
+// A cell is free if every point of its closed square is at least the radius away from every obstacle and from
+// the edge of the bounds. The distance between square and obstacle is exact.
+// Sound: every point of a legal leg lies in a closed free cell, so every path on the grid, in both grid
+// models, is collision-free for the disk. So is the straight line from any point of a free cell to its
+// centre. Complete up to the resolution: a blocked cell has a point within the radius of an obstacle, so the
+// whole cell lies within radius + sqrt(2) resolution of it. A path with more clearance than that uses only
+// free cells. Derivation: docs/planners/grid-from-world.md. O(cells near obstacles). Fault: bad_input if the
+// numbers make no grid or more cells than `most_cells`.
 #pragma once
 
 #include "outrider/core/options.hpp"
@@ -17,17 +16,18 @@
 
 namespace outrider {
 
+/// Options of a grid.
 struct GridOptions {
-  double resolution_m = 0.1;
-  std::int64_t most_cells = std::int64_t{1} << 24U;
+  double resolution_m = 0.1;                         ///< side of a cell
+  std::int64_t most_cells = std::int64_t{1} << 24U;  ///< largest number of cells; more are refused
 };
 std::vector<Option> describe(GridOptions& options);
 
-/// 1 where the centre of a disk of that radius must not be, cell by cell as above.
+/// Returns a grid with 1 in each blocked cell, as defined above, and 0 in each free cell.
 Outcome<Grid<std::uint8_t>> blocked_for_disk(const CollisionMap& ground, double radius_m,
                                              const GridOptions& options);
 
-/// The same prepared for searching.
+/// Returns the grid as a GridMap, for use in a Problem.
 Outcome<GridMap> grid_from_world(const CollisionMap& ground, double radius_m, GridModel model,
                                  const GridOptions& options);
 

@@ -8,18 +8,19 @@
 
 namespace outrider {
 
-/// Headings in which a piece begins and ends, rad.
+/// Return the heading at the beginning and at the end of a piece, rad.
 double heading_in(const PathPiece& piece);
 double heading_out(const PathPiece& piece);
 
-/// The piece driven the other way.
+/// Returns the piece in the opposite direction.
 PathPiece reversed(const PathPiece& piece);
 
-/// Of a drive along the piece: on an arc no faster than the body can turn.
+/// Returns the limits of speed and acceleration along the piece. On an arc the turn rate of the robot limits
+/// the speed.
 Limits limits_on(const PathPiece& piece, const Pace& pace);
 
-/// Points along pieces, the first of which begins at the start, and each other where the one before ends: the
-/// ends, and on arcs points that turn by at most `step_rad`.
+/// Returns points along consecutive pieces: the start, the ends of the pieces, and on arcs points at most
+/// `step_rad` apart. The first piece must begin at `start`, every other piece at the end of the previous one.
 std::vector<Vec2> points_along(Vec2 start, const std::vector<PathPiece>& pieces, double step_rad);
 
 }  // namespace outrider

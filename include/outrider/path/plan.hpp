@@ -1,4 +1,4 @@
-// Plan: what a path planner answers.
+// Plan: the output of a path planner.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace outrider {
 
-/// Work done, in numbers that repeat exactly.
+/// Counts of the work done by a planner. They are the same in every run.
 struct PlanCounters {
-  std::uint64_t expansions = 0;
-  std::uint64_t generated = 0;  ///< neighbours looked at
-  std::uint64_t line_of_sight_checks = 0;
+  std::uint64_t expansions = 0;            ///< expanded states
+  std::uint64_t generated = 0;             ///< neighbours considered
+  std::uint64_t line_of_sight_checks = 0;  ///< lines of sight tested
   friend bool operator==(const PlanCounters&, const PlanCounters&) = default;
 };
 
@@ -21,45 +21,48 @@ struct PlanCounters {
 struct PathPiece {
   Vec2 from;
   Vec2 to;
-  Vec2 centre;            ///< of an arc
-  double turn_rad = 0.0;  ///< of an arc, counter-clockwise positive; 0 for a leg
+  Vec2 centre;            ///< centre of the arc; unused for a leg
+  double turn_rad = 0.0;  ///< angle of the arc, counter-clockwise positive; 0 for a leg
   friend bool operator==(const PathPiece&, const PathPiece&) = default;
 };
 
-/// Length of a piece, m.
+/// Returns the length of a piece, m.
 double length_of(const PathPiece& piece);
 
-/// Angle between the direction in which a piece ends and the one in which the next begins, rad, 0 to pi.
+/// Returns the angle between the final direction of a piece and the initial direction of the next, rad, from
+/// 0 to pi.
 double turn_between(const PathPiece& piece, const PathPiece& next);
 
-/// What cost counts: the length alone, m, unless a planner of least time or of safe paths gives its prices.
+/// The weights of the cost of a path. By default the cost is the length, m. Planners of fastest paths and of
+/// safe paths set other weights.
 struct CostWeights {
-  double per_m = 1.0;
-  double per_rad = 0.0;               ///< of turning, in place or along an arc
-  std::optional<double> heading_rad;  ///< before the first leg; without one the first turn is free
-  double per_exposure_m = 0.0;        ///< of the integral of 1 / clearance along the path
+  double per_m = 1.0;                 ///< cost per metre
+  double per_rad = 0.0;               ///< cost per radian of turning, in place or along an arc
+  std::optional<double> heading_rad;  ///< initial heading; if unset, the first turn costs nothing
+  double per_exposure_m = 0.0;        ///< cost per unit of exposure, the integral of 1 / clearance
   friend bool operator==(const CostWeights&, const CostWeights&) = default;
 };
 
+/// A path with its cost and a proven lower bound.
 struct Plan {
-  std::vector<Vec2> waypoints;  ///< from the start's vertex to the goal's, where the path turns, m
-  std::vector<Cell> vertices;   ///< the same as vertices of the grid; none on polygons
-  double cost = 0.0;            ///< of the path at its fare: its length, m, or its time, s
-  double lower_bound = 0.0;     ///< proven: no path of the planner's class costs less
-  double reached_within = 0.0;  ///< from the last waypoint to the goal that was asked for, m
-  PlanCounters counters;
-  std::vector<PathPiece> pieces;  ///< the path itself on polygons; none on a grid, where the waypoints are it
-  double waypoint_error_m = 0.0;  ///< no point of the legs between waypoints is farther from the pieces
-  CostWeights fare;
-  double exposure =
-      0.0;  ///< the integral of 1 / clearance as the planner counts it, where the fare prices it
+  std::vector<Vec2> waypoints;    ///< start, points where the path turns, and goal, m
+  std::vector<Cell> vertices;     ///< the waypoints as vertices of the grid; empty on polygons
+  double cost = 0.0;              ///< cost of the path under `fare`: its length, m, or its time, s
+  double lower_bound = 0.0;       ///< proven: no path of the planner's class costs less
+  double reached_within = 0.0;    ///< distance from the last waypoint to the requested goal, m
+  PlanCounters counters;          ///< work done
+  std::vector<PathPiece> pieces;  ///< on polygons: the exact path; empty on a grid, where legs join waypoints
+  double waypoint_error_m = 0.0;  ///< largest distance of the legs between waypoints from the pieces
+  CostWeights fare;               ///< weights of the cost
+  double exposure = 0.0;          ///< exposure as the planner counts it, if `fare` has a weight for it
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// Length of the path, m: of its pieces, or between its waypoints where it has none.
+/// Returns the length of the path, m: of its pieces, or of the legs between its waypoints if it has no
+/// pieces.
 double length_of(const Plan& plan);
 
-/// The plan along those vertices: waypoints where the direction changes, cost and bound as given.
+/// Makes a plan from vertices. Its waypoints are the vertices at which the direction changes.
 Plan plan_along(const Problem& problem, const std::vector<Cell>& vertices, double cost, double lower_bound,
                 const PlanCounters& counters);
 

@@ -1,7 +1,7 @@
-// Problem: what a path planner is asked, a way over known ground from a start to a goal.
+// Problem: the input of a path planner: known ground, a start and a goal.
 //
-// The ground is a grid or polygons: one of the pointers is set. A planner takes the one it works on
-// through a query such as grid_query(), and refuses the others in a sentence.
+// The ground is a grid or a set of polygons: one of the two pointers is set. A planner gets the ground that
+// it works on through a query such as grid_query(), which refuses the other kind with a message.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,29 @@
 
 namespace outrider {
 
+/// A path planning problem.
 struct Problem {
-  std::shared_ptr<const GridMap> grid;
-  Vec2 start;  ///< m
-  Vec2 goal;   ///< m
-  std::shared_ptr<const PolygonGround> polygons = nullptr;
+  std::shared_ptr<const GridMap> grid;                      ///< the ground as a grid, or null
+  Vec2 start;                                               ///< m
+  Vec2 goal;                                                ///< m
+  std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< the ground as polygons, or null
 };
 
-/// The same question in vertices of the grid.
+/// A problem on a grid, with start and goal as vertices of the grid.
 struct GridQuery {
   const GridMap& ground;
   Cell start;
   Cell goal;
 };
 
-/// Start and goal are moved to the vertex of their cell, or to the nearest corner. Faults: bad_input
-/// without a grid; outside_map; start_blocked; goal_blocked.
+/// Converts a problem on a grid. Start and goal move to the vertex of their cell, or to the nearest corner,
+/// depending on the grid model. Faults: bad_input if the problem has no grid; outside_map; start_blocked;
+/// goal_blocked.
 Outcome<GridQuery> grid_query(const Problem& problem);
 
-/// The polygons, once start and goal are known to be free for the disk. Faults: bad_input without
-/// polygons; outside_map; start_blocked; goal_blocked, with the distance.
+/// Returns the polygons of the problem after checking that the disk of the robot fits at start and goal.
+/// Faults: bad_input if the problem has no polygons; outside_map; start_blocked and goal_blocked, with the
+/// distance to the nearest edge.
 Outcome<std::shared_ptr<const PolygonGround>> polygon_query(const Problem& problem);
 
 }  // namespace outrider

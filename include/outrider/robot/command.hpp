@@ -1,5 +1,5 @@
-// Command: what a mission asks of a robot. The set is closed: a robot carries out those for which it has the
-// devices, and ignores the rest.
+// Command: what a mission tells a robot to do next. The set of commands is closed. A robot carries out the
+// commands for which it has the devices and ignores the others.
 #pragma once
 
 #include <cstddef>
@@ -17,56 +17,57 @@
 
 namespace outrider {
 
-/// A shot from a robot that drives: turn the barrel there while driving, from the beginning of the straight
-/// or from the shot before on it, and shoot at that moment.
+/// A shot fired while the robot drives along a straight leg. The barrel starts to turn at the beginning of
+/// the leg, or after the previous shot on this leg; the gun fires `after_s` after the leg began.
 struct FireInPassing {
-  std::size_t target = 0;
-  std::size_t leg = 0;   ///< the straight to this waypoint
-  double after_s = 0.0;  ///< since the straight began
-  Shot shot;             ///< of the barrel; the ball has the velocity of the robot as well
+  std::size_t target = 0;  ///< index of the target
+  std::size_t leg = 0;     ///< index of the waypoint at which the leg ends
+  double after_s = 0.0;    ///< time of the shot, counted from the beginning of the leg, s
+  Shot shot;               ///< barrel direction and muzzle speed; the velocity of the robot is added
 };
 
-/// Turn towards each waypoint in place, drive straight to it, come to rest at the last.
+/// Drive along waypoints: turn in place towards the next one, drive straight to it and stop, until the last.
 struct FollowWaypoints {
-  std::vector<Vec2> waypoints;            ///< the first is where the robot stands
-  bool until_arrival = false;             ///< end at the next waypoint once somebody has entered
-  std::vector<FireInPassing> shots = {};  ///< in order; the command ends when their balls have landed
+  std::vector<Vec2> waypoints;            ///< the first is the present position of the robot
+  bool until_arrival = false;             ///< stop at the next waypoint once an intruder enters
+  std::vector<FireInPassing> shots = {};  ///< in order of time; the command ends when all balls have landed
 };
-/// Turn in place to where the piece begins, stand for the pause, drive along it from rest to rest.
+/// Drive along one piece of a path: turn in place to its initial heading, wait for the pause, then drive
+/// along the piece from rest to rest.
 struct FollowPiece {
   PathPiece piece;
-  std::optional<PathPiece> next = {};  ///< the piece after it, if there is one
-  double pause_s = 0.0;
+  std::optional<PathPiece> next = {};  ///< the following piece, if there is one
+  double pause_s = 0.0;                ///< waiting time before the drive, s
 };
-/// Keep a twist until then, when the robot senses again.
+/// Drive with a constant twist until `until_s`; then the robot senses again.
 struct DriveTwist {
   Twist2 twist;
   double until_s = 0.0;
 };
-/// Keep wheel speeds until then, when the robot senses again.
+/// Drive with constant wheel speeds until `until_s`; then the robot senses again.
 struct DriveWheels {
   WheelSpeeds4 wheels{};
   double until_s = 0.0;
 };
-/// Stand still until that time, or until somebody enters.
+/// Stand still until `until_s`, or until an intruder enters.
 struct Wait {
   double until_s = 0.0;  ///< may be infinite
 };
-/// Bring the barrel to a yaw in the world and a pitch.
+/// Turn the barrel to a yaw in the world frame and a pitch.
 struct AimGun {
   double yaw_rad = 0.0;
   double pitch_rad = 0.0;
 };
-/// Shoot along the barrel.
+/// Fire along the present direction of the barrel.
 struct Fire {
-  std::size_t target = 0;
+  std::size_t target = 0;  ///< index of the target
   Shot shot;
 };
-/// Fill a store to the brim at the station where the robot stands.
+/// Fill a store completely at the station where the robot stands.
 struct Fill {
   StationCall call;
 };
-/// Let a second pass in which one robot of a team goes to a neighbouring cell, or stays.
+/// Move one robot of a team to a neighbouring cell, or let it stay. The step takes one second.
 struct StepToCell {
   std::size_t robot = 0;
   Cell cell;

@@ -1,4 +1,5 @@
-// Mission: a value that makes a command of each observation; and the one loop that runs it.
+// Mission: a state machine that answers each observation with a command; run_mission() is the loop that runs
+// it on a robot.
 #pragma once
 
 #include <concepts>
@@ -9,16 +10,17 @@
 
 namespace outrider {
 
-/// step() returns the next command, or nothing when the mission is over. It changes the mission only.
+/// A type with `step(observation)`, which returns the next command, or nothing when the mission is over.
+/// step() has no effect outside the mission object.
 template <class M>
 concept Mission = requires(M& mission, const Observation& seen) {
   { mission.step(seen) } -> std::same_as<std::optional<Command>>;
 };
 
-/// Runs a mission on a robot: sense, step, note, act, until the mission gives no command. `note(seen,
-/// command)` is called after each step, also after the last one, with a null pointer for its command; it
-/// records and shows, and changes nothing. Returns false when the stop token ended the run: then the command
-/// of the last step was not carried out.
+/// Runs a mission on a robot. The loop senses, steps the mission, calls `note` and acts, until the mission
+/// returns no command. `note(seen, command)` is for recording and display and must not change anything; it
+/// is called after every step, and after the last one `command` is null.
+/// Returns false if the stop token ended the run; the command of the last step was not carried out then.
 template <Mission M, class Note>
 bool run_mission(M& mission, Robot& robot, const std::stop_token& stop, const Note& note) {
   for (;;) {

@@ -1,8 +1,8 @@
-// Observation: what a robot tells a mission. It always has a time and odometry; each device that the robot
-// carries adds its part.
+// Observation: the sensor data that a robot gives to a mission. An observation always has a time and
+// odometry; each device of the robot adds its own part.
 //
-// Units: m, s, rad, J. Frames: odometry is odom_T_robot; the odometry frame is the robot's start, or the
-// world where the robot is localised.
+// Units: m, s, rad, J. Frames: odometry is odom_T_robot. The odometry frame is the start pose of the robot,
+// or the world frame if the robot is localised.
 #pragma once
 
 #include <cstddef>
@@ -17,73 +17,75 @@
 
 namespace outrider {
 
-/// The newest image of a tag camera. An image without tags counts, too.
+/// The tags detected in one image of a tag camera; there may be none.
 struct TagImage {
-  double taken_s = 0.0;
+  double taken_s = 0.0;  ///< time of exposure
   std::vector<TagSighting> sightings;
 };
 
-/// How the gun points, relative to the body.
+/// Joint angles of the gun, relative to the robot body.
 struct GunState {
   double yaw_rad = 0.0;
   double pitch_rad = 0.0;
 };
 
-/// What became of a shot.
+/// The outcome of one shot.
 struct ShotResult {
-  std::size_t target = 0;
+  std::size_t target = 0;  ///< index of the target that was shot at
   bool hit = false;
-  double landed_s = 0.0;
+  double landed_s = 0.0;  ///< time at which the flight of the ball ended
 };
 
-/// How full the stores are; infinite for a store that never runs out.
+/// Levels of the water tank and the battery. The level of an unlimited store is infinite.
 struct StoreLevels {
-  double water = std::numeric_limits<double>::infinity();
-  double charge_j = std::numeric_limits<double>::infinity();
+  double water = std::numeric_limits<double>::infinity();     ///< in the unit of the tank (supplies.hpp)
+  double charge_j = std::numeric_limits<double>::infinity();  ///< charge of the battery, J
 };
 
-/// An intruder that walks to a place: it has just entered, or it was hit and stays in the yard.
+/// Reports that an intruder walks to a place: it has just entered the yard, or it survived a hit and moves.
 struct TargetArrival {
-  std::size_t target = 0;
-  double settles_s = 0.0;  ///< when it is there
-  std::size_t place = 0;
+  std::size_t target = 0;  ///< index of the intruder
+  double settles_s = 0.0;  ///< time at which the intruder reaches the place
+  std::size_t place = 0;   ///< index of the place
 };
 
-/// Where a target was seen.
+/// One observed position of a target.
 struct TargetObservation {
   std::size_t target = 0;
   double time_s = 0.0;
   Vec2 position;  ///< in the odometry frame
 };
 
-/// What a detector of targets tells.
+/// The output of a target detector since the previous observation.
 struct TargetReport {
-  std::vector<TargetArrival> arrivals = {};  ///< since the observation before
-  std::vector<TargetObservation> seen = {};  ///< since then, in the order of time
-  bool more_to_come = false;                 ///< somebody may still enter
+  std::vector<TargetArrival> arrivals = {};  ///< intruders that entered or moved on
+  std::vector<TargetObservation> seen = {};  ///< observed positions, in the order of time
+  bool more_to_come = false;                 ///< more intruders may still enter
 };
 
-/// A robot team on a grid that pursues a target, one cell a second.
+/// The state of a robot team that pursues a target on a grid. Robots and target move one cell per second.
 struct GridObservation {
-  std::vector<Cell> robots;
-  std::vector<Cell> target;  ///< of seconds that are newly known since the observation before, from 0 on
+  std::vector<Cell> robots;  ///< present cell of each robot
+  /// Cells of the target's path that became known since the previous observation, one per second. The first
+  /// observation begins with second 0.
+  std::vector<Cell> target;
 };
 
 struct Observation {
   double time_s = 0.0;
-  Pose2 odometry;                            ///< odom_T_robot; the heading need not be wrapped
-  std::optional<Pose2> motion = {};          ///< previous_T_robot, where odometry comes in pieces (logs)
-  bool touching = false;                     ///< the bumper was pressed since the observation before
-  std::optional<LaserScan> scan = {};        ///< taken since the observation before
-  std::optional<TagImage> image = {};        ///< the newest one, also when it was seen before
-  std::optional<GunState> gun = {};          ///< where there is a gun
-  std::vector<ShotResult> shots = {};        ///< that landed since the observation before
-  std::optional<StoreLevels> stores = {};    ///< where stores can run out
-  std::optional<TargetReport> targets = {};  ///< where there is a detector of targets
-  std::optional<GridObservation> grid = {};  ///< of a team on a grid
+  Pose2 odometry;                            ///< odom_T_robot; the heading may exceed +-pi
+  std::optional<Pose2> motion = {};          ///< previous_T_robot, for logs with incremental odometry
+  bool touching = false;                     ///< the bumper was pressed since the previous observation
+  std::optional<LaserScan> scan = {};        ///< scan taken since the previous observation
+  std::optional<TagImage> image = {};        ///< newest image, even if an earlier observation had it already
+  std::optional<GunState> gun = {};          ///< set if the robot has a gun
+  std::vector<ShotResult> shots = {};        ///< shots that ended since the previous observation
+  std::optional<StoreLevels> stores = {};    ///< set if water or charge is limited
+  std::optional<TargetReport> targets = {};  ///< set if the robot has a target detector
+  std::optional<GridObservation> grid = {};  ///< set for a team on a grid
 };
 
-/// The result of a shot at a target; null where none landed.
+/// Returns the result of the shot at `target`, or null if no shot at it ended since the previous observation.
 inline const ShotResult* result_of(const Observation& seen, std::size_t target) {
   for (const ShotResult& shot : seen.shots) {
     if (shot.target == target) return &shot;

@@ -1,4 +1,4 @@
-// RecordedRobot: a recording behind the port.
+// RecordedRobot: a Robot that replays recorded observations.
 #pragma once
 
 #include <utility>
@@ -12,10 +12,11 @@ class RecordedRobot final : public Robot {
  public:
   explicit RecordedRobot(std::vector<Observation> records) : records_(std::move(records)) {}
 
-  /// The present record; after the last one nothing but its time and odometry.
+  /// Returns the present record. After the end of the recording, returns only the time and the odometry of
+  /// the last record.
   Observation sense() override;
-  /// Goes on to the next record, whatever the command: the robot did what it did. Missions that only listen
-  /// command it to Wait.
+  /// Advances to the next record. The command has no effect, because the recorded motion is fixed. Missions
+  /// that only process sensor data send Wait.
   void act(const Command&) override { ++present_; }
 
  private:

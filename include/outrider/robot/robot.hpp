@@ -1,4 +1,5 @@
-// Robot: the port behind which a simulator, a recording, a bridge or hardware does what a mission commands.
+// Robot: the interface between a mission and what carries it out: a simulator, a recording, a bridge to
+// another system, or hardware.
 #pragma once
 
 #include "outrider/robot/command.hpp"
@@ -6,13 +7,13 @@
 
 namespace outrider {
 
-/// Thread rule: one thread.
+/// A robot that senses and acts. Thread rule: use each robot from one thread.
 class Robot {
  public:
   virtual ~Robot() = default;
-  /// What is known now. What happened since the observation before is told once.
+  /// Returns the present observation. Each event since the previous observation is reported once.
   virtual Observation sense() = 0;
-  /// Returns when the command is carried out.
+  /// Carries out the command and returns when it is done.
   virtual void act(const Command& command) = 0;
 
  protected:

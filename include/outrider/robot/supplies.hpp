@@ -1,7 +1,7 @@
-// Supplies: the water and the charge that a guard robot carries, and the stations that fill them up.
+// Supplies: the water tank and the battery of a guard robot, and the stations that fill them.
 //
-// Both are full at the start. The model of what is used and of how a station fills is that of
-// tour/supply.hpp; plans leave `reserve` of the battery untouched for what goes otherwise than planned.
+// Both stores are full at the start. tour/supply.hpp defines how they are used and filled. Plans never use
+// the fraction `reserve` of the battery; it is left for deviations from the plan.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 
 namespace outrider {
 
+/// A place where the robot can fill its tank, its battery or both.
 struct Station {
   std::string name;
   Vec2 position;
@@ -25,27 +26,29 @@ struct Station {
 };
 
 struct Supplies {
-  double tank = 0.0;        ///< that it holds, in litres, or in shots where a shot takes 1; 0: no end
-  double shot_water = 1.0;  ///< of a shot, in the unit of the tank
-  double battery_wh = 0.0;  ///< 0: no end
-  double reserve = 0.1;     ///< part of the battery that plans leave
-  double drive_jpm = 40.0;  ///< for each metre driven
-  double power_w = 15.0;    ///< all the time
-  double shot_j = 20.0;     ///< for each shot
-  double refill_s = 10.0;   ///< of a refill, whatever the level
-  double refill_per_unit_s = 0.0;
-  double recharge_s = 10.0;  ///< of a recharge, whatever the level
-  double recharge_per_wh_s = 0.0;
-  std::string stations_text;      ///< name=x,y,water or charge or both, with blanks between
-  std::vector<Station> stations;  ///< of the text, once loaded
+  double tank = 0.0;               ///< capacity in litres, or in shots if shot_water is 1; 0: unlimited
+  double shot_water = 1.0;         ///< water per shot, in the unit of the tank
+  double battery_wh = 0.0;         ///< capacity, Wh; 0: unlimited
+  double reserve = 0.1;            ///< fraction of the battery that plans do not use
+  double drive_jpm = 40.0;         ///< energy per metre driven, J/m
+  double power_w = 15.0;           ///< constant power draw, W
+  double shot_j = 20.0;            ///< energy per shot, J
+  double refill_s = 10.0;          ///< fixed time of a refill with water
+  double refill_per_unit_s = 0.0;  ///< additional time per unit of water
+  double recharge_s = 10.0;        ///< fixed time of a recharge
+  double recharge_per_wh_s = 0.0;  ///< additional time per Wh
+  std::string stations_text;       ///< name=x,y,kind with kind water, charge or both; separated by blanks
+  std::vector<Station> stations;   ///< parsed from the text when the scenario is loaded
 
-  /// False where nothing ends: then the rest counts for nothing.
+  /// Returns true if a store is limited. Otherwise the other members have no effect.
   [[nodiscard]] bool any() const { return tank > 0.0 || battery_wh > 0.0; }
+  /// Returns true if the store is limited.
   [[nodiscard]] bool ends(Store store) const { return store == Store::water ? tank > 0.0 : battery_wh > 0.0; }
-  /// What is there when full, J for charge; infinite without an end.
+  /// Returns the capacity of a store, J for charge; infinite if the store is unlimited.
   [[nodiscard]] double full(Store store) const;
+  /// Returns the time to add `missing` to a store, s.
   [[nodiscard]] double filling_s(Store store, double missing) const;
-  /// J of that time and that way, without shots.
+  /// Returns the energy used in `seconds` with `metres` driven, without shots, J.
   [[nodiscard]] double charge_of(double seconds, double metres) const {
     return power_w * seconds + drive_jpm * metres;
   }
@@ -53,9 +56,9 @@ struct Supplies {
 
 std::vector<Option> describe(Supplies& supplies);
 
-/// A fill that a plan or a mission calls for.
+/// A stop at a station to fill one store.
 struct StationCall {
-  std::size_t station = 0;  ///< index in the supplies
+  std::size_t station = 0;  ///< index in Supplies::stations
   Store store = Store::water;
   friend bool operator==(const StationCall&, const StationCall&) = default;
 };

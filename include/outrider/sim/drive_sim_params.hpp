@@ -1,5 +1,4 @@
-// DriveSimParams: what the wheels, the link and the camera of a simulated robot do wrong, and what befalls
-// it.
+// DriveSimParams: faults of the wheels, the radio link and the camera of a simulated robot, and a kidnapping.
 #pragma once
 
 #include <vector>
@@ -9,27 +8,28 @@
 
 namespace outrider {
 
-/// How badly a camera sees tags.
+/// Faults of a tag camera.
 struct TagSightFaults {
-  double corner_sigma_px = 0.2;  ///< of a corner, where images are not rendered
-  double missed = 0.02;          ///< part of the tags in view that are not detected there
-  double blind_from_s = 1e9;     ///< from then on nothing is seen
+  double corner_sigma_px = 0.2;  ///< standard deviation of a detected corner; used without rendered images
+  double missed = 0.02;          ///< fraction of visible tags not detected; used without rendered images
+  double blind_from_s = 1e9;     ///< time at which the camera fails; it sees nothing afterwards
 };
 
-/// Somebody puts the robot elsewhere.
+/// A kidnapping: somebody lifts the robot and puts it down elsewhere.
 struct Kidnapping {
-  double at_s = 1e9;
-  double by_m = 0.8;    ///< so far to its left,
-  double by_rad = 0.8;  ///< and turned by so much
+  double at_s = 1e9;    ///< time of the kidnapping
+  double by_m = 0.8;    ///< displacement to the left of the robot
+  double by_rad = 0.8;  ///< change of heading
 };
 
+/// What goes wrong while a simulated robot drives.
 struct DriveSimParams {
-  WheelFaults wheels;
-  LinkFaults link;
-  TagSightFaults sight;
-  Kidnapping kidnapping;
+  WheelFaults wheels;     ///< errors between commanded and true wheel speeds
+  LinkFaults link;        ///< faults of the link that carries the commands
+  TagSightFaults sight;   ///< faults of the camera
+  Kidnapping kidnapping;  ///< none by default
 };
-/// All but the link.
+/// Returns the options of all members except the link.
 std::vector<Option> describe(DriveSimParams& params);
 
 }  // namespace outrider

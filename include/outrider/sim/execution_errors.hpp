@@ -1,4 +1,4 @@
-// ExecutionErrors: how far what a simulated gun robot does is off what it was told.
+// ExecutionErrors: the errors with which a simulated gun robot carries out its commands.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace outrider {
 
-/// The largest errors; each true error is drawn uniformly within them.
+/// Bounds on the errors. Each true error is drawn uniformly within its bound.
 struct ExecutionErrors {
-  double position_m = 0.1;     ///< of the place where a drive ends
-  double heading_rad = 0.005;  ///< of the heading there
-  AimErrors aim;               ///< of the gun's joints and of the muzzle speed
-  double timing_s = 0.02;      ///< of the moment at which a shot leaves a robot that drives
+  double position_m = 0.1;     ///< distance between the commanded and the true end of a drive
+  double heading_rad = 0.005;  ///< error of the heading at the end of a drive
+  AimErrors aim;               ///< errors of the gun's joints and of the muzzle speed
+  double timing_s = 0.02;      ///< error of the firing time of a shot from a moving robot
 };
 std::vector<Option> describe(ExecutionErrors& errors);
 
-/// Uniform in the disk of that radius.
+/// Draws a vector uniformly from the disk of that radius.
 Vec2 in_disk(Rng& rng, double radius_m);
 
-/// Where a drive over these waypoints ends when it should end `error` off the last one: there, or nearer to
-/// it where an obstacle would have stopped the disk. On a slope (of the rules' terrain) the error lies on the
-/// surface.
+/// Returns where a drive along the waypoints ends: `error` away from the last waypoint, or less if an
+/// obstacle would stop the disk. On the terrain of the rules, the error is measured on the sloped surface.
 Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
                   const ShotRules& rules, Vec2 error);
 
-/// The shot as it leaves the gun when that one was meant: both joints and the speed are off.
+/// Returns the shot that the gun really fires if `meant` is commanded. Draws the errors of both joints and of
+/// the muzzle speed.
 Shot strayed(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance = {});
 
 }  // namespace outrider

@@ -1,5 +1,4 @@
-// ExplorerSimParams: what the wheels and the range finder of an exploring robot are like, and what they do
-// wrong.
+// ExplorerSimParams: properties and errors of the wheels and the range finder of an exploring robot.
 //
 // The defaults are those of a TurtleBot3 burger. Source: ROBOTIS e-Manual, TurtleBot3 features, LDS-01.
 #pragma once
@@ -12,29 +11,31 @@
 
 namespace outrider {
 
-/// A laser that turns about the vertical; each scan is of one instant.
+/// A laser scanner that rotates about a vertical axis. All beams of a scan are measured at the same instant.
 struct RangeFinderModel {
-  std::int64_t beams = 360;  ///< equally far apart over the whole turn, the first ahead
-  double rate_hz = 5.0;
-  double least_m = 0.12;  ///< what is nearer gives no reading
-  double most_m = 3.5;    ///< what is farther is not seen
-  double noise_m = 0.01;  ///< of a range, standard deviation
-  double missed = 0.0;    ///< part of the beams that give no reading
-  double height_m = 0.18;
-  Pose2 robot_T_laser;
+  std::int64_t beams = 360;  ///< number of beams per scan, evenly spaced over 360 degrees, the first ahead
+  double rate_hz = 5.0;      ///< scans per second
+  double least_m = 0.12;     ///< minimum range; a nearer obstacle gives no reading
+  double most_m = 3.5;       ///< maximum range; a farther obstacle is not seen
+  double noise_m = 0.01;     ///< standard deviation of a range
+  double missed = 0.0;       ///< fraction of the beams that give no reading
+  double height_m = 0.18;    ///< height of the scan plane above the floor
+  Pose2 robot_T_laser;       ///< mounting pose
 };
 std::vector<Option> describe(RangeFinderModel& laser);
 
-/// Two driven wheels, whose turns the robot counts as its odometry: of each wheel the way, with two errors.
-/// The feet of tables and the like are too low for the laser, and are driven over.
+/// Two driven wheels with encoders. The odometry measures the distance that each wheel rolls, with a scale
+/// error and noise.
 struct ExplorerWheels {
-  double track_m = 0.16;      ///< between the wheels
-  double climbs_m = 0.1;      ///< what rises less than this above the floor is driven over
-  double scale_error = 0.01;  ///< relative, standard deviation; drawn once
-  double noise_m = 0.002;     ///< standard deviation after 1 m; grows with the root of the way
+  double track_m = 0.16;  ///< distance between the wheels
+  /// The robot drives over anything lower than this, such as the feet of tables, which are below the laser.
+  double climbs_m = 0.1;
+  double scale_error = 0.01;  ///< standard deviation of the relative scale error, drawn once per wheel
+  double noise_m = 0.002;     ///< standard deviation after 1 m; grows with the square root of the distance
 };
 std::vector<Option> describe(ExplorerWheels& wheels);
 
+/// The simulated devices of an exploring robot.
 struct ExplorerSimParams {
   RangeFinderModel laser;
   ExplorerWheels wheels;

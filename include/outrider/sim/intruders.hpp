@@ -1,4 +1,4 @@
-// Intruders of a simulation: when they come in, where they stay, and what becomes of those who are hit.
+// Simulated intruders: when they enter, where they stay, and whether they leave after a hit.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,24 @@
 
 namespace outrider {
 
+/// An intruder: where and when it enters, and the place where it stays.
 struct Intruder {
-  std::string name;       ///< of its place; the second one there is called "fox_2", and so on
-  std::size_t place = 0;  ///< index of the target in whose box it stays
-  std::string entrance;
-  Vec2 from;               ///< where that is
-  double enters_s = 0.0;   ///< when it comes in, and is known
-  double settles_s = 0.0;  ///< when it is in its place
+  std::string name;        ///< name of its place; the second intruder there is called "fox_2", and so on
+  std::size_t place = 0;   ///< index of the target in whose box it stays
+  std::string entrance;    ///< name of the entrance
+  Vec2 from;               ///< position of the entrance
+  double enters_s = 0.0;   ///< time at which it enters and becomes known
+  double settles_s = 0.0;  ///< time at which it reaches its place
 };
 
-/// What becomes of those who are hit.
+/// What an intruder does after a hit: it leaves the yard, or survives and walks to another place.
 struct Survival {
-  double leave = 1.0;     ///< probability; who does not leave walks to another place
-  double walk_mps = 1.0;  ///< 0: it is there at once
+  double leave = 1.0;     ///< probability that it leaves
+  double walk_mps = 1.0;  ///< walking speed of survivors; 0: they reach the next place at once
 };
 
-/// Where one who is hit at `place` goes, if it does not leave: another of the places, drawn uniformly.
-/// There are at least two.
+/// Draws the next place of an intruder that survives a hit at `place`, uniformly from the other places.
+/// Requires at least two places.
 std::size_t elsewhere(std::size_t place, std::size_t places, Rng& rng);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// OpenGround: what a disk robot bumps into in a world without edges.
+// OpenGround: the obstacles that a disk robot can touch, in a world without a boundary.
 //
 // Thread rule: const queries may run concurrently.
 #pragma once
@@ -11,21 +11,22 @@ namespace outrider {
 
 class OpenGround {
  public:
-  /// What rises less than `climbs_m` above the floor is in nobody's way.
+  /// Anything lower than `climbs_m` above the floor is not an obstacle.
   OpenGround(const World& world, const RobotModel& robot, double climbs_m = ExplorerWheels{}.climbs_m);
 
   /// Returns true if the disk can be swept along the segment without touching anything. Exact.
   [[nodiscard]] bool free(Segment s) const;
-  /// Distance of the disk's rim from the nearest obstacle, m, negative where it overlaps; at most 1 m.
+  /// Returns the distance from the rim of the disk to the nearest obstacle, m. It is negative if they
+  /// overlap, and cut off at 1 m.
   [[nodiscard]] double gap_m(Vec2 centre) const;
-  /// The box around all obstacles; empty without one.
+  /// Returns the bounding box of all obstacles; empty if there are none.
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] double radius_m() const { return radius_m_; }
 
  private:
   double radius_m_;
   Box2 bounds_;
-  CollisionMap ground_;  // within bounds far enough from everything
+  CollisionMap ground_;  // its bounds lie far outside all obstacles
 };
 
 }  // namespace outrider

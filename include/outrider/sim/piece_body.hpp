@@ -1,13 +1,14 @@
-// PieceBody: an ideal differential robot that drives piece by piece, at its own pace and a little beside it.
+// PieceBody: a differential-drive robot that follows a path piece by piece, with a bounded tracking error and
+// a random speed.
 //
-// The robot aims at points beside the ends of the pieces, each drawn from a disk of the tracking error, and
-// is on every piece beside it by the offsets of its ends, blended. Where that would touch an edge the offset
-// is halved until it does not: walls stop the robot. Each turn and each piece has the trapezoidal profile of
-// a speed drawn between the slowest and the full. So a drive keeps all that is asked of a robot by bounds on
-// its time and by proofs of what it covers, and nothing more.
+// At the end of each piece the robot has an offset from the path, drawn from a disk with the radius of the
+// tracking error. Along a piece the offset is blended between its two ends. If the robot would touch an edge,
+// the offset is halved until it does not: walls stop the robot. Each turn and each piece follows a
+// trapezoidal speed profile with a maximum speed drawn between the slowest and the full speed. A drive thus
+// meets exactly the assumptions behind the bounds on its time and the proofs of its coverage, and no more.
 //
-// A piece is driven as a whole: between its ends the body is nowhere, so no device looks from there.
-// Same stream of random numbers and commands, same drive. O(edges near the piece) a piece.
+// A piece is driven as a whole: the body has no pose between the ends of a piece, so devices cannot measure
+// there. The same random stream and commands give the same drive. O(edges near the piece) per piece.
 #pragma once
 
 #include <vector>
@@ -20,33 +21,35 @@
 
 namespace outrider {
 
+/// A record of the driven path.
 struct PieceDrive {
-  std::vector<Vec2> way;        ///< driven, with points on arcs every 2 degrees
-  std::vector<double> times_s;  ///< at which each of these points is reached
-  std::vector<double> ends_s;   ///< of the pieces; its turn and its pause belong to a piece
+  std::vector<Vec2> way;        ///< points of the driven path; on arcs one every 2 degrees
+  std::vector<double> times_s;  ///< time at which each point of `way` is reached
+  std::vector<double> ends_s;   ///< end time of each piece, including its turn and pause
 
-  /// The poses, without a gun: exact at the points of the way and wherever the acceleration changes. Linear
-  /// interpolation is exact at steady speed, and off by at most 3 mm and 4 mrad while it changes.
+  /// Poses over time, without a gun. They are exact at the points of `way` and where the acceleration
+  /// changes. Linear interpolation is exact at constant speed; otherwise its error is at most 3 mm and 4
+  /// mrad.
   std::vector<TrackSample> track;
 
-  double time_s = 0.0;
-  double length_m = 0.0;
-  double turned_rad = 0.0;        ///< in place and along arcs
-  double tracking_error_m = 0.0;  ///< largest offset
+  double time_s = 0.0;            ///< end of the drive
+  double length_m = 0.0;          ///< length of `way`
+  double turned_rad = 0.0;        ///< sum of turns in place and along arcs
+  double tracking_error_m = 0.0;  ///< largest offset so far
 };
 
 class PieceBody {
  public:
-  /// The ground must outlive the body. Draws from the children `pace` and `stray` of the stream.
+  /// The ground must outlive the body. Draws from the child streams `pace` and `stray` of `rng`.
   PieceBody(const Pose2& start, const Pace& pace, double tracking_error_m, const PolygonGround& ground,
             const Rng& rng);
 
-  /// Carries out a FollowPiece, and returns when it is done; other commands are done at once.
+  /// Carries out a FollowPiece and returns its end time; other commands end at once.
   double begin(const Command& command);
   void run_until(double time_s) { time_s_ = time_s; }
 
   [[nodiscard]] double time_s() const { return time_s_; }
-  /// Where the last piece ends; the heading is not wrapped.
+  /// Returns the pose at the end of the last piece; the heading is not wrapped.
   [[nodiscard]] const Pose2& pose() const { return drive_.track.back().pose; }
   [[nodiscard]] Twist2 twist() const { return {}; }  ///< at rest between two pieces
   [[nodiscard]] const PieceDrive& drive() const { return drive_; }

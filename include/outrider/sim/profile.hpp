@@ -1,4 +1,4 @@
-// The side view of a shot: what the vertical plane of a flight cuts.
+// The side view of a shot: the section of the world in the vertical plane of the flight.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 
 namespace outrider {
 
-/// Convex polygons in (distance from the muzzle along the flight, height), within 0.6 m of the flight's
-/// ends and down to 0.3 m below its lowest point; the target comes last.
+/// Returns the cut solids as convex polygons with coordinates (distance from the muzzle along the flight,
+/// height). They extend to 0.6 m beyond the ends of the flight and 0.3 m below its lowest point. The target
+/// is the last one.
 std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact, const FlightSpace& space,
                                      const Target& target);
 
-/// Where the ball is at 33 equal times of the flight; nothing for a parabola.
+/// Returns the ball's positions at 33 evenly spaced times; nothing if the flight is a parabola.
 std::optional<std::vector<Vec3>> path_of(const Flight& flight, const Impact& impact);
 
 }  // namespace outrider

@@ -1,10 +1,11 @@
-// RangeFinder: what a laser sees of a world in the plane at its height.
+// RangeFinder: simulates a laser scanner in the horizontal plane at its height.
 //
-// The plane cuts the solids in rounded polygons, and each of them is its outline: straight edges and, where
-// it is round, circles about the corners of its core. A beam ends at the first outline that it meets, which
-// is exact up to rounding, from wherever no piece is; ends of edges count, so nothing is seen through a
-// joint. A scan treats each edge near the laser once, with the beams between its ends: O(edges within range +
-// beams that they take). Thread rule: const queries may run concurrently.
+// The plane cuts the solids into rounded polygons. The outline of each polygon consists of straight edges
+// and, if it is rounded, of circles about the corners of its core. A beam ends at the first outline that it
+// meets. Ranges are exact up to rounding if the laser is outside all solids; edges include their end points,
+// so no beam passes between two joined edges. A scan processes each edge near the laser once, with the beams
+// between its ends: O(edges within range + beams that hit them). Thread rule: const queries may run
+// concurrently.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace outrider {
 
-/// What a horizontal plane so far above the floor cuts of the solids.
+/// Returns the sections of the solids in the horizontal plane `height_m` above the floor.
 std::vector<RoundedPolygon> cut_at(const World& world, double height_m);
 
 class RangeFinder {
@@ -28,17 +29,17 @@ class RangeFinder {
       : RangeFinder(cut_at(world, model.height_m), model) {}
   RangeFinder(const std::vector<RoundedPolygon>& pieces, const RangeFinderModel& model);
 
-  /// Exact distance along each of so many beams, the first ahead, counter-clockwise, m; infinite where
-  /// nothing stands within the laser's range.
+  /// Returns the exact range of each beam, m; infinite if nothing is within the laser's range. The first beam
+  /// points ahead; the order is counter-clockwise.
   [[nodiscard]] std::vector<double> ranges(const Pose2& world_T_laser, std::int64_t beams) const;
-  /// The same as the laser measures it: with noise, its least and most range, and no reading from some beams.
+  /// Returns a scan as measured by the laser: with noise, minimum and maximum range, and missed readings.
   LaserScan look(const Pose2& world_T_laser, double time_s, Rng& rng) const;
 
-  /// Whether the segment keeps more than 1e-9 m from every outline.
+  /// Returns true if there is a line of sight: the segment stays more than 1e-9 m away from every outline.
   [[nodiscard]] bool sees(Vec2 from, Vec2 to) const;
-  /// Distance to the nearest outline, m; `most_m` when none is nearer.
+  /// Returns the distance to the nearest outline, m, cut off at `most_m`.
   [[nodiscard]] double surface_distance(Vec2 p, double most_m) const;
-  /// The box around all outlines; empty without one.
+  /// Returns the bounding box of all outlines; empty if there are none.
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] const RangeFinderModel& model() const { return model_; }
 
@@ -47,7 +48,7 @@ class RangeFinder {
   struct Outline {
     Segment edge;
     double radius_m = 0.0;
-    bool solid_left = false;  ///< so beams from there do not end at it
+    bool solid_left = false;  ///< the solid lies to the left; beams from that side pass through
   };
   struct Tiles {
     int x0, x1, y0, y1;

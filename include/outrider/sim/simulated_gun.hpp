@@ -1,5 +1,5 @@
-// SimulatedGun: a water gun whose joints turn at their rates, and whose balls leave with its errors and fly
-// exactly until their first contact.
+// SimulatedGun: a water gun with rate-limited joints. Balls leave it with random errors and fly exactly until
+// their first contact.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace outrider {
 
-/// What balls fly among, and at.
+/// The obstacles and targets of flights.
 struct GunScene {
   const ShotRules& rules;
-  const std::vector<FlightSpace>& spaces;  ///< one for all targets, or one for each
+  const std::vector<FlightSpace>& spaces;  ///< one for all targets, or one for each target
   const std::vector<Target>& targets;
 
   [[nodiscard]] const FlightSpace& space(std::size_t target) const {
@@ -23,47 +23,51 @@ struct GunScene {
   }
 };
 
-/// The record of a shot, but for its target, attempt and time. `contact` is what it touched first.
+/// Makes the report entry of a shot, without its target, attempt and time. `contact` names what the ball
+/// touched first.
 ReportShot shot_record(const Flight& flight, const Impact& impact, const FlightSpace& space,
                        const Target& target, double ball_radius_m, std::string contact);
 
 class SimulatedGun {
  public:
-  /// The scene must outlive the gun. The errors of shots and of moments are drawn from the two streams.
+  /// What the scene refers to must outlive the gun. `gun` is the random stream of shot errors, `timing` that
+  /// of firing times.
   SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun, const Rng& timing);
 
-  /// A turn of both joints to angles relative to the body, each at its own rate.
+  /// A motion of both joints. Each joint turns at its own rate.
   struct Turn {
-    GunState from;
-    double yaw_rad = 0.0;    ///< to turn by
-    double pitch_rad = 0.0;  ///< to turn by
-    double yaw_s = 0.0;
-    double pitch_s = 0.0;
-    double total_s = 0.0;
+    GunState from;           ///< state at the beginning
+    double yaw_rad = 0.0;    ///< change of yaw
+    double pitch_rad = 0.0;  ///< change of pitch
+    double yaw_s = 0.0;      ///< duration of the yaw motion
+    double pitch_s = 0.0;    ///< duration of the pitch motion
+    double total_s = 0.0;    ///< duration until both joints are done
   };
-  /// Towards a yaw in the world and a pitch, for a body with that heading.
+  /// Returns the motion to a yaw in the world frame and a pitch, for a robot with that heading.
   [[nodiscard]] Turn turn_towards(double yaw_rad, double pitch_rad, const Stance& stance,
                                   double heading_rad) const;
+  /// Sets the joints to their state `after_s` after the turn began.
   void be_on(const Turn& turn, double after_s);
-  /// From a state towards another, that long after both joints began.
+  /// Sets the joints to their state `after_s` after they began to turn from `from` to `to`.
   void be_between(GunState from, GunState to, double after_s);
-  /// The barrel as it points in the world.
+  /// Returns the direction of the barrel in the world frame.
   [[nodiscard]] Shot barrel(const Stance& stance, double heading_rad) const;
 
-  /// How much later than told the next shot from a robot that drives leaves.
+  /// Draws the delay of the next shot from a moving robot, s.
   double draw_delay_s();
-  /// Where a shot went.
+  /// The simulated flight of a shot.
   struct Thrown {
     Flight flight;
     Impact impact;
-    double speed_mps = 0.0;  ///< of the muzzle
-    Target target;           ///< where it was when the ball touched
+    double speed_mps = 0.0;  ///< muzzle speed
+    Target target;           ///< the target at the time of the impact
   };
-  /// A shot at `target`, for which `stand_in` of the scene stands, by a robot at a place with a velocity over
-  /// the ground; at one that walks, the ball leaves at `fired_s`.
+  /// Simulates a shot at `target`, which is at the place of the target `stand_in` of the scene. The robot is
+  /// at `position` and moves with `velocity_mps` over the ground. If the target walks, `walk` is its motion
+  /// and the ball leaves at `fired_s`.
   Thrown throw_ball(const Shot& shot, std::size_t target, std::size_t stand_in, Vec2 position,
                     Vec2 velocity_mps, const Walk* walk, double fired_s);
-  /// Counts the attempts at a target.
+  /// Increments and returns the number of attempts at a target.
   int next_attempt(std::size_t target) { return ++attempts_[target]; }
 
   [[nodiscard]] const GunState& state() const { return state_; }

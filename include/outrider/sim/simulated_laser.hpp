@@ -1,4 +1,4 @@
-// SimulatedLaser: a range finder on a robot, which looks at its own rate.
+// SimulatedLaser: a range finder on a robot that measures at its own rate.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,15 @@ class SimulatedLaser {
   SimulatedLaser(const World& world, const RangeFinderModel& model, const Rng& rng)
       : finder_(world, model), rng_(rng) {}
 
-  /// The scan of the first call at or after each turn of the laser, from that pose.
+  /// Returns a scan from the given pose if the next scan is due at `time_s`, else nothing. The first scan is
+  /// due at time 0.
   std::optional<LaserScan> look(const Pose2& world_T_robot, double time_s);
   [[nodiscard]] const RangeFinder& finder() const { return finder_; }
 
  private:
   RangeFinder finder_;
   Rng rng_;
-  std::int64_t turns_ = 0;  // that have been looked at
+  std::int64_t turns_ = 0;  // rotations whose scan was taken
 };
 
 }  // namespace outrider

@@ -1,11 +1,11 @@
-// SimulatedRobot: a body that moves, and the devices that it carries, behind the port.
+// SimulatedRobot: a Robot made of a simulated body that moves and of the devices that it carries.
 //
-// A body is a class of its own with begin(command), which returns when the command will be carried out,
-// run_until(time), and the truth about its motion. A device looks from the true pose of the body, either when
-// the robot senses or at times of its own; somebody may put the robot elsewhere (WheelBody only). To add one,
-// add a class, and a row of the variant or a member of SimulatedDevices.
+// A body is a class with begin(command), which returns the end time of the command, run_until(time), and the
+// true motion. A device measures from the true pose of the body, either when the robot senses or at its own
+// rate. A kidnapping can move the robot to another place (WheelBody only). To add a body, write a class and
+// add it to the variant; to add a device, write a class and add a member to SimulatedDevices.
 //
-// Same bodies, devices and commands: same observations.
+// The same bodies, devices and commands give the same observations.
 #pragma once
 
 #include <optional>
@@ -28,12 +28,13 @@ namespace outrider {
 
 using SimulatedBody = std::variant<TwistBody, WheelBody, PieceBody, WaypointBody>;
 
+/// The devices of a robot; each of them is optional.
 struct SimulatedDevices {
   std::optional<SimulatedLaser> laser = {};
   std::optional<SimulatedTagCamera> camera = {};
-  std::optional<SimulatedGun> gun = {};          ///< on a WaypointBody
-  std::optional<SimulatedStores> stores = {};    ///< on a WaypointBody
-  std::optional<SimulatedTargets> targets = {};  ///< their detector
+  std::optional<SimulatedGun> gun = {};          ///< requires a WaypointBody
+  std::optional<SimulatedStores> stores = {};    ///< requires a WaypointBody
+  std::optional<SimulatedTargets> targets = {};  ///< simulated targets and their detector
 };
 
 class SimulatedRobot final : public Robot {
@@ -45,15 +46,15 @@ class SimulatedRobot final : public Robot {
   void act(const Command& command) override;
 
   [[nodiscard]] double time_s() const;
-  [[nodiscard]] const Pose2& pose() const;  ///< world_T_robot, the truth; heading not wrapped
-  /// The body, which is of that class.
+  [[nodiscard]] const Pose2& pose() const;  ///< true world_T_robot; heading not wrapped
+  /// Returns the body. `Body` must be its class.
   template <class Body>
   [[nodiscard]] const Body& body() const {
     return std::get<Body>(body_);
   }
   [[nodiscard]] const SimulatedDevices& devices() const { return devices_; }
 
-  SimRecord record;  ///< of a WaypointBody, so far
+  SimRecord record;  ///< actions so far; filled for a WaypointBody only
 
  private:
   void run_until(double time_s);
@@ -74,10 +75,10 @@ class SimulatedRobot final : public Robot {
   SimulatedDevices devices_;
   Kidnapping kidnapping_;
   bool kidnapped_ = false;
-  std::vector<ShotResult> landed_;  // not yet told of
+  std::vector<ShotResult> landed_;  // not yet reported
 };
 
-/// A robot on two wheels with a bumper and a range finder, at rest at the start.
+/// Makes a differential-drive robot with a bumper and a range finder, at rest at the start.
 SimulatedRobot simulated_explorer(const World& world, const Pose2& start, const RobotModel& robot,
                                   const ExplorerSimParams& params, std::uint64_t seed);
 

@@ -1,5 +1,5 @@
-// SimulatedStores: tank and battery of a simulated robot. Levels follow from the clock, the way and the
-// shots.
+// SimulatedStores: the tank and the battery of a simulated robot. Their levels follow from the time, the
+// distance driven and the shots.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace outrider {
 
 class SimulatedStores {
  public:
-  /// A store is full where `levels` has more than it holds. The supplies must outlive it.
+  /// The stores begin at `levels`, at most full. The supplies must outlive this object.
   explicit SimulatedStores(const Supplies& supplies, const StoreLevels& levels = {})
       : supplies_(supplies),
         water_(std::min(levels.water, supplies.full(Store::water))),
         charge_j_(std::min(levels.charge_j, supplies.full(Store::charge))) {}
 
-  /// Takes out what was used since the last call: totals since the start.
+  /// Subtracts the use since the last call. The arguments are totals since the start.
   void note(double time_s, double driven_m, std::size_t shots) {
     const auto fired = static_cast<double>(shots - shots_);
     charge_j_ -= supplies_.charge_of(time_s - time_s_, driven_m - driven_m_) + supplies_.shot_j * fired;
@@ -27,7 +27,7 @@ class SimulatedStores {
     driven_m_ = driven_m;
     shots_ = shots;
   }
-  /// Fills a store and returns how long that takes, s; the station feeds the robot meanwhile.
+  /// Fills a store and returns the time this takes, s. The station powers the robot meanwhile.
   double fill(Store store) {
     double& level = store == Store::water ? water_ : charge_j_;
     const double taken_s = supplies_.filling_s(store, supplies_.full(store) - level);

@@ -1,7 +1,7 @@
-// SimulatedTagCamera: a camera on a robot, which takes images at its own rate and tells the tags in them.
+// SimulatedTagCamera: a camera on a robot that takes images at its own rate and reports the tags in them.
 //
-// The images are rendered and the tags detected in them (tag_camera.hpp), or what is seen comes from a model
-// without images (tag_model.hpp).
+// Either the images are rendered and the tags detected in them (tag_camera.hpp), or the sightings come from a
+// faster model without images (tag_model.hpp).
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ namespace outrider {
 
 class SimulatedTagCamera {
  public:
-  /// Draws from the children `camera` and `sight` of the stream.
+  /// `rendered` selects rendered images. Draws from the child streams `camera` and `sight` of `rng`.
   SimulatedTagCamera(const TagScene& scene, const RobotCamera& camera, const TagCameraOptions& options,
                      const TagSightFaults& faults, bool rendered, const Rng& rng);
 
-  /// When the next image is taken.
+  /// Returns the time at which the next image is due.
   [[nodiscard]] double due_s() const { return static_cast<double>(images_ + 1) / options_.rate_hz; }
-  /// Takes it, from a robot that is at that pose now and moves.
+  /// Takes the next image. The robot is at that pose at `time_s` and moves with that twist.
   void take(const Pose2& world_T_robot, const Twist2& twist, double time_s);
 
   [[nodiscard]] const std::optional<TagImage>& newest() const { return newest_; }
@@ -33,8 +33,8 @@ class SimulatedTagCamera {
   RobotCamera camera_;
   TagCameraOptions options_;
   TagSightFaults faults_;
-  CollisionMap sight_lines_;              // what stands at the height of the camera
-  std::unique_ptr<TagCamera> rendering_;  // where images are rendered
+  CollisionMap sight_lines_;              // obstacles at the height of the camera
+  std::unique_ptr<TagCamera> rendering_;  // null if images are not rendered
   Rng sight_rng_;
   std::int64_t images_ = 0;
   std::optional<TagImage> newest_;

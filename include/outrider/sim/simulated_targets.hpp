@@ -1,4 +1,4 @@
-// SimulatedTargets: intruders that come, survive or walk about, and the detector that sees them.
+// SimulatedTargets: intruders that enter, survive hits or walk about, and the detector that observes them.
 #pragma once
 
 #include <cstddef>
@@ -15,35 +15,36 @@
 
 namespace outrider {
 
+/// The behaviour of the simulated targets.
 struct TargetSimParams {
-  /// Where intruders come, they are the first targets, in the order of entering, and the places where
-  /// survivors go follow them.
+  /// Arriving intruders in the order of entering. They are the first targets of the list; the targets after
+  /// them are the places to which survivors go.
   std::vector<Intruder> intruders = {};
-  bool foreseen = false;  ///< all are seen at the start
-  Survival survival = {};
-  std::vector<Walk> walks = {};  ///< of targets that walk; each is seen until it is hit
-  double look_s = 0.5;           ///< between two looks
-  double sight_m = 0.0;          ///< largest error of a position seen
+  bool foreseen = false;         ///< the detector reports all intruders at the start
+  Survival survival = {};        ///< behaviour after a hit
+  std::vector<Walk> walks = {};  ///< motions of walking targets; each is observed until it is hit
+  double look_s = 0.5;           ///< time between two observations of walking targets
+  double sight_m = 0.0;          ///< largest error of an observed position
 };
 
 class SimulatedTargets {
  public:
-  /// The targets must outlive it. Streams: "survival" and "sight" of the seed.
+  /// The targets must outlive this object. Uses the random streams "survival" and "sight" of the seed.
   SimulatedTargets(const std::vector<Target>& targets, TargetSimParams params, std::uint64_t seed);
 
-  /// What is new by then; told once.
+  /// Returns the events up to `time_s` that were not reported before.
   TargetReport look(double time_s);
-  /// Somebody has entered who has not been told of.
+  /// Returns true if an intruder has entered that was not reported yet.
   [[nodiscard]] bool somebody_entered(double time_s) const;
-  /// When the next one enters; infinite when nobody does.
+  /// Returns the time at which the next intruder enters; infinite if there is none.
   [[nodiscard]] double next_entry_s() const;
-  /// The target in whose box somebody stands now.
+  /// Returns the index of the target in whose box this intruder stands now.
   [[nodiscard]] std::size_t stand_in(std::size_t who) const { return stands_at_[who]; }
-  /// How somebody walks; null where they stand still.
+  /// Returns the motion of a target; null if targets stand still.
   [[nodiscard]] const Walk* walk(std::size_t who) const {
     return params_.walks.empty() ? nullptr : &params_.walks[who];
   }
-  /// Somebody was hit by a ball that landed: it leaves, or goes elsewhere, which is written down.
+  /// Registers a hit at `time_s`. The target leaves, or it survives and moves; the move is recorded.
   void hit(std::size_t who, double time_s, SimRecord& record);
 
  private:
@@ -51,10 +52,10 @@ class SimulatedTargets {
   TargetSimParams params_;
   Rng survival_rng_;
   Rng sight_rng_;
-  std::size_t told_ = 0;                 // intruders that have been told of
+  std::size_t told_ = 0;                 // intruders that have been reported
   std::vector<std::size_t> stands_at_;   // by target
-  std::vector<TargetArrival> survived_;  // not yet told of
-  std::vector<char> gone_;               // by target that walks
+  std::vector<TargetArrival> survived_;  // not yet reported
+  std::vector<char> gone_;               // by walking target
   std::uint64_t looks_ = 0;              // so far
 };
 

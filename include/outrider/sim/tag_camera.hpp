@@ -1,12 +1,13 @@
-// TagCamera: the camera of a simulated robot, whose images are rendered and whose tags are detected in them.
+// TagCamera: a simulated camera. It renders images of tags and detects the tags in them.
 //
-// Only boxes of pixels around tags that may be visible are rendered; the rest of the image stays grey. In
-// them each pixel is the mean of samples spread over its area and over the exposure, along the rays of the
-// lens: perspective is exact, edges are smooth, and what moves is blurred. Boxes of the world hide tags with
-// their exact shape, other solids with their bounding box; half-spaces and height fields hide nothing.
-// Then comes noise: normal to four moments, standard deviation `noise_grey`.
+// Only the boxes of pixels around tags that may be visible are rendered; the rest of the image is grey. A
+// pixel is the mean of samples along the rays of the lens, spread over the area of the pixel and over the
+// exposure time. So the perspective is exact, edges are smooth, and moving objects are blurred. Box-shaped
+// solids hide tags with their exact shape, other solids with their bounding box; half-spaces and height
+// fields hide nothing. Noise with standard deviation `noise_grey` is added; its first four moments are those
+// of a normal distribution.
 //
-// Thread rule: one camera per thread. The same seed and poses give the same images, to the byte.
+// Thread rule: one camera per thread. The same seed and poses give the same images, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -24,35 +25,35 @@
 namespace outrider {
 
 struct TagCameraOptions {
-  double rate_hz = 10.0;       ///< images per second, for whoever asks when the next one is due
-  double exposure_s = 0.01;    ///< for which the shutter is open
-  double noise_grey = 3.0;     ///< standard deviation of a pixel, of 255
-  double black_grey = 30.0;    ///< ink
-  double white_grey = 220.0;   ///< paper
-  std::int64_t samples = 4;    ///< across a pixel and down it: samples^2 in all, 1 to 8
+  double rate_hz = 10.0;       ///< images per second; used by SimulatedTagCamera
+  double exposure_s = 0.01;    ///< exposure time
+  double noise_grey = 3.0;     ///< standard deviation of the noise of a pixel, on a scale of 0 to 255
+  double black_grey = 30.0;    ///< grey value of the ink
+  double white_grey = 220.0;   ///< grey value of the paper
+  std::int64_t samples = 4;    ///< samples per side of a pixel, 1 to 8: samples^2 per pixel
   double least_tag_px = 12.0;  ///< tags that appear smaller are not rendered
 };
 
 std::vector<Option> describe(TagCameraOptions& options);
 
-/// What is in front of the camera.
+/// The world and the tags that the camera sees.
 struct TagScene {
   World world;
   TagMap tags;
 };
 
-/// A rendered image. Outside the boxes it is of one grey.
+/// A rendered image. Outside the boxes it has one grey value.
 struct RenderedImage {
   CameraImage image;
-  std::vector<PixelBox> boxes;  ///< which were rendered; they do not overlap
+  std::vector<PixelBox> boxes;  ///< rendered parts; they do not overlap
 };
 
-/// The boxes around tags that may be visible from these poses.
+/// Returns boxes of pixels around the tags that may be visible while the camera moves between the two poses.
 std::vector<PixelBox> tag_boxes(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
                                 const Pose3& world_T_closing, const TagCameraOptions& options = {});
 
-/// Renders these boxes, or all of the image for a box as large. The camera moves from where the shutter
-/// opens to where it closes. Linear in pixels times solids in view.
+/// Renders the given boxes; pass one box of the size of the image to render all of it. The camera moves from
+/// the pose at which the shutter opens to the pose at which it closes. O(pixels * solids in view).
 RenderedImage render_tags(const Camera& camera, const TagScene& scene, const Pose3& world_T_opening,
                           const Pose3& world_T_closing, const std::vector<PixelBox>& boxes,
                           const TagCameraOptions& options, Rng noise);
@@ -66,7 +67,7 @@ class TagCamera {
   /// with their poses.
   std::vector<TagSighting> look(const Pose2& opening, const Pose2& closing);
 
-  /// The image last taken.
+  /// Returns the last image.
   [[nodiscard]] const RenderedImage& image() const { return image_; }
 
  private:

@@ -1,8 +1,8 @@
-// A model of what a camera sees of tags, without an image: a thousand times faster than rendering one.
+// A model of tag detection without images. It is about a thousand times faster than rendering.
 //
-// A tag is in view when its face is towards the camera, its four corners are within the image, it appears at
-// least `least_px` wide, and nothing of the ground at the camera's height stands between them. Its corners
-// get normal errors, and its poses come from planar_pnp() as those of a real image do. Some tags are missed.
+// A tag is in view if it faces the camera, its four corners are inside the image, it appears at least
+// `least_px` wide, and no obstacle at the height of the camera stands between them. Its corners get normal
+// errors, and its poses are computed by planar_pnp(), as for a real image. Some tags are missed at random.
 #pragma once
 
 #include "outrider/core/rng.hpp"
@@ -14,10 +14,10 @@
 
 namespace outrider {
 
-/// Whether the tag is in view of a camera at that pose.
+/// Returns true if the tag is in view of a camera at that pose.
 bool in_view(const Tag& tag, const Camera& camera, const Pose3& world_T_camera, const CollisionMap& ground);
 
-/// What a robot with that camera sees from a pose. The faults tell nothing of time here.
+/// Returns the sightings of a robot with that camera at a pose. `faults.blind_from_s` is not used here.
 std::vector<TagSighting> modelled_sightings(const TagMap& tags, const RobotCamera& camera,
                                             const TagSightFaults& faults, const CollisionMap& ground,
                                             const Pose2& world_T_robot, Rng& rng);

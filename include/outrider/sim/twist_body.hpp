@@ -1,12 +1,14 @@
-// TwistBody: a robot on two wheels that follows twists, with a bumper.
+// TwistBody: a differential-drive robot with a bumper that follows commanded twists.
 //
-// Every 5 ms its twist comes nearer to the commanded one, as fast as its accelerations allow, within its
-// limits of speed. Its disk is swept exactly along the way of each step against all that stands between what
-// its wheels climb and its top: where it would touch, it stays where it is and only turns, while its wheels
-// slip and count on. A touch counts once until the robot has left what it touched. The odometry adds up the
-// turns of the wheels, each with its error of scale and noise that grows with the root of the way.
+// In steps of 5 ms its twist approaches the commanded twist within the limits of acceleration and speed. In
+// each step the disk of the robot is swept exactly along the motion. Obstacles are all solids higher than
+// what the wheels can climb and lower than the top of the robot. If the disk would touch one, the robot stays
+// in place and only turns, while its wheels slip and the encoders keep counting. A contact counts once until
+// the robot has left the obstacle. The odometry integrates the rotations of the wheels, each with its own
+// scale error and with noise that grows with the square root of the distance.
 //
-// Same world, start, model, stream of random numbers and commands: same motion. O(obstacles near) a step.
+// The same world, start, model, random stream and commands give the same motion. O(nearby obstacles) per
+// step.
 #pragma once
 
 #include <cstdint>
@@ -22,16 +24,16 @@ class TwistBody {
   TwistBody(const World& world, const Pose2& start, const RobotModel& robot, const ExplorerWheels& wheels,
             const Rng& wheel_rng);
 
-  /// Begins to carry out a DriveTwist, and returns when it is done; other commands are done at once.
+  /// Begins a DriveTwist and returns its end time; other commands end at once.
   double begin(const Command& command);
   void run_until(double time_s);
-  /// Returns true if the bumper was pressed since the call before.
+  /// Returns true if the bumper was pressed since the previous call.
   bool take_touch();
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }          ///< world_T_robot; heading not wrapped
-  [[nodiscard]] const Twist2& twist() const { return twist_; }       ///< now, slip left out
-  [[nodiscard]] const Pose2& odometry() const { return odometry_; }  ///< start_T_robot by the wheels
+  [[nodiscard]] const Twist2& twist() const { return twist_; }       ///< present twist, without slip
+  [[nodiscard]] const Pose2& odometry() const { return odometry_; }  ///< start_T_robot measured by the wheels
   [[nodiscard]] std::int64_t contacts() const { return contacts_; }
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
@@ -47,7 +49,7 @@ class TwistBody {
   ExplorerWheels wheels_;
   OpenGround ground_;
   Rng wheel_rng_;
-  double left_scale_ = 1.0;  // of the way that each wheel counts
+  double left_scale_ = 1.0;  // scale of the distance counted by each wheel
   double right_scale_ = 1.0;
   double time_s_ = 0.0;
   Pose2 pose_;

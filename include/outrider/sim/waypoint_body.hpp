@@ -1,8 +1,8 @@
 // WaypointBody: a disk robot that turns in place and drives straight, under trapezoidal speed profiles.
 //
-// It follows the profiles exactly, and ends a little off: the errors of place and heading are drawn from a
-// stream of their own. On terrain it drives along the surface. Nothing stops it on the way: ways are
-// commanded clear of obstacles.
+// It follows the profiles exactly, but ends with an error of position and heading, drawn from its own random
+// stream. On terrain it drives along the surface. There is no collision check: commanded paths must be free
+// of obstacles.
 #pragma once
 
 #include <algorithm>
@@ -15,19 +15,19 @@
 
 namespace outrider {
 
-/// What the body drives on.
+/// The ground on which the body drives.
 struct BodyGround {
-  const CollisionMap& ground;  ///< for the disk of the robot
-  const ShotRules& rules;      ///< with the terrain, where there is one
+  const CollisionMap& ground;  ///< obstacles
+  const ShotRules& rules;      ///< holds the terrain, if there is one
 };
 
-/// A straight under way.
+/// A straight leg that the robot drives now.
 struct StraightDrive {
   Vec2 from;
   Vec2 goal;
   double length_m = 0.0;
-  double begin_s = 0.0;
-  double total_s = 0.0;
+  double begin_s = 0.0;  ///< time at which the leg begins
+  double total_s = 0.0;  ///< duration of the leg
 };
 
 class WaypointBody {
@@ -36,22 +36,26 @@ class WaypointBody {
   WaypointBody(const RobotModel& robot, const BodyGround& on, const Pose2& start,
                const ExecutionErrors& errors, const Rng& rng);
 
-  /// The way that it will really go: it ends a little off the last waypoint. Draws the errors.
+  /// Returns the waypoints that the robot really drives: the last one has a random error. Draws the errors of
+  /// position and heading.
   std::vector<Vec2> strayed_way(std::vector<Vec2> waypoints);
-  /// Turns in place. `sample` is called ten times a second, and at the end.
+  /// Turns in place. Calls `sample` ten times per second and at the end.
   void turn_to(double heading_rad, const std::function<void()>& sample);
-  /// Turns, then is at the beginning of the straight; `length_m` is 0 where it stands at the goal.
+  /// Turns towards the goal and returns the leg to it. Its `length_m` is 0 if the robot is at the goal
+  /// already.
   StraightDrive begin_straight(Vec2 goal, const std::function<void()>& sample);
-  /// Is where the profile has it that long after the beginning.
+  /// Sets the body to its state `after_s` after the beginning of the leg.
   void be_on(const StraightDrive& drive, double after_s);
-  /// The velocity over the ground then.
+  /// Returns the velocity over the ground `after_s` after the beginning of the leg.
   [[nodiscard]] Vec2 velocity_on(const StraightDrive& drive, double after_s) const;
+  /// Completes the leg: the robot is at its goal.
   void end_straight(const StraightDrive& drive);
-  /// The way is over: the heading is off.
+  /// Ends the drive along all waypoints: applies the error of the heading.
   void end_way();
   void wait_until(double time_s) { time_s_ = time_s; }
 
-  /// Other commands than those to drive to waypoints take no time of the body.
+  /// Returns the present time: SimulatedRobot carries out FollowWaypoints itself, and other commands take no
+  /// time of the body.
   double begin(const Command&) const { return time_s_; }
   void run_until(double time_s) { time_s_ = std::max(time_s_, time_s); }
 
@@ -70,7 +74,7 @@ class WaypointBody {
   Rng rng_;
   double time_s_ = 0.0;
   Pose2 pose_;
-  double heading_error_rad_ = 0.0;  // of the way under way
+  double heading_error_rad_ = 0.0;  // error at the end of the present drive
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
 };

@@ -1,9 +1,10 @@
-// WheelBody: a robot on wheels and what it really does, with the faults of its wheels and of the link to it.
+// WheelBody: a wheeled robot with faults of its wheels and of the link that carries its commands.
 //
-// Steps of 5 ms: the newest command that has arrived gives each wheel its speed, through dead time, deadband
-// and lag; gains, sag and noise make of it the speed at which the wheel really turns; the chassis makes of
-// all wheels a twist, of which slip takes a part of the sideways motion. The noise of each wheel is a
-// first-order Gauss-Markov process. Same seed and commands, same motion. O(wheels) a step.
+// The motion is simulated in steps of 5 ms. The newest command that has arrived sets the speed of each wheel,
+// subject to dead time, deadband and lag. Gains, voltage sag and noise give the true wheel speed. The chassis
+// converts the wheel speeds to a twist, and slip removes a fraction of its sideways part. The noise of each
+// wheel is a first-order Gauss-Markov process. The same seed and commands give the same motion. O(wheels) per
+// step.
 #pragma once
 
 #include <deque>
@@ -19,18 +20,18 @@ class WheelBody {
   WheelBody(Chassis chassis, const WheelFaults& faults, const LinkFaults& link, const Pose2& start,
             const Rng& rng);
 
-  /// Gives a command to the link, now.
+  /// Sends a command over the link at the present time.
   void send(const WheelSpeeds4& wheels);
-  /// Begins to carry out a DriveWheels, and returns when it is done; other commands are done at once.
+  /// Begins a DriveWheels and returns its end time; other commands end at once.
   double begin(const Command& command);
-  /// Lets time pass, by whole steps and what is left of one.
+  /// Simulates until `time_s`, in whole steps and a shorter last one.
   void run_until(double time_s);
-  /// Puts the robot elsewhere.
+  /// Moves the robot to another pose at once (kidnapping).
   void put(const Pose2& pose) { pose_ = pose; }
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }     ///< heading not wrapped
-  [[nodiscard]] const Twist2& twist() const { return twist_; }  ///< in the last step
+  [[nodiscard]] const Twist2& twist() const { return twist_; }  ///< true twist in the last step
   [[nodiscard]] double driven_m() const { return driven_m_; }
   [[nodiscard]] double turned_rad() const { return turned_rad_; }
 
@@ -53,13 +54,13 @@ class WheelBody {
   Twist2 twist_;
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;
-  double moving_s_ = 0.0;         // time driven so far: what the battery has given
-  std::int64_t sent_ = 0;         // messages
-  std::deque<Message> messages_;  // under way
-  WheelSpeeds4 commanded_{};      // by the newest message that has arrived
-  WheelSpeeds4 followed_{};       // what the lag has made of it
-  WheelSpeeds4 noise_{};          // relative
-  WheelSpeeds4 waited_s_{};       // of its dead time, by a wheel at rest
+  double moving_s_ = 0.0;         // time driven so far; the battery sags with it
+  std::int64_t sent_ = 0;         // number of messages
+  std::deque<Message> messages_;  // sent but not arrived
+  WheelSpeeds4 commanded_{};      // speeds of the newest message that has arrived
+  WheelSpeeds4 followed_{};       // speeds after the lag
+  WheelSpeeds4 noise_{};          // relative noise of each wheel
+  WheelSpeeds4 waited_s_{};       // elapsed part of the dead time of each wheel at rest
 };
 
 }  // namespace outrider

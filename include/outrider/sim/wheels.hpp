@@ -1,18 +1,19 @@
-// Wheels: how a robot on two driven wheels follows a pose that moves.
+// A tracking controller for a differential-drive robot: it follows a moving reference pose.
 //
-// Source of the law: Kanayama, Kimura, Miyazaki and Noguchi, A stable tracking control method for an
-// autonomous mobile robot (ICRA 1990), with a term that turns towards the heading also at rest.
+// Source: Kanayama, Kimura, Miyazaki and Noguchi, A stable tracking control method for an autonomous mobile
+// robot (ICRA 1990), with an additional term that corrects the heading also at rest.
 #pragma once
 
 #include "outrider/motion/robot_model.hpp"
 
 namespace outrider {
 
-/// The parts of a robot on wheels that fits into a model's disk, m.
+/// Dimensions of the wheels.
 struct WheelBase {
   double wheel_radius_m = 0.0;
-  double half_track_m = 0.0;  ///< from the middle to each wheel, and to each caster
+  double half_track_m = 0.0;  ///< distance from the centre to each wheel and to each caster
 };
+/// Returns the dimensions of wheels that fit into the disk of the robot.
 WheelBase wheel_base(const RobotModel& robot);
 
 struct WheelSpeeds {
@@ -20,16 +21,16 @@ struct WheelSpeeds {
   double right_radps = 0.0;
 };
 
-/// Where the robot should be, and how it should move there.
+/// The reference of the controller: a pose and its velocity.
 struct Reference {
   Pose2 pose;
   double speed_mps = 0.0;
   double turn_rate_radps = 0.0;
 };
 
-/// What the wheels should do for a robot at `actual` to get to the reference and stay with it. Without slip
-/// the error ahead falls as e^(-5 t), that of the heading as e^(-8 t) in place and critically damped,
-/// together with the error aside, at 0.8 m/s.
+/// Returns the wheel speeds with which a robot at `actual` approaches and follows the reference. Without slip
+/// the longitudinal error decays as e^(-5 t), and the heading error at rest as e^(-8 t). At 0.8 m/s the
+/// lateral error and the heading error are critically damped.
 WheelSpeeds follow(const Reference& reference, const Pose2& actual, const WheelBase& base);
 
 }  // namespace outrider

@@ -1,7 +1,7 @@
-// Ground: what a robot of a given height can bump into while it drives, and how far it is from it.
+// CollisionMap: the obstacles for a robot of a given height, with collision and clearance queries.
 //
-// Obstacles are the exact footprints of the parts of the solids between the floor and the robot's
-// top: one drives under a table between its legs. A uniform grid over the bounds keeps every query
+// Obstacles are the exact footprints of the parts of the solids between the floor and the top of the robot,
+// so the robot can drive under a table between its legs. A uniform grid over the bounds makes every query
 // local. Thread rule: const queries may run concurrently.
 #pragma once
 
@@ -21,24 +21,25 @@ class CollisionMap {
  public:
   CollisionMap(const Box2& bounds, std::vector<RoundedPolygon> obstacles,
                std::shared_ptr<const HeightField> terrain = {});
-  /// The obstacles of a world for a robot of that height; what rises less than `step_m` above the
-  /// floor is driven over. On terrain these heights count from the lowest and to above the highest ground
-  /// under each solid, and ground steeper than `max_slope_rad` is an obstacle too (steep_ground.hpp).
+  /// Makes the map of a world for a robot of that height. The robot drives over anything lower than `step_m`
+  /// above the floor. On terrain, a solid is an obstacle if a part of it lies between `step_m` above the
+  /// lowest ground under it and the robot's height above the highest ground under it; ground steeper than
+  /// `max_slope_rad` is an obstacle too (steep_ground.hpp).
   static CollisionMap of(const World& world, double robot_height_m, double step_m = 1e-3,
                          double max_slope_rad = pi / 2);
 
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] const std::vector<RoundedPolygon>& obstacles() const { return obstacles_; }
 
-  /// The length of a straight drive along the surface, m. No less than that of the segment.
+  /// Returns the length of a straight drive along the surface, m. It is at least the length of the segment.
   [[nodiscard]] double length(Segment s) const { return terrain_ ? terrain_->length(s) : distance(s.a, s.b); }
-  [[nodiscard]] const HeightField* terrain() const { return terrain_.get(); }  ///< null where it is flat
+  [[nodiscard]] const HeightField* terrain() const { return terrain_.get(); }  ///< null if the ground is flat
 
-  /// Distance from p to the nearest obstacle or to the edge of the bounds, m, negative inside an
-  /// obstacle or outside the bounds; cut off at `most_m`, which bounds the work.
+  /// Returns the distance from p to the nearest obstacle or to the edge of the bounds, m. It is negative
+  /// inside an obstacle or outside the bounds, and cut off at `most_m`, which limits the computing time.
   [[nodiscard]] double clearance(Vec2 p, double most_m) const;
-  /// True when a disk of that radius can be swept along the segment without touching anything
-  /// (contact within 1e-9 m is allowed). Exact.
+  /// Returns true if a disk of that radius can be swept along the segment without touching anything. Exact;
+  /// an overlap of up to 1e-9 m is allowed.
   [[nodiscard]] bool segment_free(Segment s, double radius_m) const;
 
  private:
@@ -57,8 +58,8 @@ class CollisionMap {
   Box2 bounds_;
   std::shared_ptr<const HeightField> terrain_;
   std::vector<RoundedPolygon> obstacles_;
-  std::vector<Box2> boxes_;       // of the obstacles, by index
-  std::vector<TileRange> tiles_;  // of the obstacles, by index
+  std::vector<Box2> boxes_;       // bounding box of each obstacle
+  std::vector<TileRange> tiles_;  // tiles of each obstacle
   double tile_m_ = 1.0;
   int columns_ = 1;
   int rows_ = 1;

@@ -1,7 +1,8 @@
-// Grid<T>: cells of equal size over a part of the plane, row by row from the lowest y.
+// Grid<T>: values in square cells of equal size, stored row by row from the lowest y.
 //
-// Three coordinates are kept apart: a Cell (column, row), the world (m), and a cell's centre. Row 0
-// is the lowest: images and MovingAI files, whose first row is the top, are flipped when read.
+// A Cell (column, row) is an index; world coordinates are in metres; centre() and corner() convert a cell to
+// world coordinates. Row 0 is the lowest: images and MovingAI files, whose first row is the top, are flipped
+// when they are read.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +16,14 @@
 
 namespace outrider {
 
+/// Indices of a cell.
 struct Cell {
   int x = 0;  ///< column
   int y = 0;  ///< row
   friend constexpr bool operator==(Cell, Cell) = default;
 };
 
-/// Where the cells lie: cell (0, 0) spans origin to origin + resolution.
+/// Position and size of a grid. Cell (0, 0) extends from the origin to origin + resolution in x and y.
 struct GridFrame {
   Vec2 origin;                ///< lowest corner of cell (0, 0), m
   double resolution_m = 1.0;  ///< side of a cell
@@ -42,11 +44,12 @@ struct GridFrame {
   [[nodiscard]] Vec2 centre(Cell c) const {
     return {origin.x + (c.x + 0.5) * resolution_m, origin.y + (c.y + 0.5) * resolution_m};
   }
-  /// The lowest corner of a cell, as a vertex of the corner lattice.
+  /// Returns the corner of a cell with the lowest x and y, m.
   [[nodiscard]] Vec2 corner(Cell c) const {
     return {origin.x + c.x * resolution_m, origin.y + c.y * resolution_m};
   }
-  /// The cell that holds a point; it may lie outside the grid. The point is finite and within 1e9 cells.
+  /// Returns the cell that contains a point; it may lie outside the grid. The point must be finite and at
+  /// most 1e9 cells away from the origin.
   [[nodiscard]] Cell cell_at(Vec2 p) const {
     return {static_cast<int>(std::floor((p.x - origin.x) / resolution_m)),
             static_cast<int>(std::floor((p.y - origin.y) / resolution_m))};
@@ -57,7 +60,7 @@ struct GridFrame {
   friend bool operator==(const GridFrame&, const GridFrame&) = default;
 };
 
-/// The smallest grid of square cells, centred on the box, that covers it.
+/// Returns the smallest grid that covers the box. It is centred on the box.
 inline GridFrame covering(const Box2& box, double resolution_m) {
   const auto cells = [&](double size) { return static_cast<int>(std::ceil(size / resolution_m - 1e-9)); };
   GridFrame frame;
@@ -70,7 +73,8 @@ inline GridFrame covering(const Box2& box, double resolution_m) {
   return frame;
 }
 
-/// What was at c stands at c + shift of the other frame, where that is in it; elsewhere `rest`. O(cells).
+/// Copies cell values to another frame: the value at cell c moves to cell c + shift, unless that is outside
+/// `to`. All other cells get the value `rest`. O(cells).
 template <class T>
 std::vector<T> moved_cells(const std::vector<T>& cells, const GridFrame& from, const GridFrame& to,
                            Cell shift, T rest) {
@@ -85,6 +89,7 @@ std::vector<T> moved_cells(const std::vector<T>& cells, const GridFrame& from, c
   return moved;
 }
 
+/// A grid of values.
 template <class T>
 struct Grid {
   GridFrame frame;

@@ -1,5 +1,5 @@
-// World: what is known of a yard or a building. Immutable by use: planners take it by const
-// reference, and with() gives a new one.
+// World: the known geometry of a yard or a building. Treat it as immutable: planners take it by const
+// reference, and with() returns a changed copy.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,28 @@
 
 namespace outrider {
 
+/// The solids of a world, its ground and its boundary.
 struct World {
   std::string name;
-  Box2 bounds;                ///< the yard: the robot's disk stays inside
-  double gravity_mps2 = 9.8;  ///< along -z
-  double floor_z_m = 0.0;     ///< height of the ground on which the robot drives
-  std::vector<Solid> solids;  ///< in the order of the file; the ground is one of them
-  std::shared_ptr<const HeightField> terrain =
-      {};  ///< the ground where it is not flat; one of the solids too
+  Box2 bounds;                                      ///< the disk of the robot must stay inside
+  double gravity_mps2 = 9.8;                        ///< along -z
+  double floor_z_m = 0.0;                           ///< height of the flat ground on which the robot drives
+  std::vector<Solid> solids;                        ///< in the order of the file; includes the ground
+  std::shared_ptr<const HeightField> terrain = {};  ///< uneven ground, also one of the solids; null if flat
 
+  /// Returns a copy with one more solid.
   [[nodiscard]] World with(Solid solid) const;
-  /// On this ground instead of the floor: upright half-spaces and what was terrain before go, a solid
-  /// "terrain" comes, and floor_z_m is its lowest height. A field as flat as the floor, at its height,
-  /// changes nothing.
+  /// Returns a copy with the height field as its ground. Horizontal half-spaces and an earlier terrain are
+  /// removed, a solid "terrain" is added, and floor_z_m becomes the lowest height of the field. If the field
+  /// is flat and at the height of the floor, the copy is unchanged.
   [[nodiscard]] World on(std::shared_ptr<const HeightField> ground) const;
-  /// Height of the ground on which the robot drives, m.
+  /// Returns the height of the ground on which the robot drives, m.
   [[nodiscard]] double ground_z_m(Vec2 p) const { return terrain ? terrain->height(p) : floor_z_m; }
 };
 
-/// The box around every solid that stands on the floor (half-spaces, height fields and anything flat on
-/// it left out): the yard that walls enclose. Empty when nothing stands there.
+/// Returns the bounding box of all solids that stand on the floor: the yard that the walls enclose.
+/// Half-spaces, height fields and anything that lies flat on the floor do not count. Empty if nothing stands
+/// there.
 Box2 standing_bounds(const World& world);
 
 }  // namespace outrider

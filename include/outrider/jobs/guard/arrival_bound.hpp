@@ -1,33 +1,37 @@
-// The clairvoyant lower bound: what no policy can do better, even if it knew every arrival beforehand.
+// The clairvoyant lower bound for arriving intruders: no policy can be better, not even one that knows every
+// arrival in advance.
 #pragma once
 
 #include "outrider/jobs/guard/arrivals.hpp"
 
 namespace outrider {
 
+/// Lower bounds for both objectives.
 struct ArrivalBound {
-  double time_inside_s = 0.0;  ///< summed over the intruders that can be hit
-  double makespan_s = 0.0;     ///< of the last hit, from the start
+  double time_inside_s = 0.0;  ///< time inside, summed over the intruders that can be hit
+  double makespan_s = 0.0;     ///< time of the last hit, from the start
 };
 
-/// For every run in which each intruder whose place has a firing region is hit, or stays until the end,
-/// and every shot is fired from within `errors.position_m` of a cell of the region, within the errors.
+/// Returns the bounds. They hold for every run in which each intruder whose place has a firing region is hit
+/// or stays until the end, and every shot is fired from within `errors.position_m` of a cell of the region,
+/// within the errors.
 ///
-/// An intruder j is a job on one machine, the robot. It is released when it is in its place and the robot
-/// can have got from the start to the nearest cell of its region (in a straight line, less the error); it
-/// takes at least p_j, the time in which the fastest ball crosses the narrowest gap. Balls fly one at a time.
-/// Then the least sum of completion times of jobs that may be interrupted is a bound; serving the job with
-/// the shortest rest first attains it (Schrage, Operations Research 16(3), 1968). For the makespan:
-/// the largest over k of r_k + the work released at r_k or later. Drives between places, turns and aims
-/// are not counted. O(intruders x cells + intruders^2).
+/// The relaxation is a scheduling problem: each intruder j is a job, and the robot is the one machine. Job j
+/// is released at r_j, when the intruder is in its place and the robot can have reached the nearest cell of
+/// its region (in a straight line, less the error). It takes at least p_j, the time in which the fastest ball
+/// crosses the narrowest gap. Only one ball flies at a time. The bound on the time inside is the least sum of
+/// completion times with preemption; the rule of the shortest remaining processing time attains it (Schrage,
+/// Operations Research 16(3), 1968). The bound on the makespan is the maximum over k of r_k + the work
+/// released at r_k or later. Drives between places, turns and aiming are not counted. O(intruders * cells +
+/// intruders^2).
 ArrivalBound arrival_bound(const ArrivalYard& watch);
 
 /// A job of the relaxation.
 struct ReleasedWork {
-  double release_s = 0.0;
-  double work_s = 0.0;
+  double release_s = 0.0;  ///< time from which the job may be processed
+  double work_s = 0.0;     ///< processing time
 };
-/// The least sum of completion times when jobs may be interrupted. O(jobs^2).
+/// Returns the least sum of completion times with preemption. O(jobs^2).
 double least_completion_sum(std::vector<ReleasedWork> jobs);
 
 }  // namespace outrider

@@ -1,9 +1,9 @@
 // Arrivals: intruders that enter a yard one after another.
 //
-// An intruder enters at an entrance, walks in a straight line to the place of one of the targets, stays
-// there, and is hit there; on its way it cannot be. It is known from the moment it enters. Once hit it
-// leaves, with a probability; else it survives: it walks straight to the place of another target, and is hit
-// there.
+// An intruder is known from the moment it enters at an entrance. It walks in a straight line to the place of
+// one of the targets and stays there. It can be hit only in its place, not while it walks. After a hit it
+// leaves with a given probability. Otherwise it survives and walks in a straight line to the place of another
+// target, where it can be hit again.
 #pragma once
 
 #include <cstdint>
@@ -16,67 +16,70 @@
 
 namespace outrider {
 
-/// A named place where intruders come in.
+/// A named place where intruders enter.
 struct Entrance {
   std::string name;
   Vec2 position;
 };
 
-/// What is made least: the sum over the intruders of their time inside, or the time of the last hit.
+/// What is minimised: the sum of the times that intruders are inside, or the time of the last hit.
 enum class ArrivalObjective { time_inside, makespan };
 
+/// Options of arriving intruders and of the planning for them.
 struct ArrivalOptions {
-  std::int64_t count = 0;  ///< intruders, at most; 0: as many as come until `until_s`
-  double until_s = 0.0;    ///< nobody enters later; 0: no such time
-  double rate_hz = 0.1;    ///< of the Poisson process
-  std::string entrances;   ///< name=x,y, with blanks between
-  std::string list;        ///< path of a schedule (io/arrivals.hpp) instead of the process
-  double walk_mps = 1.0;   ///< from the entrance to the place; 0: they are there at once
-  double leave = 1.0;      ///< probability that one who is hit leaves
-  std::string policy = "each_arrival";
-  std::int64_t group = 3;
-  std::string objective = "time_inside";
-  std::int64_t stops = 100;  ///< places handed to the planner
-  std::int64_t beam = 100;   ///< partial plans kept for each number of hits
+  std::int64_t count = 0;                 ///< maximum number of intruders; 0: limited by `until_s` only
+  double until_s = 0.0;                   ///< no intruder enters later; 0: no limit
+  double rate_hz = 0.1;                   ///< rate of the Poisson process
+  std::string entrances;                  ///< name=x,y, separated by blanks
+  std::string list;                       ///< path of a schedule (arrivals_file.hpp) instead of the process
+  double walk_mps = 1.0;                  ///< walking speed; 0: intruders reach their place at once
+  double leave = 1.0;                     ///< probability that an intruder leaves after a hit
+  std::string policy = "each_arrival";    ///< a name of the catalogue of policies (policy.hpp)
+  std::int64_t group = 3;                 ///< number of intruders, for policies that plan for groups
+  std::string objective = "time_inside";  ///< or "makespan"
+  std::int64_t stops = 100;               ///< maximum number of stops given to the planner
+  std::int64_t beam = 100;                ///< partial plans kept for each number of hits
 
-  /// False for the still yard.
+  /// Returns true if intruders arrive; false if all targets are inside from the start.
   [[nodiscard]] bool any() const { return count > 0 || until_s > 0.0 || !list.empty(); }
 };
 
 std::vector<Option> describe(ArrivalOptions& options);
 
-/// Fault: bad_input with the two names.
+/// Returns the objective of that name. Fault: bad_input, with the two valid names.
 Outcome<ArrivalObjective> find_objective(const std::string& name);
 
-/// When an intruder that enters at `enters_s` is in its place.
+/// Returns the time at which an intruder that enters at `enters_s` reaches its place.
 double settling_time(const GuardProblem& problem, const ArrivalOptions& options, const Intruder& intruder);
 
-/// Intruders of a Poisson process in the order of entering; entrances and places are drawn uniformly.
-/// The answer is a pure function of the arguments: the gaps, the entrances and the places come from
-/// streams of their own. Refused: no entrance, no target, more than 1000 intruders. O(intruders).
+/// Draws intruders from a Poisson process, in the order of entering. Entrances and places are uniform. The
+/// result is a pure function of the arguments: intervals, entrances and places each have their own random
+/// stream. Faults: no entrance, no target, or more than 1000 intruders. O(intruders).
 Outcome<std::vector<Intruder>> draw_arrivals(const GuardProblem& problem,
                                              const std::vector<Entrance>& entrances,
                                              const ArrivalOptions& options, std::uint64_t seed);
 
-/// Puts intruders in the order of entering (ties as given) and names them after their places.
+/// Sorts intruders by the time of entering (stable) and names them after their places.
 void put_in_order(const GuardProblem& problem, std::vector<Intruder>& intruders);
 
-/// The yard with one target for each intruder, in their order, and behind them its own targets, the places.
+/// A guard problem with one target for each intruder, in their order, followed by the original targets, which
+/// are the places.
 struct ArrivalYard {
   GuardProblem problem;
   FiringMap firing_map;
   std::vector<Intruder> intruders;
 
   [[nodiscard]] std::size_t places() const { return problem.targets.size() - intruders.size(); }
-  /// The index of the target for somebody at a place.
+  /// Returns the index of the target for an intruder at a place.
   [[nodiscard]] std::size_t at_place(std::size_t place) const { return intruders.size() + place; }
 };
 
-/// One intruder at each target, from the start.
+/// Returns one intruder for each target; all are in their places from the start.
 std::vector<Intruder> settled_intruders(const GuardProblem& problem);
 
-/// Refused when targets block: who is inside changes, and with it what stands in the way. The regions
-/// are those of the places: nothing is surveyed again. O(intruders x cells).
+/// Makes the yard for these intruders. It reuses the firing regions of the places. Fault: targets block
+/// (GuardProblem::targets_block), because then the obstacles would change with the intruders inside.
+/// O(intruders * cells).
 Outcome<ArrivalYard> arrival_yard(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::vector<Intruder> intruders);
 

@@ -1,21 +1,21 @@
-// A lower bound on the time of a guard mission that holds for every choice of places, ways and order.
+// A lower bound on the time of a guard mission that holds for every choice of stops, paths and order.
 //
-// It holds for all missions that hit each target from the centre of a cell of its firing region, by any
-// shot that the gun can fire, and that drive between these centres anywhere on free ground. Not counted
-// are turning, aiming, and halting at the bends of a way.
+// It holds for all missions that hit each target from the centre of a cell of its firing region, with any
+// shot that the gun can fire, and that drive between these centres anywhere on free ground. Turning, aiming
+// and stopping at the bends of a path are not counted.
 //
-// For a set of targets, let the value of a cell be the least time in which a robot that stands there hits
-// them all. It is the least of two choices: hit one from here, then the rest; or drive to another cell and
-// hit one from there. So the values of a set follow from those of the sets that lack one of it, by one
-// search from many sources over the ground (Held and Karp, 1962, with fields for places). Drives are as
-// long as the shortest chains of moves on the lattice of cells, which are never above the shortest way
-// (lattice.hpp), and take the time from rest to rest. Flights take the least time in which a ball of full
-// speed can touch the target, whatever stands between; in air, in which that would be hard to bound, what
-// crossing the gap at full speed takes.
+// The bound is a dynamic programme over sets of targets (Held and Karp, 1962). For a set, the value of a cell
+// is the least time in which a robot that stands there can hit all targets of the set. There are two choices:
+// hit one target from here and then the others, or drive to another cell first. So the values of a set follow
+// from those of its subsets with one target less, by one multi-source search over the ground. The length of a
+// drive is that of the shortest chain of moves on the lattice of cells, which is never longer than the
+// shortest path (lattice.hpp); its time is that of a drive from rest to rest. A flight takes the least time
+// in which a ball of full speed can touch the target, with obstacles ignored. In air that time would be hard
+// to bound, so the time to cross the gap at full speed is used.
 //
-// Some targets are treated so; the others add their least flights. They are chosen one by one: the one for
-// which the mission that attains the bound so far would have to do most (Righini and Salani, Networks
-// 51(3), 2008).
+// Only some targets take part in the dynamic programme; each of the others adds its shortest flight. The
+// targets that take part are added one by one: next comes the target that would cost most extra in the
+// mission that attains the present bound (Righini and Salani, Networks 51(3), 2008).
 #pragma once
 
 #include <vector>
@@ -25,11 +25,11 @@
 
 namespace outrider {
 
-/// The bound for hitting `targets`, whose regions are not empty, s; 0 without any. At most 8 of them are
-/// treated together, with `options.prove` 13, and fewer where 2^chosen fields of 2 bytes a cell would need
-/// more than half of the memory cap. The budget counts sets of targets; when it ends, the bound is that
-/// of the targets chosen so far. Same input, same value, for any number of threads.
-/// O(2^chosen x cells) time and memory.
+/// Returns the bound for hitting `targets`, s; 0 if there are none. Their regions must not be empty. At most
+/// 8 targets take part in the dynamic programme (13 with `options.prove`), and fewer if 2^chosen fields of 2
+/// bytes per cell would need more than half of the memory limit. The budget counts sets of targets; when it
+/// is used up, the result is the bound for the targets chosen so far. The value is the same for any number of
+/// threads. O(2^chosen * cells) time and memory.
 double mission_bound(const GuardProblem& problem, const FiringMap& firing_map,
                      const std::vector<std::size_t>& targets, const GuardOptions& options,
                      const Budget& budget);

@@ -1,5 +1,6 @@
-// Capabilities: what a guard task may ask for beside still targets in a known, level yard without air, and
-// which of it combines. src/jobs/guard/capabilities.cpp has the two tables; nothing else excludes anything.
+// Capabilities: the optional features of a guard task, and which of them combine. A task without any has
+// still targets in a known, level yard without air. src/jobs/guard/capabilities.cpp holds the two tables;
+// only these tables exclude combinations.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +14,42 @@ namespace outrider {
 struct GuardScenario;
 
 enum class Capability : std::uint8_t {
-  arrivals,     ///< intruders come one after another
-  survivors,    ///< who is hit may go elsewhere
+  arrivals,     ///< intruders enter one after another
+  survivors,    ///< an intruder may survive a hit and move to another place
   walkers,      ///< intruders walk about
   supplies,     ///< limited water and battery
   terrain,      ///< height fields and slopes
   air,          ///< drag and wind
-  on_the_move,  ///< shots from a robot that drives
-  unknown,      ///< a yard that is explored first
-  rigid,        ///< a robot and balls of rigid bodies
+  on_the_move,  ///< shots from a moving robot
+  unknown,      ///< an unknown yard, which is explored first
+  rigid,        ///< rigid-body simulation of robot and balls
   blocking,     ///< targets that block robot and shots
 };
 
+/// The names of a capability.
 struct CapabilityRow {
   Capability capability = Capability::arrivals;
-  std::string_view noun;  ///< "intruders that keep coming"
-  std::string_view key;   ///< that asks for it
+  std::string_view noun;  ///< noun phrase for messages, such as "intruders that keep coming"
+  std::string_view key;   ///< option that turns the capability on
 };
 
-/// All of them, by the order of the enum.
+/// Returns all capabilities, in the order of the enum.
 const std::vector<CapabilityRow>& capabilities();
 
 /// Two capabilities that do not combine.
 struct Clash {
   Capability one = Capability::arrivals;
   Capability other = Capability::arrivals;
-  std::string_view why;  ///< a clause
+  std::string_view why;  ///< the reason, as a clause
 };
+/// Returns all pairs of capabilities that do not combine.
 const std::vector<Clash>& clashes();
 
-/// What a scenario asks for, once its world is loaded, by the order of the enum.
+/// Returns the capabilities that a scenario uses, in the order of the enum. Its world must be loaded.
 std::vector<Capability> asked_of(const GuardScenario& scenario);
 
-/// Refuses the first two that do not combine, at the key of the second one, with one sentence.
+/// Checks that the capabilities combine. The fault describes the first pair that does not, at the key of its
+/// second member.
 Status check_capabilities(const std::vector<Capability>& asked);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The catalogue of guard planners; src/guard/catalog.cpp is the only list.
+// The catalogue of guard planners. src/jobs/guard/catalog.cpp is the only list of them.
 #pragma once
 
 #include <string_view>
@@ -8,21 +8,21 @@
 
 namespace outrider {
 
-/// Every planner keeps the promises of plan_guard() but for the tour itself: each target is in exactly one
-/// stop or in `unreachable`, each shot hits with the margin, each leg is free, the cost is what its parts add
-/// up to, and the same input gives the same plan.
+/// A guard planner. Every planner gives the guarantees of plan_guard(), except those about the quality of the
+/// tour: each target is in exactly one stop or in `unreachable`, each shot hits with the margin, each leg is
+/// free, the cost is the sum of its parts, and the same input gives the same plan.
 struct GuardPlanner {
   std::string_view name;
-  std::string_view sentence;
-  std::string_view source;
+  std::string_view sentence;  ///< one sentence that says what the planner does
+  std::string_view source;    ///< source of the method
   Outcome<GuardPlan> (*plan)(const GuardProblem&, const FiringMap&, const GuardOptions&,
                              const Budget&) = nullptr;
 };
 
-/// All of them, in the order of showing; the first is the default.
+/// Returns all guard planners, in the order of display; the first is the default.
 const std::vector<GuardPlanner>& guard_planners();
 
-/// Fault: bad_input with the nearest known name.
+/// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<GuardPlanner> find_guard_planner(std::string_view name);
 
 }  // namespace outrider

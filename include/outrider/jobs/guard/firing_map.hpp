@@ -1,7 +1,7 @@
-// FiringMap: the yard of a guard problem, made ready for planning and for execution.
+// FiringMap: the yard of a guard problem, preprocessed for planning and execution.
 //
-// Everything here follows from the problem and the options alone: what the robot can bump into, where
-// it can stand, what a flight can touch, and from where each target can be hit.
+// It holds the obstacles of the robot, the cells where the robot can stand, the obstacles of flights, and for
+// each target the cells from which it can be hit. It depends only on the problem and the options.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,29 @@
 
 namespace outrider {
 
-/// Why a target has no firing region.
+/// The reason why a target has no firing region.
 struct Proof {
-  std::optional<Exhausted> exhausted;  ///< set when shots at its centre found no place
-  bool from_elsewhere = false;         ///< it could be hit from ground that cannot be driven to
+  std::optional<Exhausted> exhausted;  ///< set if shots at the centre of the target found no place
+  bool from_elsewhere = false;         ///< the target could be hit from ground that the robot cannot reach
 };
 
+/// The preprocessed yard.
 struct FiringMap {
-  ShotRules rules;
-  std::vector<FlightSpace> spaces;  ///< one for all targets, or one for each when targets block
-  CollisionMap ground;
-  GridFrame frame;
+  ShotRules rules;  ///< requirements for planned shots
+  std::vector<FlightSpace>
+      spaces;           ///< obstacles of flights: one for all targets, or one per target if they block
+  CollisionMap ground;  ///< obstacles of the robot
+  GridFrame frame;      ///< of the cells below
   std::vector<std::uint8_t> standable;  ///< by cell: the disk of the robot fits at its centre
-  std::vector<std::uint8_t> reachable;  ///< by cell: and the robot can drive there, cell to cell
+  std::vector<std::uint8_t> reachable;  ///< by cell: standable, and the robot can drive there from the start
   std::vector<float> clearance_m;       ///< by cell: from its centre to the nearest obstacle or edge
-  std::vector<std::uint32_t> homeward;  ///< by reachable cell: the next one on a way to the start; itself
-                                        ///< where the start is seen
-  std::vector<FiringRegion> regions;    ///< by target, over the reachable cells
-  std::vector<Proof> proofs;            ///< by target
+  /// By reachable cell: the next cell on a path to the start. A cell from which the start is visible refers
+  /// to itself.
+  std::vector<std::uint32_t> homeward;
+  std::vector<FiringRegion> regions;  ///< by target, over the reachable cells
+  std::vector<Proof> proofs;          ///< by target
 
+  /// Returns the obstacles of flights to a target.
   [[nodiscard]] const FlightSpace& space(std::size_t target) const {
     return spaces.size() == 1 ? spaces.front() : spaces[target];
   }
@@ -47,9 +51,9 @@ enum class RegionSearch : std::uint8_t {
   none           ///< there are no regions
 };
 
-/// Refused: an empty or too fine grid (memory), a start that is blocked or outside, a target whose
-/// centre is inside a solid, numbers that are not finite or out of the range of their option. O(cells x
-/// targets); regions in parallel, with the same result for any number of threads.
+/// Builds the firing map. Faults: an empty grid, or one too fine for the memory limit; a start that is
+/// blocked or outside; a target whose centre is inside a solid; numbers that are not finite or out of range.
+/// O(cells * targets). Regions are computed in parallel; the result does not depend on the number of threads.
 Outcome<FiringMap> build_firing_map(const GuardProblem& problem, const GuardOptions& options,
                                     const Budget& budget = {}, RegionSearch search = RegionSearch::proven);
 

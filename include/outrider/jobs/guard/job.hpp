@@ -1,4 +1,4 @@
-// The job guard: hit every target in a yard with a ballistic water gun, soonest.
+// The job `guard`: hit every target in a yard with a ballistic water gun, in the least time.
 #pragma once
 
 #include "outrider/job/job.hpp"
@@ -6,19 +6,20 @@
 
 namespace outrider {
 
+/// A task of the job `guard`.
 class GuardJob final : public JobTask {
  public:
   GuardJob() : JobTask("guard") {}
   Outcome<Warnings> load() override;
   Outcome<Run> run(const RunWatch& watch) override;
 
-  GuardScenario scenario;  ///< with the problem, once loaded
+  GuardScenario scenario;  ///< options; holds the problem after load()
 
  protected:
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 };
 
-/// Its row in the catalogue.
+/// Returns the catalogue entry of the job.
 Job guard_job();
 
 }  // namespace outrider

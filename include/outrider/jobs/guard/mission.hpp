@@ -1,11 +1,11 @@
-// GuardMission: the one mission of a guard robot, with the capabilities that its task asks for.
+// GuardMission: the mission of a guard robot, with the capabilities that its task uses.
 //
-//   stop tasks   (stop_tasks.hpp)        always: drive to the stops, solve each shot anew, try again
-//   arrivals     (arriving_targets.hpp)  intruders keep coming, or survive: the tasks are planned anew
-//   walkers      (moving_targets.hpp)    intruders walk about: shots lead them
-//   supplies     (store_keeper.hpp)      water and battery are limited: stations come first when they must
+//   stop tasks   (stop_tasks.hpp)        always used: drive to the stops, solve each shot again, repeat
+//   misses arrivals     (arriving_targets.hpp)  for intruders that keep coming or survive: plan the tasks
+//   anew walkers      (moving_targets.hpp)    for intruders that walk about: aim ahead of them supplies
+//   (store_keeper.hpp)      for limited water and battery: visit stations in time
 //
-// Which of them combine, and with which properties of yard and robot, is said by capabilities.hpp.
+// capabilities.hpp defines which of them combine, and with which properties of yard and robot.
 #pragma once
 
 #include <optional>
@@ -17,28 +17,28 @@
 
 namespace outrider {
 
-/// A Mission (robot/mission.hpp). Everything that it was made of must outlive it. Deterministic. It ends,
-/// when the intruders do: each target is shot at at most twice `tries` times for each of its lives, and
-/// between two shots or waits there are at most six fills.
+/// A Mission (robot/mission.hpp). All constructor arguments must outlive it. It is deterministic, and it ends
+/// if the number of intruders is finite: after each appearance or survival a target gets at most 2 `tries`
+/// shots, and there are at most six fills between two shots or waits.
 class GuardMission {
  public:
-  /// All targets stand still from the start.
+  /// Makes a mission against targets that stand still from the start.
   GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan);
-  /// They come one after another, or may survive.
+  /// Makes a mission against intruders that arrive one after another, or may survive.
   explicit GuardMission(const ArrivalPlan& plan);
   explicit GuardMission(const ArrivalPlan&& plan) = delete;
-  /// They walk about.
+  /// Makes a mission against intruders that walk about.
   explicit GuardMission(const MovingPlan& plan);
   explicit GuardMission(const MovingPlan&& plan) = delete;
 
-  /// The next command, or nothing when the mission is over. Where the problem has limited stores, the
-  /// observation has to tell their levels; where intruders come or walk, what the detector sees.
+  /// Returns the next command, or nothing when the mission is over. The observation must contain the store
+  /// levels if stores are limited, and the target report if intruders arrive or walk.
   std::optional<Command> step(const Observation& seen);
 
-  StopTasks tasks;           ///< with the record of each target
-  ArrivingTargets arriving;  ///< where they come or survive
-  MovingTargets moving;      ///< where they walk about
-  StoreKeeper stores;        ///< where stores are limited
+  StopTasks tasks;           ///< stops to make, with the record of each target
+  ArrivingTargets arriving;  ///< used if intruders arrive or survive
+  MovingTargets moving;      ///< used if intruders walk about
+  StoreKeeper stores;        ///< used if stores are limited
 
  private:
   void note(const Observation& seen);

@@ -1,11 +1,12 @@
-// Shooting in passing: shots that leave while the robot drives along a straight of its way.
+// Shots in passing: shots fired while the robot drives along a straight leg of its path.
 //
-// The robot follows its way as drive_cost() (motion/robot_model.hpp) counts it: it turns in place, then
+// The robot follows the path as drive_cost() (motion/robot_model.hpp) counts it: it turns in place, then
 // drives straight from rest to rest. While it drives, the gun turns to the next shot, from the beginning of
-// the straight or from the shot before; the ball leaves with the velocity of the barrel and that of the
-// robot. Nobody waits for a ball but at the end of the way. Level ground only, with air or without.
+// the leg or from the previous shot on. The velocity of the ball is its muzzle velocity plus the velocity of
+// the robot. The robot waits for balls to land only at the end of the path. Level ground only, with or
+// without air.
 //
-// Frames and units: world, metres, seconds, radians; `after_s` counts from the beginning of a straight.
+// Frames and units: world, metres, seconds, radians; `after_s` counts from the beginning of a leg.
 #pragma once
 
 #include <map>
@@ -19,55 +20,56 @@
 
 namespace outrider {
 
-/// One straight of a way, and when it is driven.
+/// One straight leg of a path and the time at which it is driven.
 struct Straight {
-  std::size_t leg = 0;  ///< it ends at this waypoint
+  std::size_t leg = 0;  ///< index of the waypoint at which the leg ends
   Vec2 from;
   Vec2 to;
-  double begin_s = 0.0;  ///< from the beginning of the way, the turns counted
-  double length_s = 0.0;
+  double begin_s = 0.0;   ///< start time, counted from the beginning of the path; includes turns
+  double length_s = 0.0;  ///< duration
 };
 
-/// Those of a way, in order; waypoints at one place make none. O(waypoints).
+/// Returns the legs of a path in order. Equal consecutive waypoints make no leg. O(waypoints).
 std::vector<Straight> straights(const RobotModel& robot, double heading_rad,
                                 const std::vector<Vec2>& waypoints);
 
-/// Where the robot is on a straight, and how fast, that long after it began.
+/// Returns position and velocity of the robot `after_s` after the beginning of a leg.
 Platform platform_on(const RobotModel& robot, Vec2 from, Vec2 to, double after_s);
 
-/// A shot at a target in passing.
+/// A planned shot in passing.
 struct PassingHit {
   std::size_t target = 0;
-  std::size_t leg = 0;    ///< of the way, as in Straight
-  double after_s = 0.0;   ///< when the ball leaves
-  double leaves_s = 0.0;  ///< the same from the beginning of the way
+  std::size_t leg = 0;    ///< as in Straight
+  double after_s = 0.0;   ///< firing time, counted from the beginning of the leg
+  double leaves_s = 0.0;  ///< firing time, counted from the beginning of the path
   PlannedShot shot;
 };
 
-/// When the last ball of a way has landed, from its beginning; 0 without any.
+/// Returns the time at which the last ball lands, counted from the beginning of the path; 0 if there is none.
 double last_landing_s(const std::vector<PassingHit>& passing);
 
-/// After the last of these shots, which are on that way; `before` without any.
+/// Returns the state of the gun after the last shot along the path; `before` if there is no shot.
 GunState gun_after(const std::vector<Vec2>& waypoints, const std::vector<PassingHit>& passing,
                    GunState before);
 
-/// Finds shots in passing. Remembers those it has solved; not for two threads at once.
+/// Finds shots in passing and caches the solved ones. Thread rule: use each object from one thread.
 class PassingShots {
  public:
-  /// The references must outlive it.
+  /// The arguments must outlive this object.
   PassingShots(const GuardProblem& problem, const FiringMap& firing_map)
       : problem_(problem), site_(firing_map) {}
 
-  /// At each moment of the way, 0.2 s apart, one of the targets that can be hit then and that the gun gets to
-  /// in time is shot at: the one whose last moment on the way comes first. Each target once at most; in the
-  /// order of shooting. O(moments x targets) shots.
+  /// Chooses shots along a path. It tries firing times 0.2 s apart. At each of them it considers the targets
+  /// that can be hit and that the gun can be aimed at in time, and shoots at the one whose last chance on the
+  /// path comes first. Each target is shot at no more than once. Returns the shots in the order of firing.
+  /// Solves O(firing times * targets) shots.
   std::vector<PassingHit> along(double heading_rad, const std::vector<Vec2>& waypoints, GunState gun,
                                 const std::vector<std::size_t>& targets);
 
  private:
   using Moment = std::tuple<double, double, double, double, double, bool, std::size_t>;
 
-  /// By target: its shots on the way, in the order of their moments.
+  /// Returns for each target its possible shots along the path, in the order of time.
   std::vector<std::vector<PassingHit>> offers(const std::vector<Straight>& way,
                                               const std::vector<std::size_t>& targets);
   const std::optional<PlannedShot>& at(const Straight& straight, bool last, double after_s,
@@ -78,10 +80,11 @@ class PassingShots {
   std::map<Moment, std::optional<PlannedShot>> solved_;
 };
 
-/// The shot at the target's centre that is soonest there of those on the pitch lattice which keep the margin,
-/// forgive enough (a error_ratio of at most 0.7), and hit under all extreme errors together: of the gun, of
-/// the muzzle speed, of the moment, and, on the last straight of a way, of the place where it ends. Tried
-/// only where a robot that stands could hit the target.
+/// Returns the shot at the target's centre that lands soonest, or nothing if there is none. Candidates are
+/// the pitches of the lattice. A shot must keep the margin, have an error_ratio of at most 0.7, and hit under
+/// all combinations of extreme errors: of the gun, of the muzzle speed, of the firing time and, on the last
+/// leg
+/// (`last`), of the place where the leg ends. Tried only where a standing robot could hit the target.
 std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const FiringMap& firing_map,
                                         std::size_t target, const Straight& straight, bool last,
                                         double after_s);

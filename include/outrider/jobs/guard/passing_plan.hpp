@@ -1,4 +1,4 @@
-// The plan of a guard mission with shots in passing: what can be hit from the way needs no stop.
+// Plans of a guard mission with shots in passing: a target that can be hit during a drive needs no stop.
 #pragma once
 
 #include <stop_token>
@@ -7,19 +7,19 @@
 
 namespace outrider {
 
-/// Takes shots off the stops of a plan, one or all of a stop at a time, and puts them on the drives that are
-/// left (passing.hpp), as long as that makes the whole mission shorter. A stop without shots is dropped, and
-/// the way past it found anew. Never longer than `plan`, by the judge that counted the cost of that.
-/// Both lower bounds become moving_bound(): what is proven of a tour holds for shots from rest.
-/// A plan over terrain or with stops that fill stores is returned with its hits as they are.
-/// Once `stop` is raised no shorter plan is looked for.
-/// O(hits^2) assemblies, in each O(stops) routes and the shots that are new.
+/// Improves a plan: moves shots from stops to drives (passing.hpp), one shot or all shots of a stop at a
+/// time, as long as that makes the mission shorter. A stop without shots is removed, and the path past it is
+/// planned again. The result is never longer than `plan`, with the cost counted in the same way. Both lower
+/// bounds become moving_bound(), because the bounds of a tour hold only for shots from rest. The shots of a
+/// plan over terrain or with stops at stations stay as they are. A stop request ends the search for shorter
+/// plans. O(hits^2) candidate plans, each with O(stops) routes and its new shots.
 GuardPlan shoot_in_passing(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
                            const std::stop_token& stop = {});
 
-/// A lower bound on the time of every mission that hits those targets, standing or in passing, from anywhere:
-/// the longest of the drives, in a straight line and from rest, that bring each within reach of a ball with
-/// the speeds of gun and robot together. 0 in air, where no reach is proven. O(targets).
+/// Returns a lower bound on the time of every mission that hits those targets, from rest or in passing, from
+/// anywhere. For each target it takes the time of a straight drive from rest until the target is within reach
+/// of a ball that has the speeds of gun and robot added; the bound is the largest of these times. In air no
+/// reach is proven, and the bound is 0. O(targets).
 double moving_bound(const GuardProblem& problem, const FiringMap& firing_map,
                     const std::vector<std::size_t>& targets);
 

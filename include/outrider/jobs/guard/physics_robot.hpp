@@ -1,10 +1,11 @@
-// A guard as rigid bodies: wheels that push it about a yard, a ball that flies until it touches something.
+// PhysicsGuard: a guard robot in a rigid-body simulation, with driven wheels and a ball that flies until it
+// touches something.
 //
-// Legs and turns are those of the ordinary simulator, under the same speed profiles, but the wheels follow
-// them and the engine says where the robot is. Each drive is sent off its goal by the error of position that
-// the problem states, and each shot leaves with the errors of the gun; what the wheels miss of the goal comes
-// on top and is measured. The barrel is a part of the report only: the ball starts at the muzzle of
-// the chassis as it stands in the engine, and touches what it touches there.
+// Legs and turns have the same speed profiles as in the kinematic simulator, but here they are references
+// that the wheels follow, and the physics engine determines the motion of the robot. The goal of each drive
+// has the position error of the problem added, and each shot has the errors of the gun. The tracking error of
+// the wheels comes on top and is measured. The barrel is not a body: the ball starts at the position that the
+// muzzle has for the pose of the chassis in the engine, and the engine detects its contacts.
 #pragma once
 
 #include <string>
@@ -20,14 +21,14 @@ namespace outrider {
 
 class PhysicsGuard final : public Robot {
  public:
-  /// The references must outlive the robot. It is let down on its wheels before the clock begins.
+  /// The references must outlive the robot. The robot settles on its wheels before time 0.
   PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
                std::uint64_t seed);
 
   Observation sense() override;
   void act(const Command& command) override;
 
-  SimRecord record;  ///< so far, with what rigid bodies tell
+  SimRecord record;  ///< actions so far, with the measurements of rigid bodies
 
  private:
   void follow(const FollowWaypoints& command);
@@ -57,7 +58,7 @@ class PhysicsGuard final : public Robot {
   std::int64_t ticks_ = 0;
   double gun_yaw_rad_ = 0.0;  // relative to the body
   double gun_pitch_rad_ = 0.0;
-  std::vector<ShotResult> landed_;   // not yet told of
+  std::vector<ShotResult> landed_;   // not yet reported
   std::vector<int> attempts_;        // by target
   std::vector<std::size_t> bumped_;  // in this drive
 };

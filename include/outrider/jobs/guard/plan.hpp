@@ -1,4 +1,4 @@
-// The plan of a guard mission: where to stop, in which order, and what to shoot from there.
+// GuardPlan: where the robot stops, in which order, and which targets it shoots at from each stop.
 #pragma once
 
 #include <cstdint>
@@ -13,44 +13,50 @@
 
 namespace outrider {
 
+/// A planned shot at a target.
 struct PlannedHit {
   std::size_t target = 0;
   PlannedShot shot;
 };
 
+/// A stop of the plan.
 struct PlannedStop {
   Vec2 position;
-  std::vector<Vec2> waypoints;  ///< from the stop before, both included
-  std::vector<PlannedHit> hits;
-  std::optional<StationCall> call = {};  ///< a store is filled here, and nothing is shot at
-  std::vector<PassingHit> passing = {};  ///< shots on the way to here (passing_plan.hpp)
+  std::vector<Vec2> waypoints;           ///< path from the previous stop to here, both included
+  std::vector<PlannedHit> hits;          ///< shots from here, in order
+  std::optional<StationCall> call = {};  ///< set if a store is filled here; then there are no shots
+  std::vector<PassingHit> passing = {};  ///< shots during the drive to here (passing_plan.hpp)
 };
 
+/// A target that the plan leaves out.
 struct Unreachable {
   std::size_t target = 0;
   std::string reason;  ///< one sentence, with the resolution at which it is proven
 };
 
+/// The plan of a mission, with its cost and proven bounds.
 struct GuardPlan {
-  std::vector<PlannedStop> stops;
-  std::vector<Unreachable> unreachable;
-  std::vector<Unreachable> unsupplied = {};  ///< those that the supplies do not suffice for (supply_plan.hpp)
-  std::optional<Routes> routes;              ///< between the start and the stops; nothing when there are none
-  double cost_s = 0.0;                       ///< mission time if nothing goes wrong
-  /// The same as the tour solver counts it, each flight as often as it is expected to be flown; nothing for
-  /// plans that are not its tour.
+  std::vector<PlannedStop> stops;        ///< in order
+  std::vector<Unreachable> unreachable;  ///< targets that cannot be hit
+  std::vector<Unreachable> unsupplied =
+      {};                        ///< targets for which the supplies do not suffice (supply_plan.hpp)
+  std::optional<Routes> routes;  ///< between the start and the stops; unset without stops
+  double cost_s = 0.0;           ///< mission time if every shot hits
+  /// Mission time with expected repetitions of missed shots, as the tour solver counts it. Unset for plans
+  /// that the tour solver did not make.
   std::optional<double> expected_s = {};
-  /// No tour of the stops, shots and drives last offered takes less, counted so (solve.hpp); where the robot
-  /// may shoot in passing, no mission at all (passing_plan.hpp).
+  /// Proven lower bound on `bounded_s()` for tours over the stops, shots and drives last given to the solver
+  /// (solve.hpp). If the robot may shoot in passing, the bound holds for every mission (passing_plan.hpp).
   double lower_bound_s = 0.0;
-  double anywhere_lower_bound_s = 0.0;  ///< no plan that hits from cells of the regions does (bound.hpp)
-  bool tour_proven = false;             ///< no better tour of the stops last offered exists
-  std::size_t stops_offered = 0;        ///< to the tour solver in the end
-  std::size_t places = 0;               ///< cells that can be driven to
+  double anywhere_lower_bound_s =
+      0.0;                        ///< bound for plans that hit from any cells of the regions (bound.hpp)
+  bool tour_proven = false;       ///< the tour is optimal for the stops last given to the solver
+  std::size_t stops_offered = 0;  ///< number of stops last given to the tour solver
+  std::size_t places = 0;         ///< number of reachable cells
 
-  /// The time that `lower_bound_s` bounds.
+  /// Returns the time that `lower_bound_s` bounds.
   [[nodiscard]] double bounded_s() const { return expected_s.value_or(cost_s); }
-  /// The parts of the time that the bounds leave open: at most so much of it could be saved.
+  /// Return the optimality gaps: the largest fraction of the time that a better plan could save.
   [[nodiscard]] double gap() const { return left_open(lower_bound_s, bounded_s()); }
   [[nodiscard]] double anywhere_gap() const { return left_open(anywhere_lower_bound_s, cost_s); }
 
@@ -59,15 +65,15 @@ struct GuardPlan {
   }
 };
 
-/// Plans the mission over all places of the firing_map: picks a few hundred of them that matter, solves the
-/// tour, looks closer around the best one, and makes sure of each shot. Every target of the problem is
-/// in exactly one stop or in `unreachable`. Deterministic. The tour counts expected flights, the cost each
-/// flight once, so the plan is mostly a little faster than its tour.
+/// Plans the mission. It selects a few hundred stops from the cells of the firing map, solves the tour,
+/// refines the selection near the best tour, and verifies each shot. Every target is in exactly one stop or
+/// in `unreachable`. Deterministic. `expected_s` includes repeated shots while `cost_s` counts each flight
+/// once, so `cost_s` is usually a little less.
 Outcome<GuardPlan> plan_guard(const GuardProblem& problem, const FiringMap& firing_map,
                               const GuardOptions& options, const Budget& budget);
 
-/// Routes between places of the firing_map. Where the corners of the obstacles lose a passage that the grid
-/// has, cells of a grid path join in: places that see a reachable cell next to them are all connected.
+/// Returns routes between stops. The search uses the corners of obstacles; if these miss a passage that the
+/// grid has, cells of a grid path are added. All stops that see a reachable cell next to them are connected.
 Outcome<Routes> yard_routes(const GuardProblem& problem, const FiringMap& firing_map,
                             const std::vector<Vec2>& stops, const Budget& budget);
 

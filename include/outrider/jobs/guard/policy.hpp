@@ -1,5 +1,5 @@
-// The catalogue of policies: when to plan anew while intruders keep coming, and for whom.
-// src/guard/policy.cpp is the only list; command line, bench and tests walk it.
+// The catalogue of replanning policies: when to make a new plan while intruders keep coming, and for whom.
+// src/jobs/guard/policy.cpp is the only list of them; the command line tool, benchmarks and tests read it.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,30 @@
 
 namespace outrider {
 
-/// What is known between two commands.
+/// The input of a policy, between two commands.
 struct ReplanState {
-  std::size_t inside = 0;   ///< who can be hit and is not hit yet
-  std::size_t entered = 0;  ///< of these, since the last plan
-  bool idle = true;         ///< the last plan is done
-  std::size_t group = 3;    ///< the option
+  std::size_t inside = 0;   ///< intruders inside that can be hit and are not hit yet
+  std::size_t entered = 0;  ///< how many of them entered since the last plan
+  bool idle = true;         ///< the last plan is completed
+  std::size_t group = 3;    ///< ArrivalOptions::group
 };
 
+/// A replanning policy.
 struct ReplanPolicy {
   std::string_view name;
-  std::string_view sentence;
-  std::string_view source;
-  /// How many to plan for, those who have been inside longest first; 0: keep to the plan. Not 0 when idle
-  /// and somebody is inside.
+  std::string_view sentence;  ///< one sentence that says what the policy does
+  std::string_view source;    ///< source of the method
+  /// Returns for how many intruders to plan now; those that have been inside longest come first. 0 keeps the
+  /// present plan. Must not return 0 if the robot is idle and an intruder is inside.
   std::function<std::size_t(const ReplanState&)> take;
-  bool interrupts = false;  ///< a drive ends at its next waypoint when somebody enters
-  bool foresees = false;    ///< knows everybody from the start: no policy, but what one is measured by
+  bool interrupts = false;  ///< a drive ends at its next waypoint when an intruder enters
+  bool foresees = false;    ///< knows all intruders from the start; only a reference for comparison
 };
 
+/// Returns all policies.
 const std::vector<ReplanPolicy>& replan_policies();
 
-/// Fault: bad_input with the nearest known name.
+/// Returns the policy of that name. Fault: bad_input, with the nearest known name.
 Outcome<ReplanPolicy> find_replan_policy(std::string_view name);
 
 }  // namespace outrider

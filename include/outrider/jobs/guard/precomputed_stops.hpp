@@ -1,5 +1,5 @@
-// PrecomputedStops: everything about a yard that does not depend on who is inside, so that a new plan takes
-// milliseconds: the places to stop at, the shots from each, and the drives between them.
+// PrecomputedStops: the stops of a yard, the shots from each stop and the drives between them. They do not
+// depend on the intruders inside, so they are computed once, and a new plan takes milliseconds.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace outrider {
 
+/// The result of precompute_stops().
 struct PrecomputedStops {
-  std::vector<Vec2> stops;      ///< the start first
-  TourProblem table;            ///< over the stops; its goals are the targets of the problem
+  std::vector<Vec2> stops;      ///< positions; the start comes first
+  TourProblem table;            ///< the tour problem over the stops; its goals are the targets
   Routes routes;                ///< between the stops
-  std::vector<Visit> tour;      ///< of the plan for the still yard, over the stops
-  std::vector<char> reachable;  ///< by target: some stop has a shot at it
+  std::vector<Visit> tour;      ///< the tour of the plan for still targets
+  std::vector<char> reachable;  ///< by target: at least one stop has a shot at it
 };
 
-/// The stops are those of `plan`, the plan of the still yard, and the best of the others (stops.hpp,
-/// choose_stops), at most `options.stops` of these. A service takes the flight over the rate of its hits;
-/// shots that often miss count only where a target has no other. `besides` stand behind them, without shots.
-/// Refused as routes_between().
+/// Computes the stops. They are the stops of `plan`, a plan for still targets, and up to `options.stops`
+/// further ones by choose_stops() (stops.hpp). The time of a service is the flight time divided by the hit
+/// rate. Shots that often miss are used only for targets that have no other shots. The places `besides` are
+/// added at the end, without shots. Faults: those of routes_between().
 Outcome<PrecomputedStops> precompute_stops(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& options,
                                            const Budget& budget, const std::vector<Vec2>& besides = {});

@@ -1,4 +1,4 @@
-// The guard problem: hit every target in a yard with a ballistic water gun, soonest.
+// GuardProblem: hit every target in a yard with a ballistic water gun, in the least time.
 #pragma once
 
 #include <string>
@@ -14,6 +14,7 @@
 
 namespace outrider {
 
+/// A guard problem.
 struct GuardProblem {
   World world;
   std::vector<Target> targets;
@@ -23,24 +24,25 @@ struct GuardProblem {
   Air air;
   ExecutionErrors errors;
   Supplies supplies;
-  bool targets_block = false;  ///< targets stop the robot and the shots at other targets
-  std::int64_t tries = 3;      ///< shots at a target before it has failed
+  bool targets_block = false;  ///< targets are obstacles for the robot and for shots at other targets
+  std::int64_t tries = 3;      ///< number of missed shots after which a target has failed
 };
 
+/// Options of the planning.
 struct GuardOptions {
   std::string planner = "best_tour";     ///< a name of the catalogue (catalog.hpp)
-  double resolution_m = 0.1;             ///< of the places where the robot may stand
-  double margin_m = 0.03;                ///< from a planned flight to every solid
-  double pitch_step_rad = radians(2.5);  ///< of the pitches tried
-  double aim_step_m = 0.05;              ///< of the aim points tried before a target is given up
-  std::int64_t stops = 300;              ///< places handed to the tour solver at a time
-  std::int64_t refinements = 2;          ///< times that places near the best tour are looked at closer
-  std::int64_t iterations = 1000;        ///< of the tour solver, each time
-  std::int64_t group = 4;                ///< targets in a group of shrinking_circles
-  std::int64_t memory_mib = 2048;        ///< planning that would need more is refused
-  double gap = 0.02;                     ///< part of the tour's time that its lower bound may leave open
-  bool prove = false;                    ///< find the best tour of the stops; spend more on both bounds
-  bool shoot_on_the_move = false;  ///< hit from the way what makes the mission shorter (passing_plan.hpp)
+  double resolution_m = 0.1;             ///< grid spacing of the places where the robot may stand
+  double margin_m = 0.03;                ///< least distance of a planned flight from every solid
+  double pitch_step_rad = radians(2.5);  ///< spacing of the pitches that are tried
+  double aim_step_m = 0.05;        ///< spacing of the aim points that are tried before a target is given up
+  std::int64_t stops = 300;        ///< maximum number of stops given to the tour solver at a time
+  std::int64_t refinements = 2;    ///< how often stops near the best tour are selected again, more finely
+  std::int64_t iterations = 1000;  ///< iterations of each run of the tour solver
+  std::int64_t group = 4;          ///< number of targets per group of shrinking_circles
+  std::int64_t memory_mib = 2048;  ///< memory limit; planning that needs more is refused
+  double gap = 0.02;               ///< optimality gap at which the tour solver stops
+  bool prove = false;              ///< find an optimal tour of the stops; spend more time on both bounds
+  bool shoot_on_the_move = false;  ///< shoot in passing if that makes the mission shorter (passing_plan.hpp)
 };
 
 std::vector<Option> describe(GuardOptions& options);

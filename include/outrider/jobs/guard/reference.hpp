@@ -1,31 +1,32 @@
-// Reference methods: simple ways to guard a yard, to show what the better ones are worth.
+// Reference planners: simple methods, as a baseline for the better ones.
 //
-// All of them choose among the cells of the firing_map, so their plans go through the same execution as those
-// of plan_guard(). None of them asks whether a shot forgives errors, none proves anything (their lower bound
-// is 0), and only the last serves several targets from one stop, when they happen to be in reach.
+// All of them choose stops from the cells of the firing map, so their plans are executed like those of
+// plan_guard(). None of them considers how robust a shot is against errors. None proves anything: their lower
+// bound is 0. Only the last one may serve several targets from one stop, if they happen to be in reach.
 #pragma once
 
 #include "outrider/jobs/guard/plan.hpp"
 
 namespace outrider {
 
-/// First found, in groups. Around each target circles are searched, from the reach of the gun inwards by 0.5
-/// m, every 15 degrees from the east on; the first place there that the robot can get to and shoot from is
-/// taken. The targets are served as they are listed, `group` at a time: of all orders of a group the one with
-/// the least drive time is taken. A target without such a place on any circle is unreachable. O(targets x
-/// reach + group! x targets / group) and the drive times between all places. Source: the method of the
-/// reference report (a tank robot with a water gun), from its description.
+/// Takes the first stop found for each target, and orders the stops in groups. It searches circles around the
+/// target, from the reach of the gun inwards in steps of 0.5 m, every 15 degrees from the east on, and takes
+/// the first place that the robot can reach and shoot from. A target without such a place is unreachable.
+/// Targets are served in the order of the list, `group` at a time; within a group the order with the least
+/// drive time is taken. O(targets * reach + group! * targets / group), and the drive times between all stops.
+/// Source: the method of the reference report (a tank robot with a water gun), from its description.
 Outcome<GuardPlan> shrinking_circles(const GuardProblem& problem, const FiringMap& firing_map,
                                      const GuardOptions& options, const Budget& budget);
 
-/// The same places, in the order that the tour solver finds best for all targets together.
+/// Takes the stops of shrinking_circles(), in the best order that the tour solver finds for all targets
+/// together.
 Outcome<GuardPlan> circles_in_order(const GuardProblem& problem, const FiringMap& firing_map,
                                     const GuardOptions& options, const Budget& budget);
 
-/// A table made beforehand, of which targets can be hit from which places of a grid of 0.5 m, is looked up:
-/// always the nearest place, as the crow flies, from where some target that is left can be hit; there the
-/// target listed first. A target that is hit from none of these places is unreachable. O(targets x cells).
-/// Source: the abstract of the reference report, from its description.
+/// Uses a precomputed table of which targets can be hit from which places of a grid of 0.5 m. The robot
+/// always goes to the nearest place (in a straight line) from which any remaining target can be hit, and
+/// shoots there at the first such target of the list. A target that cannot be hit from any of the places is
+/// unreachable. O(targets * cells). Source: the abstract of the reference report, from its description.
 Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const FiringMap& firing_map,
                                        const GuardOptions& options, const Budget& budget);
 

@@ -1,17 +1,18 @@
-// RigidWorld: a yard in Gazebo's physics engine (ignition-physics 5 with DART), with a robot on wheels and a
-// ball to throw.
+// RigidWorld: a yard in Gazebo's physics engine (ignition-physics 5 with DART), with a wheeled robot and a
+// ball.
 //
-// Bodies: each solid of the world as it is and fixed (half-spaces as planes, meshes as surfaces that hold
-// from both sides), then the box of each target. A target is felt by nothing until the ball is thrown at it,
-// or by all when targets block. The ball does not feel the robot, as in the ordinary simulator.
+// Bodies: each solid of the world is a fixed body (half-spaces are planes, meshes are two-sided surfaces),
+// followed by the box of each target. A target collides with nothing until the ball is thrown at it; if
+// targets block, it collides with everything. The ball does not collide with the robot, as in the kinematic
+// simulator.
 //
-// The robot: an upright cylinder of 0.9 times its radius, two driven wheels whose motors keep the speed that
-// they are told, and a caster without friction before and behind them. Its frame is on the floor, between
-// the wheels, x ahead.
+// The robot is an upright cylinder of 0.9 times its radius with two driven wheels, whose motors keep the
+// commanded speed, and a frictionless caster in front of and behind them. Its frame is on the floor between
+// the wheels, with x ahead.
 //
-// The engine integrates by semi-implicit Euler steps: after a time t in steps of h a free ball is g h t / 2
-// below its parabola. It sees contacts at the beginning of a step, as overlaps: a surface without thickness
-// stops a ball that moves less than its diameter in a step. The same calls give the same bits.
+// The engine uses semi-implicit Euler steps: after a time t with step h, a free ball is g h t / 2 below its
+// exact parabola. Contacts are detected at the beginning of a step, as overlaps, so a surface without
+// thickness stops a ball only if it moves less than its diameter per step. The same calls give the same bits.
 // Thread rule: one thread at a time.
 #pragma once
 
@@ -30,20 +31,22 @@ class RigidWorld {
  public:
   virtual ~RigidWorld() = default;
 
-  /// What the motors keep from now on.
+  /// Sets the speed that the motors keep from now on.
   virtual void turn_wheels(const WheelSpeeds& speeds) = 0;
+  /// Advances the simulation by one step.
   virtual void step(double period_s) = 0;
   [[nodiscard]] virtual Pose3 world_T_robot() const = 0;
-  /// Bodies that the robot touched at the beginning of the last step, more than 1 mm above the floor.
+  /// Returns the bodies that the robot touched, more than 1 mm above the floor, at the beginning of the last
+  /// step.
   [[nodiscard]] virtual std::vector<std::size_t> touched_by_robot() const = 0;
 
-  /// A ball of water, of the gun's radius, at the muzzle of a flight with its velocity. The body of the
-  /// target feels it. One at a time.
+  /// Adds a ball at the muzzle of a flight, with its initial velocity and the ball radius of the gun. The
+  /// body of the target collides with it from now on. There is at most one ball at a time.
   virtual void throw_ball(const Flight& flight, std::size_t target) = 0;
   virtual void remove_ball() = 0;
-  /// Its centre.
+  /// Returns the centre of the ball.
   [[nodiscard]] virtual Vec3 ball() const = 0;
-  /// Bodies that the ball touched at the beginning of the last step, ascending.
+  /// Returns the bodies that the ball touched at the beginning of the last step, in ascending order.
   [[nodiscard]] virtual std::vector<std::size_t> touched_by_ball() const = 0;
 
  protected:
@@ -52,8 +55,9 @@ class RigidWorld {
   RigidWorld& operator=(const RigidWorld&) = default;
 };
 
-/// The world, targets, robot (at the start) and ball of a problem. Body i is solid i; targets follow.
-/// Refused: the engine is not built in or cannot be loaded; a solid of a kind that it is not given.
+/// Makes the rigid world of a problem with the robot at the start. Body i is solid i; the targets follow.
+/// Faults: Outrider was built without the engine, or the engine cannot be loaded; the engine does not support
+/// the shape of a solid.
 Outcome<std::unique_ptr<RigidWorld>> make_rigid_world(const GuardProblem& problem);
 
 }  // namespace outrider

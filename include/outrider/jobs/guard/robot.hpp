@@ -1,5 +1,5 @@
-// The robot of a guard task in simulation: a body that drives to waypoints, a gun, stores, and a detector of
-// targets (sim/simulated_robot.hpp).
+// The simulated robot of a guard task: a body that drives to waypoints, a gun, stores, and a target detector
+// (sim/simulated_robot.hpp).
 #pragma once
 
 #include "outrider/jobs/guard/firing_map.hpp"
@@ -7,9 +7,8 @@
 
 namespace outrider {
 
-/// In the yard of the problem, which with its survey must outlive the robot. All errors are drawn from named
-/// streams of the seed: arrival, gun, timing, survival, sight. A store that `levels` has less of than it
-/// holds is not full.
+/// Makes the robot. The problem and the firing map must outlive it. All errors are drawn from named random
+/// streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most full.
 SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, std::uint64_t seed,
                                TargetSimParams targets = {}, const StoreLevels& levels = {});
 

@@ -1,4 +1,4 @@
-// A whole guard mission in simulation: whatever its capabilities, one robot, one mission, one report.
+// run_guard: simulates a whole guard mission with any of its capabilities, and reports.
 #pragma once
 
 #include <optional>
@@ -10,48 +10,54 @@
 
 namespace outrider {
 
-/// Intruders that walk about, and what is planned against them.
+/// Intruders that walk about, and the plan against them.
 struct WalkerRun {
   const MovingPlan& plan;
-  const std::vector<Walk>& walks;  ///< as they really go, by target
+  const std::vector<Walk>& walks;  ///< true motion of each target
 };
 
-/// The yard as it really is, where the robot knows it by a map.
+/// The true yard, if the robot knows the yard only from a map that it made.
 struct TrueYard {
-  const GuardProblem& problem;  ///< its targets are those of the plan, in their order
+  const GuardProblem& problem;  ///< has the same targets as the plan, in the same order
   const FiringMap& firing_map;
-  StoreLevels levels = {};  ///< that the exploring has left; infinite: the stores are full
+  StoreLevels levels = {};  ///< levels of the stores after exploring; infinite: full
 };
 
-/// A mission: the yard as the robot knows it, the plan, and the capabilities that are asked for. What is
-/// referred to must outlive the run.
+/// A mission: the yard as the robot knows it, the plan, and the capabilities. All references must outlive the
+/// run.
 struct GuardRun {
   const GuardProblem& problem;
   const FiringMap& firing_map;
   const GuardPlan& plan;
   const GuardOptions& options;
   std::uint64_t seed = 1;
-  std::optional<ArrivalPlan> arrivals = {};  ///< intruders come or survive; `problem` is that of their yard
-  Survival survival = {};
-  std::optional<WalkerRun> walkers = {};
-  std::optional<TrueYard> truth = {};
-  bool rigid = false;  ///< rigid bodies carry it out
+  std::optional<ArrivalPlan> arrivals =
+      {};                  ///< set if intruders arrive or survive; `problem` is that of their yard
+  Survival survival = {};  ///< behaviour of intruders after a hit
+  std::optional<WalkerRun> walkers = {};  ///< set if intruders walk about
+  std::optional<TrueYard> truth = {};     ///< set if the yard was explored first
+  bool rigid = false;                     ///< simulate rigid bodies
 };
 
-/// Carries the mission out and reports. The report is a pure function of the arguments, the observer left
-/// out. status is "done" when every target that can be hit was hit, and no store ran below empty. Metrics:
+/// Simulates the mission and returns its report. The report is a pure function of the arguments, except for
+/// the watch. Its status is "done" if every target that can be hit was hit and no store fell below zero.
+/// Metrics:
 ///   targets, reached, failed, unreachable, mission_s, driven_m, turned_rad, shots   always
 ///   planned_s, expected_s, lower_bound_s, gap, anywhere_lower_bound_s, anywhere_gap, tour_proven,
 ///   stops_offered, stops, places, reached_by_reference_rule                         still targets
-///   intruder_seconds   time inside of all intruders that can be hit, summed; who is not hit stays to the end
-///   makespan_s         when the last of them was hit; the end when one was not
-///   longest_s, plans, lower_bound_s, intruder_seconds_bound, makespan_bound_s       arrivals
-///   (arrival_bound.hpp) survived           hits after which somebody went elsewhere survivors chance,
-///   expected_hits   mean of the stated chances of the shots, and their sum  walkers fills, unplanned_fills,
-///   least_water, least_charge_j                             limited supplies shots_in_passing,
-///   hits_in_passing                                               shots on the move arrival_error_mean_m,
-///   arrival_error_max_m, flight_error_max_m, shots_as_foreseen, bumps   rigid bodies
-/// Refused: rigid bodies that make_rigid_world() refuses.
+///   intruder_seconds, makespan_s, longest_s, plans, lower_bound_s,
+///   intruder_seconds_bound, makespan_bound_s                                        arrivals
+///   survived                                                                        survivors
+///   chance, expected_hits                                                           walkers
+///   fills, unplanned_fills, least_water, least_charge_j                             limited supplies
+///   shots_in_passing, hits_in_passing                                               shots on the move
+///   arrival_error_mean_m, arrival_error_max_m, flight_error_max_m,
+///   shots_as_foreseen, bumps                                                        rigid bodies
+/// intruder_seconds is the sum of the times inside of all intruders that can be hit; an intruder that is not
+/// hit counts until the end. makespan_s is the time of the last hit, or the end if one of them was not hit.
+/// The bounds are those of arrival_bound.hpp. survived counts the hits that the intruder survived. chance is
+/// the mean of the predicted chances of the shots, expected_hits their sum. Faults: those of
+/// make_rigid_world(), if rigid bodies are simulated.
 Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The scenario of a guard mission: every setting under the name it has in files and flags.
+// GuardScenario: all settings of a guard mission, under their names in scenario files and flags.
 #pragma once
 
 #include <string>
@@ -14,47 +14,52 @@
 
 namespace outrider {
 
-/// The decision problem as PDDL 2.1, in place of a mission.
+/// Options to export the decision problem as PDDL 2.1, or to validate a PDDL plan, instead of running a
+/// mission.
 struct PddlOptions {
-  bool write = false;         ///< write it, and our plan
-  std::int64_t stops = 8;     ///< places beside those of our plan that it offers
-  std::string validate;       ///< path of a plan to judge; empty: none
-  double tolerance_s = 1e-3;  ///< by which times of that plan may be off
+  bool write = false;         ///< write domain, problem and Outrider's own plan
+  std::int64_t stops = 8;     ///< number of stops to offer in addition to those of the plan
+  std::string validate;       ///< path of a plan to validate; empty: none
+  double tolerance_s = 1e-3;  ///< allowed error of times in that plan
 
   [[nodiscard]] bool any() const { return write || !validate.empty(); }
 };
 std::vector<Option> describe(PddlOptions& options);
 
+/// The settings of a guard mission.
 struct GuardScenario {
-  std::string world;                ///< path of an SDF file
-  std::string terrain;              ///< path of a height field (terrain.hpp); empty: the ground of the world
-  std::string terrain_size;         ///< of an image: length, width, height in m
-  std::string terrain_position;     ///< of its middle, at black
-  std::string moved;                ///< of the world: name=x,y,turn; ... (world_changes.hpp)
-  std::string removed;              ///< of the world: name; ...
-  std::string targets;              ///< path of a list of targets
+  std::string world;         ///< path of an SDF file
+  std::string terrain;       ///< path of a height field (terrain.hpp); empty: the ground of the world
+  std::string terrain_size;  ///< size of an image terrain: length, width, height in m
+  std::string
+      terrain_position;  ///< position of the centre of an image terrain, at the height of black pixels
+  std::string moved;     ///< solids to move: name=x,y,turn; ... (world_changes.hpp)
+  std::string removed;   ///< solids to remove: name; ...
+  std::string targets;   ///< path of a list of targets
   std::string start = "0,-9.5,90";  ///< x, y in m, heading in degrees
-  std::string bounds;               ///< low x, low y, high x, high y; empty: the box of the walls
-  std::int64_t seed = 1;
-  std::string sim = "kinematic";  ///< or "physics": what carries the plan out
-  GuardProblem problem;           ///< robot, gun and errors; world and targets once loaded
+  std::string bounds;               ///< low x, low y, high x, high y; empty: bounding box of the walls
+  std::int64_t seed = 1;            ///< seed of all random numbers
+  std::string sim = "kinematic";    ///< simulator: "kinematic" or "physics"
+  GuardProblem problem;             ///< robot, gun and errors; world and targets are set by load_problem()
   GuardOptions options;
   ArrivalOptions arrivals;
-  std::vector<Intruder> intruders;  ///< of `arrivals`, once loaded; none in a still yard
+  std::vector<Intruder>
+      intruders;  ///< made from `arrivals` when loaded; empty if all targets are there from the start
   WanderOptions wander;
-  std::vector<double> preferences;  ///< of `wander`, once loaded
-  std::vector<Track> history;       ///< of `wander`, once loaded
+  std::vector<double> preferences;  ///< weight of each target, from `wander` when loaded
+  std::vector<Track> history;       ///< recorded tracks, from `wander` when loaded
   ScoutOptions scout;
-  ExplorerSimParams sensors;  ///< of a robot that scouts
+  ExplorerSimParams sensors;  ///< laser and wheels of a robot that explores an unknown yard
   bool regions = false;       ///< draw firing_regions.svg
   PddlOptions pddl;
 };
 
-/// Top-level keys first, then the sections robot, gun, air, errors, supplies, plan, arrivals, wander,
-/// scout, laser and wheels.
+/// Returns the options: top-level keys first, then the sections robot, gun, air, errors, supplies, plan,
+/// arrivals, wander, scout, laser and wheels.
 std::vector<OptionGroup> describe(GuardScenario& scenario);
 
-/// Reads the world and the targets into `scenario.problem`; returns what was repaired on the way.
+/// Reads the world and the targets into `scenario.problem`. Returns one sentence for each repair to the
+/// inputs.
 Outcome<std::vector<std::string>> load_problem(GuardScenario& scenario);
 
 }  // namespace outrider

@@ -1,9 +1,9 @@
-// Scouting: guarding a yard that is not known. It is explored first, and the targets that come into sight on
-// the way are kept in mind; then the map found and these targets are the yard that is guarded.
+// Scouting: guarding an unknown yard. The robot first explores the yard and remembers the targets that it
+// sees. The guard problem is then made from the map and these targets.
 //
-// What is assumed of what cannot be seen: whatever is not known to be free stands from the floor up to
-// `wall_height_m`, so a shot goes around it or over that height; and the floor is level. A thing that the
-// plane of the range finder misses, because it is lower or hangs above, is not on the map.
+// Assumptions: every cell that is not known to be free is solid from the floor up to `wall_height_m`, so
+// shots go around it or above that height; and the floor is level. An obstacle that lies below or above the
+// plane of the range finder is not on the map.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +17,38 @@
 
 namespace outrider {
 
+/// Options of scouting.
 struct ScoutOptions {
-  bool unknown = false;         ///< the yard is: explore it first
-  double sight_m = 8.0;         ///< a target farther away is not made out
-  double sight_error_m = 0.05;  ///< of the place of a target by one look, standard deviation along x and y
-  double wall_height_m = 3.0;   ///< to which what stands on the map is taken to rise
+  bool unknown = false;         ///< the yard is unknown: explore it first
+  double sight_m = 8.0;         ///< largest distance at which a target is detected
+  double sight_error_m = 0.05;  ///< standard deviation of an observed position, along x and y
+  double wall_height_m = 3.0;   ///< assumed height of the obstacles on the map
 };
 std::vector<Option> describe(ScoutOptions& options);
 
-/// Where a target was seen, by all looks together.
+/// The estimated position of a target from all its observations.
 struct SeenTarget {
-  Vec2 mean;  ///< of the places seen
-  std::int64_t looks = 0;
-  double first_s = 0.0;
-  double last_s = 0.0;
+  Vec2 mean;               ///< mean of the observed positions
+  std::int64_t looks = 0;  ///< number of observations
+  double first_s = 0.0;    ///< time of the first observation
+  double last_s = 0.0;     ///< time of the last observation
 
+  /// Adds an observation.
   void add(Vec2 place, double time_s);
 };
 
-/// The yard as it was found, for a robot that now stands at `start`.
+/// The guard problem of an explored yard.
 struct FoundYard {
   GuardProblem problem;
-  std::vector<std::size_t> targets;  ///< of the problem's: which of all targets each is
-  std::vector<std::size_t> buried;   ///< seen, but where the map has something
+  std::vector<std::size_t> targets;  ///< for each target of the problem: its index among all targets
+  std::vector<std::size_t> buried;   ///< targets that were observed inside an obstacle of the map
 };
 
-/// The world is made of the cells of the map that are not free; where the robot `stood`, its disk has pushed
-/// through, and they are free. Its bounds are those of what is free, with a wall of one cell around. The
-/// robot is wider by a cell and the error of its arrivals, as far as the start leaves room. `known`: robot,
-/// gun, gravity, floor and errors, and the sizes of the targets. Refused: a map without a free cell.
+/// Makes the guard problem of an explored yard. Each cell of the map that is not free becomes an obstacle,
+/// except cells that the disk of the robot covered at the poses `stood`: these are free. The bounds are those
+/// of the free cells, with a wall of one cell around. The radius of the robot grows by one cell and the
+/// position error of its arrivals, as far as the obstacles near `start` permit. `known` provides robot, gun,
+/// gravity, floor, errors and the sizes of the targets. Fault: a map without a free cell.
 Outcome<FoundYard> found_yard(const GuardProblem& known, const ScoutOptions& options,
                               Grid<std::uint8_t> occupancy, const std::vector<Vec2>& stood,
                               const std::vector<std::optional<SeenTarget>>& seen, const Pose2& start);

@@ -1,15 +1,16 @@
-// Sequence: where to stop next and whom to shoot from there, for those who are inside now.
+// Sequence: the next stops and the shots from each, for the intruders that are inside now.
 //
-// A beam search over sequences of hits. Of the sequences with the same number of hits the best few are
-// kept, one for each set of intruders hit, place and last hit. A sequence is ranked by what its objective
-// comes to if everybody left were hit at the time of the last hit. Turns, drives, aims and flights cost what
-// the tour's model says (tour/problem.hpp); nobody is shot at before it is in its place.
+// A beam search over sequences of hits. Among the sequences with the same number of hits, the search keeps
+// the best few, at most one for each combination of intruders hit, place and last hit. A sequence is ranked
+// by the value of its objective if all remaining intruders were hit at the time of its last hit. Turns,
+// drives, aiming and flights have the times of the tour model (tour/problem.hpp). No intruder is shot at
+// before it is in its place.
 //
-// Guarantees: the plan hits each of those pending once, if each has a service at a stop with a drive; it
-// is the best of all such plans if the beam never overflows, turns and aims take no time, and everybody is in
-// its place. Same input, same bytes. O(pending^2 x stops x beam).
-// Source: Lowerre, The HARPY speech recognition system, 1976 (beam search); the objective is that of the
-// travelling repairman, Afrati et al., 1986.
+// Guarantees: the plan hits each pending intruder once, if each has a service at a stop with a drive. It is
+// optimal if the beam never overflows, turns and aiming take no time, and all intruders are in their places.
+// The same input gives the same result, bit for bit. O(pending^2 * stops * beam). Source: Lowerre, The HARPY
+// speech recognition system, 1976 (beam search); the objective is that of the travelling repairman, Afrati et
+// al., 1986.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +21,13 @@
 
 namespace outrider {
 
-/// Someone to be hit.
+/// An intruder that is still to be hit.
 struct PendingTarget {
-  std::uint32_t goal = 0;  ///< of the table
-  double settles_s = 0.0;  ///< not to be shot at before
+  std::uint32_t goal = 0;  ///< its goal in the tour problem
+  double settles_s = 0.0;  ///< earliest time of a shot
 };
 
-/// The robot between two commands.
+/// The state of the robot between two commands.
 struct RobotState {
   double time_s = 0.0;
   double heading_rad = 0.0;
@@ -35,28 +36,31 @@ struct RobotState {
   std::vector<Drive> drives;  ///< from here to each stop
 };
 
-/// A stop and those to be hit from there, as indices of the list of pending.
+/// A plan for the pending intruders.
 struct Sequence {
-  std::vector<Visit> visits;
-  double value = 0.0;  ///< the sum of the times of the hits, or the time of the last one, s
+  std::vector<Visit> visits;  ///< stops with their hits, as indices in the list of pending intruders
+  double value = 0.0;         ///< the sum of the times of the hits, or the time of the last one, s
 };
 
-/// At most 64 pending. Empty, with an infinite value, when someone of them cannot be hit.
+/// Returns the best sequence of the beam search for at most 64 pending intruders. If one of them cannot be
+/// hit, the sequence is empty and its value infinite.
 Sequence best_sequence(const TourProblem& table, const std::vector<PendingTarget>& pending,
                        const RobotState& from, ArrivalObjective objective, std::size_t beam);
 
-/// The value of given visits, for comparison; infinite when they do not hit each of those pending once, or a
-/// service or a drive is missing.
+/// Returns the value of the given visits; infinite if they do not hit each pending intruder exactly once, or
+/// if a service or a drive is missing.
 double value_of(const TourProblem& table, const std::vector<PendingTarget>& pending, const RobotState& from,
                 ArrivalObjective objective, const std::vector<Visit>& visits);
 
-/// The better of the beam's sequence and the part of a tour over the same stops, its goals those of the
-/// table, that is about those pending; the latter whenever it can be driven if `as_toured`.
+/// Returns the better of two sequences: that of the beam search, and the part of `tour` that hits the pending
+/// intruders. The tour is over the same stops, with the goals of the table. If `as_toured`, the part of the
+/// tour is returned whenever it can be driven.
 Sequence sequence_beside(const std::vector<Visit>& tour, const TourProblem& table,
                          const std::vector<PendingTarget>& pending, const RobotState& from,
                          ArrivalObjective objective, std::size_t beam, bool as_toured);
 
-/// The robot once it has gone to a stop and hit someone from there; its time is infinite when it cannot.
+/// Returns the state of the robot after it has driven to a stop and hit the intruder `whom` from there. Its
+/// time is infinite if that is impossible.
 RobotState after_hit(const TourProblem& table, const PendingTarget& whom, const RobotState& from,
                      std::size_t stop);
 

@@ -1,9 +1,8 @@
-// Recorded positions of intruders, as text: CSV with a line t,id,x,y for each, in s and m.
+// The text format of recorded positions of intruders: CSV with one line t,id,x,y per position, in s and m.
 //
-// The first line may be the heading "t,id,x,y". Lines of one id stand in the order of time; different ids may
+// The first line may be the header "t,id,x,y". The lines of each id must be sorted by time; different ids may
 // alternate. '#' starts a comment.
-// Errors: bad_input with file:line, what is wrong and what would be right. Bounds: 1,000,000 lines, 10,000
-// ids.
+// Faults: bad_input with file:line, the error and the correct form. Bounds: 1,000,000 lines, 10,000 ids.
 #pragma once
 
 #include <string>
@@ -14,11 +13,11 @@
 
 namespace outrider {
 
-/// One track for each id, in the order of their first lines.
+/// Returns one track for each id, in the order of their first lines. `name` stands for the file in faults.
 Outcome<std::vector<Track>> sightings_from_text(std::string_view text, const std::string& name);
 
-/// The weight of each target as a place to go to, of "place=weight" words; the others weigh 1. Refuses
-/// unknown names and weights that are not from 0 to 1e6.
+/// Returns the weight of each target as a destination, from words "place=weight"; the default is 1. Faults:
+/// unknown names, and weights outside 0 to 1e6.
 Outcome<std::vector<double>> preferences_from_text(std::string_view text, const std::vector<Target>& targets);
 
 }  // namespace outrider

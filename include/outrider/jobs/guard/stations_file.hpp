@@ -1,4 +1,5 @@
-// Stations in a scenario: name=x,y,water or name=x,y,charge or name=x,y,both, in metres, with blanks between.
+// The text format of stations in a scenario: name=x,y,kind in metres, separated by blanks. The kind is water,
+// charge or both.
 //
 // Bounds: 100 stations. O(text).
 #pragma once
@@ -12,10 +13,11 @@
 
 namespace outrider {
 
-/// Refuses words of another form, names that stand twice, and places outside the bounds.
+/// Parses stations. Faults: words of another form, duplicate names, and positions outside the bounds.
 Outcome<std::vector<Station>> stations_from_text(std::string_view text, const Box2& bounds);
 
-/// Fills `problem.supplies.stations` from their text. Refused as above.
+/// Sets `problem.supplies.stations` from `problem.supplies.stations_text`. Faults: those of
+/// stations_from_text().
 Status load_stations(GuardProblem& problem);
 
 }  // namespace outrider

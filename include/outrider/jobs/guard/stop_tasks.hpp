@@ -1,12 +1,13 @@
-// StopTasks: the stops that a guard robot still has to make, and what became of each target.
+// StopTasks: the remaining stops of a guard robot and the state of each target.
 //
-// At each stop the shot is solved again from the pose actually reached, as the soonest from the pitch that
-// the plan has for it: without errors it is the shot of the plan. A target that is missed `tries` times has
-// failed. When all stops are done, targets that failed are tried once more from another place, and targets
-// without a firing region once more with the clearance margin given up.
+// At each stop the shot is solved again from the pose actually reached; the search prefers the soonest shot
+// and counts pitch motion from the planned pitch. Without errors the result is the planned shot. A target
+// that is missed `tries` times has failed. When all stops are done, there is a second pass: each failed
+// target is tried again from another place, and each target without a firing region is tried again without
+// the clearance margin.
 //
-// Shots in passing (passing.hpp) are solved again when their way begins, for that way. A target that cannot
-// be hit from it, or was missed, is shot at next from the nearest place to the end of the way.
+// Shots in passing (passing.hpp) are solved again for the actual path when the drive begins. A target that
+// cannot be hit from the path, or was missed, is shot at next from the place nearest to the end of the path.
 #pragma once
 
 #include <deque>
@@ -23,56 +24,58 @@ namespace outrider {
 enum class TargetStatus { waiting, reached, failed, unreachable };
 std::string_view to_string(TargetStatus status);
 
-/// What became of one target.
+/// The state of one target.
 struct TargetRecord {
   TargetStatus status = TargetStatus::waiting;
-  std::string reason;               ///< one sentence
-  int shots = 0;                    ///< fired at it
-  std::int64_t tries = 0;           ///< of the present pass: misses, and places without a shot
-  std::optional<PlannedShot> shot;  ///< the last one solved
-  Pose2 pose;                       ///< from where it was solved last, or could not be
-  double done_s = 0.0;              ///< when the status became what it is
+  std::string reason;               ///< one sentence that explains the status
+  int shots = 0;                    ///< number of shots fired at it
+  std::int64_t tries = 0;           ///< misses and places without a shot in the present pass
+  std::optional<PlannedShot> shot;  ///< the shot that was solved last
+  Pose2 pose;                       ///< pose of the robot at the last attempt to solve a shot
+  double done_s = 0.0;              ///< time of the last change of the status
 };
 
+/// Sets the final status of a target.
 void settle(TargetRecord& record, TargetStatus status, std::string reason, double time_s);
 
-/// A place to go to, and what to shoot from there, in order, or the store to fill there.
+/// A stop to make: a place, and the targets to shoot at or the store to fill there.
 struct StopTask {
   Vec2 place;
-  std::vector<std::size_t> targets = {};
-  std::optional<StationCall> call = {};
-  std::vector<std::size_t> passing = {};  ///< to shoot at on the way there
-  std::vector<double> pitches = {};       ///< planned for the targets, of the gun, rad; empty: none are
+  std::vector<std::size_t> targets = {};  ///< targets to shoot at from the place, in order
+  std::optional<StationCall> call = {};   ///< set if a store is filled here
+  std::vector<std::size_t> passing = {};  ///< targets to shoot at during the drive there
+  std::vector<double> pitches = {};       ///< planned gun pitch for each target, rad; empty: none planned
 };
 
+/// The remaining stops and the records of all targets.
 struct StopTasks {
   std::vector<TargetRecord> records;      ///< by target
-  std::deque<StopTask> queue;             ///< still to do; the first is the present one
-  bool arrived = false;                   ///< at the place of the present task
-  bool aimed = false;                     ///< the gun has been told where to point
+  std::deque<StopTask> queue;             ///< tasks to do; the first is the present one
+  bool arrived = false;                   ///< the robot is at the place of the present task
+  bool aimed = false;                     ///< the gun was commanded to aim
   bool fired = false;                     ///< the last command was a shot
-  std::vector<std::size_t> passing = {};  ///< shot at in passing by the last command
-  bool second_pass = false;
-  bool more_to_come = false;           ///< no second pass yet when the queue is empty
-  Vec2 last_place;                     ///< where the robot was last sent
-  std::vector<std::size_t> stands_at;  ///< by record: the target of the problem that stands for it now, where
-                                       ///< that is not the one of its own index; empty: none has moved
-  std::optional<Routes> routes;        ///< of the plan
-  std::stop_token stop = {};           ///< once raised, the next command comes soon and is of no use
+  std::vector<std::size_t> passing = {};  ///< targets that the last command shot at in passing
+  bool second_pass = false;               ///< the second pass has begun
+  bool more_to_come = false;              ///< delays the second pass, because more intruders may enter
+  Vec2 last_place;                        ///< last place to which the robot was sent
+  /// By record: the target of the problem at whose place it is now. Empty: each record is at its own target.
+  std::vector<std::size_t> stands_at;
+  std::optional<Routes> routes;  ///< routes of the plan
+  std::stop_token stop = {};  ///< after a stop request, the next command is returned soon and is meaningless
 };
 
-/// The target of the problem that stands for a record.
+/// Returns the target of the problem at whose place the target of a record is now.
 std::size_t target_of(const StopTasks& tasks, std::size_t record);
 
-/// The stops of a plan. Targets that it leaves out are settled.
+/// Makes the tasks of a plan. Targets that the plan leaves out get their final status.
 StopTasks tasks_of(const GuardProblem& problem, const GuardPlan& plan);
 
-/// Takes note of what became of the last shots. A shot of which nothing is heard is a miss.
+/// Updates the records with the results of the last shots. A shot without a result counts as a miss.
 void note_shots(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                 const FiringMap& firing_map);
 
-/// The next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries` shots
-/// are fired at a target, so this ends.
+/// Returns the next command, or nothing when the queue is empty and no second pass is due. At most 2 `tries`
+/// shots are fired at a target, so the tasks always end.
 std::optional<Command> next_command(StopTasks& tasks, const Observation& seen, const GuardProblem& problem,
                                     const FiringMap& firing_map);
 

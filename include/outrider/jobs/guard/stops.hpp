@@ -1,4 +1,4 @@
-// Stops: the few places, of the many from which something can be hit, that a tour is chosen from.
+// Stops: selects the few cells from which a tour is made, out of all cells from which a target can be hit.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,13 @@
 
 namespace outrider {
 
-/// By cell, which targets can be hit from there for sure: the shot forgives the errors of the gun, the
-/// robot fits wherever the errors of a drive put it, and the target can be hit from all cells whose centres
-/// lie within these errors too. A target that no cell hits for sure counts wherever it can be hit at all.
+/// For each cell, the targets that can be hit from there despite errors. The shot tolerates the errors of the
+/// gun, the robot fits at every place within the position error of a drive, and the target can also be hit
+/// from all cells whose centres lie within that error. A target for which no cell meets these conditions is
+/// listed for all cells from which it can be hit at all.
 struct SureHits {
-  std::size_t words = 1;               ///< 64-bit words a cell
-  std::vector<std::uint64_t> targets;  ///< cell-major bit sets
+  std::size_t words = 1;               ///< number of 64-bit words per cell
+  std::vector<std::uint64_t> targets;  ///< bit sets of targets, cell by cell
 
   [[nodiscard]] std::span<const std::uint64_t> at(std::size_t cell) const {
     return {targets.data() + cell * words, words};
@@ -27,12 +28,15 @@ struct SureHits {
   }
 };
 
+/// Computes the sure hits of all cells.
 SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map);
 
-/// In each square tile of the yard, for each largest set of targets hit from there, the best cell. Tiles
-/// are no smaller than `tile_m`, and larger until at most `most` cells are left; where one tile still has
-/// more, a greedy cover is taken. Each target that a cell which counts can hit is in some set.
-/// Only cells within `near_m` of one of `around` count, unless that is empty. Ascending.
+/// Selects at most `most` cells and returns their indices in ascending order. The yard is divided into square
+/// tiles. In each tile, the best cell is taken for each maximal set of targets that can be hit from one cell.
+/// Tiles have sides of at least `tile_m`; they grow until at most `most` cells are left. If a single tile
+/// still has more, a greedy set cover is used. Only cells within `near_m` of one of the points `around` are
+/// candidates, unless `around` is empty. Each target that a candidate can hit can be hit from a selected
+/// cell.
 std::vector<std::size_t> choose_stops(const FiringMap& firing_map, const SureHits& hits, double tile_m,
                                       std::size_t most, const std::vector<Vec2>& around, double near_m);
 

@@ -1,4 +1,4 @@
-// The plan of a guard mission on finite supplies: the plan for supplies without end, with stations.
+// Plans a guard mission with limited supplies: adds stations to a plan for unlimited supplies.
 #pragma once
 
 #include <vector>
@@ -8,33 +8,34 @@
 
 namespace outrider {
 
-/// The decision problem over the stops of an precomputed, with the start first and the stations last.
+/// The decision problem over the precomputed stops. The start is the first stop, the stations are the last.
 struct SupplyTable {
-  SupplyProblem problem;             ///< its goals are the targets below
-  std::vector<std::size_t> targets;  ///< by goal
-  std::vector<Vec2> places;          ///< by stop
-  std::vector<StationCall> calls;    ///< by station
+  SupplyProblem problem;             ///< its goals are `targets`
+  std::vector<std::size_t> targets;  ///< target of each goal
+  std::vector<Vec2> places;          ///< position of each stop
+  std::vector<StationCall> calls;    ///< station and store of each station stop
 };
 
-/// Refuses a tank or a battery that is too small for any shot, and a station that the robot cannot get to
-/// (bad_input with the key). O(stations) routes; nothing where no store is limited.
+/// Checks the supplies. Faults: bad_input with the key, for a tank or a battery that is too small for any
+/// shot, or a station that the robot cannot reach. Does nothing if no store is limited. O(stations) routes.
 Status check_supplies(const GuardProblem& problem, const FiringMap& firing_map);
 
-/// The stations that the robot can get to: of a yard that was explored, those that lie on its map.
+/// Returns the stations that the robot can reach. In an explored yard, these are the stations on its map.
 std::vector<Station> stations_in_reach(const GuardProblem& problem, const FiringMap& firing_map);
 
-/// Makes the table from the plan for supplies without end, and at most `stops` other places. Where nothing
-/// ends there are no stations in it. Refused as check_supplies() and precompute_stops().
+/// Makes the table from a plan for unlimited supplies and up to `stops` further stops. It has no stations if
+/// no store is limited. Faults: those of check_supplies() and precompute_stops().
 Outcome<SupplyTable> supply_table(const GuardProblem& problem, const FiringMap& firing_map,
                                   const GuardPlan& plan, std::size_t stops, const Budget& budget);
 
-/// The plan with the stations that the supplies of the problem call for; `plan` itself where nothing ends.
-/// Targets that the supplies do not suffice for are in `unsupplied`, each with a reason. The lower bound of
-/// the plan holds for the answer as well. Refused as supply_table().
+/// Returns the plan with the station stops that the limited supplies require; `plan` itself if no store is
+/// limited. Targets for which the supplies do not suffice are in `unsupplied`, each with a reason. The lower
+/// bound of `plan` also holds for the result. Faults: those of supply_table().
 Outcome<GuardPlan> supply_plan(const GuardProblem& problem, const FiringMap& firing_map, GuardPlan plan,
                                const Budget& budget);
 
-/// Level after each stop of a plan, by its waypoints and shots if nothing goes wrong; without the reserve.
+/// Returns the levels after each stop of a plan if every shot hits, computed from its waypoints and shots.
+/// The reserve is not included.
 std::vector<SupplyLevel> planned_levels(const GuardProblem& problem, const FiringMap& firing_map,
                                         const GuardPlan& plan);
 

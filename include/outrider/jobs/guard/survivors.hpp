@@ -1,13 +1,15 @@
-// Survivors: who is hit leaves with a probability, else it goes elsewhere. What will the mission take?
+// Survivors: intruders that may survive a hit. This file estimates the mission time of policies and selects
+// one.
 //
-// The model: everybody is there from the start; the robot drives, aims and shoots as the tour's model says
-// (tour/problem.hpp); each hit is followed by a draw whether the intruder leaves, and if not, of another
-// place, uniformly, to which it walks in a straight line. The robot knows at once where it goes.
+// The model: all intruders are inside from the start. The robot drives, aims and shoots as in the tour model
+// (tour/problem.hpp). After a hit the intruder leaves with a given probability; otherwise it walks in a
+// straight line to another place, drawn uniformly. The robot knows at once where it goes.
 //
-// A policy says when to plan anew, and with which objective. Each candidate is played in the model many times
-// with the same draws, and the one with the least mean is taken: the rollout of whole policies (Chang, Givan
-// and Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). So in the model, and up to the error
-// that is stated, it is no worse than any candidate; it need not be the best of all policies.
+// A policy defines when to make a new plan, and with which objective. Each candidate is simulated in the
+// model many times with the same random numbers, and the one with the least mean time is selected: rollout of
+// whole policies (Chang, Givan and Chong, Parallel rollout, Discrete Event Dynamic Systems 14, 2004). In the
+// model, and up to the stated standard error, it is no worse than any candidate; it need not be the best of
+// all possible policies.
 #pragma once
 
 #include <cstdint>
@@ -18,36 +20,40 @@
 
 namespace outrider {
 
+/// A candidate policy.
 struct Policy {
   ReplanPolicy replan;
   ArrivalObjective objective = ArrivalObjective::makespan;
 };
 
-/// All that can be taken: the policies that see no future, each with both objectives.
+/// Returns all candidates: each replanning policy without foresight, with each of the two objectives.
 std::vector<Policy> policies();
 
+/// An estimate of the mission time.
 struct ExpectedTime {
   double mean_s = 0.0;
   double error_s = 0.0;  ///< standard error of the mean
 };
 
-/// The time of the last hit, in the model, for a policy: the mean over `missions` of them. Of the options,
-/// leave, walk, group and beam count. A pure function of the arguments, for any number of threads. Once
-/// `stop` is raised no more missions begin, and the answer is of no use.
+/// Estimates the time of the last hit under a policy as the mean over `missions` simulated missions. Of the
+/// options, only leave, walk_mps, group and beam are used. The result is a pure function of the arguments for
+/// any number of threads. After a stop request no more missions begin, and the result is meaningless.
 ExpectedTime expected_time(const GuardProblem& problem, const PrecomputedStops& precomputed,
                            const ArrivalOptions& options, const Policy& policy, std::size_t missions,
                            const std::stop_token& stop = {});
 
-/// The policy with the least mean, and its expected time by draws of its own: the least of several means is
-/// below the mean of what was chosen.
+/// The policy with the least mean. Its expected time is estimated again with new random numbers, because the
+/// least of several means is biased low.
 struct BestPolicy {
   Policy policy;
   ExpectedTime time;
 };
+/// Simulates all candidates and returns the best one.
 BestPolicy best_policy(const GuardProblem& problem, const PrecomputedStops& precomputed,
                        const ArrivalOptions& options, std::size_t missions, const std::stop_token& stop = {});
 
-/// Refused: a probability of 0 or too small to end, and nowhere else to go.
+/// Checks the options. Faults: a probability of leaving that is 0 or so small that a mission would not end,
+/// and fewer than two places.
 Status check_survivors(const GuardProblem& problem, const ArrivalOptions& options);
 
 }  // namespace outrider

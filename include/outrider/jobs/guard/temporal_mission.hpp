@@ -1,4 +1,4 @@
-// The temporal problem of a yard, with our own answer to it.
+// The temporal problem of a yard, together with Outrider's own solution.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,23 @@
 
 namespace outrider {
 
+/// A temporal problem and its solution.
 struct TemporalMission {
   TemporalProblem problem;
-  std::vector<std::size_t> targets;   ///< by goal
-  std::vector<Vec2> places;           ///< by stop
-  std::vector<StationCall> calls;     ///< by station
-  std::vector<std::size_t> left_out;  ///< targets that are no goals: nothing hits them, or our tour does not
-  std::vector<SupplyStep> steps;      ///< the best tour found, by the solvers of tour/
-  double cost_s = 0.0;                ///< of the steps, under the model of tour/
-  double lower_bound_s = 0.0;         ///< 0 on finite supplies, unless proven
-  bool proven = false;                ///< no tour takes less
+  std::vector<std::size_t> targets;  ///< target of each goal
+  std::vector<Vec2> places;          ///< position of each stop
+  std::vector<StationCall> calls;    ///< station and store of each station stop
+  std::vector<std::size_t>
+      left_out;                   ///< targets that are no goals: they cannot be hit, or the tour omits them
+  std::vector<SupplyStep> steps;  ///< the best tour found by the solvers of tour/
+  double cost_s = 0.0;            ///< time of the steps in the model of tour/
+  double lower_bound_s = 0.0;     ///< 0 with limited supplies, unless the tour is proven optimal
+  bool proven = false;            ///< the tour is optimal
 };
 
-/// Over the stops of `plan` (that for supplies without end), at most `stops` others, and the stations where
-/// the supplies end. Shots are from a standstill. Refused: as supply_table() and temporal_problem(); no_shot
-/// when no target can be hit.
+/// Makes the problem over the stops of `plan` (a plan for unlimited supplies), up to `stops` further stops,
+/// and the stations if supplies are limited. All shots are fired at rest. Faults: those of supply_table() and
+/// temporal_problem(); no_shot if no target can be hit.
 Outcome<TemporalMission> temporal_mission(const GuardProblem& problem, const FiringMap& firing_map,
                                           const GuardPlan& plan, const GuardOptions& options,
                                           std::size_t stops, const Budget& budget);

@@ -1,8 +1,9 @@
-// Wandering intruders: how they move in truth, and what is asked of those who hunt them.
+// Wandering intruders: the true motion of intruders that walk about, and the options of shooting at them.
 //
-// An intruder rests at a place for a time, exponential with mean `rest`, then walks to another one at
-// `speed`, on the shortest way around the obstacles, and so on. Places are those of the targets; the next one
-// is drawn by their weights among those that there is a way to. It can be hit at any time, and leaves then.
+// An intruder alternates between resting and walking. It rests at a place for an exponential time with mean
+// `rest`. Then it walks to another place at `speed`, along the shortest path around the obstacles. Places are
+// those of the targets; the next one is drawn by weight from the places that can be reached. An intruder can
+// be hit at any time, and leaves when it is hit.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +15,35 @@
 
 namespace outrider {
 
+/// Options of wandering intruders.
 struct WanderOptions {
-  double speed_mps = 0.0;     ///< 0: they sit still
-  double rest_s = 15.0;       ///< mean
-  std::string prefers;        ///< place=weight with blanks between; 1 where a place is not named
-  std::string history;        ///< path of recorded positions (io/sightings.hpp)
-  bool learn = true;          ///< false: every place on the map counts the same
-  double chance = 0.5;        ///< least probability of a hit with which a shot is taken
-  double look_s = 0.5;        ///< between two sightings
-  double sight_m = 0.02;      ///< largest error of a position seen
-  double patience_s = 300.0;  ///< since the last hit, before the rest is given up
+  double speed_mps = 0.0;     ///< walking speed; 0: targets stand still
+  double rest_s = 15.0;       ///< mean duration of a rest
+  std::string prefers;        ///< weights as place=weight, separated by blanks; the default weight is 1
+  std::string history;        ///< path of recorded positions (sightings_file.hpp)
+  bool learn = true;          ///< learn the visit map from observations; false: all regions have equal weight
+  double chance = 0.5;        ///< least probability of a hit for which a shot is fired
+  double look_s = 0.5;        ///< time between two observations
+  double sight_m = 0.02;      ///< largest error of an observed position
+  double patience_s = 300.0;  ///< time without a hit after which the robot gives up
 
+  /// Returns true if intruders walk about.
   [[nodiscard]] bool any() const { return speed_mps > 0.0; }
 };
 
 std::vector<Option> describe(WanderOptions& options);
 
-/// A position seen.
+/// An observed position.
 struct TimedPosition {
   double time_s = 0.0;
   Vec2 position;
 };
-/// Of one intruder, in the order of time.
+/// The observed positions of one intruder, in the order of time.
 using Track = std::vector<TimedPosition>;
 
-/// The true walks of all targets until `until_s`, a pure function of the arguments; `weights` by target.
-/// Refused: a target that does not stand on the floor or has no room to walk, targets that block.
+/// Draws the true walks of all targets until `until_s`. `weights` has one weight per target. The result is a
+/// pure function of the arguments. Faults: a target that does not stand on the floor or has no room to walk;
+/// targets that block (GuardProblem::targets_block).
 Outcome<std::vector<Walk>> draw_walks(const GuardProblem& problem, const FiringMap& firing_map,
                                       const std::vector<double>& weights, const WanderOptions& options,
                                       std::uint64_t seed, double until_s, const Budget& budget = {});

@@ -1,9 +1,9 @@
-// What path planners answer: the one form of it for the tool, scenarios and the server. As JSON it is
-// run_json() of plan_report() and table_of().
+// PlanAnswer: the results of path planners, in the same form for the tool, scenarios and the server. Their
+// JSON form is run_json() of plan_report() and table_of().
 //
-// Every plan is judged before anybody sees it: by check(), by the exact shapes of a world where there are
-// some, and on polygons by exact distances, also the plans on their grid. A plan that the judge refuses is a
-// bug, and throws std::logic_error.
+// Every plan is verified before it is returned: by check(), by the exact shapes of a world if there are any,
+// and on polygons by exact distances, including plans on a grid made from polygons. A plan that fails is a
+// bug and throws std::logic_error.
 #pragma once
 
 #include <functional>
@@ -21,74 +21,80 @@
 
 namespace outrider {
 
+/// A start and a goal.
 struct PlanQuery {
-  std::optional<std::size_t> number;  ///< in the file, or among several goals, from 1
-  Vec2 from;                          ///< in the world, m
-  Vec2 to;
+  std::optional<std::size_t> number;  ///< number of the query in the file, or of the goal, from 1
+  Vec2 from;                          ///< start, world frame, m
+  Vec2 to;                            ///< goal, world frame, m
 };
 
+/// Queries for a set of planners on one ground.
 struct PlanQuestion {
   std::shared_ptr<const PlanGround> ground;  ///< may be shared by many questions
   std::vector<ChosenPlanner> planners;
   std::vector<PlanQuery> queries;
 };
 
-/// What one planner answers to one query. Numbers that are not known are NaN: all of a path that was not
-/// found.
+/// The result of one planner for one query. Unknown numbers are NaN; without a path, all numbers that
+/// describe it are unknown.
 struct PlanRow {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::string planner;
   PlanQuery query;
   std::string status = "done";  ///< or the code of the fault
-  std::string reason = {};      ///< the sentence of the fault
-  double cost = unknown;        ///< in cost_unit
-  std::string cost_unit = {};
+  std::string reason = {};      ///< message of the fault
+  double cost = unknown;        ///< cost of the path, in cost_unit
+  std::string cost_unit = {};   ///< "m", "s" or "m eq"
   double length_m = unknown;
   double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
-  bool optimal = false;               ///< proven
+  bool optimal = false;               ///< the path is proven optimal
   std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal or disk_optimal
-  double clearance_m = unknown;       ///< the least, as safety_of() has it
-  double exposure = unknown;          ///< the integral of 1 / clearance; infinite where the path touches
-  double reached_within_m = unknown;  ///< from the end of the path to the goal
-  double waypoint_error_m = unknown;  ///< of the legs between waypoints from the pieces
+  double clearance_m = unknown;       ///< least clearance, by safety_of()
+  double exposure = unknown;          ///< integral of 1 / clearance; infinite if the path touches an obstacle
+  double reached_within_m = unknown;  ///< distance from the end of the path to the goal
+  double waypoint_error_m = unknown;  ///< largest distance of the legs between waypoints from the pieces
   double expansions = unknown;
   double line_of_sight_checks = unknown;
-  double time_s = 0.0;                 ///< that the search took; the share of one for many goals
-  double build_s = 0.0;                ///< that an index took that was built beforehand
-  std::vector<Vec2> waypoints = {};    ///< in the world
-  std::vector<PathPiece> pieces = {};  ///< the path itself on polygons, with its arcs
-  std::optional<Fault> fault = {};     ///< why there is no path
-  std::optional<Plan> plan = {};       ///< in the frame of the ground
+  double time_s = 0.0;                 ///< time of the search; its share if one search serves many goals
+  double build_s = 0.0;                ///< time to build an index before the search
+  std::vector<Vec2> waypoints = {};    ///< world frame
+  std::vector<PathPiece> pieces = {};  ///< on polygons: the exact path with its arcs
+  std::optional<Fault> fault = {};     ///< the reason if there is no path
+  std::optional<Plan> plan = {};       ///< the plan in the frame of the ground
 
   [[nodiscard]] bool found() const { return plan.has_value(); }
 };
 
+/// The results of all planners for all queries.
 struct PlanAnswer {
-  std::vector<PlanRow> rows;  ///< of the first query by each planner, then of the next query
+  std::vector<PlanRow> rows;  ///< query by query; for each query, one row per planner
 };
 
-/// What an answer may use.
+/// Optional tools of answer().
 struct PlanTools {
-  Trace* trace = nullptr;          ///< filled by the searches
-  Workspace* workspace = nullptr;  ///< what earlier answers left; without one each planner begins afresh,
-                                   ///< and the time of building an index is measured
-  std::function<Status(std::string_view planner)> before = {};  ///< asked before each planner
+  Trace* trace = nullptr;  ///< receives the trace of the searches
+  /// Memory kept from earlier calls. If null, each planner starts without an index, and the time to build it
+  /// is measured.
+  Workspace* workspace = nullptr;
+  std::function<Status(std::string_view planner)> before =
+      {};  ///< called before each planner; a fault ends answer()
 };
 
-/// A row for each planner and query; a query that is refused or has no path says so in its row. Fault:
-/// cancelled, and those of PlanTools::before. The budget holds for each search.
+/// Runs each planner on each query and returns one row for each. If a query is refused or has no path, its
+/// row says so. Faults: cancelled, and those of PlanTools::before. The budget applies to each search
+/// separately.
 Outcome<PlanAnswer> answer(const PlanQuestion& question, const PlanTools& tools = {},
                            const Budget& budget = {});
 
-/// Refuses a query from or to where the robot cannot stand. Faults: outside_map, start_blocked,
-/// goal_blocked, which name the end and the point, as in "from 1,2".
+/// Checks that the robot can stand at the start and the goal of a query. Faults: outside_map, start_blocked,
+/// goal_blocked; their messages name the point, such as "from 1,2".
 Status check_query(const PlanGround& ground, const PlanQuery& query);
 
-/// The verdict: status, reason and metrics, those of the shortest path that was found.
+/// Returns a report with status and reason. Its metrics are those of the shortest path found.
 Report plan_report(const PlanQuestion& question, const PlanAnswer& answer);
 
-/// The table "rows": a column for each member of PlanRow down to the pieces, the same in words and units.
+/// Returns the table "rows". It has one column for each member of PlanRow from `planner` to `pieces`.
 Table table_of(const PlanAnswer& answer);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// A map made ready for a disk robot: the ground that path planners are asked on.
+// PlanGround: a map prepared for path planning with a disk robot.
 #pragma once
 
 #include <memory>
@@ -13,39 +13,41 @@
 
 namespace outrider {
 
-/// A grid, polygons, or both: polygons with a grid for the planners that need one.
+/// The ground as a grid, as polygons, or as both: polygons with a grid for the planners that need one.
 struct PlanGround {
-  Grid<std::uint8_t> occupied;         ///< cells that hold something; empty where the map has exact shapes
-  Grid<std::uint8_t> blocked;          ///< cells where the robot's centre must not be; empty without a grid
-  std::optional<CollisionMap> shapes;  ///< of a world, where it is planned on as a grid
-  double yaw_rad = 0.0;                ///< of the grid about its origin, in the world
-  double radius_m = 0.0;               ///< of the robot
-  std::shared_ptr<const GridMap> grid = nullptr;
-  std::shared_ptr<const PolygonGround> polygons = nullptr;
+  Grid<std::uint8_t> occupied;  ///< occupied cells of the map; empty if the map has exact shapes
+  Grid<std::uint8_t> blocked;   ///< cells that the centre of the robot must not enter; empty without a grid
+  std::optional<CollisionMap> shapes;  ///< exact obstacles of a world, if it is planned on as a grid
+  double yaw_rad = 0.0;                ///< rotation of the grid about its origin, in the world frame
+  double radius_m = 0.0;               ///< radius of the robot
+  std::shared_ptr<const GridMap> grid = nullptr;            ///< null if there is no grid
+  std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< null if there are no polygons
 
+  /// Convert a point between the world frame and the frame of the grid.
   [[nodiscard]] Vec2 to_grid(Vec2 world) const;
   [[nodiscard]] Vec2 to_world(Vec2 on_grid) const;
-  [[nodiscard]] Box2 bounds() const;  ///< in the world
+  [[nodiscard]] Box2 bounds() const;  ///< bounding box in the world frame
 };
 
-/// Cells to change once the map is read; `where` is what a fault names.
+/// A change of cells after the map is read.
 struct PlanCellChange {
   CellChange change;
-  std::string where;
+  std::string where;  ///< the place that a fault names, such as a key
 };
 
+/// Options of plan_ground().
 struct PlanGroundOptions {
-  double radius_m = 0.26;  ///< of the robot
-  double height_m = 0.2;   ///< of the robot, in a world
-  GridModel model = GridModel::cells;
-  GridOptions grid;                          ///< of one that is made of exact shapes
-  bool as_polygons = false;                  ///< a world becomes polygons, not a grid
-  bool needs_grid = true;                    ///< polygons get a grid too
-  std::vector<PlanCellChange> changes = {};  ///< of the cells where the centre must not be, in this order
+  double radius_m = 0.26;                    ///< radius of the robot
+  double height_m = 0.2;                     ///< height of the robot; used for worlds
+  GridModel model = GridModel::cells;        ///< model of the grid
+  GridOptions grid;                          ///< options of a grid that is made from exact shapes
+  bool as_polygons = false;                  ///< convert a world to polygons instead of a grid
+  bool needs_grid = true;                    ///< make a grid for polygons too
+  std::vector<PlanCellChange> changes = {};  ///< changes of blocked cells, applied in this order
 };
 
-/// Faults: bad_input on numbers that make no ground; changes that leave the grid, or of a map without cells.
-/// O(cells) and what the makers of grids and polygons say.
+/// Prepares a map. Faults: bad_input for numbers that make no ground, for changes outside the grid, and for
+/// changes of a map without cells. O(cells), plus the complexity of making grids and polygons.
 Outcome<PlanGround> plan_ground(const MapShape& map, const PlanGroundOptions& options);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The job plan: find a collision-free path for a disk robot.
+// The job `plan`: find a collision-free path for a disk robot.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,15 @@
 
 namespace outrider {
 
-/// Options that are set here and not through run_job.hpp belong into `given` as well, where their default
-/// depends on the map: "radius", "planner", "model", "resolution".
+/// A task of the job `plan`.
 ///
-/// run() answers with a table "rows" (answer.hpp), paths and metrics in the report, and pictures. That a
-/// single query has no path is an answer, status "not_done"; that the robot cannot stand at its ends is a
-/// fault: outside_map, start_blocked, goal_blocked. Of several rows each has its own status. Metrics are
-/// those of the shortest path that was found.
+/// run() returns a table "rows" (answer.hpp), a report with paths and metrics, and pictures. If a single
+/// query has no path, the status is "not_done". If the robot cannot stand at its start or goal, that is a
+/// fault: outside_map, start_blocked or goal_blocked. If there are several rows, each has its own status. The
+/// metrics are those of the shortest path found.
+///
+/// Trap: the defaults of "radius", "planner", "model" and "resolution" depend on the map. If you set one of
+/// these in `scenario` directly and not through run_job.hpp, add its key to `given`.
 class PlanJob final : public JobTask {
  public:
   PlanJob() : JobTask("plan") {}
@@ -22,13 +24,13 @@ class PlanJob final : public JobTask {
   Outcome<Run> run(const RunWatch& watch) override;
 
   PlanScenario scenario;
-  std::optional<PlanTask> task;  ///< once loaded
+  std::optional<PlanTask> task;  ///< set by load()
 
  protected:
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 };
 
-/// Its row in the catalogue.
+/// Returns the catalogue entry of the job.
 Job plan_job();
 
 }  // namespace outrider

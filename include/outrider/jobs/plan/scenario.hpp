@@ -1,4 +1,5 @@
-// The scenario of a path: a map, a start, one or several goals, planners and their options.
+// PlanScenario: the settings of the job `plan`: a map, a start, one or several goals, planners and their
+// options.
 //
 //   job: plan
 //   map: room_map.txt        # map_server .yaml, SDF .sdf or .world, MovingAI .map, polygons .txt
@@ -7,8 +8,8 @@
 //   planner: theta_star
 //   radius: 0.2              # of the robot
 //
-// The options of a planner stand in the section of its name. Some defaults depend on the map, settle() tells
-// which; a scenario that is published sets everything it wants.
+// The options of a planner are in the section of its name. Some defaults depend on the kind of map, see
+// settle(). A published scenario should set these options explicitly.
 #pragma once
 
 #include <set>
@@ -23,44 +24,46 @@
 
 namespace outrider {
 
-/// A row of the catalogue with options of its own.
+/// A planner of the catalogue with its own set of options.
 using ChosenPlanner = std::pair<PathPlanner, ConfiguredPlanner>;
 
+/// The settings.
 struct PlanScenario {
   PlanScenario();
 
-  std::string map;                     ///< path of a file
-  std::string from;                    ///< x,y
-  std::string to;                      ///< x,y; several with blanks between
-  std::string query;                   ///< of a polygon environment, instead of from and to: all, or a number
-  std::string planner = "theta_star";  ///< of the catalogue
-  bool compare = false;                ///< asks every planner that takes the map
-  std::string model = "cells";         ///< or corners: the grid of a planner that takes no polygons
-  double radius_m = 0.26;              ///< of the robot
-  double height_m = 0.2;               ///< of the robot, for SDF worlds
-  GridOptions grid;                    ///< that is made of a map with exact shapes
-  bool trace = false;                  ///< shows what the search expands; on grids
-  std::string block;                   ///< x,y or x,y,width,height of cells; several with blanks between
-  std::string free;                    ///< the same; after all of `block`
-  std::vector<ChosenPlanner> planners;  ///< the catalogue
+  std::string map;    ///< path of a file
+  std::string from;   ///< x,y
+  std::string to;     ///< one or several goals x,y, separated by blanks
+  std::string query;  ///< number of a query in a polygon file, or "all"; replaces from and to
+  std::string planner = "theta_star";   ///< a name of the catalogue
+  bool compare = false;                 ///< run every planner that accepts the map
+  std::string model = "cells";          ///< grid model: cells or corners
+  double radius_m = 0.26;               ///< radius of the robot
+  double height_m = 0.2;                ///< height of the robot, for SDF worlds
+  GridOptions grid;                     ///< options of a grid that is made from exact shapes
+  bool trace = false;                   ///< show what the search expands; grids only
+  std::string block;                    ///< cells to block: x,y or x,y,width,height, separated by blanks
+  std::string free;                     ///< cells to free, in the same form; applied after `block`
+  std::vector<ChosenPlanner> planners;  ///< all planners of the catalogue, with their options
 };
 
-/// Top-level keys first, then a section for each planner that has options. They point into the scenario.
+/// Returns the options: top-level keys first, then a section for each planner that has options. They point
+/// into the scenario.
 std::vector<OptionGroup> describe(PlanScenario& scenario);
 
-/// Refuses what is missing, and keys that exclude each other, as far as that can be told without the map.
+/// Checks for missing keys and for keys that exclude each other, as far as possible without the map.
 Status check(const PlanScenario& scenario);
 
-/// The grid of that name; the fault names the key "model".
+/// Returns the grid model of that name. The fault names the key "model".
 Outcome<GridModel> find_grid_model(const std::string& name);
 
-/// Refuses a planner that takes no such grid, nor the polygons of a map that has some; the fault names the
-/// key "planner".
+/// Checks that the planner accepts grids of that model, or the polygons of a map that has some. The fault
+/// names the key "planner".
 Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons);
 
-/// The scenario with the defaults of that kind of map for all that is not `given`: a radius of 0 on MovingAI
-/// maps and 0.18 m on polygons; on polygons the planner visibility_graph_reduced, and corners of 0.05 m for
-/// planners that need a grid.
+/// Returns the scenario with the defaults for that kind of map, for all keys that are not `given`. On
+/// MovingAI maps the radius is 0. On polygons the radius is 0.18 m, the planner is visibility_graph_reduced,
+/// and planners that need a grid get one of model corners with a resolution of 0.05 m.
 PlanScenario settle(PlanScenario scenario, MapKind kind, const std::set<std::string>& given);
 
 }  // namespace outrider

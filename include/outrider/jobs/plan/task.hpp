@@ -1,4 +1,4 @@
-// The task of the job plan: a scenario that was read and understood, and its map.
+// PlanTask: a checked scenario of the job `plan`, with its map.
 #pragma once
 
 #include <set>
@@ -10,19 +10,20 @@
 
 namespace outrider {
 
+/// The scenario, its map, and what to plan.
 struct PlanTask {
-  PlanScenario settled;  ///< with the defaults of its map
+  PlanScenario settled;  ///< the scenario with the defaults of its map
   LoadedMap map;
-  std::vector<ChosenPlanner> planners;  ///< to ask
+  std::vector<ChosenPlanner> planners;  ///< planners to run
   std::vector<PlanQuery> queries;
   PlanGroundOptions ground;
 };
 
-/// Reads the map and what the scenario asks; `given` holds the keys that were set. A world of solids is taken
-/// as polygons where its planner takes those. Faults: bad_input with the file, or with the key.
+/// Reads the map and parses the scenario; `given` holds the keys that were set. A world of solids is
+/// converted to polygons if the planner accepts these. Faults: bad_input with the file, or with the key.
 Outcome<PlanTask> load_plan(const PlanScenario& scenario, const std::set<std::string>& given);
 
-/// The ground of the task, and what is asked on it. Faults: those of plan_ground().
+/// Makes the ground and the queries of the task. Faults: those of plan_ground().
 Outcome<PlanQuestion> question_of(const PlanTask& task);
 
 }  // namespace outrider
