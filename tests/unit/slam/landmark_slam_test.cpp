@@ -18,23 +18,6 @@ namespace {
 
 const std::vector<std::string> engines = {"kalman", "ekf", "graph"};
 
-LandmarkSlam begun(const LandmarkSlamOptions& options, const Pose2& start) {
-  auto slam = LandmarkSlam::begin(options, start);
-  EXPECT_TRUE(slam) << to_string(slam.error());
-  return std::move(*slam);
-}
-
-LandmarkSlam after(const LandmarkSlamOptions& options, const LandmarkLog& log) {
-  LandmarkSlam slam = begun(options, log.start);
-  for (const LogStep& step : log.steps) EXPECT_TRUE(slam.advance(step));
-  return slam;
-}
-
-TagRun tag_run(std::uint64_t seed, const TagCourse& course = {}) {
-  Rng rng(seed);
-  return drive_tag_course(course, rng);
-}
-
 /// With the headings of odometry the problem is linear: its posterior is one dense solve over all positions.
 TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
   Rng rng(1);

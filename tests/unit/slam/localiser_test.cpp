@@ -2,28 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "outrider/slam/landmark_slam.hpp"
 #include "tag_course.hpp"
 
 namespace outrider {
 namespace {
-
-LandmarkSlam begun(const LandmarkSlamOptions& options, const Pose2& start) {
-  auto slam = LandmarkSlam::begin(options, start);
-  EXPECT_TRUE(slam) << to_string(slam.error());
-  return std::move(*slam);
-}
-
-LandmarkSlam after(const LandmarkSlamOptions& options, const LandmarkLog& log) {
-  LandmarkSlam slam = begun(options, log.start);
-  for (const LogStep& step : log.steps) EXPECT_TRUE(slam.advance(step));
-  return slam;
-}
-
-TagRun tag_run(std::uint64_t seed, const TagCourse& course = {}) {
-  Rng rng(seed);
-  return drive_tag_course(course, rng);
-}
 
 TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
   const TagRun made = tag_run(12, {4, 2}), run = tag_run(13, {4, 2});

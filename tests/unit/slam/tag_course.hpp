@@ -8,8 +8,11 @@
 // of the image and by twice that at its edge.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "outrider/core/rng.hpp"
 #include "outrider/slam/landmark_log.hpp"
+#include "outrider/slam/landmark_slam.hpp"
 
 namespace outrider {
 
@@ -24,5 +27,24 @@ struct TagRun {
 };
 
 TagRun drive_tag_course(const TagCourse& course, Rng& rng);
+
+/// An engine that is about to begin.
+inline LandmarkSlam begun(const LandmarkSlamOptions& options, const Pose2& start) {
+  auto slam = LandmarkSlam::begin(options, start);
+  EXPECT_TRUE(slam) << to_string(slam.error());
+  return std::move(*slam);
+}
+
+/// The engine after the whole log.
+inline LandmarkSlam after(const LandmarkSlamOptions& options, const LandmarkLog& log) {
+  LandmarkSlam slam = begun(options, log.start);
+  for (const LogStep& step : log.steps) EXPECT_TRUE(slam.advance(step));
+  return slam;
+}
+
+inline TagRun tag_run(std::uint64_t seed, const TagCourse& course = {}) {
+  Rng rng(seed);
+  return drive_tag_course(course, rng);
+}
 
 }  // namespace outrider
