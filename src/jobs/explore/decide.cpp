@@ -70,9 +70,9 @@ std::optional<Decision> leaked(const ExploreState& state, const ExploreOptions& 
   return decision;
 }
 
-int swings(const ExploreState& state, std::uint32_t chosen) {
-  if (chosen == state.before.frontier) return state.before.swings;
-  return state.map.frontiers().contains(state.before.frontier) ? state.before.swings + 1 : 0;
+int switches(const ExploreState& state, std::uint32_t chosen) {
+  if (chosen == state.before.frontier) return state.before.switches;
+  return state.map.frontiers().contains(state.before.frontier) ? state.before.switches + 1 : 0;
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
       decision.kind = DecisionKind::go;
       decision.sentence =
           fmt::format("to see {:.2f} m2 in {:.1f} s", view.gain_m2, view.turn_s + view.reach_s);
-      decision.choice = {view.frontier, view.pose.position, swings(state, view.frontier)};
+      decision.choice = {view.frontier, view.pose.position, switches(state, view.frontier)};
       decision.goal = view.pose;
       decision.way_m = length_of(*way);
       decision.waypoints = std::move(*way);

@@ -257,7 +257,7 @@ void FrontierMap::reframe(const GridFrame& before, const TraversabilityGrid::Cha
   pursuits_ = moved_cells(pursuits_, before, frame(), change.shift, std::uint16_t{0});
   std::map<std::uint32_t, Frontier> kept;
   kept.swap(frontiers_);
-  if (change.anew) {
+  if (change.new_lattice) {
     groups_.clear();
     return;
   }

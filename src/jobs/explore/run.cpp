@@ -15,7 +15,7 @@ namespace {
 constexpr double track_every_s = 0.4;
 constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
-constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
+constexpr std::size_t most_shown_cells = 40'000;  // of the map that observers see
 constexpr double outline_step_rad = radians(15.0);
 
 /// Records the report while the robot explores.

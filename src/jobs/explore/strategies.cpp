@@ -44,7 +44,7 @@ std::optional<std::size_t> chosen_before(const Views& views, const ExploreChoice
 
 double bonus_of_before(const ExploreState& state, const ExploreOptions& options) {
   constexpr int most_doublings = 10;
-  return std::ldexp(options.momentum_s, std::min(state.before.swings, most_doublings));
+  return std::ldexp(options.momentum_s, std::min(state.before.switches, most_doublings));
 }
 
 std::size_t choose_nearest(const Views& views, const ExploreState& state, const ExploreOptions& options,

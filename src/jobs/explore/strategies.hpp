@@ -12,7 +12,8 @@ std::size_t choose_by_gain(const Views& views, const ExploreState& state, const 
 std::size_t choose_by_tour(const Views& views, const ExploreState& state, const ExploreOptions& options,
                            Workspace& workspace);
 
-/// The view chosen before, if it is still there: of the same frontier, or else the nearest within 0.5 m.
+/// Returns the previously chosen view, if it still exists: of the same frontier, or else the nearest within
+/// 0.5 m.
 std::optional<std::size_t> chosen_before(const Views& views, const ExploreChoice& before);
 /// Returns the bonus of that view, s.
 double bonus_of_before(const ExploreState& state, const ExploreOptions& options);

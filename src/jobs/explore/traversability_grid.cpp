@@ -73,7 +73,7 @@ TraversabilityGrid::Change TraversabilityGrid::update(const Grid<std::uint8_t>& 
     const auto shift = shift_between(known_.frame, frame);
     if (!shift) known_ = {};
     change.reframed = true;
-    change.anew = !shift;
+    change.new_lattice = !shift;
     change.shift = shift.value_or(Cell{});
     reframe(frame, change.shift);
   }

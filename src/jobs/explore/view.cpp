@@ -134,7 +134,7 @@ std::vector<Distant> by_distance(const ExploreState& state, const ExploreOptions
   const double slack_m = options.view_m + snap_m + 4.0 * state.map.frame().resolution_m;
   std::vector<Distant> all;
   for (const auto& [id, frontier] : state.map.frontiers()) {
-    // The choice before is weighed wherever the robot is by now, or it would swing between two far ones.
+    // The previous choice is always compared, or the robot would oscillate between two distant frontiers.
     const double away_m =
         id == state.before.frontier ? 0.0 : frontier.bounds.distance_to(state.pose.position) - slack_m;
     all.emplace_back(least_ratio * std::max(0.0, away_m), &frontier);

@@ -15,7 +15,7 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_cells = 150'000;       // of the map in the report
-constexpr std::size_t most_shown_cells = 40'000;  // of the map, to who looks on
+constexpr std::size_t most_shown_cells = 40'000;  // of the map that observers see
 
 /// A scan a line: number, time (s), x, y (m), heading (rad).
 std::string track_csv(const LaserLog& log, const std::vector<Pose2>& poses) {

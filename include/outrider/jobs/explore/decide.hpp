@@ -51,7 +51,7 @@ std::vector<Option> describe(ExploreOptions& options);
 struct ExploreChoice {
   std::uint32_t frontier = 0;  ///< 0: none
   Vec2 place;                  ///< the chosen view
-  int swings = 0;              ///< consecutive switches that left the previous frontier unseen
+  int switches = 0;            ///< consecutive switches that left the previous frontier unseen
 };
 
 /// The state of the robot and the map at a decision.

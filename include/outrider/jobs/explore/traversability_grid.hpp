@@ -38,7 +38,7 @@ class TraversabilityGrid {
   struct Change {
     std::vector<std::uint32_t> cells;  ///< changed cells of the new frame()
     bool reframed = false;             ///< the frame has changed
-    bool anew = false;                 ///< the lattice has changed, and all former knowledge is dropped
+    bool new_lattice = false;          ///< the lattice has changed, and all former knowledge is dropped
     Cell shift;                        ///< otherwise, former cell c is now c + shift
   };
   /// Applies the changes of the map. A redrawn map is compared with the known cells, O(cells).

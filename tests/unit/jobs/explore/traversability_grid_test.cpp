@@ -116,7 +116,7 @@ TEST(TraversabilityGrid, BeginsAnewOnAnotherLattice) {
   ground.update(map, {.redrawn = true, .cells = {}});
   const Grid<std::uint8_t> other(GridFrame{{0.013, 0}, 0.1, 4, 4}, free_cell);
   const auto change = ground.update(other, {.redrawn = true, .cells = {}});
-  EXPECT_TRUE(change.anew);
+  EXPECT_TRUE(change.new_lattice);
   EXPECT_EQ(change.cells.size(), 16U);
   ASSERT_NO_FATAL_FAILURE(expect_as_defined(ground, other)) << "margins are counted in cells of the new size";
 }
