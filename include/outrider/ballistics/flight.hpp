@@ -1,9 +1,9 @@
-// Flight: the path of a ball, a parabola where there is no air (air.hpp tells what it is otherwise).
+// Flight: the path of a ball. Without air it is a parabola; air.hpp computes the path in air.
 //
-// In its vertical plane, with s the distance from the muzzle and h the muzzle's height,
-//     z(s) = h + s tan(pitch) - k s^2,   k = g / (2 v^2 cos^2(pitch)),
-// so for a given pitch the drop coefficient k, and with it the speed v, is fixed by any one point
-// of the path. Units: metres, seconds, radians.
+// In the vertical plane of the flight, with s the distance from the muzzle and h the height of the muzzle,
+//     z(s) = h + s tan(pitch) - k s^2,   k = g / (2 v^2 cos^2(pitch)).
+// So for a given pitch, one point of the path determines the drop coefficient k and the speed v.
+// Units: metres, seconds, radians.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,12 @@
 
 namespace outrider {
 
+/// A flight, as a function of the time since the ball left the muzzle.
 struct Flight {
-  Vec3 muzzle;        ///< centre of the ball as it leaves, world
-  Vec3 velocity_mps;  ///< then
+  Vec3 muzzle;        ///< centre of the ball at time 0, world frame
+  Vec3 velocity_mps;  ///< velocity at time 0
   double gravity_mps2 = 9.8;
-  std::shared_ptr<const AirTrack> in_air = nullptr;  ///< its path where there is air; else a parabola
+  std::shared_ptr<const AirTrack> in_air = nullptr;  ///< path in air; null: a parabola
 
   [[nodiscard]] Vec3 position(double time_s) const {
     if (in_air) return in_air->position(time_s);
@@ -29,30 +30,31 @@ struct Flight {
     if (in_air) return in_air->velocity(time_s);
     return velocity_mps - Vec3{0, 0, gravity_mps2 * time_s};
   }
-  /// Bound of the acceleration's size.
+  /// Returns an upper bound on the magnitude of the acceleration.
   [[nodiscard]] double most_acceleration() const {
     return in_air ? in_air->most_acceleration() : gravity_mps2;
   }
 };
 
-/// What the gun is told: where the barrel points and how fast the ball leaves.
+/// A shot as commanded: the direction of the barrel and the muzzle speed.
 struct Shot {
-  double yaw_rad = 0.0;  ///< of the barrel, in the world
-  double pitch_rad = 0.0;
-  double speed_mps = 0.0;
+  double yaw_rad = 0.0;    ///< yaw of the barrel in the world frame
+  double pitch_rad = 0.0;  ///< pitch of the barrel
+  double speed_mps = 0.0;  ///< muzzle speed
 };
 
-/// Where a robot is when it fires, and how it moves.
+/// The position and velocity of a robot when it fires.
 struct Platform {
-  Vec2 position;      ///< of the yaw axis
-  Vec2 velocity_mps;  ///< over the ground; the ball leaves with the barrel's velocity and this one
+  Vec2 position;      ///< position of the yaw axis
+  Vec2 velocity_mps;  ///< velocity over the ground; it adds to the muzzle velocity of the ball
 };
 
-/// The flight of a shot from a robot that stands at `position` on a floor of height `floor_z_m`.
+/// Returns the flight of a shot from a robot that stands at `position` on a floor of height `floor_z_m`.
 Flight launch(const GunModel& gun, Vec2 position, double floor_z_m, const Shot& shot, double gravity_mps2);
 
-/// Muzzle speed with which a ball shot at `pitch_rad` passes a point `forward_m` ahead of the yaw axis
-/// and `height_m` above the floor; nothing when that needs more than the gun's speed or no speed does.
+/// Returns the muzzle speed with which a ball shot at `pitch_rad` passes a point `forward_m` ahead of the yaw
+/// axis and `height_m` above the floor. Returns nothing if no speed does, or if it exceeds the maximum speed
+/// of the gun.
 std::optional<double> speed_through(const GunModel& gun, double pitch_rad, double forward_m, double height_m,
                                     double gravity_mps2);
 

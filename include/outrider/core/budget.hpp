@@ -1,7 +1,7 @@
-// Budget: how much work a planner may do before it must answer. One argument of every planner.
+// Budget: the limit on the work of a planner. Every planner takes one.
 //
-// Expansions come first because they repeat exactly; wall time is a second limit for people who
-// wait, and is unlimited by default so that it never changes a result unasked.
+// Prefer a limit on expansions, because it gives the same result on every machine. Wall time is unlimited by
+// default, so that it never changes a result unintentionally.
 #pragma once
 
 #include <chrono>
@@ -14,19 +14,20 @@
 
 namespace outrider {
 
+/// Limits of a search; the first that is reached ends it.
 struct Budget {
-  std::uint64_t expansions = std::numeric_limits<std::uint64_t>::max();
-  std::optional<std::chrono::nanoseconds> wall_time;
-  std::stop_token stop;
+  std::uint64_t expansions = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of expansions
+  std::optional<std::chrono::nanoseconds> wall_time;                     ///< maximum time; unset: unlimited
+  std::stop_token stop;                                                  ///< cancels the search
 };
 
-/// Counts expansions against a budget. The token is read at every expansion, as some take a millisecond; the
-/// clock every 1024.
+/// Counts expansions against a budget. It checks the stop token at every expansion and the clock at every
+/// 1024th.
 class BudgetMeter {
  public:
   explicit BudgetMeter(const Budget& budget);
 
-  /// True when one more expansion is within the budget; false ends the search.
+  /// Counts one expansion. Returns false if the budget is used up; the search must end then.
   bool spend() {
     if (spent_ >= budget_.expansions || budget_.stop.stop_requested()) return false;
     if (spent_ % 1024 == 0 && late()) return false;
@@ -34,7 +35,7 @@ class BudgetMeter {
     return true;
   }
   [[nodiscard]] std::uint64_t spent() const { return spent_; }
-  /// Why spend() said no: budget_exhausted or cancelled.
+  /// Returns the fault for a search whose spend() returned false: budget_exhausted or cancelled.
   [[nodiscard]] tl::unexpected<Fault> refusal() const;
 
  private:

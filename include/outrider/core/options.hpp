@@ -1,9 +1,10 @@
-// Options describe themselves once; flags, scenario keys, schema, docs and bindings are derived.
+// Option: the description of one option. Flags, scenario keys, schemas, documentation and bindings are all
+// derived from such descriptions.
 //
-// An options aggregate is a plain struct with defaults. Beside it stands one function
+// An options struct is a plain struct with defaults. Next to it there is one function
 //     std::vector<Option> describe(MyOptions& options);
-// that lists each member with its name, unit, range and sentence, and points at the member of the
-// given instance. Whoever needs names, defaults, parsing or documentation walks that list.
+// that lists each member with its name, unit, range and sentence, and with a pointer to the member of the
+// given instance.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +17,20 @@
 
 namespace outrider {
 
-/// One member of an options aggregate. Angles are stored in radians; their unit is "deg" and every
+/// One member of an options struct. Angles are stored in radians; their unit is "deg" and every
 /// text form (flag, key, schema, docs) is in degrees.
 struct Option {
   std::string name;      ///< snake_case, e.g. "muzzle_speed"; the flag is --gun-muzzle-speed
   std::string unit;      ///< "m", "s", "m/s", "deg", ... or empty
   double low = 0.0;      ///< least allowed value in `unit`; numbers only
   double high = 0.0;     ///< largest allowed value in `unit`; numbers only
-  std::string sentence;  ///< what it is, without the unit and the default
-  std::variant<double*, std::int64_t*, bool*, std::string*> value;
-  bool names_file = false;  ///< the text is the path of a file; in a scenario it is relative to that
+  std::string sentence;  ///< what the option means, without the unit and the default
+  std::variant<double*, std::int64_t*, bool*, std::string*> value;  ///< points to the member
+  bool names_file =
+      false;  ///< the value is the path of a file; in a scenario it is relative to the scenario file
 };
 
-/// An option whose text is the path of a file to read.
+/// Makes an option whose value is the path of a file to read.
 Option file_option(std::string name, std::string sentence, std::string* path);
 
 /// A named set of options: a section of a scenario file and the prefix of its flags.
@@ -42,22 +44,22 @@ struct OptionGroup {
 /// member is untouched then. NaN and infinities are refused.
 Status assign(const Option& option, std::string_view text);
 
-/// The member's present value as text, shortest form that reads back the same (degrees for "deg").
+/// Returns the present value as text, in the shortest form that parses to the same value (degrees for "deg").
 std::string value_text(const Option& option);
 
-/// "number", "integer", "boolean" or "string": the JSON schema type.
+/// Returns the JSON schema type: "number", "integer", "boolean" or "string".
 std::string_view type_name(const Option& option);
 
-/// The known name nearest to `unknown` by edit distance, or empty when none is close: the "did you
-/// mean" of every bad key, flag or planner name.
+/// Returns the known name nearest to `unknown` by edit distance, or an empty string if none is close. It is
+/// used for the suggestion "did you mean" in faults.
 std::string nearest_name(std::string_view unknown, const std::vector<std::string>& known);
 
-/// The refusal of a name that a catalogue does not have: "there is no planner 'x'; did you mean ...".
-/// `kind` is the word for a row, `where` the key that took the name.
+/// Makes the fault for a name that is not in a catalogue: "there is no planner 'x'; did you mean ...". `kind`
+/// is the noun for an entry, `where` the key of the option with the name.
 tl::unexpected<Fault> no_such_row(std::string_view kind, std::string_view unknown,
                                   const std::vector<std::string>& known, std::string where);
 
-/// The row of a catalogue with that `name`; bad_input when there is none.
+/// Returns the entry of a catalogue with that name. Fault: bad_input if there is none.
 template <class Row>
 Outcome<Row> find_row(const std::vector<Row>& rows, std::string_view kind, std::string_view name,
                       std::string where) {

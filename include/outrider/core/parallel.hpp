@@ -1,4 +1,4 @@
-// parallel_for: the one door to threads for algorithms whose steps do not depend on one another.
+// parallel_for: runs independent iterations on several threads. Algorithms use threads only through it.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace outrider {
 
-/// Calls body(i) once for each i < count, on as many threads as oneTBB has been given, and returns when all
-/// are done; an exception of a body is passed on. Each body writes to places of its own, by index, so the
-/// result is the same for any number of threads.
+/// Calls body(i) once for each i < count, on as many threads as oneTBB is configured to use, and returns when
+/// all calls are done. An exception of a body is rethrown. Each call must write only to its own elements;
+/// then the result is the same for any number of threads.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// The same until the token is raised: the bodies that have not begun by then are left out. False when there
-/// may be such.
+/// Like parallel_for above, but after a stop request no more calls begin. Returns false if calls may have
+/// been skipped.
 bool parallel_for(std::size_t count, const std::stop_token& stop,
                   const std::function<void(std::size_t)>& body);
 

@@ -1,24 +1,26 @@
-// The one best-first loop. Dijkstra, A*, free-direction A* and their kin are policies of it.
+// best_first: a generic best-first search. Dijkstra, A*, any-angle A* and similar planners are policies of
+// it.
 //
-// A policy says what the states are, what a neighbour is and through which parent it is reached:
+// A policy defines the states, the neighbours of a state, and the parent through which a neighbour is
+// reached:
 //
 //   struct Policy {
-//     using Cost = ...;                        // of a path; has < and a default value of nothing
+//     using Cost = ...;                        // cost of a path; has operator<; Cost{} is zero
 //     std::size_t states() const;              // states are 0 .. states() - 1
 //     State start() const;
 //     bool is_goal(State s) const;
 //     Cost estimate(State s) const;            // h, a lower bound of the cost to the goal
-//     double value(const Cost& cost) const;    // in order of cost
+//     double value(const Cost& cost) const;    // a number that increases with the cost
 //     double priority(const Cost& g, const Cost& h) const;  // f
-//     void settle(State s);                    // last word on the label of s before it is closed
+//     void settle(State s);                    // may change the label of s just before s is closed
 //     void expand(State s, Relax& relax);      // relax(neighbour, parent, g, h) for each neighbour
 //   };
 //
-// Order: least f, then largest g, then least state: the answer is the same everywhere. A closed
-// state is never opened again, so with a consistent h and settle() idle the cost found is least.
-// Touches only the states that it meets. O((states + moves) log states). Faults: no_path when all
-// that the start reaches was closed; budget_exhausted; cancelled.
-// Source: Hart, Nilsson and Raphael (1968); the frame with a choice of parent, Nash et al. (2007).
+// The order of expansion is least f, then largest g, then least state, so the result is the same on every
+// machine. A closed state is never opened again. So if h is consistent and settle() changes nothing, the cost
+// found is optimal. Only states that the search reaches are touched. O((states + moves) log states). Faults:
+// no_path if all states reachable from the start are closed; budget_exhausted; cancelled. Sources: Hart,
+// Nilsson and Raphael (1968); Nash et al. (2007) for the choice of parent.
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -28,14 +30,14 @@
 
 namespace outrider {
 
-/// What best_first() keeps between searches, for one type of cost.
+/// The memory of best_first() for one type of cost. Reuse it between searches to avoid allocations.
 template <class Cost>
 struct SearchMemory {
   Labels<Cost> labels;
   BucketQueue queue;
 };
 
-/// The goal state; the path to it stands in the labels.
+/// Searches a path and returns the goal state. The labels in `memory` hold the path; see path_to().
 template <class Policy>
 Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& memory, BudgetMeter& meter,
                           Trace* trace = nullptr) {
@@ -72,7 +74,7 @@ Outcome<State> best_first(Policy& policy, SearchMemory<typename Policy::Cost>& m
   return fault(FaultCode::no_path, "nothing joins the start and the goal");
 }
 
-/// The states from the start to `last`, by their parents.
+/// Returns the states on the path from the start to `last`, by following the parents.
 template <class Cost>
 std::vector<State> path_to(State last, const Labels<Cost>& labels) {
   std::vector<State> path{last};

@@ -1,7 +1,7 @@
-// Labels: cost and parent of every state that a search has met.
+// Labels: the cost and the parent of every state that a search has reached.
 //
-// Each label carries the number of the search that wrote it, so begin() forgets the last search
-// without touching its labels; "closed" is part of the same number. O(1) everything.
+// Each label has a stamp with the number of the search that wrote it, so begin() clears all labels without
+// touching them. The stamp also marks closed states. All operations are O(1).
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 
 namespace outrider {
 
+/// Index of a state.
 using State = std::uint32_t;
 
 template <class Cost>
@@ -23,8 +24,8 @@ struct Label {
 template <class Cost>
 class Labels {
  public:
-  /// Forgets every label. O(1), but O(states) when more states are asked for than ever before, and
-  /// once in 2^31 searches.
+  /// Clears all labels. O(1), but O(states) if `states` is larger than ever before, and once in 2^31
+  /// searches.
   void begin(std::size_t states) {
     if (open_ >= std::numeric_limits<std::uint32_t>::max() - 3) {
       labels_.assign(labels_.size(), {});
@@ -33,7 +34,7 @@ class Labels {
     if (labels_.size() < states) labels_.resize(states);
     open_ += 2;
   }
-  /// Makes room for more states in the middle of a search.
+  /// Makes room for more states during a search.
   void grow(std::size_t states) {
     if (labels_.size() < states) labels_.resize(states);
   }

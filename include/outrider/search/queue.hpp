@@ -1,10 +1,9 @@
-// BucketQueue: the open list of a best-first search, in exact order.
+// BucketQueue: the open list of a best-first search, with the exact order of a binary heap.
 //
-// Entries wait unsorted in buckets of like priority; only the bucket in turn is a heap. The order is
-// that of one big heap, whatever the priorities: an entry that belongs to an earlier bucket joins the
-// heap, and the last bucket takes all that lies beyond it. Push O(1) into later buckets, pop O(log of
-// one bucket). Memory is kept between searches. Source: two-level buckets, Cherkassky, Goldberg and
-// Silverstein (1999).
+// Entries are stored unsorted in buckets of similar priority; only the current bucket is a heap. An entry of
+// an earlier bucket is pushed into that heap, and the last bucket takes all larger priorities, so the order
+// is exact for any priorities. Push is O(1) into later buckets; pop is O(log of the bucket size). Memory is
+// kept between searches. Source: two-level buckets, Cherkassky, Goldberg and Silverstein (1999).
 #pragma once
 
 #include <algorithm>
@@ -17,14 +16,16 @@
 
 namespace outrider {
 
+/// An entry of the open list.
 struct QueueEntry {
-  double f = 0.0;
-  double g = 0.0;
+  double f = 0.0;  ///< priority
+  double g = 0.0;  ///< cost from the start
   State state = 0;
-  std::uint32_t next = 0;  ///< of the queue: the entry that waits behind it
+  std::uint32_t next = 0;  ///< internal: index of the next entry of the same bucket
 };
 
-/// The order of expansion: least f, then largest g (nearest to the goal), then least state.
+/// Returns true if a is expanded before b: least f first, then largest g (nearest to the goal), then least
+/// state.
 inline bool before(const QueueEntry& a, const QueueEntry& b) {
   if (a.f != b.f) return a.f < b.f;
   if (a.g != b.g) return a.g > b.g;
@@ -33,7 +34,7 @@ inline bool before(const QueueEntry& a, const QueueEntry& b) {
 
 class BucketQueue {
  public:
-  /// Empties the queue; buckets count from `lowest_f`.
+  /// Empties the queue. The first bucket begins at `lowest_f`.
   void begin(double lowest_f) {
     heap_.clear();
     waiting_.clear();
@@ -55,7 +56,7 @@ class BucketQueue {
     last_ = std::max(last_, bucket);
   }
 
-  /// Takes the first entry out; false when the queue is empty.
+  /// Removes the first entry and copies it to `first`. Returns false if the queue is empty.
   bool pop(QueueEntry& first) {
     if (heap_.empty() && !advance()) return false;
     std::pop_heap(heap_.begin(), heap_.end(), After{});
@@ -90,7 +91,7 @@ class BucketQueue {
     return place;
   }
 
-  /// Makes a heap of the next bucket that holds anything.
+  /// Makes the next non-empty bucket the heap. Returns false if there is none.
   bool advance() {
     while (current_ < last_) {
       std::uint32_t place = first_[++current_];
@@ -110,11 +111,11 @@ class BucketQueue {
   }
 
   std::vector<QueueEntry> heap_;      // all entries of the buckets up to current_
-  std::vector<QueueEntry> waiting_;   // those of later buckets, and places to use again
-  std::vector<std::uint32_t> first_;  // of each bucket's chain in waiting_
-  std::uint32_t free_ = none;         // chain of places to use again
+  std::vector<QueueEntry> waiting_;   // entries of later buckets, and free slots
+  std::vector<std::uint32_t> first_;  // head of each bucket's list in waiting_
+  std::uint32_t free_ = none;         // head of the list of free slots in waiting_
   std::size_t current_ = 0;
-  std::size_t last_ = 0;  // no entry lies beyond
+  std::size_t last_ = 0;  // last bucket in use
   double lowest_f_ = 0.0;
 };
 

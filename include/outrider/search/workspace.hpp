@@ -1,8 +1,8 @@
-// Workspace: memory that planners keep between queries, so that a query allocates nothing.
+// Workspace: memory that planners keep between queries, so that later queries allocate nothing.
 //
-// A planner asks for its own kind of memory by type and finds it as the last query left it; what a
-// query answers never depends on that, unless the planner's header says how. Thread rule: one workspace for
-// each thread.
+// A planner gets its memory by type, in the state in which the previous query left it. The result of a query
+// does not depend on that state, unless the header of the planner says so. Thread rule: one workspace per
+// thread.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,12 @@
 
 namespace outrider {
 
+/// Memory of planners, by type.
 class Workspace {
  public:
-  Trace* trace = nullptr;  ///< filled by the next queries when set; owned by the caller
+  Trace* trace = nullptr;  ///< receives the trace of the next queries, if set; owned by the caller
 
-  /// The memory of that type, made on first use. Valid as long as the workspace lives.
+  /// Returns the memory of that type and creates it on first use. It stays valid as long as the workspace.
   template <class Memory>
   Memory& get() {
     std::shared_ptr<void>& kept = slot(typeid(Memory));

@@ -32,25 +32,27 @@
 
 namespace outrider {
 
+/// Options of landmark SLAM.
 struct LandmarkSlamOptions {
-  std::string engine = "graph";
-  bool unknown_ids = false;
-  double gate = 0.9999;
-  std::int64_t patience = 2;
-  double patience_distance_m = 1.0;
-  double sensor_range_m = 0.0;
-  double field_of_view_rad = 6.283185307179586;
-  std::int64_t misses = 20;
-  std::int64_t lost_after = 10;
-  std::string kernel = "none";
-  double kernel_width = 3.0;
-  double relinearise = 0.05;
-  std::int64_t reorder_every = 100;
+  std::string engine = "graph";      ///< kalman, ekf or graph
+  bool unknown_ids = false;          ///< associate landmarks by position and ignore their ids
+  double gate = 0.9999;              ///< probability that a correct sighting passes the gate; 1: no gate
+  std::int64_t patience = 2;         ///< sightings that a new landmark needs
+  double patience_distance_m = 1.0;  ///< largest distance between these sightings
+  double sensor_range_m = 0.0;       ///< range within which the sensor sees all landmarks; 0: unknown
+  double field_of_view_rad = 6.283185307179586;  ///< opening angle of the sensor
+  std::int64_t misses = 20;                      ///< consecutive misses after which a landmark is removed
+  std::int64_t lost_after = 10;      ///< steps without a matching sighting until the robot is lost
+  std::string kernel = "none";       ///< graph: loss of a sighting: none, huber, cauchy, geman_mcclure
+  double kernel_width = 3.0;         ///< standard deviations from which the kernel reduces the weight
+  double relinearise = 0.05;         ///< graph: change that triggers a new linearisation, m or rad
+  std::int64_t reorder_every = 100;  ///< graph: steps between new elimination orders
   friend bool operator==(const LandmarkSlamOptions&, const LandmarkSlamOptions&) = default;
 };
 
 std::vector<Option> describe(LandmarkSlamOptions& options);
 
+/// An estimated landmark.
 struct LandmarkEstimate {
   std::int64_t id = 0;  ///< as sighted; numbered from 0 in order of finding where ids are unknown
   Vec2 position;        ///< in the world, m
@@ -60,20 +62,21 @@ struct LandmarkEstimate {
 };
 using LandmarkMap = std::vector<LandmarkEstimate>;
 
-/// How many sightings of a step were used, and how the map changed.
+/// The result of a step: how its sightings were used, and how the map changed.
 struct StepOutcome {
-  int used = 0;
-  int refused = 0;
-  int waiting = 0;  ///< sightings of candidates that are not in the map yet
-  std::vector<std::int64_t> added;
-  std::vector<std::int64_t> removed;
-  bool lost = false;
+  int used = 0;                       ///< sightings used
+  int refused = 0;                    ///< sightings outside the gate
+  int waiting = 0;                    ///< sightings of candidates that are not in the map yet
+  std::vector<std::int64_t> added;    ///< ids of new landmarks
+  std::vector<std::int64_t> removed;  ///< ids of removed landmarks
+  bool lost = false;                  ///< the robot is lost; the map is frozen
 };
 
 class SlamEngine;
 
 class LandmarkSlam {
  public:
+  /// Begins at the start pose, which is exact. Fault: bad_input for invalid options.
   static Outcome<LandmarkSlam> begin(const LandmarkSlamOptions& options, const Pose2& start);
   /// Restores a filter or graph from the text of state(); refuses any other text.
   static Outcome<LandmarkSlam> load(std::string_view state);
@@ -82,6 +85,7 @@ class LandmarkSlam {
   LandmarkSlam& operator=(LandmarkSlam&&) noexcept;
   ~LandmarkSlam();
 
+  /// Processes the odometry and the sightings of a step.
   Outcome<StepOutcome> advance(const LogStep& step);
   /// Optimises a graph to the minimum of its cost; does nothing for a filter.
   void settle();
@@ -91,8 +95,9 @@ class LandmarkSlam {
   [[nodiscard]] LandmarkMap landmarks() const;
   /// The start and the pose after each step: smoothed for a graph, as estimated at that step for a filter.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
-  /// Sum of r^T W r over odometry and sightings at the present estimate; 0 for a filter.
+  /// Returns the sum of r^T W r over odometry and sightings at the present estimate; 0 for a filter.
   [[nodiscard]] double cost() const;
+  /// Returns the complete state as text, for load().
   [[nodiscard]] std::string state() const;
 
  private:

@@ -33,33 +33,35 @@
 
 namespace outrider {
 
+/// Options of laser SLAM.
 struct LaserSlamOptions {
-  bool trust_odometry = false;  ///< mapping with known poses: no scan matching
-  bool draw_late = false;       ///< draw the map in settle() only
-  bool close_loops = true;
-  double loop_reach_sd = 2.5;    ///< reject loops farther off than this many standard deviations
-  bool learn_odometry = false;   ///< estimate the systematic errors of the odometry from the scans
-  double reach_m = 30.0;         ///< longer readings are mapped, not matched
-  double key_distance_m = 0.25;  ///< distance after which a scan becomes a keyframe
-  double key_turn_rad = 0.35;
+  bool trust_odometry = false;      ///< mapping with known poses: no scan matching
+  bool draw_late = false;           ///< draw the map in settle() only
+  bool close_loops = true;          ///< search for loops and close them
+  double loop_reach_sd = 2.5;       ///< reject loops farther off than this many standard deviations
+  bool learn_odometry = false;      ///< estimate the systematic errors of the odometry from the scans
+  double reach_m = 30.0;            ///< longer readings are mapped, not matched
+  double key_distance_m = 0.25;     ///< distance after which a scan becomes a keyframe
+  double key_turn_rad = 0.35;       ///< rotation after which a scan becomes a keyframe
   double odometry_distance = 0.05;  ///< standard deviation, m after 1 m driven; grows with the root
   double odometry_turn = 0.05;      ///< standard deviation, rad after 1 rad turned
   double odometry_turn_per_distance_rad = 0.05;  ///< standard deviation of the heading after 1 m driven
   double odometry_rest_m = 0.005;                ///< standard deviation added in each step
-  double odometry_rest_rad = 0.005;
+  double odometry_rest_rad = 0.005;              ///< standard deviation of the heading added in each step
   Pose2 robot_T_laser;
   OccupancyMapOptions map;
 };
 
 std::vector<Option> describe(LaserSlamOptions& options);
 
+/// The result of a step.
 struct LaserSlamStep {
-  Pose2 pose;            ///< now
-  bool matched = false;  ///< the scan matched; otherwise the pose is that of the odometry
-  bool lost = false;     ///< the scan fits several places; see above
-  bool kept = false;     ///< the scan is a keyframe
-  bool closed_loop = false;
-  MapUpdate update;  ///< of map()
+  Pose2 pose;                ///< estimated world_T_robot after the step
+  bool matched = false;      ///< the scan matched; otherwise the pose is that of the odometry
+  bool lost = false;         ///< the robot is lost; see the head of this file
+  bool kept = false;         ///< the scan became a keyframe
+  bool closed_loop = false;  ///< a loop was closed
+  MapUpdate update;          ///< changes of map()
 };
 
 /// A loop constraint between two poses of trajectory(), by their numbers.
