@@ -25,13 +25,14 @@
 
 namespace outrider {
 
+/// Options of the solver.
 struct TourOptions {
-  std::int64_t exact_goals = 12;
-  std::int64_t expansions = 1'000'000;
-  std::int64_t iterations = 16'000;
-  double gap = 0.02;
-  std::int64_t operations = 400'000'000;
-  std::int64_t seed = 1;
+  std::int64_t exact_goals = 12;        ///< largest number of goals for which A* proves the optimum
+  std::int64_t expansions = 1'000'000;  ///< maximum number of labels that A* expands
+  std::int64_t iterations = 16'000;  ///< iterations of ruin and recreate; 1/8 of them before an exact search
+  double gap = 0.02;                 ///< optimality gap to prove; 0: prove the optimum, 1: prove nothing
+  std::int64_t operations = 400'000'000;  ///< maximum number of drives and visits tried for the lower bound
+  std::int64_t seed = 1;                  ///< seed of the search
 };
 
 std::vector<Option> describe(TourOptions& options);

@@ -80,11 +80,12 @@ struct SupplyLevel {
   double filling_s = 0.0;  ///< time spent filling in this step
 };
 
+/// Options of the solver.
 struct SupplyOptions {
-  std::int64_t exact_goals = 8;
-  std::int64_t expansions = 300'000;
-  std::int64_t iterations = 3'000;
-  std::int64_t seed = 1;
+  std::int64_t exact_goals = 8;       ///< largest number of goals for which A* proves the optimum
+  std::int64_t expansions = 300'000;  ///< maximum number of labels that A* expands
+  std::int64_t iterations = 3'000;    ///< iterations of ruin and recreate
+  std::int64_t seed = 1;              ///< seed of the search
 };
 
 std::vector<Option> describe(SupplyOptions& options);
