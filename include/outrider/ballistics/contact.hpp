@@ -1,8 +1,8 @@
-// What a ball in flight touches first, and how near it comes to anything.
+// The first contact of a ball in flight, and its clearance from the solids.
 //
-// Both are found by conservative advancement (Mirtich 1996; Zhang, Lee and Kim 2006): the ball cannot
-// reach a solid sooner than its distance divided by its speed allows, so stepping by that time skips
-// nothing, however thin. The distances are exact, so answers are exact up to `contact_tolerance_m`.
+// Both use conservative advancement (Mirtich 1996; Zhang, Lee and Kim 2006): the ball needs at least distance
+// / speed to reach a solid, so steps of that duration never miss a solid, however thin. Distances are exact,
+// so results are exact up to `contact_tolerance_m`.
 #pragma once
 
 #include <optional>
@@ -16,38 +16,45 @@ namespace outrider {
 /// A ball within this distance of a solid touches it.
 inline constexpr double contact_tolerance_m = 1e-6;
 
-/// Earliest time in [from_s, until_s] at which a ball of that radius touches the solid.
+/// Returns the earliest time in [from_s, until_s] at which the ball touches the solid; nothing if it does
+/// not.
 std::optional<double> contact_time(const Flight& flight, double ball_radius_m, const Solid& solid,
                                    double from_s, double until_s);
 
-/// Whether it touches it at any time in there, sooner told than when: each look at the middle of what is left
-/// settles the times around it that the ball's distance allows for.
+/// Returns true if the ball touches the solid within [from_s, until_s]. Faster than contact_time(): it
+/// bisects, and skips every sub-interval at whose middle the ball is farther away than it can travel within
+/// the sub-interval.
 bool touches(const Flight& flight, double ball_radius_m, const Solid& solid, double from_s, double until_s);
 
+/// A contact of a ball with a solid.
 struct Contact {
   double time_s = 0.0;
   std::size_t solid = 0;  ///< index in the FlightSpace
-  Vec3 position;          ///< centre of the ball then
+  Vec3 position;          ///< centre of the ball at the contact
 };
 
+/// The nearest approach of a ball to a solid.
 struct Clearance {
-  double distance_m = 0.0;  ///< from the ball's surface; negative is not told from 0
-  double time_s = 0.0;      ///< where on the flight
-  std::size_t solid = 0;
+  double distance_m = 0.0;  ///< distance from the surface of the ball; 0 if they overlap
+  double time_s = 0.0;      ///< time of the nearest approach
+  std::size_t solid = 0;    ///< index in the FlightSpace
 };
 
-/// Solids ready for many flights: each flight looks closely only at those whose boxes it passes.
+/// Solids preprocessed for many flights. A flight is tested only against solids whose bounding boxes it
+/// passes.
 class FlightSpace {
  public:
   explicit FlightSpace(std::vector<Solid> solids);
 
   [[nodiscard]] const std::vector<Solid>& solids() const { return solids_; }
 
-  /// First contact with any solid until `until_s`; ties go to the solid listed first. O(solids).
+  /// Returns the first contact with any solid until `until_s`. For equal times the solid listed first wins.
+  /// O(solids).
   [[nodiscard]] std::optional<Contact> first_contact(const Flight& flight, double ball_radius_m,
                                                      double until_s) const;
-  /// Nearest approach of the ball's surface to any solid until `until_s`, to 0.1 mm, cut off at
-  /// `most_m` (time and solid are 0 then). Branch and bound on time with the speed as Lipschitz constant.
+  /// Returns the nearest approach of the ball's surface to any solid until `until_s`, accurate to 0.1 mm. The
+  /// distance is cut off at `most_m`; time and solid are 0 then. Branch and bound over time, with the speed
+  /// as Lipschitz constant.
   [[nodiscard]] Clearance clearance(const Flight& flight, double ball_radius_m, double until_s,
                                     double most_m) const;
 
@@ -56,7 +63,8 @@ class FlightSpace {
   std::vector<Box3> boxes_;
 };
 
-/// The time at which a flight has fallen to `height_m` for good; 0 when it never rises to it.
+/// Returns the last time at which the flight is at `height_m`, on its way down; 0 if it never reaches that
+/// height.
 double fall_time(const Flight& flight, double height_m);
 
 }  // namespace outrider

@@ -1,4 +1,5 @@
-// A target that moves while the ball flies: when the ball touches it, and where to aim so that it does.
+// Moving targets: the contact of a ball with a target that moves during the flight, and the shot that leads
+// it.
 //
 // Frames and units: world, metres, seconds on one clock for the walk and the shot.
 #pragma once
@@ -10,39 +11,44 @@
 
 namespace outrider {
 
-/// Somebody's whereabouts: straight and at constant speed from knot to knot, at the first before it, at the
-/// last after it. At least one knot, times ascending.
+/// The motion of a target: straight and with constant speed between consecutive knots. Before the first knot
+/// the target rests there, after the last knot it rests there. There is at least one knot, and times are
+/// ascending.
 struct Walk {
+  /// A position at a time.
   struct Knot {
     double time_s = 0.0;
     Vec2 position;
   };
   std::vector<Knot> knots;
 
-  /// O(log knots).
+  /// Returns the position at a time. O(log knots).
   [[nodiscard]] Vec2 at(double time_s) const;
 };
 
-/// The target at another place; its height and heading stay.
+/// Returns the target at another place, with the same height and heading.
 Target moved_to(const Target& target, Vec2 place);
 
-/// fly() (shot.hpp) at a target that walks, for a ball that leaves at `fired_s`. By conservative advancement
-/// on each straight piece, with the speed of the ball against the target: nothing is skipped, however thin.
+/// Like fly() (shot.hpp), for a walking target and a ball that leaves at `fired_s`. It uses conservative
+/// advancement on each straight piece of the walk, with the relative speed of ball and target, so no contact
+/// is missed.
 Impact fly_at(const Flight& flight, double ball_radius_m, const FlightSpace& space, const Target& target,
               const Walk& walk, double fired_s, double floor_z_m);
 
+/// A shot that leads a moving target.
 struct LedShot {
   PlannedShot planned;
-  double fires_s = 0.0;  ///< when the barrel is there
-  double meets_s = 0.0;  ///< when the ball passes the target's centre
+  double fires_s = 0.0;  ///< time at which the barrel is aimed and the gun fires
+  double meets_s = 0.0;  ///< time at which the ball passes the centre of the target
 };
 
-/// The shot that leads: the barrel is brought from where it is, beginning at `now_s`, the ball leaves at
-/// once, and passes the target's centre where the walk has it then. The pitch is that of best_shot() at the
-/// place of the meeting; at that pitch the time of the meeting T = aiming(T) + flight(T) is solved by fixed
-/// point iteration to 1e-12 s (1e-7 s in air), which converges when the target is slower than the ball and is
-/// not close by. At a target that rests it is best_shot(). Nothing when that finds none, when there is no
-/// fixed point, or when the shot does not hit the walk. On level ground only.
+/// Returns the shot that leads a walking target. The barrel starts to turn from its present direction at
+/// `now_s`, and the ball leaves as soon as the barrel is aimed. It passes the centre of the target at the
+/// place where the walk has it then. The pitch is that of best_shot() at the meeting place. For that pitch,
+/// the equation T = aiming(T) + flight(T) for the meeting time T is solved by fixed-point iteration to 1e-12
+/// s (1e-7 s in air). The iteration converges if the target is slower than the ball and not close by. For a
+/// target at rest the result is best_shot(). Returns nothing if best_shot() finds no shot, if there is no
+/// fixed point, or if the shot misses the walking target. Level ground only.
 std::optional<LedShot> led_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                 const Walk& walk, Vec2 position, double yaw_rad, double pitch_rad,
                                 double now_s);

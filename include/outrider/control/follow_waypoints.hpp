@@ -26,43 +26,47 @@
 
 namespace outrider {
 
+/// A waypoint of a path.
 struct Waypoint {
   Pose2 pose;
   bool stop = true;  ///< come to rest there with its heading; otherwise pass by it, with any heading
   friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
+/// Options of a follower.
 struct FollowOptions {
-  std::string follower = "pid";
-  std::string manner = "holonomic";
-  double speed_mps = 0.25;
-  double turn_rate_radps = 0.8;
-  double acceleration_mps2 = 0.5;
-  double turn_acceleration_radps2 = 2.0;
-  double least_speed_mps = 0.015;       ///< floor of a command that moves
-  double least_turn_rate_radps = 0.03;  ///< floor of a command that turns
-  double within_m = 0.008;              ///< of a stop, at which nothing more is commanded
-  double within_rad = 0.01;
-  double pass_m = 0.08;      ///< how near a waypoint is passed that is no stop
-  double lookahead_m = 0.3;  ///< of pure_pursuit
+  std::string follower = "pid";           ///< pid or pure_pursuit
+  std::string manner = "holonomic";       ///< holonomic or rotate_then_go
+  double speed_mps = 0.25;                ///< maximum speed
+  double turn_rate_radps = 0.8;           ///< maximum turn rate
+  double acceleration_mps2 = 0.5;         ///< maximum acceleration
+  double turn_acceleration_radps2 = 2.0;  ///< maximum angular acceleration
+  double least_speed_mps = 0.015;         ///< least speed of a command that is not zero
+  double least_turn_rate_radps = 0.03;    ///< least turn rate of a command that is not zero
+  double within_m = 0.008;                ///< position tolerance at a stop
+  double within_rad = 0.01;               ///< heading tolerance at a stop
+  double pass_m = 0.08;      ///< distance within which a waypoint that is no stop counts as passed
+  double lookahead_m = 0.3;  ///< lookahead distance of pure_pursuit
 };
 std::vector<Option> describe(FollowOptions& options);
 /// Refuses unknown names of followers and manners.
 Status check(const FollowOptions& options);
 
+/// The state of a follower.
 struct Follower {
-  enum class Stage { aim, go, face };  ///< of rotate_then_go
-  std::size_t next = 0;                ///< waypoint
-  Pose2 from;                          ///< planned start of the leg to it
-  Pid place;
-  Pid heading;
-  Stage stage = Stage::aim;
-  Twist2 last;  ///< commanded
+  enum class Stage { aim, go, face };  ///< stages of rotate_then_go
+  std::size_t next = 0;                ///< index of the next waypoint
+  Pose2 from;                          ///< planned start of the leg to the next waypoint
+  Pid place;                           ///< controller of the position
+  Pid heading;                         ///< controller of the heading
+  Stage stage = Stage::aim;            ///< present stage of rotate_then_go
+  Twist2 last;                         ///< last commanded twist
 };
 
+/// The result of a step.
 struct FollowStep {
   Twist2 twist;        ///< in the robot's frame
-  bool there = false;  ///< at a stop within the tolerances; the command is zero
+  bool there = false;  ///< the robot is at a stop within the tolerances; the command is zero
 };
 
 /// Computes the command for the next period. The robot passes a waypoint that is no stop once it is near or

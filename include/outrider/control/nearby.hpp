@@ -1,9 +1,8 @@
-// Nearby: the obstacles around a robot, for many clearance queries from about one place.
+// Nearby: the obstacles around a robot, for many clearance queries near one place.
 //
-// Collects the occupied cells of a map in a square once, or takes the points of a range scan; each query goes
-// through all of them.
-// Building O(cells in the square); a query O(occupied cells found). Thread rule: const queries may run
-// concurrently.
+// It collects the occupied cells of a map in a square once, or takes the points of a range scan. Each query
+// visits all of them. Construction is O(cells in the square), a query O(occupied cells found). Thread rule:
+// const queries may run concurrently.
 #pragma once
 
 #include <utility>
@@ -18,14 +17,14 @@ namespace outrider {
 class Nearby {
  public:
   Nearby() = default;
-  /// The occupied cells whose centres are within `reach_m` of the middle in x and in y.
+  /// Takes the occupied cells whose centres are within `reach_m` of the middle in x and in y.
   Nearby(const Grid<std::uint8_t>& map, Vec2 middle, double reach_m);
-  /// Squares of half that side, more than 0, about points.
+  /// Takes squares around points. `half_m` is half the side of a square and must be positive.
   Nearby(std::vector<Vec2> points, double half_m) : centres_(std::move(points)), half_m_(half_m) {}
 
-  /// Distance to the nearest of their closed squares, m; infinite where there are none.
+  /// Returns the distance to the nearest closed square, m; infinite if there are none.
   [[nodiscard]] double clearance(Vec2 p) const;
-  /// The least clearance along a segment, within a tenth of a cell.
+  /// Returns the least clearance along a segment, with an error of at most a tenth of a cell.
   [[nodiscard]] double clearance(Segment s) const;
 
  private:

@@ -1,8 +1,9 @@
-// Rng: a seed and named child streams. Nothing else in the tree draws random numbers.
+// Rng: a random number generator with named child streams. Outrider draws all its random numbers from it.
 //
-// The generator is std::mt19937_64, whose output the standard fixes; the distributions are our own
-// because those of the standard differ between libraries. A child stream depends on the seed and its
-// name only, never on how much was drawn elsewhere: adding a sensor does not change another's noise.
+// The generator is std::mt19937_64, whose output is standardised. The distributions are implemented here,
+// because those of the standard library differ between implementations. A child stream depends only on the
+// seed and its name, not on the numbers drawn elsewhere: a new sensor does not change the noise of another
+// one.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +12,24 @@
 
 namespace outrider {
 
+/// A stream of random numbers.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed);
 
+  /// Return the child stream of that name or index.
   [[nodiscard]] Rng child(std::string_view name) const;
   [[nodiscard]] Rng child(std::uint64_t index) const;
 
+  /// Draws 64 random bits.
   std::uint64_t bits() { return engine_(); }
-  /// Uniform in [0, 1), 53 bits.
+  /// Draws uniformly from [0, 1), with 53 bits.
   double uniform();
-  /// Uniform in [low, high).
+  /// Draws uniformly from [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform in {0, ..., count - 1}; count > 0. Unbiased.
+  /// Draws uniformly from {0, ..., count - 1}, without bias; count > 0.
   std::uint64_t below(std::uint64_t count);
-  /// Mean 0, standard deviation 1 (Box-Muller, one branch).
+  /// Draws from the normal distribution with mean 0 and standard deviation 1 (Box-Muller, one branch).
   double normal();
 
  private:

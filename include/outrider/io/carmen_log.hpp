@@ -41,7 +41,7 @@ std::vector<Option> describe(CarmenOptions& options);
 
 Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOptions& options);
 
-/// Whether a text begins like one of these logs.
+/// Returns true if the text begins like one of these logs.
 bool is_carmen_log(std::string_view text);
 
 }  // namespace outrider

@@ -29,6 +29,7 @@ inline constexpr std::size_t most_wheels = 4;
 /// One number for each wheel, in the order of the chassis; 0 beyond its last wheel.
 using WheelSpeeds4 = std::array<double, most_wheels>;
 
+/// A wheel: the factors by which its speed depends on the twist of the body.
 struct Wheel {
   std::string_view name;
   double per_ahead = 0.0;  ///< rad/s of the wheel per m/s of the body
@@ -36,26 +37,29 @@ struct Wheel {
   double per_turn = 0.0;   ///< rad/s per rad/s
 };
 
+/// A chassis.
 struct Chassis {
   std::string_view kind;
   std::vector<Wheel> wheels;  ///< at most most_wheels
   [[nodiscard]] bool moves_sideways() const;
 };
 
+/// `half_track_m` is half the distance between the wheels.
 Chassis differential_chassis(double wheel_radius_m, double half_track_m);
-/// `half_size_m`: half the length plus half the width between the wheels.
+/// `half_size_m` is half the length plus half the width between the wheels.
 Chassis mecanum_chassis(double wheel_radius_m, double half_size_m);
-/// `ring_radius_m`: from the middle to each wheel.
+/// `ring_radius_m` is the distance from the centre to each wheel.
 Chassis holonomic_chassis(double wheel_radius_m, double ring_radius_m);
 
 /// Makes a chassis by the name of its kind; `reach_m` is the half track, half size or ring radius. Fault:
 /// bad_input on another kind.
 Outcome<Chassis> make_chassis(std::string_view kind, double wheel_radius_m, double reach_m);
 
-/// Inverse kinematics. Sideways motion that the chassis cannot do is left out.
+/// Inverse kinematics: returns the wheel speeds of a twist. Ignores sideways motion if the chassis cannot do
+/// it.
 WheelSpeeds4 wheel_speeds(const Chassis& chassis, const Twist2& twist);
 
-/// Forward kinematics: the twist that explains the wheel speeds best.
+/// Forward kinematics: returns the least-squares twist for given wheel speeds.
 Twist2 twist_of(const Chassis& chassis, const WheelSpeeds4& speeds);
 
 }  // namespace outrider

@@ -76,13 +76,13 @@ struct PolygonGround {
   [[nodiscard]] bool solid(Vec2 p) const;
   /// To the nearest edge. O(n).
   [[nodiscard]] double edge_distance(Vec2 p) const;
-  /// Whether the disk may stand there.
+  /// Returns true if the disk may stand there.
   [[nodiscard]] bool point_free(Vec2 p) const;
-  /// Whether the disk may move along, given that it may stand at one end.
+  /// Returns true if the disk may move along the segment. It must be able to stand at one end.
   [[nodiscard]] bool segment_free(Segment s) const;
 };
 
-/// Whether these corners make a simple polygon with an area; `name` begins the sentence of the fault.
+/// Checks that the corners make a simple polygon with an area; `name` begins the message of the fault.
 Status check_polygon(const std::vector<Vec2>& corners, std::string_view name);
 
 }  // namespace outrider
