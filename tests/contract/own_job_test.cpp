@@ -10,8 +10,9 @@ namespace {
 TEST(JobOfAStranger, KeepsTheContract) {
   const test::Folder folder;
   const std::string world = OUTRIDER_SOURCE_DIR "/scenarios/arena/arena.sdf";
-  const std::string scenario = folder.write(
-      "patrol.yaml", "job: patrol\nworld: " + world + "\npoints: \"2.5,0.5 2.5,2.5 2.5,0.5 0.5,0.5\"\nrounds: 2\n");
+  const std::string scenario =
+      folder.write("patrol.yaml", "job: patrol\nworld: " + world +
+                                      "\npoints: \"2.5,0.5 2.5,2.5 2.5,0.5 0.5,0.5\"\nrounds: 2\n");
   test::job_contract(patrol_job(), scenario);
 }
 

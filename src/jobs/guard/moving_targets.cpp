@@ -12,10 +12,10 @@
 namespace outrider {
 namespace {
 
-constexpr double coarse_track = 5e-5;      // accuracy of a flight in air: 1 mm after 1.5 s
-constexpr std::size_t flown = 32;    // futures that a shot is flown at
-constexpr std::size_t futures = 24;  // that a stop is judged by
-constexpr double horizon_s = 60.0;   // of these
+constexpr double coarse_track = 5e-5;  // accuracy of a flight in air: 1 mm after 1.5 s
+constexpr std::size_t flown = 32;      // futures that a shot is flown at
+constexpr std::size_t futures = 24;    // that a stop is judged by
+constexpr double horizon_s = 60.0;     // of these
 constexpr double flight_horizon_s = 10.0;
 constexpr double worth_moving_s = 1.0;
 constexpr double region_m = 1.1;  // a rest within this distance of a region is taken for one there
