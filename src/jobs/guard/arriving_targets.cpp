@@ -161,8 +161,10 @@ void note_arrivals(ArrivingTargets& targets, StopTasks& tasks, const Observation
     if (plan.stops.reachable[arrival.place] != 0) {
       targets.inside.push_back(arrival);
       ++targets.entered;
-    } else {
+    } else if (plan.yard.firing_map.regions[plan.yard.at_place(arrival.place)].hits == 0) {
       settle(record, TargetStatus::unreachable, "its place cannot be hit from anywhere", seen.time_s);
+    } else {
+      settle(record, TargetStatus::failed, "no stop of those chosen has a shot at its place", seen.time_s);
     }
   }
   forget_the_done(targets, tasks);

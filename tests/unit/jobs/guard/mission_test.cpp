@@ -61,9 +61,9 @@ Observation seen_at(double time_s, Pose2 pose, std::vector<TargetArrival> arriva
 
 TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
   const Yard yard = make_yard(corners());
-  const ArrivalYard watch = two_come(yard);
+  const ArrivalYard arriving = two_come(yard);
   for (const ReplanPolicy& policy : replan_policies()) {
-    const ArrivalPlan plan{watch, yard.precomputed, policy};
+    const ArrivalPlan plan{arriving, yard.precomputed, policy};
     GuardMission mission(plan);
     const auto first = mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
     ASSERT_TRUE(first && std::holds_alternative<FollowWaypoints>(*first)) << policy.name;
@@ -89,12 +89,26 @@ TEST(MissionStep, AnArrivalDuringADriveIsPlannedForWherePoliciesInterrupt) {
   }
 }
 
+/// Out of reach is what the firing map proves. Stops that happen to have no shot at a place prove nothing.
+TEST(MissionStep, APlaceWithoutAShotIsOutOfReachOnlyWhereThatIsProven) {
+  Yard yard = make_yard(corners());
+  yard.precomputed.reachable[0] = 0;
+  for (const bool proven : {false, true}) {
+    if (proven) yard.firing_map.regions[0].hits = 0;
+    const ArrivalYard arriving = two_come(yard);
+    const ArrivalPlan plan{arriving, yard.precomputed, replan_policies().front()};
+    GuardMission mission(plan);
+    (void)mission.step(seen_at(0.0, yard.problem.start, {{0, 0.0, 0}}, true));
+    EXPECT_EQ(mission.tasks.records[0].status, proven ? TargetStatus::unreachable : TargetStatus::failed);
+  }
+}
+
 TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   GuardProblem problem = corners();
   problem.world.solids.resize(1);
   const Yard yard = make_yard(std::move(problem));
-  const auto watch = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
-  const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
+  const auto arriving = arrival_yard(yard.problem, yard.firing_map, {{"fox", 0, {}, {}, 0.0, 0.0}}).value();
+  const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   Pose2 pose = yard.problem.start;
   double now_s = 0.0;
@@ -119,7 +133,7 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   arrivals = {{0, settles_s, 1}};  // it goes to the place of the cat
   ASSERT_TRUE(until_shot({{0, true, now_s}}));
   EXPECT_EQ(mission.arriving.survived, 1);
-  EXPECT_EQ(target_of(mission.tasks, 0), watch.at_place(1));
+  EXPECT_EQ(target_of(mission.tasks, 0), arriving.at_place(1));
   EXPECT_GE(now_s, settles_s) << "it was shot at on its way";
   EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::waiting);
   EXPECT_EQ(mission.tasks.records[0].shots, 2);
@@ -136,8 +150,8 @@ TEST(MissionStep, AVisitToAStationIsNotDroppedWhenSomebodyEnters) {
   problem.supplies.tank = 1.0;
   problem.supplies.stations = {{"well", {3.0, -2.5}, true, false}};
   const Yard yard = make_yard(std::move(problem));
-  const ArrivalYard watch = two_come(yard);
-  const ArrivalPlan plan{watch, yard.precomputed, *find_replan_policy("each_arrival")};
+  const ArrivalYard arriving = two_come(yard);
+  const ArrivalPlan plan{arriving, yard.precomputed, *find_replan_policy("each_arrival")};
   GuardMission mission(plan);
   const auto empty_at = [&](double time_s, Vec2 place, std::vector<TargetArrival> arrivals) {
     Observation seen = seen_at(time_s, {place, 0.0}, std::move(arrivals), false);
