@@ -12,6 +12,7 @@
 
 #include "outrider/estimate/tag.hpp"
 #include "outrider/geometry/pose.hpp"
+#include "outrider/slam/landmark_log.hpp"
 #include "outrider/slam/laser_scan.hpp"
 #include "outrider/world/grid.hpp"
 
@@ -77,6 +78,7 @@ struct Observation {
   std::optional<Pose2> motion = {};          ///< previous_T_robot, for logs with incremental odometry
   bool touching = false;                     ///< the bumper was pressed since the previous observation
   std::optional<LaserScan> scan = {};        ///< scan taken since the previous observation
+  std::optional<LogStep> landmarks = {};     ///< motion and landmarks seen since the previous observation
   std::optional<TagImage> image = {};        ///< newest image, even if an earlier observation had it already
   std::optional<GunState> gun = {};          ///< set if the robot has a gun
   std::vector<ShotResult> shots = {};        ///< shots that ended since the previous observation

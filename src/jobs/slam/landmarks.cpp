@@ -10,7 +10,9 @@
 #include "outrider/io/files.hpp"
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
+#include "outrider/jobs/slam/landmark_mission.hpp"
 #include "outrider/report/slam_record.hpp"
+#include "outrider/robot/recorded_robot.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "slam_picture.hpp"
 
@@ -149,16 +151,6 @@ class Recorder {
   bool lost_ = false;
 };
 
-struct Mapped {
-  LandmarkSlam slam;
-  std::vector<double> times_s;
-  std::vector<Pose2> odometry;
-  int used = 0;
-  int refused = 0;
-  int removed = 0;
-  int lost = 0;
-};
-
 Outcome<LandmarkSlam> begin(const SlamJob& job, const LandmarkSlamOptions& options, const Pose2& start) {
   if (job.scenario.resume.empty()) return LandmarkSlam::begin(options, start);
   if (auto ok = LandmarkSlam::begin(options, start); !ok) return ok;
@@ -169,42 +161,46 @@ Outcome<LandmarkSlam> begin(const SlamJob& job, const LandmarkSlamOptions& optio
   return begun;
 }
 
-Outcome<Mapped> run_log(const SlamJob& job, const LandmarkSlamOptions& options, LandmarkLog& log,
-                        Recorder& recorder, const RunWatch& watch) {
+/// A robot that replays the log, without the ids where they are not to be used.
+RecordedRobot replay_of(const LandmarkLog& log, bool unknown_ids) {
+  std::vector<Observation> records;
+  for (const LogStep& step : log.steps) {
+    Observation record;
+    record.time_s = step.time_s;
+    record.landmarks = step;
+    if (unknown_ids) {
+      for (LandmarkSighting& sighting : record.landmarks->sightings) sighting.id.reset();
+    }
+    records.push_back(std::move(record));
+  }
+  return RecordedRobot(std::move(records));
+}
+
+/// Maps the log; of one that is stopped the steps that were mapped are left.
+Outcome<LandmarkMission> run_log(const SlamJob& job, const LandmarkSlamOptions& options, LandmarkLog& log,
+                                 Recorder& recorder, const RunWatch& watch) {
   auto begun = begin(job, options, log.start);
   if (!begun) return pass_on(begun);
-  Mapped run{std::move(*begun), {}, {}, 0, 0, 0, 0};
-  run.odometry.push_back(run.slam.pose());
+  LandmarkMission mission(std::move(*begun));
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("mapping"); !ok) return pass_on(ok);
   const RunWatch inner = steps.inner();
-  for (std::size_t i = 0; i < log.steps.size(); ++i) {
-    if (watch.stopped()) {
-      if (i == 0) return fault(FaultCode::cancelled, "it was cancelled before the first step");
-      log.steps.resize(i);
-      break;
-    }
-    LogStep& step = log.steps[i];
-    run.odometry.push_back(compose(run.odometry.back(), step.odometry));
-    if (options.unknown_ids) {
-      for (LandmarkSighting& sighting : step.sightings) sighting.id.reset();
-    }
-    const double since_s = wall_s();
-    const auto outcome = run.slam.advance(step);
-    run.times_s.push_back(wall_s() - since_s);
-    if (!outcome)
-      return bad_input(fmt::format("step {}: {}", i + 1, outcome.error().sentence), job.scenario.log);
-    run.used += outcome->used;
-    run.refused += outcome->refused;
-    run.removed += static_cast<int>(outcome->removed.size());
-    run.lost += outcome->lost ? 1 : 0;
-    recorder.note(run.slam, i, *outcome, run.odometry.back());
-    inner.part(static_cast<double>(i + 1) / static_cast<double>(log.steps.size()));
+  RecordedRobot robot = replay_of(log, options.unknown_ids);
+  run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
+    if (!mission.newest) return;
+    const std::size_t mapped = mission.times_s.size();
+    recorder.note(mission.slam, mapped - 1, *mission.newest, mission.odometry.back());
+    inner.part(static_cast<double>(mapped) / static_cast<double>(log.steps.size()));
+  });
+  if (mission.fault) {
+    return bad_input(fmt::format("step {}: {}", mission.times_s.size(), mission.fault->sentence),
+                     job.scenario.log);
   }
+  log.steps.resize(mission.times_s.size());
   const double since_s = wall_s();
-  run.slam.settle();
-  run.times_s.push_back(wall_s() - since_s);
-  return run;
+  mission.slam.settle();
+  mission.times_s.push_back(wall_s() - since_s);
+  return mission;
 }
 
 /// Returns options for a log with reliable ids: no gate and no patience, unless they were set.
@@ -225,7 +221,7 @@ std::string undo_exchange(LandmarkLog& log, const LandmarkMap& map) {
                      exchanged->first, exchanged->second);
 }
 
-Metrics metrics_of(const LandmarkSlamOptions& options, const Mapped& run, std::size_t landmarks,
+Metrics metrics_of(const LandmarkSlamOptions& options, const LandmarkMission& run, std::size_t landmarks,
                    const MapError& error) {
   const auto number = [](auto value) { return static_cast<double>(value); };
   return {{"landmark_rmse_m", known(error.rmse_m)},
@@ -241,7 +237,7 @@ Metrics metrics_of(const LandmarkSlamOptions& options, const Mapped& run, std::s
           {"steps_lost", number(run.lost)}};
 }
 
-Metrics times_of(const Mapped& run) {
+Metrics times_of(const LandmarkMission& run) {
   std::vector<double> sorted = run.times_s;
   std::ranges::sort(sorted);
   double time_s = 0.0;
@@ -249,7 +245,7 @@ Metrics times_of(const Mapped& run) {
   return {{"time_s", time_s}, {"max_step_s", sorted.back()}, {"median_step_s", sorted[sorted.size() / 2]}};
 }
 
-std::vector<NamedContent> files_of(const Mapped& run, const LandmarkMap& map,
+std::vector<NamedContent> files_of(const LandmarkMission& run, const LandmarkMap& map,
                                    const std::map<std::int64_t, Vec2>& truth) {
   const std::vector<Pose2> track = run.slam.trajectory();
   std::vector<Vec2> true_places;

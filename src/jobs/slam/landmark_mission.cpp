@@ -1,0 +1,26 @@
+#include "outrider/jobs/slam/landmark_mission.hpp"
+
+#include "outrider/job/clock.hpp"
+
+namespace outrider {
+
+std::optional<Command> LandmarkMission::step(const Observation& seen) {
+  newest.reset();
+  if (!seen.landmarks) return std::nullopt;
+  odometry.push_back(compose(odometry.back(), seen.landmarks->odometry));
+  const double since_s = wall_s();
+  auto outcome = slam.advance(*seen.landmarks);
+  times_s.push_back(wall_s() - since_s);
+  if (!outcome) {
+    fault = std::move(outcome.error());
+    return std::nullopt;
+  }
+  used += outcome->used;
+  refused += outcome->refused;
+  removed += static_cast<int>(outcome->removed.size());
+  lost += outcome->lost ? 1 : 0;
+  newest = std::move(*outcome);
+  return Wait{};
+}
+
+}  // namespace outrider
