@@ -55,7 +55,7 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPl
   };
 }
 
-std::vector<PathPlanner> planners_on_grids() {
+std::vector<PathPlanner> planners_along_moves() {
   return {
       {.name = "dijkstra",
        .sentence = "Searches in all directions until the goal is reached.",
@@ -99,6 +99,11 @@ std::vector<PathPlanner> planners_on_grids() {
        .configure = with_options(jps_plus),
        .models = {GridModel::cells},
        .index = true},
+  };
+}
+
+std::vector<PathPlanner> planners_in_any_direction() {
+  return {
       {.name = "theta_star",
        .sentence =
            "A* whose legs may point in any direction: each vertex takes the parent of its parent if seen.",
@@ -158,7 +163,7 @@ std::vector<PathPlanner> planners_on_grids() {
   };
 }
 
-std::vector<PathPlanner> planners_on_polygons() {
+std::vector<PathPlanner> planners_round_corners() {
   return {
       {.name = "visibility_graph",
        .sentence = "Joins all grown corners that see each other, found by a sweep round each, beforehand.",
@@ -198,6 +203,11 @@ std::vector<PathPlanner> planners_on_polygons() {
        .configure = with_options(visibility_graph_implicit, visibility_graph_implicit_many),
        .models = {},
        .polygons = true},
+  };
+}
+
+std::vector<PathPlanner> planners_with_prices() {
+  return {
       {.name = "least_time",
        .sentence =
            "Least time for a robot that turns in place before each straight, when turning has a price.",
@@ -310,9 +320,11 @@ std::vector<Outcome<Plan>> plan_each(const ConfiguredPlanner& planner, const Pro
 
 const std::vector<PathPlanner>& path_planners() {
   static const std::vector<PathPlanner> planners = [] {
-    std::vector<PathPlanner> all = planners_on_grids();
-    for (PathPlanner& planner : planners_on_polygons()) all.push_back(std::move(planner));
-    for (PathPlanner& planner : planners_that_sample()) all.push_back(std::move(planner));
+    std::vector<PathPlanner> all;
+    for (const auto& part : {planners_along_moves(), planners_in_any_direction(), planners_round_corners(),
+                             planners_with_prices(), planners_that_sample()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
     return all;
   }();
   return planners;
