@@ -60,7 +60,8 @@ std::string strip(const Scene& scene, double top_px) {
       reached.push_back(scene.share(target.done_s));
   }
   std::ranges::sort(reached);
-  for (std::size_t i = 0; i <= reached.size(); ++i) {
+  const bool counts = !scene.report.targets.empty();
+  for (std::size_t i = 0; counts && i <= reached.size(); ++i) {
     const double from = i == 0 ? 0.0 : reached[i - 1];
     const double to = i == reached.size() ? 1.0 : reached[i];
     if (to <= from) continue;

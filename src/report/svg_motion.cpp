@@ -72,6 +72,7 @@ std::string robot(const Scene& scene, std::string_view turn_body, std::string_vi
       R"svg(<circle r="{}" fill="#101820" stroke="{c}" stroke-width="{}"/><path d="M{} 0L{} {}L{} {}Z" fill="{c}"/>)svg",
       number(r), number(scene.pixels(2.0)), number(0.82 * r), number(0.3 * r), number(0.36 * r),
       number(0.3 * r), number(-0.36 * r), fmt::arg("c", robot_colour));
+  if (scene.report.gun_length_m <= 0.0) return fmt::format("<g>{}<g>{}{}</g></g>\n", move, turn_body, body);
   const std::string barrel = fmt::format(
       R"svg(<path d="M0 0H{}" stroke="{}" stroke-width="{}" stroke-linecap="round"/><circle r="{}" fill="{}"/>)svg",
       number(gun), water, number(scene.pixels(3.4)), number(0.26 * r), water);
