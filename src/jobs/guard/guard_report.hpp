@@ -8,7 +8,7 @@ namespace outrider {
 /// The yard as it really is.
 const GuardProblem& true_problem(const GuardRun& run);
 const FiringMap& true_map(const GuardRun& run);
-/// What the simulated robot is told of the intruders.
+/// Returns the intruders that the simulation lets come, survive or walk.
 TargetSimParams target_params(const GuardRun& run);
 
 /// Job, seed, world, robot, start and stations: what is known before anything happens.

@@ -35,23 +35,25 @@ constexpr std::size_t ring = 32;  // above the weight of any move, twice
 /// Which dual squares are open. Square (x, y) has the centre of cell (x, y) as its lowest corner.
 class Squares {
  public:
-  Squares(const FiringMap& firing_map, double radius_m) : site_(firing_map) {
+  Squares(const FiringMap& firing_map, double radius_m) : firing_map_(firing_map) {
     const double step = firing_map.frame.resolution_m;
     // A robot so small that it leaves the hull of the centres: nothing stands in the way.
     least_ = radius_m < 0.5 * step ? -1e30 : radius_m - std::sqrt(0.5) * step - 1e-6;
   }
 
   [[nodiscard]] bool open(int x, int y) const {
-    const GridFrame& frame = site_.frame;
+    const GridFrame& frame = firing_map_.frame;
     if (x < 0 || y < 0 || x + 1 >= frame.width || y + 1 >= frame.height) return false;
-    const auto clearance = [&](int dx, int dy) { return site_.clearance_m[frame.index({x + dx, y + dy})]; };
+    const auto clearance = [&](int dx, int dy) {
+      return firing_map_.clearance_m[frame.index({x + dx, y + dy})];
+    };
     return std::max({clearance(0, 0), clearance(1, 0), clearance(0, 1), clearance(1, 1)}) >= least_;
   }
 
   /// True when the move from the centre of `from` stays within open squares.
   [[nodiscard]] bool allow(Cell from, Cell by) const {
-    if (site_.frame.width == 1 || site_.frame.height == 1) {  // the hull of the centres is a line
-      return site_.frame.contains({from.x + by.x, from.y + by.y});
+    if (firing_map_.frame.width == 1 || firing_map_.frame.height == 1) {  // the hull of the centres is a line
+      return firing_map_.frame.contains({from.x + by.x, from.y + by.y});
     }
     const int x = by.x < 0 ? from.x - 1 : from.x;  // the first square of the move
     const int y = by.y < 0 ? from.y - 1 : from.y;
@@ -63,7 +65,7 @@ class Squares {
   }
 
  private:
-  const FiringMap& site_;
+  const FiringMap& firing_map_;
   double least_ = 0.0;
 };
 

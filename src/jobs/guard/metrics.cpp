@@ -157,7 +157,7 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
 }
 
 /// When somebody came in, among the other events.
-void tell_of_arrivals(Report& report, const std::vector<Intruder>& intruders) {
+void add_arrival_events(Report& report, const std::vector<Intruder>& intruders) {
   const double end_s = report.track.back().time_s;
   for (const Intruder& one : intruders) {
     if (one.entrance.empty()) continue;  // it was there from the start
@@ -212,7 +212,7 @@ std::string why_stranded(const Report& report) {
 void close_report(Report& report, const GuardRun& run, const GuardMission& mission, SimRecord& record,
                   double expected_hits) {
   swap_entries(record, report);
-  if (run.arrivals) tell_of_arrivals(report, run.arrivals->yard.intruders);
+  if (run.arrivals) add_arrival_events(report, run.arrivals->yard.intruders);
   if (run.walkers) drop_repeated_waits(report.events);
   list_targets(report, run, mission, record);
   const auto& records = mission.tasks.records;

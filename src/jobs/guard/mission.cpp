@@ -5,13 +5,16 @@
 namespace outrider {
 
 GuardMission::GuardMission(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan)
-    : tasks(tasks_of(problem, plan)), problem_(&problem), site_(&firing_map) {}
+    : tasks(tasks_of(problem, plan)), problem_(&problem), firing_map_(&firing_map) {}
 
 GuardMission::GuardMission(const ArrivalPlan& plan)
-    : tasks(tasks_of(plan)), problem_(&plan.yard.problem), site_(&plan.yard.firing_map), arrivals_(&plan) {}
+    : tasks(tasks_of(plan)),
+      problem_(&plan.yard.problem),
+      firing_map_(&plan.yard.firing_map),
+      arrivals_(&plan) {}
 
 GuardMission::GuardMission(const MovingPlan& plan)
-    : moving(begin_moving(plan)), problem_(&plan.problem), site_(&plan.firing_map), walkers_(&plan) {
+    : moving(begin_moving(plan)), problem_(&plan.problem), firing_map_(&plan.firing_map), walkers_(&plan) {
   tasks.records.resize(plan.problem.targets.size());
 }
 
@@ -20,14 +23,14 @@ void GuardMission::note(const Observation& seen) {
     note_moving(moving, tasks, seen, *walkers_);
     return;
   }
-  note_shots(tasks, seen, *problem_, *site_);
+  note_shots(tasks, seen, *problem_, *firing_map_);
   if (arrivals_ != nullptr) note_arrivals(arriving, tasks, seen, *arrivals_);
 }
 
 std::optional<Command> GuardMission::propose(const Observation& seen) {
   if (walkers_ != nullptr) return next_command(moving, tasks, seen, *walkers_);
   if (arrivals_ != nullptr) return next_command(arriving, tasks, seen, *arrivals_);
-  return next_command(tasks, seen, *problem_, *site_);
+  return next_command(tasks, seen, *problem_, *firing_map_);
 }
 
 std::optional<Command> GuardMission::step(const Observation& seen) {
@@ -36,14 +39,14 @@ std::optional<Command> GuardMission::step(const Observation& seen) {
   while (!stores.stranded) {
     GuardMission tried = *this;
     auto command = tried.propose(seen);
-    const auto store = command ? lacking(*command, tried.tasks, seen, *problem_, *site_) : std::nullopt;
+    const auto store = command ? lacking(*command, tried.tasks, seen, *problem_, *firing_map_) : std::nullopt;
     const bool shot = command && std::holds_alternative<Fire>(*command);
     if (!store || !shot) *this = std::move(tried);  // a shot that is put off was not fired
     if (!store) {
       if (command) note_command(stores, *command);
       return command;
     }
-    provide(stores, tasks, *store, seen, *problem_, *site_);
+    provide(stores, tasks, *store, seen, *problem_, *firing_map_);
   }
   return std::nullopt;
 }

@@ -177,7 +177,7 @@ const std::optional<PlannedShot>& PassingShots::at(const Straight& straight, boo
                                                    std::size_t target) {
   const Moment moment{straight.from.x, straight.from.y, straight.to.x, straight.to.y, after_s, last, target};
   const auto [entry, added] = solved_.try_emplace(moment);
-  if (added) entry->second = passing_shot(problem_, site_, target, straight, last, after_s);
+  if (added) entry->second = passing_shot(problem_, firing_map_, target, straight, last, after_s);
   return entry->second;
 }
 

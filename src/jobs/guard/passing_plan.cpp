@@ -53,7 +53,11 @@ class Assembly {
  public:
   Assembly(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
            const Routes& routes)
-      : problem_(problem), site_(firing_map), plan_(plan), routes_(routes), passing_(problem, firing_map) {}
+      : problem_(problem),
+        firing_map_(firing_map),
+        plan_(plan),
+        routes_(routes),
+        passing_(problem, firing_map) {}
 
   /// Nothing when some target cannot be hit in passing.
   std::optional<GuardPlan> plan_of(const Choice& choice) {
@@ -81,7 +85,7 @@ class Assembly {
       result.stops.push_back(std::move(stop));
     }
     if (!left.empty()) return std::nullopt;
-    result.cost_s = mission_time(problem_, site_, result);
+    result.cost_s = mission_time(problem_, firing_map_, result);
     return result;
   }
 
@@ -94,14 +98,14 @@ class Assembly {
   const std::optional<PlannedShot>& standing_shot(std::size_t stop, std::size_t target, double pitch_rad) {
     const auto [entry, added] = standing_.try_emplace({stop, target, pitch_rad});
     if (added) {
-      entry->second = best_shot(site_.rules, site_.space(target), problem_.targets[target],
+      entry->second = best_shot(firing_map_.rules, firing_map_.space(target), problem_.targets[target],
                                 plan_.stops[stop].position, pitch_rad);
     }
     return entry->second;
   }
 
   const GuardProblem& problem_;
-  const FiringMap& site_;
+  const FiringMap& firing_map_;
   const GuardPlan& plan_;
   const Routes& routes_;
   PassingShots passing_;

@@ -32,7 +32,7 @@ double covered_rate(double distance, const Limits& limits, double time_s) {
 PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
                            std::uint64_t seed)
     : problem_(problem),
-      site_(firing_map),
+      firing_map_(firing_map),
       bodies_(bodies),
       wheels_(wheel_base(problem.robot)),
       arrival_rng_(Rng(seed).child("arrival")),
@@ -147,7 +147,7 @@ void PhysicsGuard::drive_to(Vec2 goal) {
 void PhysicsGuard::follow(const FollowWaypoints& command) {
   std::vector<Vec2> waypoints = command.waypoints;
   if (waypoints.size() < 2) return;
-  waypoints.back() = strayed_goal(waypoints, problem_.robot.radius_m, site_.ground, site_.rules,
+  waypoints.back() = strayed_goal(waypoints, problem_.robot.radius_m, firing_map_.ground, firing_map_.rules,
                                   in_disk(arrival_rng_, problem_.errors.position_m));
   ReportPath path{now_s(), 0.0, waypoints};
   const Vec2 goal = waypoints.back();
@@ -219,7 +219,7 @@ std::string PhysicsGuard::contact_of(const Impact& impact, std::size_t target) c
 void PhysicsGuard::fire(const Fire& command) {
   const Target& target = problem_.targets[command.target];
   const double radius = problem_.gun.ball_radius_m;
-  const FlightSpace& space = site_.space(command.target);
+  const FlightSpace& space = firing_map_.space(command.target);
   const Shot actual = strayed(command.shot, problem_.errors.aim, gun_rng_);
   const Flight flight = launched(actual);
   log("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));

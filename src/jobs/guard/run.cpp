@@ -27,7 +27,7 @@ GuardMission mission_of(const GuardRun& run, const GuardProblem& problem) {
   return {problem, run.firing_map, run.plan};
 }
 
-void tell_of_aim(SimRecord& record, const MovingTargets& targets, const GuardProblem& problem) {
+void add_aim_event(SimRecord& record, const MovingTargets& targets, const GuardProblem& problem) {
   const Track& track = targets.tracks[targets.aimed_at];
   record.events.push_back(
       {record.end_s(), "lead",
@@ -38,7 +38,7 @@ void tell_of_aim(SimRecord& record, const MovingTargets& targets, const GuardPro
 }
 
 /// How a failed target was missed by a rigid ball.
-void tell_of_misses(StopTasks& tasks, const RigidRecord& rigid) {
+void add_misses(StopTasks& tasks, const RigidRecord& rigid) {
   for (std::size_t t = 0; t < tasks.records.size(); ++t) {
     TargetRecord& record = tasks.records[t];
     if (record.status != TargetStatus::failed || rigid.misses[t].empty()) continue;
@@ -62,12 +62,12 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, S
     watch.part(settled_part(mission));
     if (watch.wanted()) show();
     if (run.walkers && command != nullptr && std::holds_alternative<AimGun>(*command)) {
-      tell_of_aim(record, mission.moving, run.problem);
+      add_aim_event(record, mission.moving, run.problem);
       expected_hits += mission.moving.chance;
     }
   });
   if (watch.observer != nullptr) show();
-  if (record.rigid) tell_of_misses(mission.tasks, *record.rigid);
+  if (record.rigid) add_misses(mission.tasks, *record.rigid);
   close_report(report, run, mission, record, expected_hits);
   if (!ended || watch.stopped()) mark_cancelled(report, report.track.back().time_s);
   return report;

@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-constexpr double coarse_m = 1.0;  // of the true firing_map, on which nobody plans
+constexpr double coarse_m = 1.0;  // of the true map, which serves the simulation alone
 
 /// Sees targets while the robot explores.
 class TargetDetector {
@@ -233,7 +233,7 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   const GuardProblem really = true_yard(truth, yard.found, found.start);
   GuardOptions coarse = options;
   coarse.resolution_m = coarse_m;
-  const auto true_map = build_firing_map(really, coarse, watch.budget());
+  const auto true_map = build_firing_map(really, coarse, watch.budget(), RegionSearch::none);
   if (!true_map) return tl::unexpected<Fault>(true_map.error());
   const double explore_s = metric(yard.run.report, "time_s");
   WholeMission whole(yard.run.report, explore_s, watch.observer);

@@ -45,7 +45,7 @@ class GuardMission {
   std::optional<Command> propose(const Observation& seen);
 
   const GuardProblem* problem_;
-  const FiringMap* site_;
+  const FiringMap* firing_map_;
   const ArrivalPlan* arrivals_ = nullptr;
   const MovingPlan* walkers_ = nullptr;
 };

@@ -57,7 +57,7 @@ class PassingShots {
  public:
   /// The arguments must outlive this object.
   PassingShots(const GuardProblem& problem, const FiringMap& firing_map)
-      : problem_(problem), site_(firing_map) {}
+      : problem_(problem), firing_map_(firing_map) {}
 
   /// Chooses shots along a path. It tries firing times 0.2 s apart. At each of them it considers the targets
   /// that can be hit and that the gun can be aimed at in time, and shoots at the one whose last chance on the
@@ -76,7 +76,7 @@ class PassingShots {
                                        std::size_t target);
 
   const GuardProblem& problem_;
-  const FiringMap& site_;
+  const FiringMap& firing_map_;
   std::map<Moment, std::optional<PlannedShot>> solved_;
 };
 

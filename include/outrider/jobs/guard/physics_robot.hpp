@@ -50,7 +50,7 @@ class PhysicsGuard final : public Robot {
   [[nodiscard]] std::string contact_of(const Impact& impact, std::size_t target) const;
 
   const GuardProblem& problem_;
-  const FiringMap& site_;
+  const FiringMap& firing_map_;
   RigidWorld& bodies_;
   WheelBase wheels_;
   Rng arrival_rng_;

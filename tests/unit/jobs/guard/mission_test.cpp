@@ -113,7 +113,7 @@ TEST(MissionStep, WhoSurvivesAHitIsShotAtWhereItGoes) {
   Pose2 pose = yard.problem.start;
   double now_s = 0.0;
   std::vector<TargetArrival> arrivals = {{0, 0.0, 0}};
-  // Runs until a shot; what is told of it comes with the next observation.
+  // Run until a shot. The next observation holds its result.
   const auto until_shot = [&](std::vector<ShotResult> shots) {
     for (int i = 0; i < 20; ++i) {
       Observation seen = seen_at(now_s, pose, std::exchange(arrivals, {}), false);
