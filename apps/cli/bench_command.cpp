@@ -34,7 +34,7 @@ int execute(const std::string& job, Suite<Request> suite, const Asked<Request>& 
   observer.processor_s = processor_s;
   auto result = suite(asked.request, observer);
   progress.reset();  // clears its line
-  if (!result) return say(result.error(), asked.json);
+  if (!result) return print_fault(result.error(), asked.json);
   if (asked.json) {
     print({{"status", result->right ? "done" : "not_done"}, {"job", job}, {"rows", std::move(result->rows)}});
   } else {

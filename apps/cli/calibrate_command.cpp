@@ -142,19 +142,20 @@ nlohmann::ordered_json fit_json(const CalibrationFit& fit, const Chassis& chassi
 
 int execute(CalibrateCommand& command, const Command& flags) {
   const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
+  if (auto ok = apply_flags(flags, describe(command)); !ok) return print_fault(ok.error(), json);
   if (flags.given("runs") == flags.given("--record")) {
-    return say({FaultCode::bad_input, "give a file of runs, or --record and a scenario", "runs"}, json);
+    return print_fault({FaultCode::bad_input, "give a file of runs, or --record and a scenario", "runs"},
+                       json);
   }
   if (flags.given("--out")) {
-    if (auto ok = check_folder(command.out); !ok) return say(ok.error(), json);
+    if (auto ok = check_folder(command.out); !ok) return print_fault(ok.error(), json);
   }
   const auto recorded = runs_of(command);
-  if (!recorded) return say(recorded.error(), json);
+  if (!recorded) return print_fault(recorded.error(), json);
   const auto fit = calibrate(recorded->chassis, recorded->runs);
-  if (!fit) return say(fit.error(), json);
+  if (!fit) return print_fault(fit.error(), json);
   if (flags.given("--out")) {
-    if (auto ok = write_files(command, *recorded, *fit); !ok) return say(ok.error(), json);
+    if (auto ok = write_files(command, *recorded, *fit); !ok) return print_fault(ok.error(), json);
   }
   if (json) {
     print(fit_json(*fit, recorded->chassis));

@@ -116,14 +116,14 @@ Outcome<Camera> camera_for(const DetectCommand& command, const CameraImage& imag
 
 int execute(DetectCommand& command, const Command& flags) {
   const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, describe(command)); !ok) return say(ok.error(), json);
+  if (auto ok = apply_flags(flags, describe(command)); !ok) return print_fault(ok.error(), json);
   const auto image = load_photo(command.path);
-  if (!image) return say(image.error(), json);
+  if (!image) return print_fault(image.error(), json);
   Camera camera;
   std::vector<TagSighting> sightings = TagDetector(command.detector).detect(*image);
   if (flags.given("--calibration")) {
     const auto calibrated = camera_for(command, *image);
-    if (!calibrated) return say(calibrated.error(), json);
+    if (!calibrated) return print_fault(calibrated.error(), json);
     camera = *calibrated;
     for (TagSighting& sighting : sightings) {
       sighting.poses = planar_pnp(camera, command.size_m, sighting.corners_px, command.pnp);
@@ -131,7 +131,7 @@ int execute(DetectCommand& command, const Command& flags) {
   }
   if (flags.given("--svg")) {
     const std::string picture = tag_picture(*image, camera, command.size_m, sightings);
-    if (auto ok = write_file(command.svg, picture); !ok) return say(ok.error(), json);
+    if (auto ok = write_file(command.svg, picture); !ok) return print_fault(ok.error(), json);
   }
   if (json) {
     print(tags_json(*image, sightings));

@@ -62,7 +62,7 @@ class Observers final : public RunObserver {
 };
 
 /// Reads the scenario, then the flags, which win.
-Status read_words(const Job& job, JobTask& task, JobRequest& request, const Command& words) {
+Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const Command& words) {
   const bool yaml = request.file.ends_with(".yaml") || request.file.ends_with(".yml");
   if (yaml && request.scenario_path.empty()) {
     const auto named = scenario_job(request.file);
@@ -98,18 +98,18 @@ Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& reques
 
 int execute(const Job& job, JobRequest& request, const Command& words, const std::stop_token& stop) {
   const bool json = words.given("--json");
-  if (auto ok = apply_flags(words, {describe(request)}); !ok) return say(ok.error(), json);
-  if (auto ok = check(request.output, words.given("--out")); !ok) return say(ok.error(), json);
+  if (auto ok = apply_flags(words, {describe(request)}); !ok) return print_fault(ok.error(), json);
+  if (auto ok = check(request.output, words.given("--out")); !ok) return print_fault(ok.error(), json);
   const auto task = job.blank();
-  if (auto ok = read_words(job, *task, request, words); !ok) return say(ok.error(), json);
+  if (auto ok = read_arguments(job, *task, request, words); !ok) return print_fault(ok.error(), json);
   std::optional<tbb::global_control> limit;
   if (request.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.threads));
   }
   auto run = run_watched(job, *task, request, stop);
-  if (!run) return say(run.error(), json);
+  if (!run) return print_fault(run.error(), json);
   const auto files = write_run(job, *run, request.output);
-  if (!files) return say(files.error(), json);
+  if (!files) return print_fault(files.error(), json);
   if (files->empty() && !request.output.folder.empty()) {
     run->report.warnings.push_back("it was cancelled before it began, so nothing was written to " +
                                    request.output.folder);

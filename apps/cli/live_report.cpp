@@ -21,7 +21,7 @@ void LiveReport::see(const Report& so_far) {
     line = fmt::format(R"({{"omitted":"{}","bytes":{},"most_bytes":{}}})",
                        news.job.empty() ? "news" : "scene", line.size(), longest_line);
   }
-  watcher_.tell(std::move(line));
+  watcher_.send(std::move(line));
   next_ = std::chrono::steady_clock::now() + period;
 }
 

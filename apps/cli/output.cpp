@@ -44,7 +44,7 @@ nlohmann::ordered_json fault_json(const Fault& fault) {
           {"where", fault.where}};
 }
 
-int say(const Fault& fault, bool json) {
+int print_fault(const Fault& fault, bool json) {
   complain(to_string(fault));
   if (json) print(fault_json(fault));
   return exit_status(fault);

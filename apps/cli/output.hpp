@@ -23,7 +23,7 @@ nlohmann::ordered_json fault_json(const Fault& fault);
 
 /// Says the fault on standard error, and with `json` as one object on standard output; returns the exit
 /// status.
-int say(const Fault& fault, bool json);
+int print_fault(const Fault& fault, bool json);
 
 /// Refuses `flag`, which asks for a page, where the tool was built without one.
 Status check_page(std::string flag);

@@ -36,21 +36,21 @@ void Progress::next(const std::string& step) {
   step_ = step;
   ++done_;
   part_ = 0.0;
-  tell();
+  report();
 }
 
 void Progress::part(double done) {
   const std::lock_guard lock(mutex_);
   const bool hundredth = static_cast<int>(100.0 * done) != static_cast<int>(100.0 * part_);
   part_ = done;
-  if (hundredth) tell();
+  if (hundredth) report();
 }
 
-void Progress::tell() const {
+void Progress::report() const {
   if (!program_.is_there()) return;
   const nlohmann::ordered_json line = {
       {"step", done_ + 1}, {"steps", steps_}, {"name", step_}, {"part", std::round(100.0 * part_) / 100.0}};
-  program_.tell(json_text(line));
+  program_.send(json_text(line));
 }
 
 void Progress::end() {

@@ -34,7 +34,7 @@ class Progress {
 
  private:
   void watch();
-  void tell() const;  // with the lock held
+  void report() const;  // with the lock held
 
   int steps_;
   std::mutex mutex_;  // guards what follows

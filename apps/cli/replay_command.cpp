@@ -47,23 +47,23 @@ Outcome<Report> load_report(const std::string& path) {
 
 int execute(ReplayCommand& command, const std::vector<Job>& jobs, const Command& flags) {
   const bool json = flags.given("--json");
-  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), json);
+  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return print_fault(ok.error(), json);
   if (flags.given("--html")) {
-    if (auto ok = check_page("--html"); !ok) return say(ok.error(), command.json);
+    if (auto ok = check_page("--html"); !ok) return print_fault(ok.error(), command.json);
   }
   const auto report = load_report(command.path);
-  if (!report) return say(report.error(), command.json);
+  if (!report) return print_fault(report.error(), command.json);
   if (flags.given("--html")) {
     if (auto ok = write_file(command.html, to_html(*report, page::viewer())); !ok)
-      return say(ok.error(), command.json);
+      return print_fault(ok.error(), command.json);
   }
   if (flags.given("--svg")) {
     if (auto ok = write_file(command.svg, to_animated_svg(*report, command.seconds)); !ok) {
-      return say(ok.error(), command.json);
+      return print_fault(ok.error(), command.json);
     }
   }
   const auto job = find_job(jobs, report->job, command.path);
-  if (!job) return say(job.error(), command.json);
+  if (!job) return print_fault(job.error(), command.json);
   if (command.json) {
     print(run_json<nlohmann::ordered_json>(*report, tables_of(*job, *report), {{"report", command.path}}));
     return job_done;

@@ -55,9 +55,9 @@ std::string names_of_jobs(const std::vector<Job>& jobs) {
 int execute(const std::vector<Job>& jobs, const std::string& form, const std::string& job) {
   const auto found = std::ranges::find(jobs, job, &Job::name);
   if (found == jobs.end()) {
-    return say({FaultCode::bad_input,
-                fmt::format("'{}' has no scenarios; it takes {}", job, names_of_jobs(jobs)), "--job"},
-               false);
+    return print_fault({FaultCode::bad_input,
+                        fmt::format("'{}' has no scenarios; it takes {}", job, names_of_jobs(jobs)), "--job"},
+                       false);
   }
   const auto task = found->blank();
   const auto groups = task->options();
@@ -71,11 +71,11 @@ int execute(const std::vector<Job>& jobs, const std::string& form, const std::st
     text.pop_back();  // the empty line at the end
   } else {
     const std::string nearest = nearest_name(form.substr(0, 64), {"schema", "scenario", "markdown"});
-    return say({FaultCode::bad_input,
-                fmt::format("'{}' is no good; it takes schema, scenario or markdown{}", form,
-                            nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
-                "--as"},
-               false);
+    return print_fault({FaultCode::bad_input,
+                        fmt::format("'{}' is no good; it takes schema, scenario or markdown{}", form,
+                                    nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
+                        "--as"},
+                       false);
   }
   show("{}", text);
   return job_done;

@@ -101,11 +101,11 @@ void print_address(const ServeCommand& command, int port, const server::Folder& 
 }
 
 int execute(ServeCommand& command, const std::vector<Job>& jobs, const Command& flags) {
-  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return say(ok.error(), false);
-  if (auto ok = find_token(command); !ok) return say(ok.error(), false);
-  if (auto ok = check_token(command); !ok) return say(ok.error(), false);
+  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return print_fault(ok.error(), false);
+  if (auto ok = find_token(command); !ok) return print_fault(ok.error(), false);
+  if (auto ok = check_token(command); !ok) return print_fault(ok.error(), false);
   auto folder = server::Folder::open(command.folder);
-  if (!folder) return say(folder.error(), false);
+  if (!folder) return print_fault(folder.error(), false);
 
   sigset_t ends;  // of the server, for whichever thread they reach: this one waits for them
   ::sigemptyset(&ends);
@@ -123,7 +123,7 @@ int execute(ServeCommand& command, const std::vector<Job>& jobs, const Command& 
   server::TemporaryFolder::remove_abandoned();
   server::App app(*folder, std::move(settings));
   auto web = server::WebServer::start(app, {command.listen, static_cast<int>(command.port)});
-  if (!web) return say(web.error(), false);
+  if (!web) return print_fault(web.error(), false);
   print_address(command, (*web)->port(), *folder);
   int number = 0;
   ::sigwait(&ends, &number);

@@ -36,7 +36,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   const bool listens = runs_job(jobs, given);
   if (listens && std::ranges::count(given, "--stdin") == 0) stop.emplace();
   const auto words = expand_run(jobs, std::move(given));
-  if (!words) return say(words.error(), wants_json(argc, argv));
+  if (!words) return print_fault(words.error(), wants_json(argc, argv));
   if (listens && !stop) stop.emplace();
   Command tool("outrider", "A ground robot finds its way, and does a job, in a yard or a building.",
                OUTRIDER_VERSION);
@@ -54,7 +54,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   add_list(tool, jobs);
   add_schema(tool, jobs);
   const auto status = tool.run(*words);
-  return status ? *status : say(status.error(), wants_json(argc, argv));
+  return status ? *status : print_fault(status.error(), wants_json(argc, argv));
 }
 
 /// Runs the tool; what nobody caught is said, not dumped.
@@ -62,16 +62,16 @@ int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
   const bool json = wants_json(argc, argv);
   try {
     if (const char* root = std::getenv("OUTRIDER_CONFINE"); root != nullptr) {
-      if (auto ok = confine_reading(root); !ok) return say(ok.error(), json);
+      if (auto ok = confine_reading(root); !ok) return print_fault(ok.error(), json);
     }
     return run(jobs, argc, argv);
   } catch (const std::bad_alloc&) {
-    return say(
+    return print_fault(
         {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
         json);
   } catch (const std::exception& broken) {
     if (std::ferror(stdout) != 0) return job_done;  // run_tool() says that nothing could be printed
-    return say({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
+    return print_fault({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
   }
 }
 
@@ -81,7 +81,8 @@ int run_tool(const std::vector<Job>& jobs, int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a fault with a sentence
   const int status = guarded_run(jobs, argc, argv);
   if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
-  return say({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}}, false);
+  return print_fault({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}},
+                     false);
 }
 
 }  // namespace outrider::cli

@@ -20,7 +20,7 @@ Watcher::Watcher(const char* variable) {
   std::signal(SIGPIPE, SIG_IGN);  // who watches may go
 }
 
-void Watcher::tell(std::string line) const {
+void Watcher::send(std::string line) const {
   if (!is_there()) return;
   line += '\n';
   for (std::string_view left = line; !left.empty();) {

@@ -13,7 +13,7 @@ class Watcher {
 
   [[nodiscard]] bool is_there() const { return descriptor_ >= 0; }
   /// Writes a line, where somebody watches. Whoever has gone is told nothing.
-  void tell(std::string line) const;
+  void send(std::string line) const;
 
  private:
   int descriptor_ = -1;

@@ -109,8 +109,8 @@ void App::close() {
   runs_.cancel_all();
 }
 
-std::span<const App::Row> App::table() {
-  static constexpr Row rows[] = {
+std::span<const App::Endpoint> App::table() {
+  static constexpr Endpoint rows[] = {
       {"GET", "/api/v1/version", &App::version},
       {"GET", "/api/v1/files", &App::list_files},
       {"GET", "/api/v1/files/{path}", &App::read_file},
@@ -132,7 +132,7 @@ std::span<const App::Row> App::table() {
 
 std::vector<Route> App::routes() {
   std::vector<Route> routes;
-  for (const Row& row : table()) routes.push_back({row.method, row.pattern});
+  for (const Endpoint& row : table()) routes.push_back({row.method, row.pattern});
   return routes;
 }
 
@@ -185,7 +185,7 @@ Response App::dispatch(const Request& request) {
   if (!path) return error_response(path.error());
   std::string allowed;
   const std::string method = request.method == "HEAD" ? "GET" : request.method;
-  for (const Row& row : table()) {
+  for (const Endpoint& row : table()) {
     const auto parts = matched(row.pattern, *path);
     if (!parts) continue;
     if (row.method == method) return (this->*row.handler)(request, *parts);

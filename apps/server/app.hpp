@@ -58,12 +58,12 @@ class App {
  private:
   using Parts = std::vector<std::string>;  // of the path, where the pattern has names
   using Handler = Response (App::*)(const Request&, const Parts&);
-  struct Row {
+  struct Endpoint {
     const char* method;
     const char* pattern;
     Handler handler;
   };
-  static std::span<const Row> table();
+  static std::span<const Endpoint> table();
 
   Response dispatch(const Request& request);
   Response version(const Request& request, const Parts& parts);

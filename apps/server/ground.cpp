@@ -137,7 +137,7 @@ Outcome<std::shared_ptr<const PlanGround>> GroundStore::get(const GroundRequest&
   {
     const std::lock_guard lock(mutex_);
     const auto found =
-        std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.name == name; });
+        std::find_if(rows_.begin(), rows_.end(), [&](const CachedGround& row) { return row.name == name; });
     if (found != rows_.end()) {
       rows_.splice(rows_.begin(), rows_, found);
       return rows_.front().ground;

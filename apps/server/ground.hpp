@@ -45,7 +45,7 @@ class GroundStore {
   Outcome<std::shared_ptr<const PlanGround>> get(const GroundRequest& request);
 
  private:
-  struct Row {
+  struct CachedGround {
     std::string name;
     std::shared_ptr<const PlanGround> ground;
   };
@@ -53,7 +53,7 @@ class GroundStore {
   Outcome<PlanGround> make(const GroundRequest& request);
 
   std::mutex mutex_;
-  std::list<Row> rows_;  // newest use first
+  std::list<CachedGround> rows_;  // newest use first
 };
 
 }  // namespace outrider::server

@@ -119,7 +119,7 @@ Viewer::Work Viewer::next_work() {
 }
 
 /// One message of the run that is watched, where there is one.
-bool Viewer::tell_run(const Work& work, const std::function<bool(const std::string&)>& send) {
+bool Viewer::send_run(const Work& work, const std::function<bool(const std::string&)>& send) {
   if (work.run.empty()) return true;
   const auto message = runs_.next(work.run, work.from);
   if (!message || !message->text) return true;
@@ -177,7 +177,7 @@ void Viewer::serve(const std::function<bool(const std::string&)>& send) {
       list.update(runs_.list());
       if (!send(text_of(list))) return;
     }
-    if (!tell_run(work, send)) return;
+    if (!send_run(work, send)) return;
     if (work.plan && !send_plan(*work.plan, send)) return;
   }
 }

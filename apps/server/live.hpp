@@ -57,7 +57,7 @@ class Viewer {
   Status obey(const Message& message);
   void want_plan(const Message& message);
   Work next_work();
-  bool tell_run(const Work& work, const std::function<bool(const std::string&)>& send);
+  bool send_run(const Work& work, const std::function<bool(const std::string&)>& send);
   std::string answer(const Json& message);
   bool send_plan(const Json& message, const std::function<bool(const std::string&)>& send);
 

@@ -182,7 +182,7 @@ Response Runs::start(const RunRequest& request) {
     runs_.push_back(run);
     forget_old();
   }
-  tell(run, {{"type", "state"}, {"state", "queued"}});
+  report(run, {{"type", "state"}, {"state", "queued"}});
   const std::lock_guard lock(mutex_);
   queue_.push_back(run);  // only now, or "running" could be told before "queued"
   queued_.notify_one();
@@ -252,7 +252,7 @@ Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {
   return Message{from, nullptr};
 }
 
-void Runs::tell(const RunPtr& run, Json message) {
+void Runs::report(const RunPtr& run, Json message) {
   const std::string type = message["type"];
   message["run"] = run->id;
   const std::string body = text_of(message);  // {"type":...
@@ -297,7 +297,7 @@ void Runs::work(const std::stop_token& stop) {
 }
 
 void Runs::carry_out(const RunPtr& run) {
-  tell(run, {{"type", "state"}, {"state", "running"}});
+  report(run, {{"type", "state"}, {"state", "running"}});
   ChildProgram program;
   // From the folder, so that its report is the one that `outrider run` makes there.
   program.words = {settings_.tool, "run", run->scenario, "--json", "--out", run->out.string(), "--stdin"};
@@ -306,12 +306,12 @@ void Runs::carry_out(const RunPtr& run) {
   program.input = run->text;
   program.limit = settings_.limit;
   program.memory_bytes = settings_.memory_bytes;
-  const auto on_line = [&](std::string_view line) { hear(run, line); };
+  const auto on_line = [&](std::string_view line) { receive(run, line); };
   conclude(run, run_child(program, run->stop.get_token(), on_line));
 }
 
 /// What the mission tells of itself: its progress, or what is new in its report.
-void Runs::hear(const RunPtr& run, std::string_view line) {
+void Runs::receive(const RunPtr& run, std::string_view line) {
   Json value = Json::parse(line, nullptr, false);
   if (auto progress = progress_of(value)) {
     {
@@ -319,15 +319,15 @@ void Runs::hear(const RunPtr& run, std::string_view line) {
       run->progress = *progress;
     }
     progress->emplace("type", "progress");
-    tell(run, std::move(*progress));
+    report(run, std::move(*progress));
     return;
   }
   if (auto omitted = omitted_of(value)) {
-    tell(run, std::move(*omitted));
+    report(run, std::move(*omitted));
     return;
   }
   try {
-    for (Json& message : messages_of(std::move(value))) tell(run, std::move(message));
+    for (Json& message : messages_of(std::move(value))) report(run, std::move(message));
   } catch (const Json::exception&) {
     return;  // nothing that the tool writes
   }
@@ -370,7 +370,7 @@ void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
   }
   message.erase("seq");
   message["type"] = "end";
-  tell(run, std::move(message));
+  report(run, std::move(message));
 }
 
 }  // namespace outrider::server

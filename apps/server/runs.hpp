@@ -89,8 +89,8 @@ class Runs {
   void carry_out(const RunPtr& run);
   void conclude(const RunPtr& run, const ChildResult& child);
   void give_up(const RunPtr& run, const char* reason) noexcept;
-  void hear(const RunPtr& run, std::string_view line);
-  void tell(const RunPtr& run, Json message);
+  void receive(const RunPtr& run, std::string_view line);
+  void report(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);
   RunPtr find(const std::string& id);  // with the lock held
   void forget_old();                   // with the lock held

@@ -228,7 +228,7 @@ void WebConnection::write_part() {
   asio::async_write(
       stream_, asio::buffer(part_), [self = shared_from_this()](const ErrorCode& error, std::size_t) {
         if (error || Clock::now() > self->deadline_) return;
-        if (self->sent_ == self->length_) return self->say_goodbye();
+        if (self->sent_ == self->length_) return self->send_close();
         const std::size_t most = std::min<std::uintmax_t>(chunk_bytes, self->length_ - self->sent_);
         self->part_ = self->response_.file ? self->response_.file->part(self->sent_, most)
                                            : self->response_.body.substr(self->sent_, most);
@@ -239,7 +239,7 @@ void WebConnection::write_part() {
 }
 
 /// A client that is still sending would lose the answer if the connection were closed now.
-void WebConnection::say_goodbye() {
+void WebConnection::send_close() {
   response_ = {};
   answer_memory_ = {};
   ErrorCode ignored;

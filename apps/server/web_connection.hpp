@@ -37,7 +37,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   void answered(Response response);
   void respond(Response response);
   void write_part();
-  void say_goodbye();
+  void send_close();
   void drain();
   void wait_for_client();
   void stop_waiting();

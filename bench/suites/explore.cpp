@@ -23,7 +23,7 @@ struct BenchWorld {
 };
 
 /// One strategy in one world; a value a seed.
-struct Row {
+struct StrategyRow {
   std::string world;
   std::string strategy;
   double least_s = 0.0;
@@ -95,9 +95,9 @@ Outcome<std::vector<std::string>> chosen_strategies(const ExploreRequest& reques
   return names;
 }
 
-Outcome<Row> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
-                      const BenchObserver& observer) {
-  Row row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
+Outcome<StrategyRow> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
+                              const BenchObserver& observer) {
+  StrategyRow row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
   ExploreTask task = world.setup.task;
   task.explore.strategy = strategy;
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
@@ -128,7 +128,7 @@ double median(std::vector<double> values) {
 double least(const std::vector<double>& values) { return *std::ranges::min_element(values); }
 double most(const std::vector<double>& values) { return *std::ranges::max_element(values); }
 
-nlohmann::ordered_json row_json(const Row& row) {
+nlohmann::ordered_json row_json(const StrategyRow& row) {
   return {{"world", row.world},
           {"strategy", row.strategy},
           {"runs", row.runs},
@@ -147,11 +147,11 @@ nlohmann::ordered_json row_json(const Row& row) {
           {"most_contacts", most(row.contacts)}};
 }
 
-std::string table_text(const std::vector<Row>& rows) {
+std::string table_text(const std::vector<StrategyRow>& rows) {
   std::string text = fmt::format("  {:<14} {:<18} {:>5} {:>18} {:>20} {:>8} {:>9} {:>9} {:>15} {:>9} {:>8}\n",
                                  "world", "strategy", "done", "explored % (least)", "time s (median, most)",
                                  "bound s", "driven m", "decisions", "longest think", "error mm", "contacts");
-  for (const Row& row : rows) {
+  for (const StrategyRow& row : rows) {
     text += fmt::format(
         "  {:<14} {:<18} {:>2}/{:<2} {:>9.2f} {:>8.2f} {:>12.1f} {:>8.1f} {:>8.1f} {:>9.1f} {:>9.0f} "
         "{:>12.1f} ms "
@@ -173,7 +173,7 @@ Outcome<BenchResult> measure_explore(const ExploreRequest& request, const BenchO
   auto worlds = load_worlds(request);
   if (!worlds) return pass_on(worlds);
   begin_steps(observer, worlds->size() * strategies->size());
-  std::vector<Row> rows;
+  std::vector<StrategyRow> rows;
   for (const BenchWorld& world : *worlds) {
     for (const std::string& strategy : *strategies) {
       next_step(observer, fmt::format("{} in {}", strategy, world.name));

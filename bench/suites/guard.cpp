@@ -24,7 +24,7 @@ struct Shares {
   double flight = 0.0;
 };
 
-struct Row {
+struct GuardRow {
   std::string yard;
   std::string planner;
   std::uint64_t seed = 1;
@@ -88,7 +88,8 @@ Outcome<std::vector<GuardPlanner>> chosen_planners(const GuardRequest& request) 
   return planners;
 }
 
-Row row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report, double planning_s) {
+GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report,
+                double planning_s) {
   return {std::filesystem::path(yard.world).stem().string(),
           std::string(planner.name),
           report.seed,
@@ -107,7 +108,7 @@ Row row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report&
 /// All planners in one yard: one survey, one plan each, the same seeds.
 Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
                     const std::vector<GuardPlanner>& planners, const BenchObserver& observer,
-                    std::vector<Row>& rows) {
+                    std::vector<GuardRow>& rows) {
   const Stopwatch watch;
   auto firing_map = build_firing_map(yard.problem, yard.options);
   if (!firing_map) return pass_on(firing_map);
@@ -135,7 +136,7 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
   return {};
 }
 
-nlohmann::ordered_json row_json(const Row& row) {
+nlohmann::ordered_json row_json(const GuardRow& row) {
   return {{"yard", row.yard},
           {"planner", row.planner},
           {"seed", row.seed},
@@ -154,12 +155,12 @@ nlohmann::ordered_json row_json(const Row& row) {
           {"ratio_to_best_tour", row.ratio ? nlohmann::ordered_json(*row.ratio) : nullptr}};
 }
 
-std::string table_text(const std::vector<Row>& rows) {
+std::string table_text(const std::vector<GuardRow>& rows) {
   std::string text = fmt::format(
       "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10} {:>9} {:>7} {:>6} {:>6} {:>8} {:>6}\n", "yard",
       "planner", "seed", "reached", "failed", "unreachable", "shots", "planning s", "mission s", "drive s",
       "turn s", "aim s", "flight s", "ratio");
-  for (const Row& row : rows) {
+  for (const GuardRow& row : rows) {
     text += fmt::format(
         "  {:<12} {:<20} {:>4} {:>7} {:>6} {:>11} {:>5} {:>10.2f} {:>9.1f} {:>7.1f} {:>6.1f} {:>6.1f} "
         "{:>8.1f} {:>6}\n",
@@ -185,7 +186,7 @@ Outcome<BenchResult> measure_guard(const GuardRequest& request, const BenchObser
   auto yards = load_yards(request);
   if (!yards) return pass_on(yards);
   begin_steps(observer, yards->size() * planners->size());
-  std::vector<Row> rows;
+  std::vector<GuardRow> rows;
   for (const auto& yard : *yards) {
     if (auto ok = measure_yard(request, yard, *planners, observer, rows); !ok) return pass_on(ok);
   }

@@ -19,7 +19,7 @@
 namespace outrider::bench {
 namespace {
 
-struct Row {
+struct MapRow {
   std::string map;
   PathPlanner planner;
   GridModel model = GridModel::cells;
@@ -57,7 +57,7 @@ struct Optimum {
   double length = 0.0;
   double tolerance = 0.0;  ///< relative
 };
-std::optional<Optimum> optimum_of(const Row& row, const PublishedGrid& grid, const GridQueryRow& query) {
+std::optional<Optimum> optimum_of(const MapRow& row, const PublishedGrid& grid, const GridQueryRow& query) {
   const bool any_direction = row.planner.guarantee.among == PathClass::any_direction;
   if (any_direction != (row.model == GridModel::corners)) return std::nullopt;
   if (!any_direction && std::isfinite(grid.octile_tolerance))
@@ -67,7 +67,7 @@ std::optional<Optimum> optimum_of(const Row& row, const PublishedGrid& grid, con
 }
 
 /// Why the answer cannot be right; empty when nothing speaks against it.
-std::string contradiction(const Row& row, const Outcome<Plan>& plan, const Problem& problem,
+std::string contradiction(const MapRow& row, const Outcome<Plan>& plan, const Problem& problem,
                           const std::optional<Optimum>& optimum) {
   if (!plan) return optimum ? plan.error().sentence : std::string();
   if (auto verdict = check(*plan, problem); !verdict) return to_string(verdict.error());
@@ -78,7 +78,7 @@ std::string contradiction(const Row& row, const Outcome<Plan>& plan, const Probl
   return fmt::format("length {} where {} is published", plan->cost, optimum->length);
 }
 
-void judge(Row& row, const Outcome<Plan>& plan, const Problem& problem,
+void judge(MapRow& row, const Outcome<Plan>& plan, const Problem& problem,
            const std::optional<Optimum>& optimum) {
   if (auto reason = contradiction(row, plan, problem, optimum); !reason.empty()) {
     if (row.mismatches++ == 0) {
@@ -110,9 +110,9 @@ Timed timed(const ConfiguredPlanner& planner, const Problem& problem, Workspace&
   return {std::move(plan), 1e6 * watch.seconds()};
 }
 
-Row measure(const PathRequest& request, const GridFiles& files, const PublishedGrid& grid,
-            const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
-  Row row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
+MapRow measure(const PathRequest& request, const GridFiles& files, const PublishedGrid& grid,
+               const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
+  MapRow row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
   row.times_us.reserve(grid.rows.size());
   row.ratios.reserve(grid.rows.size());
   std::vector<double> best_us(grid.rows.size(), std::numeric_limits<double>::infinity());
@@ -144,7 +144,7 @@ double mean(const std::vector<double>& values) {
          static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
-nlohmann::ordered_json row_json(const Row& row) {
+nlohmann::ordered_json row_json(const MapRow& row) {
   const auto number = [](bool known, double value) {
     return known ? nlohmann::ordered_json(value) : nullptr;
   };
@@ -170,11 +170,11 @@ nlohmann::ordered_json row_json(const Row& row) {
           {"memory_mib", row.memory_mib}};
 }
 
-std::string table_text(const std::vector<Row>& rows) {
+std::string table_text(const std::vector<MapRow>& rows) {
   std::string text = fmt::format(
       "  {:<16} {:<18} {:>7} {:>10} {:>10} {:>10} {:>10} {:>9} {:>9} {:>8} {:>8}\n", "map", "planner",
       "queries", "mean us", "median us", "worst us", "expansions", "ratio", "at most", "build s", "MiB");
-  for (const Row& row : rows) {
+  for (const MapRow& row : rows) {
     const auto object = row_json(row);
     const auto shown = [&](const char* key, int digits) {
       return object[key].is_null() ? std::string("-")
@@ -229,7 +229,7 @@ Outcome<std::vector<PathPlanner>> chosen_planners(const PathRequest& request) {
 /// All planners on one map; one ground of each model at a time.
 Status measure_map(const PathRequest& request, const GridFiles& files,
                    const std::vector<PathPlanner>& planners, const BenchObserver& observer,
-                   std::vector<Row>& rows) {
+                   std::vector<MapRow>& rows) {
   auto grid = load_grid(files, request.queries, request.all_rows);
   if (!grid) return pass_on(grid);
   for (const GridModel model : {GridModel::cells, GridModel::corners}) {
@@ -256,12 +256,12 @@ Outcome<BenchResult> measure_path(const PathRequest& request, const BenchObserve
   auto planners = chosen_planners(request);
   if (!planners) return pass_on(planners);
   begin_steps(observer, maps->size() * planners->size());
-  std::vector<Row> rows;
+  std::vector<MapRow> rows;
   for (const auto& files : *maps) {
     if (auto ok = measure_map(request, files, *planners, observer, rows); !ok) return pass_on(ok);
   }
   BenchResult result = result_of(rows);
-  for (const Row& row : rows) {
+  for (const MapRow& row : rows) {
     if (row.mismatches == 0) continue;
     result.right = false;
     result.complaints.push_back(fmt::format("{} on {}: {} of {} answers are wrong, the first {}",

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Row {
+struct PursuitRow {
   std::string map;
   std::string planner;
   std::string status = "caught";  ///< or the code of the fault
@@ -40,8 +40,8 @@ Budget budget_of(const PursuitRequest& request, double used_s) {
 }
 
 /// The anytime search with the times of its first catch and of its proof.
-Row measure_search(const PursuitRequest& request, const PursuitProblem& problem) {
-  Row row;
+PursuitRow measure_search(const PursuitRequest& request, const PursuitProblem& problem) {
+  PursuitRow row;
   const Stopwatch watch;
   AnytimePursuit search(problem);
   while (!search.proven() && row.planning_s < request.limit_s) {
@@ -59,9 +59,9 @@ Row measure_search(const PursuitRequest& request, const PursuitProblem& problem)
   return row;
 }
 
-Row measure_planner(const PursuitRequest& request, const PursuitPlanner& planner,
-                    const PursuitProblem& problem) {
-  Row row;
+PursuitRow measure_planner(const PursuitRequest& request, const PursuitPlanner& planner,
+                           const PursuitProblem& problem) {
+  PursuitRow row;
   Workspace workspace;
   const ConfiguredPursuitPlanner configured = planner.configure();
   const Stopwatch watch;
@@ -77,7 +77,7 @@ Row measure_planner(const PursuitRequest& request, const PursuitPlanner& planner
   return row;
 }
 
-void judge(Row& row, const PursuitProblem& problem, const std::optional<std::uint64_t>& optimum) {
+void judge(PursuitRow& row, const PursuitProblem& problem, const std::optional<std::uint64_t>& optimum) {
   if (!row.plan) return;
   if (const auto good = check(*row.plan, problem); !good) row.mismatch = to_string(good.error());
   if (!optimum) return;
@@ -87,15 +87,15 @@ void judge(Row& row, const PursuitProblem& problem, const std::optional<std::uin
 
 Status measure_map(const PursuitRequest& request, const fs::path& path,
                    const std::vector<PursuitPlanner>& planners, const BenchObserver& observer,
-                   std::vector<Row>& rows) {
+                   std::vector<PursuitRow>& rows) {
   const auto problem = load_pursuit_map(path.string());
   if (!problem) return tl::unexpected<Fault>(problem.error());
   std::optional<std::uint64_t> optimum;
   const std::string map = path.filename().string().substr(0, path.filename().string().find('.'));
   for (const PursuitPlanner& planner : planners) {
     next_step(observer, fmt::format("{} on {}", planner.name, map));
-    Row row = planner.name == "anytime" ? measure_search(request, *problem)
-                                        : measure_planner(request, planner, *problem);
+    PursuitRow row = planner.name == "anytime" ? measure_search(request, *problem)
+                                               : measure_planner(request, planner, *problem);
     row.map = map;
     row.planner = planner.name;
     if (row.plan && row.plan->optimal()) optimum = row.plan->cost;
@@ -138,7 +138,7 @@ Outcome<std::vector<PursuitPlanner>> chosen_planners(const PursuitRequest& reque
   return planners;
 }
 
-nlohmann::ordered_json row_json(const Row& row) {
+nlohmann::ordered_json row_json(const PursuitRow& row) {
   const auto known = [](const auto& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
   };
@@ -155,10 +155,10 @@ nlohmann::ordered_json row_json(const Row& row) {
   return object;
 }
 
-std::string table_text(const std::vector<Row>& rows) {
+std::string table_text(const std::vector<PursuitRow>& rows) {
   std::string text = fmt::format("  {:<8} {:<18} {:>10} {:>8} {:>8} {:>10} {:>10} {:>12}\n", "map", "planner",
                                  "cost", "catch s", "ratio", "first ms", "proof ms", "expansions");
-  for (const Row& row : rows) {
+  for (const PursuitRow& row : rows) {
     const auto ms = [](const std::optional<double>& s) {
       return s ? fmt::format("{:.2f}", 1e3 * *s) : std::string("-");
     };
@@ -183,12 +183,12 @@ Outcome<BenchResult> measure_pursuit(const PursuitRequest& request, const BenchO
   auto planners = chosen_planners(request);
   if (!planners) return pass_on(planners);
   begin_steps(observer, maps->size() * planners->size());
-  std::vector<Row> rows;
+  std::vector<PursuitRow> rows;
   for (const auto& path : *maps) {
     if (auto ok = measure_map(request, path, *planners, observer, rows); !ok) return pass_on(ok);
   }
   BenchResult result = result_of(rows);
-  for (const Row& row : rows) {
+  for (const PursuitRow& row : rows) {
     if (row.mismatch.empty()) continue;
     result.right = false;
     result.complaints.push_back(fmt::format("{} on {}: {}", row.planner, row.map, row.mismatch));

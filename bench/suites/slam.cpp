@@ -16,7 +16,7 @@
 namespace outrider::bench {
 namespace {
 
-struct Row {
+struct GraphRow {
   std::string name;
   std::size_t nodes = 0;
   std::size_t edges = 0;
@@ -50,13 +50,13 @@ Outcome<Files> files_in(const std::string& folder) {
   return files;
 }
 
-Outcome<Row> measure(const std::string& path, int repeat) {
+Outcome<GraphRow> measure(const std::string& path, int repeat) {
   const auto text = read_file(path);
   if (!text) return tl::unexpected<Fault>(text.error());
   const auto graph = pose_graph_from_g2o(*text, path);
   if (!graph) return tl::unexpected<Fault>(graph.error());
   const std::string name = std::filesystem::path(path).filename().string();
-  Row row{name.substr(0, name.find(".g2o")), graph->nodes.size(), graph->edges.size(), {}, HUGE_VAL, {}};
+  GraphRow row{name.substr(0, name.find(".g2o")), graph->nodes.size(), graph->edges.size(), {}, HUGE_VAL, {}};
   for (int i = 0; i < repeat; ++i) {
     const Stopwatch watch;
     auto solution = optimise(*graph, {}, {});
@@ -70,7 +70,7 @@ Outcome<Row> measure(const std::string& path, int repeat) {
   return row;
 }
 
-nlohmann::ordered_json row_json(const Row& row) {
+nlohmann::ordered_json row_json(const GraphRow& row) {
   nlohmann::ordered_json json = {{"graph", row.name},           {"nodes", row.nodes},
                                  {"edges", row.edges},          {"cost", row.solution.cost},
                                  {"start", row.solution.start}, {"iterations", row.solution.iterations},
@@ -82,10 +82,10 @@ nlohmann::ordered_json row_json(const Row& row) {
   return json;
 }
 
-std::string table_text(const std::vector<Row>& rows) {
+std::string table_text(const std::vector<GraphRow>& rows) {
   std::string text = fmt::format("  {:<24} {:>6} {:>6} {:>14} {:>6} {:>9} {:>14} {:>6} {:>9}\n", "graph",
                                  "nodes", "edges", "cost", "steps", "s", "Ceres: cost", "steps", "s");
-  for (const Row& row : rows) {
+  for (const GraphRow& row : rows) {
     text += fmt::format("  {:<24} {:>6} {:>6} {:>14.6f} {:>6} {:>9.4f}", row.name, row.nodes, row.edges,
                         row.solution.cost, row.solution.iterations, row.time_s);
     if (row.peer)
@@ -97,7 +97,7 @@ std::string table_text(const std::vector<Row>& rows) {
 }
 
 struct Rows {
-  std::vector<Row> graphs;
+  std::vector<GraphRow> graphs;
   std::vector<LaserRow> logs;
 };
 
@@ -127,8 +127,8 @@ Outcome<BenchResult> measure_slam(const SlamRequest& request, const BenchObserve
   auto rows = measured(*files, request.repeat, observer);
   if (!rows) return pass_on(rows);
   BenchResult result;
-  result.right = std::ranges::none_of(rows->graphs, [](const Row& row) { return row.beaten(); });
-  for (const Row& row : rows->graphs) result.rows.push_back(row_json(row));
+  result.right = std::ranges::none_of(rows->graphs, [](const GraphRow& row) { return row.beaten(); });
+  for (const GraphRow& row : rows->graphs) result.rows.push_back(row_json(row));
   for (const LaserRow& row : rows->logs) result.rows.push_back(row_json(row));
   if (!rows->graphs.empty()) result.table += table_text(rows->graphs);
   if (!rows->logs.empty()) result.table += table_text(rows->logs);

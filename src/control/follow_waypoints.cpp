@@ -141,7 +141,7 @@ Twist2 limit_acceleration(const Twist2& wanted, const Twist2& last, const Follow
 std::vector<Option> describe(FollowOptions& options) {
   return {
       {"follower", "", 0, 0, "pid or pure_pursuit", &options.follower},
-      {"manner", "", 0, 0, "holonomic or rotate_then_go", &options.manner},
+      {"mode", "", 0, 0, "holonomic or rotate_then_go", &options.mode},
       {"speed", "m/s", 0.01, 10.0, "fastest drive", &options.speed_mps},
       {"turn_rate", "rad/s", 0.01, 10.0, "fastest turn", &options.turn_rate_radps},
       {"acceleration", "m/s2", 0.01, 100.0, "fastest change of the speed", &options.acceleration_mps2},
@@ -164,8 +164,8 @@ Status check(const FollowOptions& options) {
   if (options.follower != "pid" && options.follower != "pure_pursuit") {
     return refuse("follower", options.follower, {"pid", "pure_pursuit"});
   }
-  if (options.manner != "holonomic" && options.manner != "rotate_then_go") {
-    return refuse("manner", options.manner, {"holonomic", "rotate_then_go"});
+  if (options.mode != "holonomic" && options.mode != "rotate_then_go") {
+    return refuse("mode", options.mode, {"holonomic", "rotate_then_go"});
   }
   return {};
 }
@@ -176,7 +176,7 @@ FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, co
          is_passed(follower, waypoints, believed.position, options)) {
     advance_to_next(follower, waypoints);
   }
-  FollowStep wanted = options.manner == "holonomic"
+  FollowStep wanted = options.mode == "holonomic"
                           ? holonomic(follower, waypoints, believed, options, gains, period_s)
                           : rotate_then_go(follower, waypoints, believed, options, gains, period_s);
   follower.last =

@@ -197,7 +197,7 @@ void SdfWarnings::add(const std::string& where, const std::string& sentence) {
 
 std::vector<std::string> SdfWarnings::sentences() const {
   std::vector<std::string> result;
-  for (const Entry& entry : entries_) {
+  for (const Repair& entry : entries_) {
     const std::string times = entry.count > 1 ? fmt::format(" ({} times, first here)", entry.count) : "";
     result.push_back(fmt::format("{}: {}{}", entry.where, entry.sentence, times));
   }

@@ -20,12 +20,12 @@ class SdfWarnings {
   [[nodiscard]] std::vector<std::string> sentences() const;
 
  private:
-  struct Entry {
+  struct Repair {
     std::string where;
     std::string sentence;
     std::size_t count = 0;
   };
-  std::vector<Entry> entries_;                  // in the order of first appearance
+  std::vector<Repair> entries_;                 // in the order of first appearance
   std::map<std::string, std::size_t> by_text_;  // sentence -> entry
 };
 

@@ -49,7 +49,7 @@ struct GridHeader {
 };
 
 /// The words before the heights; `lines.line` is the first line of these then.
-Outcome<std::map<std::string, double>> header_words(Lines& lines) {
+Outcome<std::map<std::string, double>> header_fields(Lines& lines) {
   std::map<std::string, double> words_of_header;
   while (lines.next()) {
     std::string_view rest = lines.line;
@@ -71,7 +71,7 @@ Outcome<std::map<std::string, double>> header_words(Lines& lines) {
 }
 
 Outcome<GridHeader> header_of(Lines& lines) {
-  auto known = header_words(lines);
+  auto known = header_fields(lines);
   if (!known) return pass_on(known);
   const auto find = [&](const char* key) -> std::optional<double> {
     const auto found = known->find(key);

@@ -24,9 +24,9 @@ Status RunSteps::next(const std::string& name) {
 RunWatch RunSteps::inner() const {
   RunWatch watch = watch_;
   if (!watch_.progress) return watch;
-  watch.progress = [tell = watch_.progress, step = step_](const RunStep& part) mutable {
+  watch.progress = [report = watch_.progress, step = step_](const RunStep& part) mutable {
     step.part = part.part;
-    tell(step);
+    report(step);
   };
   return watch;
 }

@@ -129,8 +129,8 @@ Turning turning_of(const Plan& plan) {
     const double size = 1.0 + norm(after.from);
     turning.rounding_rad += 1e-14 * size * (1.0 / length_of(before) + 1.0 / length_of(after));
   };
-  if (plan.fare.heading_rad && !pieces.empty()) {
-    const Vec2 faced{std::cos(*plan.fare.heading_rad), std::sin(*plan.fare.heading_rad)};
+  if (plan.weights.heading_rad && !pieces.empty()) {
+    const Vec2 faced{std::cos(*plan.weights.heading_rad), std::sin(*plan.weights.heading_rad)};
     turn({-1.0 * faced, {}, {}, 0.0}, pieces.front());
   }
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -140,9 +140,9 @@ Turning turning_of(const Plan& plan) {
   return turning;
 }
 
-/// The exposure that the fare prices, within the error that the planners state.
+/// The exposure that the weights prices, within the error that the planners state.
 Status check_exposure(const Plan& plan, const Problem& problem) {
-  if (plan.fare.per_exposure_m == 0.0) return {};
+  if (plan.weights.per_exposure_m == 0.0) return {};
   const Safety truth = safety_of(plan, problem);
   const bool good = plan.exposure >= (1.0 - quadrature) * truth.exposure_low &&
                     plan.exposure <= (1.0 + quadrature) * truth.exposure_high;
@@ -153,11 +153,11 @@ Status check_exposure(const Plan& plan, const Problem& problem) {
 
 Status check_numbers(const Plan& plan, const Problem& problem) {
   const double length = length_of(plan);
-  const Turning turning = plan.fare.per_rad == 0.0 ? Turning{} : turning_of(plan);
-  const double sum = plan.fare.per_m * length + plan.fare.per_rad * turning.sum_rad +
-                     plan.fare.per_exposure_m * plan.exposure;
+  const Turning turning = plan.weights.per_rad == 0.0 ? Turning{} : turning_of(plan);
+  const double sum = plan.weights.per_m * length + plan.weights.per_rad * turning.sum_rad +
+                     plan.weights.per_exposure_m * plan.exposure;
   const double slack = relative * std::max(1.0, sum);
-  if (!(std::abs(plan.cost - sum) <= slack + plan.fare.per_rad * turning.rounding_rad)) {
+  if (!(std::abs(plan.cost - sum) <= slack + plan.weights.per_rad * turning.rounding_rad)) {
     return refused(fmt::format("the cost is {}, but its legs add up to {}", plan.cost, sum));
   }
   const bool good_bound = plan.lower_bound >= 0.0 && plan.lower_bound <= plan.cost + slack;

@@ -16,7 +16,7 @@ class PlacedTrace {
 
   /// Once it has ended: where the states are that it recorded.
   template <class PlaceOf>
-  void tell(PlaceOf place_of) const {
+  void report(PlaceOf place_of) const {
     if (trace_ == nullptr) return;
     for (const std::uint32_t state : renumber()) {
       const Vec2 place = place_of(state);

@@ -18,13 +18,13 @@ std::vector<Option> describe(ExecutionErrors& errors) {
   };
 }
 
-Vec2 in_disk(Rng& rng, double radius_m) {
+Vec2 random_in_disk(Rng& rng, double radius_m) {
   const double r = radius_m * std::sqrt(rng.uniform());
   return r * direction(rng.uniform(0.0, 2.0 * pi));
 }
 
-Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
-                  const ShotRules& rules, Vec2 error) {
+Vec2 displaced_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
+                    const ShotRules& rules, Vec2 error) {
   constexpr double least_m2 = 1e-12;
   const Vec2 before = waypoints[waypoints.size() - 2];
   const Vec2 goal = waypoints.back();
@@ -36,7 +36,7 @@ Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const Col
   return squared_norm(error) > least_m2 ? goal + error : goal;
 }
 
-Shot strayed(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance) {
+Shot shot_with_errors(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance) {
   const double yaw = errors.gun_rad * rng.uniform(-1.0, 1.0);
   const double pitch = errors.gun_rad * rng.uniform(-1.0, 1.0);
   Shot shot = off_by(stance, meant, yaw, pitch);

@@ -94,7 +94,7 @@ void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<con
 
 void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
   if (command.waypoints.size() < 2) return;
-  const std::vector<Vec2> waypoints = body.strayed_way(command.waypoints);
+  const std::vector<Vec2> waypoints = body.displaced_waypoints(command.waypoints);
   ReportPath path{body.time_s(), 0.0, waypoints};
   log(record, body.time_s(), "drive",
       fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));

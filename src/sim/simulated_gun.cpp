@@ -84,7 +84,7 @@ SimulatedGun::Thrown SimulatedGun::throw_ball(const Shot& shot, std::size_t targ
   const ShotRules& rules = scene_.rules;
   Target box = scene_.targets[stand_in];
   box.name = scene_.targets[target].name;
-  const Shot actual = strayed(shot, errors_.aim, gun_rng_, stance_at(rules, position));
+  const Shot actual = shot_with_errors(shot, errors_.aim, gun_rng_, stance_at(rules, position));
   const Flight flight = launch(rules, {position, velocity_mps}, box, actual);
   const FlightSpace& space = scene_.space(stand_in);
   const double radius = rules.gun.ball_radius_m;

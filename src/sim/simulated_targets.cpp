@@ -46,7 +46,7 @@ TargetReport SimulatedTargets::look(double time_s) {
   for (; static_cast<double>(looks_) * params_.look_s <= time_s; ++looks_) {
     const double when_s = static_cast<double>(looks_) * params_.look_s;
     for (std::size_t who = 0; who < params_.walks.size(); ++who) {
-      const Vec2 off = in_disk(sight_rng_, params_.sight_m);
+      const Vec2 off = random_in_disk(sight_rng_, params_.sight_m);
       if (gone_[who] == 0) report.seen.push_back({who, when_s, params_.walks[who].at(when_s) + off});
     }
   }

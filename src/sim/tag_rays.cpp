@@ -18,22 +18,22 @@ bool is_behind(const Block& block, const Paper& paper) {
 }
 
 /// Where a line enters a box around the origin, and along which axis; infinite where it does not.
-struct Entry {
+struct BoxEntry {
   double at = std::numeric_limits<double>::infinity();
   std::size_t axis = 0;
 };
 
-Entry entry(Vec3 origin, Vec3 along, Vec3 half_size) {
+BoxEntry entry(Vec3 origin, Vec3 along, Vec3 half_size) {
   const std::array<double, 3> o{origin.x, origin.y, origin.z}, h{half_size.x, half_size.y, half_size.z},
       per{1.0 / along.x, 1.0 / along.y, 1.0 / along.z};
-  Entry in{0.0, 0};
+  BoxEntry in{0.0, 0};
   double out = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
     const double low = (-h[k] - o[k]) * per[k], high = (h[k] - o[k]) * per[k];
     if (std::min(low, high) > in.at) in = {std::min(low, high), k};
     out = std::min(out, std::max(low, high));
   }
-  return in.at > 0.0 && in.at < out ? in : Entry{};
+  return in.at > 0.0 && in.at < out ? in : BoxEntry{};
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ float RayView::grey(Vec2 ray) const {
     grey = floor_grey;
   }
   for (const SeenBlock& block : blocks_) {
-    const Entry in = enters(block);
+    const BoxEntry in = enters(block);
     if (in.at >= nearest) continue;
     nearest = in.at;
     grey = face_greys[in.axis];

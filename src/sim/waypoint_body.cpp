@@ -15,10 +15,10 @@ WaypointBody::WaypointBody(const RobotModel& robot, const BodyGround& on, const 
                            const ExecutionErrors& errors, const Rng& rng)
     : robot_(robot), on_(on), errors_(errors), rng_(rng), pose_(start) {}
 
-std::vector<Vec2> WaypointBody::strayed_way(std::vector<Vec2> waypoints) {
-  const Vec2 error = in_disk(rng_, errors_.position_m);
+std::vector<Vec2> WaypointBody::displaced_waypoints(std::vector<Vec2> waypoints) {
+  const Vec2 error = random_in_disk(rng_, errors_.position_m);
   heading_error_rad_ = errors_.heading_rad * rng_.uniform(-1.0, 1.0);
-  waypoints.back() = strayed_goal(waypoints, robot_.radius_m, on_.ground, on_.rules, error);
+  waypoints.back() = displaced_goal(waypoints, robot_.radius_m, on_.ground, on_.rules, error);
   return waypoints;
 }
 

@@ -67,7 +67,7 @@ LinearEdge GrowingGraph::linear(const Edge& edge) const {
   return result;
 }
 
-/// Assembles the rows of a node in the normal equations from its edges, in their order. Node 0 is fixed.
+/// Assembles the rows of a node in the normal equations from its edges, in their order. PoseNode 0 is fixed.
 void GrowingGraph::assemble(std::uint32_t node) {
   Eigen::Matrix3d& diagonal = matrix_.diagonal(node);
   diagonal.setZero();
@@ -156,8 +156,8 @@ void GrowingGraph::settle() {
   constexpr double enough = 1e-8;
   for (int i = 0; i < most; ++i) {
     update(enough);
-    const bool still =
-        std::all_of(nodes_.begin(), nodes_.end(), [](const Node& node) { return size(node.step) <= enough; });
+    const bool still = std::all_of(nodes_.begin(), nodes_.end(),
+                                   [](const PoseNode& node) { return size(node.step) <= enough; });
     if (still) return;
   }
 }

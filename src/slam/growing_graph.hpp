@@ -55,7 +55,7 @@ class GrowingGraph {
   }
 
  private:
-  struct Node {
+  struct PoseNode {
     Pose2 place;
     Eigen::Vector3d step = Eigen::Vector3d::Zero();
     std::int64_t is_point = 0;
@@ -85,7 +85,7 @@ class GrowingGraph {
 
   std::string kernel_;
   double kernel_width_;
-  std::vector<Node> nodes_;
+  std::vector<PoseNode> nodes_;
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> order_;
 

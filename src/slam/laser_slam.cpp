@@ -193,12 +193,12 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, cons
   graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, std::move(surface)});
   if (key == 0) return;
   const MotionNoise driven = odometry_noise(unkept, options);
-  const MotionNoise doubted{std::max(lost.position_m, driven.position_m),
-                            std::max(lost.heading_rad, driven.heading_rad)};
+  const MotionNoise noise{std::max(lost.position_m, driven.position_m),
+                          std::max(lost.heading_rad, driven.heading_rad)};
   graph.add_constraint(key - 1, key, pose,
                        fit     ? Eigen::Matrix3d(fit->information + driven.information())
                        : blind ? driven.information()
-                               : doubted.information());
+                               : noise.information());
   unkept = {};
   if (!fit || !anchor) return;
   const Fit visit =

@@ -85,11 +85,11 @@ void Ascent::set_drives(const AscentRules& rules) {
 }
 
 void Ascent::set_services() {
-  for (const Node& node : instance_.nodes) service_.push_back(ticks(node.duration));
+  for (const TourNode& node : instance_.nodes) service_.push_back(ticks(node.duration));
   aim_.resize(stops_);
   for (std::uint32_t stop = 0; stop < stops_; ++stop) {
     const std::uint32_t count = services(stop);
-    const Node* const nodes = instance_.nodes.data() + instance_.first[stop];
+    const TourNode* const nodes = instance_.nodes.data() + instance_.first[stop];
     for (std::uint32_t to = 0; to < count; ++to) {
       for (std::uint32_t from = 0; from < count; ++from) {
         aim_[stop].push_back(

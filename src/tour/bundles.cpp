@@ -29,7 +29,7 @@ VisitTimes::VisitTimes(const Instance& instance) : instance_(instance), least_(i
 /// Held and Karp's program over the nodes of the stop, both ends free.
 void VisitTimes::solve(std::uint32_t stop) {
   const std::uint32_t count = instance_.first[stop + 1] - instance_.first[stop];
-  const Node* const nodes = instance_.nodes.data() + instance_.first[stop];
+  const TourNode* const nodes = instance_.nodes.data() + instance_.first[stop];
   std::vector<float> aim(std::size_t{count} * count);
   for (std::uint32_t a = 0; a < count; ++a) {
     for (std::uint32_t b = 0; b < count; ++b) {

@@ -14,7 +14,7 @@ constexpr double most_work = 6e9;      // of the relaxation with one sector
 constexpr double pleasant_work = 3e8;  // up to which more sectors are worth it
 constexpr double most_entries = 2e7;
 
-struct Label {
+struct TourLabel {
   double time = 0.0;
   State state;
   std::uint32_t set = 0;  // goals served
@@ -59,33 +59,33 @@ class Search {
  private:
   void expand(std::uint32_t index);
   void visit(std::uint32_t index, std::uint32_t stop);
-  void add(Label label);
-  bool is_dominated(const Label& label);
-  [[nodiscard]] double slack(const Label& a, const Label& b) const;
-  [[nodiscard]] double to_go(const std::vector<float>& table, const Label& label) const;
-  void finish(const Label& label);
+  void add(TourLabel label);
+  bool is_dominated(const TourLabel& label);
+  [[nodiscard]] double slack(const TourLabel& a, const TourLabel& b) const;
+  [[nodiscard]] double to_go(const std::vector<float>& table, const TourLabel& label) const;
+  void finish(const TourLabel& label);
 
   const Instance& instance_;
   const Relaxation& relaxation_;
   std::uint32_t all_;
   double best_cost_;
   std::vector<std::uint32_t> best_nodes_;
-  std::vector<Label> labels_;
+  std::vector<TourLabel> labels_;
   std::vector<std::uint32_t> nearby_;  // stop -> goals that can be served there without driving
   std::vector<std::uint32_t> newest_;  // [set * stops + stop] -> its newest label
   std::priority_queue<Open> open_;
 };
 
-double Search::slack(const Label& a, const Label& b) const {
+double Search::slack(const TourLabel& a, const TourLabel& b) const {
   const bool drives_next = (nearby_[a.state.stop] & ~a.set) == 0;
   return drives_next ? loss_before_a_drive(instance_, a.state, b.state)
                      : loss_before_a_service(instance_, a.state, b.state);
 }
 
-bool Search::is_dominated(const Label& label) {
+bool Search::is_dominated(const TourLabel& label) {
   for (std::uint32_t i = newest_[std::size_t{label.set} * instance_.stops + label.state.stop]; i != none;
        i = labels_[i].next) {
-    Label& other = labels_[i];
+    TourLabel& other = labels_[i];
     if (other.dominated) continue;
     const double between = slack(other, label);
     if (other.time + between <= label.time + tie) return true;
@@ -94,13 +94,13 @@ bool Search::is_dominated(const Label& label) {
   return false;
 }
 
-double Search::to_go(const std::vector<float>& table, const Label& label) const {
+double Search::to_go(const std::vector<float>& table, const TourLabel& label) const {
   const std::uint32_t sector = sector_of(label.state.heading, relaxation_.sectors);
   return rounded_down *
          static_cast<double>(table[relaxation_.index(all_ & ~label.set, label.state.stop, sector)]);
 }
 
-void Search::finish(const Label& label) {
+void Search::finish(const TourLabel& label) {
   best_cost_ = label.time;
   best_nodes_.assign(1, label.node);
   for (std::uint32_t i = label.parent; labels_[i].node != none; i = labels_[i].parent) {
@@ -109,7 +109,7 @@ void Search::finish(const Label& label) {
   std::ranges::reverse(best_nodes_);
 }
 
-void Search::add(Label label) {
+void Search::add(TourLabel label) {
   const double estimate = label.time + to_go(relaxation_.served, label);
   if (estimate >= best_cost_ - tie) return;
   if (label.set == all_) return finish(label);
@@ -123,16 +123,16 @@ void Search::add(Label label) {
 
 /// The labels that serve one goal more at that stop, driving there where need be.
 void Search::visit(std::uint32_t index, std::uint32_t stop) {
-  const Label from = labels_[index];
+  const TourLabel from = labels_[index];
   if (stop != from.state.stop) {
-    Label there = from;
+    TourLabel there = from;
     there.time += drive(instance_, there.state, stop);
     if (there.time + to_go(relaxation_.arrived, there) >= best_cost_ - tie) return;
   }
   for (std::uint32_t n = instance_.first[stop]; n < instance_.first[stop + 1]; ++n) {
     const std::uint32_t bit = 1U << instance_.nodes[n].goal;
     if ((from.set & bit) != 0) continue;
-    Label label{from.time, from.state, from.set | bit, n, index, none, false};
+    TourLabel label{from.time, from.state, from.set | bit, n, index, none, false};
     label.time += advance(instance_, label.state, instance_.nodes[n]);
     add(label);
   }
@@ -147,7 +147,7 @@ void Search::expand(std::uint32_t index) {
 
 Exact Search::run(std::uint64_t expansions, BudgetMeter& meter) {
   Exact result;
-  Label start;
+  TourLabel start;
   start.state = start_of(instance_);
   labels_.push_back(start);
   open_.push({0.0, 0});

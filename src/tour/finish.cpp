@@ -12,7 +12,7 @@ constexpr double tie = 1e-9;
 constexpr std::size_t most_in_a_visit = 16;
 
 /// The tours that end with the same visit.
-struct Label {
+struct FinishLabel {
   double time = 0.0;
   State state;
   std::uint32_t parent = none;       // the visit before, in the log
@@ -53,14 +53,14 @@ std::vector<std::uint32_t> Orders::ending(std::size_t last) const {
 }
 
 /// `there` has just come to the stop of the nodes.
-Orders orders_of(const Instance& instance, const Label& there, std::vector<std::uint32_t> nodes) {
+Orders orders_of(const Instance& instance, const FinishLabel& there, std::vector<std::uint32_t> nodes) {
   const std::size_t count = nodes.size();
   Orders orders{std::move(nodes), std::vector<double>(count << count, infinity),
                 std::vector<std::uint8_t>(count << count, 0)};
   for (std::size_t set = 1; set < std::size_t{1} << count; ++set) {
     for (std::size_t lasts = set; lasts != 0; lasts &= lasts - 1) {
       const auto last = static_cast<std::size_t>(std::countr_zero(lasts));
-      const Node& node = instance.nodes[orders.nodes[last]];
+      const TourNode& node = instance.nodes[orders.nodes[last]];
       const std::size_t rest = set & ~(std::size_t{1} << last);
       double& best = orders.time[set * count + last];
       if (rest == 0) {
@@ -69,7 +69,7 @@ Orders orders_of(const Instance& instance, const Label& there, std::vector<std::
       }
       for (std::size_t bits = rest; bits != 0; bits &= bits - 1) {
         const auto p = static_cast<std::size_t>(std::countr_zero(bits));
-        const Node& before = instance.nodes[orders.nodes[p]];
+        const TourNode& before = instance.nodes[orders.nodes[p]];
         const double time = orders.time[rest * count + p] + node.duration +
                             aim_time(instance, before.yaw, before.pitch, node.yaw, node.pitch);
         if (time >= best) continue;
@@ -85,25 +85,27 @@ GoalSet first_goals(std::size_t count) { return count >= 64 ? ~GoalSet{0} : (Goa
 
 class Finishing {
  public:
-  Finishing(const Hunt& hunt, const Sweep& back, const std::vector<std::uint32_t>& goals,
+  Finishing(const SweepContext& context, const Sweep& back, const std::vector<std::uint32_t>& goals,
             const Bundles& bundles, Finish& result);
   void run(std::uint64_t most_labels, BudgetMeter& meter);
 
  private:
-  void expand(GoalSet set, const Label& label);
-  void visit(GoalSet set, const Label& there);
-  void serve(GoalSet set, const Label& there, GoalSet bundle, double to_go);
-  void add(GoalSet set, Label label);
-  void end(const Label& label);
-  [[nodiscard]] bool hopeless(double time) const { return time >= std::min(hunt_.limit, result_.cost) - tie; }
+  void expand(GoalSet set, const FinishLabel& label);
+  void visit(GoalSet set, const FinishLabel& there);
+  void serve(GoalSet set, const FinishLabel& there, GoalSet bundle, double to_go);
+  void add(GoalSet set, FinishLabel label);
+  void end(const FinishLabel& label);
+  [[nodiscard]] bool hopeless(double time) const {
+    return time >= std::min(context_.limit, result_.cost) - tie;
+  }
   [[nodiscard]] double outside(GoalSet set) const;
-  [[nodiscard]] const Row* row(const Rows& rows, GoalSet set) const;
-  [[nodiscard]] double slack(const Label& a, const Label& b) const;
+  [[nodiscard]] const SweepRow* row(const Rows& rows, GoalSet set) const;
+  [[nodiscard]] double slack(const FinishLabel& a, const FinishLabel& b) const;
   [[nodiscard]] std::uint32_t sector(const State& state) const {
-    return hunt_.drives.sectors > 1 ? sector_of(state.heading, hunt_.drives.sectors) : 0;
+    return context_.drives.sectors > 1 ? sector_of(state.heading, context_.drives.sectors) : 0;
   }
 
-  const Hunt& hunt_;
+  const SweepContext& context_;
   const Instance& instance_;
   const Sweep& back_;
   const std::vector<std::uint32_t>& goals_;
@@ -112,15 +114,15 @@ class Finishing {
   std::vector<std::vector<Choice>> choices_;  // by stop
   std::vector<GoalSet> fresh_;                // stop -> what it serves that `back` does not know
   std::vector<bool> joined_;                  // stop -> a drive from it takes no time
-  std::map<GoalSet, std::vector<Label>> pending_;
+  std::map<GoalSet, std::vector<FinishLabel>> pending_;
   std::vector<LoggedVisit> log_;
   bool too_large_ = false;
 };
 
-Finishing::Finishing(const Hunt& hunt, const Sweep& back, const std::vector<std::uint32_t>& goals,
+Finishing::Finishing(const SweepContext& context, const Sweep& back, const std::vector<std::uint32_t>& goals,
                      const Bundles& bundles, Finish& result)
-    : hunt_(hunt),
-      instance_(hunt.instance),
+    : context_(context),
+      instance_(context.instance),
       back_(back),
       goals_(goals),
       result_(result),
@@ -143,7 +145,7 @@ Finishing::Finishing(const Hunt& hunt, const Sweep& back, const std::vector<std:
 }
 
 /// After a drive of no time something may be served at the same place.
-double Finishing::slack(const Label& a, const Label& b) const {
+double Finishing::slack(const FinishLabel& a, const FinishLabel& b) const {
   return joined_[a.state.stop] ? loss_before_a_service(instance_, a.state, b.state)
                                : loss_before_a_drive(instance_, a.state, b.state);
 }
@@ -152,17 +154,17 @@ double Finishing::slack(const Label& a, const Label& b) const {
 double Finishing::outside(GoalSet set) const {
   double time = 0.0;
   for (std::size_t bit = back_.goals.size(); bit < goals_.size(); ++bit) {
-    if ((set >> bit & 1U) == 0) time += hunt_.durations[goals_[bit]];
+    if ((set >> bit & 1U) == 0) time += context_.durations[goals_[bit]];
   }
   return time;
 }
 
-const Row* Finishing::row(const Rows& rows, GoalSet set) const {
+const SweepRow* Finishing::row(const Rows& rows, GoalSet set) const {
   const auto found = rows.find(known_ & ~set);
   return found == rows.end() ? nullptr : &found->second;
 }
 
-void Finishing::end(const Label& label) {
+void Finishing::end(const FinishLabel& label) {
   if (hopeless(label.time)) return;
   result_.cost = label.time;
   result_.nodes.assign(label.nodes.rbegin(), label.nodes.rend());
@@ -172,21 +174,21 @@ void Finishing::end(const Label& label) {
   std::ranges::reverse(result_.nodes);
 }
 
-void Finishing::add(GoalSet set, Label label) {
+void Finishing::add(GoalSet set, FinishLabel label) {
   if (set == full_) return end(label);
-  std::vector<Label>& labels = pending_[set];
-  const auto same_stop = [&](const Label& other) { return other.state.stop == label.state.stop; };
-  for (const Label& other : labels) {
+  std::vector<FinishLabel>& labels = pending_[set];
+  const auto same_stop = [&](const FinishLabel& other) { return other.state.stop == label.state.stop; };
+  for (const FinishLabel& other : labels) {
     if (same_stop(other) && other.time + slack(other, label) <= label.time + tie) return;
   }
-  std::erase_if(labels, [&](const Label& other) {
+  std::erase_if(labels, [&](const FinishLabel& other) {
     return same_stop(other) && label.time + slack(label, other) <= other.time;
   });
   labels.push_back(std::move(label));
 }
 
 /// The labels that serve the bundle where `there` has just come to, one for each last service.
-void Finishing::serve(GoalSet set, const Label& there, GoalSet bundle, double to_go) {
+void Finishing::serve(GoalSet set, const FinishLabel& there, GoalSet bundle, double to_go) {
   std::vector<std::uint32_t> nodes;
   for (GoalSet bits = bundle; bits != 0; bits &= bits - 1) {
     nodes.push_back(
@@ -201,7 +203,7 @@ void Finishing::serve(GoalSet set, const Label& there, GoalSet bundle, double to
   for (std::size_t last = 0; last < count; ++last) {
     const double time = orders.time[((std::size_t{1} << count) - 1) * count + last];
     if (hopeless(time + to_go)) continue;
-    const Node& node = instance_.nodes[orders.nodes[last]];
+    const TourNode& node = instance_.nodes[orders.nodes[last]];
     const State& body = there.state;
     add(set | bundle, {time,
                        {body.stop, body.heading, node.yaw - body.heading, node.pitch},
@@ -210,13 +212,13 @@ void Finishing::serve(GoalSet set, const Label& there, GoalSet bundle, double to
   }
 }
 
-void Finishing::visit(GoalSet set, const Label& there) {
+void Finishing::visit(GoalSet set, const FinishLabel& there) {
   const std::uint32_t stop = there.state.stop;
   const std::uint32_t q = sector(there.state);
   for (const Choice& choice : choices_[stop]) {
     if ((choice.set & set) != 0) continue;
     const GoalSet more = set | choice.set;
-    const Row* const left = row(back_.rows, more);
+    const SweepRow* const left = row(back_.rows, more);
     const float* const beyond = left == nullptr ? nullptr : left->find(stop);
     if (beyond == nullptr) continue;
     const double to_go = rounded_down * static_cast<double>(beyond[q]) + outside(more);
@@ -225,9 +227,9 @@ void Finishing::visit(GoalSet set, const Label& there) {
 }
 
 /// Drives to each stop from which the rest can still be served in time.
-void Finishing::expand(GoalSet set, const Label& label) {
-  const Row* const ahead = row(back_.ahead, set);
-  const Row* const beyond = row(back_.rows, set);
+void Finishing::expand(GoalSet set, const FinishLabel& label) {
+  const SweepRow* const ahead = row(back_.ahead, set);
+  const SweepRow* const beyond = row(back_.rows, set);
   const double left = outside(set);
   for (std::uint32_t stop = 0; stop < instance_.stops; ++stop) {
     if (stop == label.state.stop && set != 0) continue;
@@ -235,7 +237,7 @@ void Finishing::expand(GoalSet set, const Label& label) {
     const bool fresh = beyond != nullptr && (fresh_[stop] & ~set) != 0;
     const float* const passing = fresh ? beyond->find(stop) : nullptr;
     if (serving == nullptr && passing == nullptr) continue;
-    Label there = {label.time, label.state, static_cast<std::uint32_t>(log_.size() - 1), {}};
+    FinishLabel there = {label.time, label.state, static_cast<std::uint32_t>(log_.size() - 1), {}};
     there.time += drive(instance_, there.state, stop);
     const std::uint32_t q = sector(there.state);
     float least = std::numeric_limits<float>::infinity();
@@ -249,7 +251,7 @@ void Finishing::run(std::uint64_t most_labels, BudgetMeter& meter) {
   pending_[0].push_back({0.0, start_of(instance_), none, {}});
   while (!pending_.empty()) {
     auto next = pending_.extract(pending_.begin());
-    for (Label& label : next.mapped()) {
+    for (FinishLabel& label : next.mapped()) {
       if (too_large_ || result_.labels >= most_labels || !meter.spend()) return;
       ++result_.labels;
       log_.push_back({label.parent, std::move(label.nodes)});
@@ -261,10 +263,10 @@ void Finishing::run(std::uint64_t most_labels, BudgetMeter& meter) {
 
 }  // namespace
 
-Finish finish(const Hunt& hunt, const Sweep& back, const std::vector<std::uint32_t>& goals,
+Finish finish(const SweepContext& context, const Sweep& back, const std::vector<std::uint32_t>& goals,
               const Bundles& bundles, std::uint64_t most_labels, BudgetMeter& meter) {
   Finish result;
-  Finishing(hunt, back, goals, bundles, result).run(most_labels, meter);
+  Finishing(context, back, goals, bundles, result).run(most_labels, meter);
   return result;
 }
 

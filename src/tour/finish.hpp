@@ -16,7 +16,7 @@ struct Finish {
 /// Looks for the fastest tour below the limit. `goals` are all, at most 64, those of `back` first; `bundles`
 /// are all that are left of them. It ends at `most_labels` partial tours, with the budget, or at a visit of
 /// more than 16 goals.
-Finish finish(const Hunt& hunt, const Sweep& back, const std::vector<std::uint32_t>& goals,
+Finish finish(const SweepContext& context, const Sweep& back, const std::vector<std::uint32_t>& goals,
               const Bundles& bundles, std::uint64_t most_labels, BudgetMeter& meter);
 
 }  // namespace outrider::tour

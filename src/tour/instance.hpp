@@ -16,7 +16,7 @@ namespace outrider::tour {
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Node {
+struct TourNode {
   std::uint32_t stop = 0;
   std::uint32_t goal = 0;
   double yaw = 0.0;
@@ -33,7 +33,7 @@ struct Instance {
   double pitch_rate = 1.0;
   std::vector<double> time, depart, arrive;          // [from * stops + to]
   std::vector<double> time_to;                       // [to * stops + from]
-  std::vector<Node> nodes;                           // by stop
+  std::vector<TourNode> nodes;                       // by stop
   std::vector<std::uint32_t> first;                  // stop -> its first node; one more at the end
   std::vector<std::vector<std::uint32_t>> nodes_of;  // goal -> nodes, by stop
   std::vector<std::vector<std::uint32_t>> stops_of;  // goal -> the stops of those nodes
@@ -90,7 +90,7 @@ inline double drive(const Instance& instance, State& state, std::uint32_t stop) 
 }
 
 /// Drives to the stop of the node and serves it; the time it takes.
-inline double advance(const Instance& instance, State& state, const Node& node) {
+inline double advance(const Instance& instance, State& state, const TourNode& node) {
   const double driving = drive(instance, state, node.stop);
   const double yaw = node.yaw - state.heading;
   const double aiming = aim_time(instance, state.yaw, state.pitch, yaw, node.pitch);

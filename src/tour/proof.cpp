@@ -23,7 +23,7 @@ std::uint32_t choose_sectors(const Instance& instance) {
 
 std::vector<double> least_durations(const Instance& instance) {
   std::vector<double> least(instance.goals, infinity);
-  for (const Node& node : instance.nodes) least[node.goal] = std::min(least[node.goal], node.duration);
+  for (const TourNode& node : instance.nodes) least[node.goal] = std::min(least[node.goal], node.duration);
   return least;
 }
 
@@ -73,33 +73,34 @@ struct Stage {
 
 /// From a few divisions of the drives between the shares and the remainder, the best bound, or the first that
 /// is no less than the limit.
-double bound_by_shares(const Hunt& hunt, const std::vector<std::uint32_t>& order, BudgetMeter& meter) {
+double bound_by_shares(const SweepContext& context, const std::vector<std::uint32_t>& order,
+                       BudgetMeter& meter) {
   const auto count = static_cast<std::ptrdiff_t>(std::min(most_apart, order.size()));
   const std::vector<std::uint32_t> apart(order.begin(), order.begin() + count);
   double bound = 0.0;
   for (const double most_s : {1.2, 3.0, infinity}) {
     const AscentRules rules{most_s < infinity ? apart : std::vector<std::uint32_t>{}, most_s};
-    const Shares shares = ascend(hunt.instance, rules, meter);
+    const Shares shares = ascend(context.instance, rules, meter);
     const double rest =
-        rules.apart.empty() ? 0.0 : remainder(hunt.instance, shares, apart, hunt.drives, meter);
+        rules.apart.empty() ? 0.0 : remainder(context.instance, shares, apart, context.drives, meter);
     bound = std::max(bound, shares.total + rest);
-    if (bound >= hunt.limit) break;
+    if (bound >= context.limit) break;
   }
   return bound;
 }
 
 /// Sweeps and the exact end, for goals in that order.
-Proof sweep_all(Hunt& hunt, const std::vector<std::uint32_t>& order, const Route& known,
+Proof sweep_all(SweepContext& context, const std::vector<std::uint32_t>& order, const Route& known,
                 const TourOptions& options, BudgetMeter& meter) {
-  const VisitTimes times(hunt.instance);
+  const VisitTimes times(context.instance);
   const std::vector<std::size_t> sizes = plan_sweeps(order.size());
   Proof proof;
-  Stage last{nothing_swept(hunt, sizes.size() % 2 == 1), {}};  // so that the last goes backward
+  Stage last{nothing_swept(context, sizes.size() % 2 == 1), {}};  // so that the last goes backward
   Stage back;
   for (const std::size_t size : sizes) {
     std::vector<std::uint32_t> goals(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(size));
-    Stage next{{}, extended(hunt.instance, times, last.bundles, goals, last.sweep.goals.size())};
-    next.sweep = sweep(hunt, last.sweep, std::move(goals), next.bundles, meter);
+    Stage next{{}, extended(context.instance, times, last.bundles, goals, last.sweep.goals.size())};
+    next.sweep = sweep(context, last.sweep, std::move(goals), next.bundles, meter);
     if (!next.sweep.finished) break;
     proof.lower_bound = std::max(proof.lower_bound, next.sweep.bound);
     if (!last.sweep.forward) back = std::move(last);
@@ -107,27 +108,27 @@ Proof sweep_all(Hunt& hunt, const std::vector<std::uint32_t>& order, const Route
   }
   if (!last.sweep.forward) back = std::move(last);
   if (!back.sweep.finished) return proof;
-  const Bundles all = extended(hunt.instance, times, back.bundles, order, back.sweep.goals.size());
-  Finish end = finish(hunt, back.sweep, order, all, static_cast<std::uint64_t>(options.expansions), meter);
+  const Bundles all = extended(context.instance, times, back.bundles, order, back.sweep.goals.size());
+  Finish end = finish(context, back.sweep, order, all, static_cast<std::uint64_t>(options.expansions), meter);
   proof.labels = end.labels;
   if (end.cost < known.cost) proof.nodes = std::move(end.nodes);
   if (!end.finished) return proof;
-  proof.lower_bound = std::min(hunt.limit, end.cost);
-  proof.optimal = options.gap == 0.0 || end.cost < hunt.limit;
+  proof.lower_bound = std::min(context.limit, end.cost);
+  proof.optimal = options.gap == 0.0 || end.cost < context.limit;
   return proof;
 }
 
 }  // namespace
 
 Proof prove(const Instance& instance, const Route& known, const TourOptions& options, BudgetMeter& meter) {
-  Hunt hunt{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
-            known.cost * (1.0 - options.gap * (1.0 - a_hair)),
-            static_cast<std::uint64_t>(options.operations)};
+  SweepContext context{instance, sectored(instance, choose_sectors(instance)), least_durations(instance),
+                       known.cost * (1.0 - options.gap * (1.0 - a_hair)),
+                       static_cast<std::uint64_t>(options.operations)};
   const std::vector<std::uint32_t> order = spread(instance, known);
   Proof proof;
-  if (order.size() <= most_goals) proof = sweep_all(hunt, order, known, options, meter);
-  if (!proof.optimal && proof.lower_bound < hunt.limit) {
-    proof.lower_bound = std::max(proof.lower_bound, bound_by_shares(hunt, order, meter));
+  if (order.size() <= most_goals) proof = sweep_all(context, order, known, options, meter);
+  if (!proof.optimal && proof.lower_bound < context.limit) {
+    proof.lower_bound = std::max(proof.lower_bound, bound_by_shares(context, order, meter));
   }
   return proof;
 }

@@ -16,10 +16,10 @@ double least_turn(const Instance& instance, std::uint32_t sector, std::uint32_t 
 std::vector<float> least_aims(const Instance& instance) {
   std::vector<float> least(instance.nodes.size(), 0.0F);
   for (std::uint32_t n = 0; n < instance.nodes.size(); ++n) {
-    const Node& node = instance.nodes[n];
+    const TourNode& node = instance.nodes[n];
     double time = infinity;
     for (std::uint32_t m = instance.first[node.stop]; m < instance.first[node.stop + 1]; ++m) {
-      const Node& before = instance.nodes[m];
+      const TourNode& before = instance.nodes[m];
       if (m != n) time = std::min(time, aim_time(instance, before.yaw, before.pitch, node.yaw, node.pitch));
     }
     if (time < infinity) least[n] = static_cast<float>(time);
@@ -33,7 +33,7 @@ void serve(const Instance& instance, Relaxation& r, std::uint32_t set) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(bits));
     const std::uint32_t rest = set & ~(1U << bit);
     for (const std::uint32_t n : instance.nodes_of[r.goals[bit]]) {
-      const Node& node = instance.nodes[n];
+      const TourNode& node = instance.nodes[n];
       const auto duration = static_cast<float>(node.duration);
       const float* after = &r.served[r.index(rest, node.stop, 0)];
       float* arrived = &r.arrived[r.index(set, node.stop, 0)];

@@ -77,7 +77,7 @@ double splice_cost(const Instance& instance, const Route& route, std::uint32_t b
   for (std::uint32_t p = end; state.heading != route.after[p].heading;) {
     const std::uint32_t last = route.visit_end[p];
     if (last + 1 == route.size()) break;
-    const Node& leaving = instance.nodes[route.nodes[last]];
+    const TourNode& leaving = instance.nodes[route.nodes[last]];
     state = {leaving.stop, state.heading, leaving.yaw - state.heading, leaving.pitch};
     p = last + 1;
     change += advance(instance, state, instance.nodes[route.nodes[p]]) - route.step[p];

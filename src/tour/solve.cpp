@@ -13,7 +13,7 @@ namespace {
 std::vector<Visit> visits_of(const tour::Instance& instance, const std::vector<std::uint32_t>& nodes) {
   std::vector<Visit> visits;
   for (const std::uint32_t n : nodes) {
-    const tour::Node& node = instance.nodes[n];
+    const tour::TourNode& node = instance.nodes[n];
     const std::size_t stop = instance.stop_name[node.stop];
     if (visits.empty() || visits.back().stop != stop) visits.push_back({stop, {}});
     visits.back().goals.push_back(node.goal);

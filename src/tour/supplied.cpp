@@ -71,7 +71,7 @@ double charge_home(const Supplied& supplied, const State& state) {
   return least;
 }
 
-bool serve(const Supplied& supplied, Fuel& fuel, const Node& node) {
+bool serve(const Supplied& supplied, Fuel& fuel, const TourNode& node) {
   go(supplied, fuel, node.stop);
   pass(supplied, fuel, advance(supplied.instance, fuel.state, node));
   fuel.water -= supplied.per_shot;
@@ -103,7 +103,7 @@ std::vector<SupplyStep> steps_of(const Supplied& supplied, const std::vector<std
       steps.push_back({instance.stop_name[depot.stop], {}, depot.name});
       continue;
     }
-    const Node& node = instance.nodes[choice];
+    const TourNode& node = instance.nodes[choice];
     const std::size_t stop = instance.stop_name[node.stop];
     if (steps.empty() || steps.back().station || steps.back().stop != stop) steps.push_back({stop, {}, {}});
     steps.back().goals.push_back(node.goal);

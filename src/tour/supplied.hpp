@@ -47,7 +47,7 @@ double charge_home(const Supplied& supplied, const State& state);
 
 /// Drives to the node and serves it; false, and `fuel` is worthless, when a store runs out on the way or the
 /// robot would be stranded afterwards.
-bool serve(const Supplied& supplied, Fuel& fuel, const Node& node);
+bool serve(const Supplied& supplied, Fuel& fuel, const TourNode& node);
 
 /// Drives to the depot, brings the gun to rest and fills up; false when the charge does not suffice.
 bool fill(const Supplied& supplied, Fuel& fuel, const FuelStation& depot);

@@ -11,23 +11,23 @@ GoalSet all(std::size_t goals) { return goals >= 64 ? ~GoalSet{0} : (GoalSet{1} 
 
 class Sweeping {
  public:
-  Sweeping(Hunt& hunt, const Sweep& before, Bundles& bundles, Sweep& result);
+  Sweeping(SweepContext& context, const Sweep& before, Bundles& bundles, Sweep& result);
   void run(BudgetMeter& meter);
 
  private:
-  void work(GoalSet set, const Row& row);
-  void go(GoalSet set, const Row& row);
+  void work(GoalSet set, const SweepRow& row);
+  void go(GoalSet set, const SweepRow& row);
   void drive(const std::vector<std::uint32_t>& stops);
   void drive_forward(std::uint32_t from, std::uint32_t to);
   void drive_backward(std::uint32_t from, std::uint32_t to);
   void pass_by(GoalSet set);
   void serve(GoalSet set);
   void store(GoalSet set);
-  [[nodiscard]] const Row* opposite(GoalSet set) const;
+  [[nodiscard]] const SweepRow* opposite(GoalSet set) const;
   [[nodiscard]] double rest(GoalSet set) const;
   void keep(std::uint32_t stop, std::uint32_t sector) { kept_[stop * sectors_ + sector] = true; }
 
-  Hunt& hunt_;
+  SweepContext& context_;
   const Instance& instance_;
   const RelaxedDrives& drives_;
   const Sweep& before_;
@@ -40,26 +40,26 @@ class Sweeping {
   double limit_;                       // as sums of floats, which are rounded, are compared with it
   std::vector<std::uint32_t> useful_;  // stops
   std::vector<std::uint32_t> others_;  // stops that serve goals which were not chosen
-  std::map<GoalSet, Row> pending_;
+  std::map<GoalSet, SweepRow> pending_;
   std::vector<float> in_, out_;                  // before and after the drives, in the direction of the sweep
   std::vector<std::uint32_t> lowest_, highest_;  // stop -> the sectors between which in_ is finite
   std::vector<bool> kept_;
   std::uint64_t operations_ = 0;
 };
 
-Sweeping::Sweeping(Hunt& hunt, const Sweep& before, Bundles& bundles, Sweep& result)
-    : hunt_(hunt),
-      instance_(hunt.instance),
-      drives_(hunt.drives),
+Sweeping::Sweeping(SweepContext& context, const Sweep& before, Bundles& bundles, Sweep& result)
+    : context_(context),
+      instance_(context.instance),
+      drives_(context.drives),
       before_(before),
       bundles_(bundles),
       result_(result),
       full_(all(result.goals.size())),
       known_(all(before.goals.size())),
-      stops_(hunt.instance.stops),
-      sectors_(hunt.drives.sectors),
+      stops_(context.instance.stops),
+      sectors_(context.drives.sectors),
       heading_(sectors_ > 1 ? sector_of(instance_.heading, sectors_) : 0),
-      limit_(hunt.limit / rounded_down),
+      limit_(context.limit / rounded_down),
       in_(std::size_t{stops_} * sectors_, far),
       out_(in_.size(), far),
       lowest_(stops_, 0),
@@ -73,7 +73,7 @@ Sweeping::Sweeping(Hunt& hunt, const Sweep& before, Bundles& bundles, Sweep& res
     sets_.push_back(bundle.set);
     for (const Way& way : bundle.ways) useful[way.stop] = true;
   }
-  for (const Node& node : instance_.nodes) other[node.stop] = other[node.stop] || !chosen[node.goal];
+  for (const TourNode& node : instance_.nodes) other[node.stop] = other[node.stop] || !chosen[node.goal];
   for (std::uint32_t stop = 0; stop < stops_; ++stop) {
     if (other[stop]) others_.push_back(stop);
     if (useful[stop] || other[stop] || stop == 0) useful_.push_back(stop);
@@ -81,7 +81,7 @@ Sweeping::Sweeping(Hunt& hunt, const Sweep& before, Bundles& bundles, Sweep& res
 }
 
 /// The row of the opposite sweep that meets these states; null when no tour below the limit passes them.
-const Row* Sweeping::opposite(GoalSet set) const {
+const SweepRow* Sweeping::opposite(GoalSet set) const {
   const auto found = before_.rows.find(known_ & ~set);
   return found == before_.rows.end() ? nullptr : &found->second;
 }
@@ -90,7 +90,7 @@ const Row* Sweeping::opposite(GoalSet set) const {
 double Sweeping::rest(GoalSet set) const {
   double time = result_.outside;
   for (std::size_t bit = before_.goals.size(); bit < result_.goals.size(); ++bit) {
-    if ((set >> bit & 1U) == 0) time += hunt_.durations[result_.goals[bit]];
+    if ((set >> bit & 1U) == 0) time += context_.durations[result_.goals[bit]];
   }
   return time;
 }
@@ -151,7 +151,7 @@ void Sweeping::drive(const std::vector<std::uint32_t>& stops) {
 
 /// Visits that serve none of the chosen goals: whoever came may go on.
 void Sweeping::pass_by(GoalSet set) {
-  const Row* const opposite_row = opposite(set);
+  const SweepRow* const opposite_row = opposite(set);
   if (opposite_row == nullptr) return;
   const double left = rest(set);
   for (std::vector<std::uint32_t> changed = others_; !changed.empty();) {
@@ -181,10 +181,10 @@ void Sweeping::serve(GoalSet set) {
   for (std::size_t b = 0; b < bundles_.size(); ++b) {
     if ((sets_[b] & set) != 0) continue;
     const GoalSet more = set | sets_[b];
-    const Row* const opposite_row = opposite(more);
+    const SweepRow* const opposite_row = opposite(more);
     if (opposite_row == nullptr) continue;
     const double left = rest(more);
-    Row* target = nullptr;
+    SweepRow* target = nullptr;
     for (Way& way : bundles_[b].ways) {
       const float* const on = opposite_row->find(way.stop);
       if (on == nullptr) continue;
@@ -203,7 +203,7 @@ void Sweeping::serve(GoalSet set) {
 }
 
 /// Fills out_ from the values of the set, which are before the drives.
-void Sweeping::go(GoalSet set, const Row& row) {
+void Sweeping::go(GoalSet set, const SweepRow& row) {
   std::ranges::fill(in_, far);
   std::ranges::fill(out_, far);
   for (const std::uint32_t stop : row.stops()) {
@@ -219,7 +219,7 @@ void Sweeping::go(GoalSet set, const Row& row) {
 
 /// Keeps those values of out_ from which a tour that matters goes on.
 void Sweeping::store(GoalSet set) {
-  Row row(stops_, sectors_);
+  SweepRow row(stops_, sectors_);
   for (const std::uint32_t stop : useful_) {
     for (std::uint32_t q = 0; q < sectors_; ++q) {
       const std::size_t i = std::size_t{stop} * sectors_ + q;
@@ -229,7 +229,7 @@ void Sweeping::store(GoalSet set) {
   if (!row.stops().empty()) result_.rows.emplace(set, std::move(row));
 }
 
-void Sweeping::work(GoalSet set, const Row& row) {
+void Sweeping::work(GoalSet set, const SweepRow& row) {
   kept_.assign(kept_.size(), false);
   go(set, row);
   pass_by(set);
@@ -243,7 +243,7 @@ void Sweeping::work(GoalSet set, const Row& row) {
 }
 
 void Sweeping::run(BudgetMeter& meter) {
-  Row& nothing = pending_.try_emplace(0, stops_, sectors_).first->second;
+  SweepRow& nothing = pending_.try_emplace(0, stops_, sectors_).first->second;
   if (result_.forward) nothing.at(0)[heading_] = 0.0F;
   while (!pending_.empty()) {
     if (!meter.spend()) return;
@@ -251,15 +251,15 @@ void Sweeping::run(BudgetMeter& meter) {
     auto next = pending_.extract(pending_.begin());
     work(next.key(), next.mapped());
     if (!result_.forward) result_.ahead.emplace(next.key(), std::move(next.mapped()));
-    if (operations_ > hunt_.operations) return;
-    hunt_.operations -= operations_;
+    if (operations_ > context_.operations) return;
+    context_.operations -= operations_;
   }
   result_.finished = true;
 }
 
 }  // namespace
 
-float* Row::at(std::uint32_t stop) {
+float* SweepRow::at(std::uint32_t stop) {
   if (block_[stop] == absent) {
     block_[stop] = static_cast<std::uint16_t>(stops_.size());
     stops_.push_back(stop);
@@ -268,26 +268,26 @@ float* Row::at(std::uint32_t stop) {
   return &values_[std::size_t{block_[stop]} * sectors_];
 }
 
-Sweep nothing_swept(const Hunt& hunt, bool forward) {
+Sweep nothing_swept(const SweepContext& context, bool forward) {
   Sweep result;
   result.forward = forward;
-  Row row(hunt.instance.stops, hunt.drives.sectors);
-  for (std::uint32_t stop = 0; stop < hunt.instance.stops; ++stop) {
-    std::fill_n(row.at(stop), hunt.drives.sectors, 0.0F);
+  SweepRow row(context.instance.stops, context.drives.sectors);
+  for (std::uint32_t stop = 0; stop < context.instance.stops; ++stop) {
+    std::fill_n(row.at(stop), context.drives.sectors, 0.0F);
   }
   result.rows.emplace(0, std::move(row));
   return result;
 }
 
-Sweep sweep(Hunt& hunt, const Sweep& before, std::vector<std::uint32_t> goals, Bundles& bundles,
+Sweep sweep(SweepContext& context, const Sweep& before, std::vector<std::uint32_t> goals, Bundles& bundles,
             BudgetMeter& meter) {
   Sweep result;
   result.forward = !before.forward;
   result.goals = std::move(goals);
-  result.bound = hunt.limit;
-  for (const double duration : hunt.durations) result.outside += duration;
-  for (const std::uint32_t goal : result.goals) result.outside -= hunt.durations[goal];
-  Sweeping(hunt, before, bundles, result).run(meter);
+  result.bound = context.limit;
+  for (const double duration : context.durations) result.outside += duration;
+  for (const std::uint32_t goal : result.goals) result.outside -= context.durations[goal];
+  Sweeping(context, before, bundles, result).run(meter);
   return result;
 }
 

@@ -21,9 +21,9 @@
 namespace outrider::tour {
 
 /// Values by stop and sector, for a few of the stops.
-class Row {
+class SweepRow {
  public:
-  Row(std::uint32_t stops, std::uint32_t sectors) : sectors_(sectors), block_(stops, absent) {}
+  SweepRow(std::uint32_t stops, std::uint32_t sectors) : sectors_(sectors), block_(stops, absent) {}
 
   /// The values at the stop, by sector; null where there are none.
   [[nodiscard]] const float* find(std::uint32_t stop) const {
@@ -41,10 +41,10 @@ class Row {
   std::vector<float> values_;
 };
 
-using Rows = std::map<GoalSet, Row>;
+using Rows = std::map<GoalSet, SweepRow>;
 
 /// The tours that matter, and what the sweeps share.
-struct Hunt {
+struct SweepContext {
   const Instance& instance;
   RelaxedDrives drives;
   std::vector<double> durations;  // goal -> the least
@@ -65,11 +65,11 @@ struct Sweep {
 };
 
 /// A sweep over no goals, to begin with; the first true one goes the other way.
-Sweep nothing_swept(const Hunt& hunt, bool forward);
+Sweep nothing_swept(const SweepContext& context, bool forward);
 
 /// Sweeps over `goals`, the first of which are those of `before`, against its direction, and marks the
 /// bundles that are needed. O(sets * (stops^2 * sectors + ways)) in time, where sets are those that stay.
-Sweep sweep(Hunt& hunt, const Sweep& before, std::vector<std::uint32_t> goals, Bundles& bundles,
+Sweep sweep(SweepContext& context, const Sweep& before, std::vector<std::uint32_t> goals, Bundles& bundles,
             BudgetMeter& meter);
 
 }  // namespace outrider::tour

@@ -145,14 +145,14 @@ const std::vector<Question>& questions() {
   return all;
 }
 
-/// What a path costs at the prices of a fare of time: its length and its turning; the first turn is free.
-double priced(const Plan& path, const CostWeights& fare) {
+/// What a path costs at the prices of a weights of time: its length and its turning; the first turn is free.
+double priced(const Plan& path, const CostWeights& weights) {
   double turning_rad = 0.0;
   for (std::size_t i = 0; i < path.pieces.size(); ++i) {
     turning_rad += std::abs(path.pieces[i].turn_rad);
     if (i > 0) turning_rad += turn_between(path.pieces[i - 1], path.pieces[i]);
   }
-  return fare.per_m * length_of(path) + fare.per_rad * turning_rad;
+  return weights.per_m * length_of(path) + weights.per_rad * turning_rad;
 }
 
 /// An answer that brute force says there is.
@@ -173,8 +173,8 @@ void expect_lawful(const PathPlanner& row, const Question& q, const Plan& plan, 
     const auto shortest =
         find_path_planner("visibility_graph_implicit")->configure().plan(q.problem, {}, workspace);
     ASSERT_TRUE(shortest.has_value());
-    EXPECT_LE(plan.cost, guarantee.most_ratio * priced(*shortest, plan.fare) + slack_m);
-    EXPECT_GE(plan.cost, plan.fare.per_m * (q.least_m - slack_m));
+    EXPECT_LE(plan.cost, guarantee.most_ratio * priced(*shortest, plan.weights) + slack_m);
+    EXPECT_GE(plan.cost, plan.weights.per_m * (q.least_m - slack_m));
   }
 }
 

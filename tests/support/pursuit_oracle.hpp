@@ -71,12 +71,12 @@ inline PursuitProblem random_pursuit(Rng& rng, int most_side, int most_seconds) 
   problem.start = anywhere();
   costs[problem.start] = std::min(costs[problem.start], problem.threshold - 1);
   Cell at = rng.below(8) == 0 ? problem.start : anywhere();
-  const std::uint64_t manner = rng.below(3);
+  const std::uint64_t action = rng.below(3);
   const int seconds = 1 + below(most_seconds);
   for (int s = 0; s < seconds; ++s) {
     problem.target.push_back(at);
-    if (manner == 0) continue;  // rests
-    if (manner == 1 || rng.below(10) > 0) {
+    if (action == 0) continue;  // rests
+    if (action == 1 || rng.below(10) > 0) {
       at = {std::clamp(at.x + below(3) - 1, 0, frame.width - 1),
             std::clamp(at.y + below(3) - 1, 0, frame.height - 1)};
     } else {

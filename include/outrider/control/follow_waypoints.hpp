@@ -36,7 +36,7 @@ struct Waypoint {
 /// Options of a follower.
 struct FollowOptions {
   std::string follower = "pid";           ///< pid or pure_pursuit
-  std::string manner = "holonomic";       ///< holonomic or rotate_then_go
+  std::string mode = "holonomic";         ///< holonomic or rotate_then_go
   double speed_mps = 0.25;                ///< maximum speed
   double turn_rate_radps = 0.8;           ///< maximum turn rate
   double acceleration_mps2 = 0.5;         ///< maximum acceleration

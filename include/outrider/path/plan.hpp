@@ -47,14 +47,14 @@ struct CostWeights {
 struct Plan {
   std::vector<Vec2> waypoints;    ///< start, points where the path turns, and goal, m
   std::vector<Cell> vertices;     ///< the waypoints as vertices of the grid; empty on polygons
-  double cost = 0.0;              ///< cost of the path under `fare`: its length, m, or its time, s
+  double cost = 0.0;              ///< cost of the path under `weights`: its length, m, or its time, s
   double lower_bound = 0.0;       ///< proven: no path of the planner's class costs less
   double reached_within = 0.0;    ///< distance from the last waypoint to the requested goal, m
   PlanCounters counters;          ///< work done
   std::vector<PathPiece> pieces;  ///< on polygons: the exact path; empty on a grid, where legs join waypoints
   double waypoint_error_m = 0.0;  ///< largest distance of the legs between waypoints from the pieces
-  CostWeights fare;               ///< weights of the cost
-  double exposure = 0.0;          ///< exposure as the planner counts it, if `fare` has a weight for it
+  CostWeights weights;            ///< weights of the cost
+  double exposure = 0.0;          ///< exposure as the planner counts it, if `weights` has a weight for it
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 

@@ -15,7 +15,7 @@ namespace outrider {
 using State = std::uint32_t;
 
 template <class Cost>
-struct Label {
+struct SearchLabel {
   Cost g{};
   State parent = 0;
   std::uint32_t stamp = 0;
@@ -47,7 +47,7 @@ class Labels {
   void close(State s) { labels_[s].stamp = open_ + 1; }
 
  private:
-  std::vector<Label<Cost>> labels_;
+  std::vector<SearchLabel<Cost>> labels_;
   std::uint32_t open_ = 0;  // stamp of open states in this search; one more when closed
 };
 

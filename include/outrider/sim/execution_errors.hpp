@@ -20,15 +20,15 @@ struct ExecutionErrors {
 std::vector<Option> describe(ExecutionErrors& errors);
 
 /// Draws a vector uniformly from the disk of that radius.
-Vec2 in_disk(Rng& rng, double radius_m);
+Vec2 random_in_disk(Rng& rng, double radius_m);
 
 /// Returns where a drive along the waypoints ends: `error` away from the last waypoint, or less if an
 /// obstacle would stop the disk. On the terrain of the rules, the error is measured on the sloped surface.
-Vec2 strayed_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
-                  const ShotRules& rules, Vec2 error);
+Vec2 displaced_goal(const std::vector<Vec2>& waypoints, double radius_m, const CollisionMap& ground,
+                    const ShotRules& rules, Vec2 error);
 
 /// Returns the shot that the gun really fires if `meant` is commanded. Draws the errors of both joints and of
 /// the muzzle speed.
-Shot strayed(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance = {});
+Shot shot_with_errors(const Shot& meant, const AimErrors& errors, Rng& rng, const Stance& stance = {});
 
 }  // namespace outrider

@@ -38,7 +38,7 @@ class WaypointBody {
 
   /// Returns the waypoints that the robot really drives: the last one has a random error. Draws the errors of
   /// position and heading.
-  std::vector<Vec2> strayed_way(std::vector<Vec2> waypoints);
+  std::vector<Vec2> displaced_waypoints(std::vector<Vec2> waypoints);
   /// Turns in place. Calls `sample` ten times per second and at the end.
   void turn_to(double heading_rad, const std::function<void()>& sample);
   /// Turns towards the goal and returns the leg to it. Its `length_m` is 0 if the robot is at the goal

@@ -26,7 +26,7 @@ Ideal ideal_of(const DriveTask& task) {
   Ideal ideal;
   Vec2 from = task.start.position;
   double heading_rad = task.start.heading_rad;
-  const bool turns_to_go = !task.closed_loop || task.follow.manner == "rotate_then_go";
+  const bool turns_to_go = !task.closed_loop || task.follow.mode == "rotate_then_go";
   for (const Waypoint& waypoint : task.waypoints) {
     const Vec2 way = waypoint.pose.position - from;
     ideal.driven_m += norm(way);

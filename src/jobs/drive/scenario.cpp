@@ -117,10 +117,10 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
   task.chassis = std::move(*chassis);
   task.radius_m = scenario.radius_m;
   task.closed_loop = scenario.loop == "closed";
-  if (task.closed_loop && task.follow.manner == "holonomic" && !task.chassis.moves_sideways()) {
+  if (task.closed_loop && task.follow.mode == "holonomic" && !task.chassis.moves_sideways()) {
     return bad_input(
         fmt::format("a {} chassis does not move sideways; take rotate_then_go", scenario.chassis),
-        "follow.manner");
+        "follow.mode");
   }
   if (!scenario.calibration.empty()) {
     if (auto ok = load_scenario(scenario.calibration, describe(task.calibration)); !ok) return pass_on(ok);

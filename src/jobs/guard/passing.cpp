@@ -14,8 +14,8 @@ constexpr double forgiving = 0.7;      // largest error_ratio
 constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
 
 /// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
-std::vector<Platform> strayed_platforms(const GuardProblem& problem, const Straight& straight, bool last,
-                                        double after_s) {
+std::vector<Platform> displaced_platforms(const GuardProblem& problem, const Straight& straight, bool last,
+                                          double after_s) {
   std::vector<Vec2> ends{straight.to};
   const double off = problem.errors.position_m;
   if (last && off > 0.0) {
@@ -164,11 +164,11 @@ std::optional<PlannedShot> passing_shot(const GuardProblem& problem, const Firin
     return std::nullopt;
 
   const FlightSpace& space = firing_map.space(target);
-  const auto strayed = strayed_platforms(problem, straight, last, after_s);
+  const auto shot_with_errors = displaced_platforms(problem, straight, last, after_s);
   const auto shots = candidates(firing_map.rules, aim, platform);
   for (std::size_t i = 0; i < std::min(shots.size(), most_flown); ++i) {
     const auto shot = flown(firing_map.rules, space, aim, platform, shots[i]);
-    if (shot && survives(firing_map.rules, space, aim, shot->shot, strayed)) return shot;
+    if (shot && survives(firing_map.rules, space, aim, shot->shot, shot_with_errors)) return shot;
   }
   return std::nullopt;
 }

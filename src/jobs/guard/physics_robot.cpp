@@ -147,8 +147,8 @@ void PhysicsGuard::drive_to(Vec2 goal) {
 void PhysicsGuard::follow(const FollowWaypoints& command) {
   std::vector<Vec2> waypoints = command.waypoints;
   if (waypoints.size() < 2) return;
-  waypoints.back() = strayed_goal(waypoints, problem_.robot.radius_m, firing_map_.ground, firing_map_.rules,
-                                  in_disk(arrival_rng_, problem_.errors.position_m));
+  waypoints.back() = displaced_goal(waypoints, problem_.robot.radius_m, firing_map_.ground, firing_map_.rules,
+                                    random_in_disk(arrival_rng_, problem_.errors.position_m));
   ReportPath path{now_s(), 0.0, waypoints};
   const Vec2 goal = waypoints.back();
   log("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
@@ -220,7 +220,7 @@ void PhysicsGuard::fire(const Fire& command) {
   const Target& target = problem_.targets[command.target];
   const double radius = problem_.gun.ball_radius_m;
   const FlightSpace& space = firing_map_.space(command.target);
-  const Shot actual = strayed(command.shot, problem_.errors.aim, gun_rng_);
+  const Shot actual = shot_with_errors(command.shot, problem_.errors.aim, gun_rng_);
   const Flight flight = launched(actual);
   log("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));
 

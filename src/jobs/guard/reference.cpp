@@ -176,11 +176,11 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Firing
                                        const GuardOptions& options, const Budget& budget) {
   GuardPlan plan = begin_plan(problem, firing_map, options);
   const int stride = std::max(1, static_cast<int>(std::lround(table_step_m / firing_map.frame.resolution_m)));
-  struct Entry {
+  struct ShotChoice {
     std::size_t cell;
     std::size_t target;
   };
-  std::vector<Entry> table;  // by cell, then by target
+  std::vector<ShotChoice> table;  // by cell, then by target
   for (std::size_t cell = 0; cell < firing_map.frame.size(); ++cell) {
     const Cell c = firing_map.frame.cell(cell);
     if (c.x % stride != 0 || c.y % stride != 0) continue;
@@ -192,7 +192,7 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Firing
   std::vector<std::uint8_t> served(problem.targets.size(), 0);
   Vec2 here = problem.start.position;
   while (!table.empty()) {
-    const auto away = [&](const Entry& e) {
+    const auto away = [&](const ShotChoice& e) {
       return distance(here, firing_map.frame.centre(firing_map.frame.cell(e.cell)));
     };
     const auto next = std::ranges::min_element(table, {}, away);
@@ -206,7 +206,7 @@ Outcome<GuardPlan> source_target_table(const GuardProblem& problem, const Firing
     here = post->place;
     served[t] = 1;
     posts.push_back(*std::move(post));
-    std::erase_if(table, [t](const Entry& e) { return e.target == t; });
+    std::erase_if(table, [t](const ShotChoice& e) { return e.target == t; });
   }
   for (std::size_t t = 0; t < problem.targets.size(); ++t) {
     if (served[t] != 0 || firing_map.regions[t].hits == 0) continue;

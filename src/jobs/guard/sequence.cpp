@@ -15,7 +15,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 /// A sequence by its last hit.
-struct Node {
+struct HitNode {
   double rank = 0.0;
   double time_s = 0.0;
   double sum_s = 0.0;
@@ -37,8 +37,8 @@ struct Asked {
   ArrivalObjective objective;
 };
 
-Node first(const RobotState& from) {
-  Node node;
+HitNode first(const RobotState& from) {
+  HitNode node;
   node.time_s = from.time_s;
   node.heading_rad = from.heading_rad;
   node.yaw_rad = from.gun_yaw_rad;
@@ -47,10 +47,10 @@ Node first(const RobotState& from) {
 }
 
 /// Adds one hit to a sequence; its time is infinite without a drive.
-Node extended(const Asked& asked, const Node& before, std::size_t stop, std::size_t who,
-              const Service& service) {
+HitNode extended(const Asked& asked, const HitNode& before, std::size_t stop, std::size_t who,
+                 const Service& service) {
   const TourProblem& table = asked.table;
-  Node node = before;
+  HitNode node = before;
   node.stop = stop;
   node.last = who;
   node.hit |= std::uint64_t{1} << who;
@@ -88,21 +88,21 @@ Offers offers_of(const Asked& asked) {
 }
 
 /// As if everybody left were hit at the time of the last hit.
-double rank_of(const Asked& asked, const Node& node) {
+double rank_of(const Asked& asked, const HitNode& node) {
   if (asked.objective == ArrivalObjective::makespan) return node.time_s;
   const auto left = asked.pending.size() - static_cast<std::size_t>(std::popcount(node.hit));
   return node.sum_s + static_cast<double>(left) * node.time_s;
 }
 
 /// One hit more for each of the sequences; the best `beam`, no two with the same key.
-std::vector<Node> next_layer(const Asked& asked, const Offers& offers, const std::vector<Node>& layer,
-                             std::size_t beam) {
-  std::vector<Node> next;
+std::vector<HitNode> next_layer(const Asked& asked, const Offers& offers, const std::vector<HitNode>& layer,
+                                std::size_t beam) {
+  std::vector<HitNode> next;
   for (std::size_t i = 0; i < layer.size(); ++i) {
     for (std::size_t stop = 0; stop < offers.size(); ++stop) {
       for (const auto& [who, service] : offers[stop]) {
         if ((layer[i].hit >> who & 1U) != 0) continue;
-        Node node = extended(asked, layer[i], stop, who, *service);
+        HitNode node = extended(asked, layer[i], stop, who, *service);
         if (!std::isfinite(node.time_s)) continue;
         node.rank = rank_of(asked, node);
         node.parent = i;
@@ -110,15 +110,15 @@ std::vector<Node> next_layer(const Asked& asked, const Offers& offers, const std
       }
     }
   }
-  const auto better = [](const Node& a, const Node& b) {
+  const auto better = [](const HitNode& a, const HitNode& b) {
     return std::tuple(a.rank, a.time_s, a.key(), a.parent) < std::tuple(b.rank, b.time_s, b.key(), b.parent);
   };
-  std::sort(next.begin(), next.end(), [&](const Node& a, const Node& b) {
+  std::sort(next.begin(), next.end(), [&](const HitNode& a, const HitNode& b) {
     return a.key() != b.key() ? a.key() < b.key() : better(a, b);
   });
-  next.erase(
-      std::unique(next.begin(), next.end(), [](const Node& a, const Node& b) { return a.key() == b.key(); }),
-      next.end());
+  next.erase(std::unique(next.begin(), next.end(),
+                         [](const HitNode& a, const HitNode& b) { return a.key() == b.key(); }),
+             next.end());
   const auto kept = static_cast<std::ptrdiff_t>(std::min(beam, next.size()));
   std::partial_sort(next.begin(), next.begin() + kept, next.end(), better);
   next.resize(static_cast<std::size_t>(kept));
@@ -146,13 +146,13 @@ Sequence best_sequence(const TourProblem& table, const std::vector<PendingTarget
                        const RobotState& from, ArrivalObjective objective, std::size_t beam) {
   const Asked asked{table, pending, from, objective};
   const Offers offers = offers_of(asked);
-  std::vector<std::vector<Node>> layers{{first(from)}};
+  std::vector<std::vector<HitNode>> layers{{first(from)}};
   for (std::size_t hits = 1; hits <= pending.size(); ++hits) {
     layers.push_back(next_layer(asked, offers, layers.back(), beam));
     if (layers.back().empty()) return {{}, inf};
   }
   Sequence sequence{{}, layers.back().front().rank};
-  std::vector<Node> hits;
+  std::vector<HitNode> hits;
   std::size_t at = 0;
   for (std::size_t layer = layers.size() - 1; layer > 0; --layer) {
     hits.push_back(layers[layer][at]);
@@ -170,7 +170,7 @@ Sequence best_sequence(const TourProblem& table, const std::vector<PendingTarget
 double value_of(const TourProblem& table, const std::vector<PendingTarget>& pending, const RobotState& from,
                 ArrivalObjective objective, const std::vector<Visit>& visits) {
   const Asked asked{table, pending, from, objective};
-  Node node = first(from);
+  HitNode node = first(from);
   std::size_t hits = 0;
   for (const Visit& visit : visits) {
     for (const std::uint32_t who : visit.goals) {
@@ -206,7 +206,7 @@ RobotState after_hit(const TourProblem& table, const PendingTarget& whom, const 
   RobotState after = from;
   after.time_s = inf;
   if (service == services.end()) return after;
-  const Node node =
+  const HitNode node =
       extended({table, pending, from, ArrivalObjective::makespan}, first(from), stop, 0, *service);
   const auto row = table.drives.begin() + static_cast<std::ptrdiff_t>(stop * table.services.size());
   after = {node.time_s,

@@ -85,7 +85,7 @@ Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double 
     plan.pieces.push_back({waypoints[i - 1], waypoints[i], {}, 0.0});
     plan.exposure += leg_exposure(*problem.polygons, {waypoints[i - 1], waypoints[i]});
   }
-  plan.fare.per_exposure_m = weight_m;
+  plan.weights.per_exposure_m = weight_m;
   plan.cost = length_of(plan) + weight_m * plan.exposure;
   return plan;
 }

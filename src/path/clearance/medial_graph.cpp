@@ -221,7 +221,7 @@ Outcome<double> largest_clearance(const MedialGraph& graph, BudgetMeter& meter, 
   WidestPolicy policy{{graph, memory.labels, graph.least_m}};
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
-  placed.tell([&](State s) { return graph.nodes[s]; });
+  placed.report([&](State s) { return graph.nodes[s]; });
   if (!found) return tl::unexpected(found.error());
   double least = std::min(graph.start.leg.apart, graph.goal.leg.apart);
   const std::vector<State> path = path_to(*found, memory.labels);
@@ -239,7 +239,7 @@ Outcome<std::vector<Bisector>> least_exposed(const MedialGraph& graph, double le
   ExposurePolicy policy{{graph, memory.labels, std::max(least_m, graph.least_m)}, weight_m};
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
-  placed.tell([&](State s) { return graph.nodes[s]; });
+  placed.report([&](State s) { return graph.nodes[s]; });
   if (!found) return tl::unexpected(found.error());
   std::vector<Bisector> way{graph.start.leg};
   const std::vector<State> path = path_to(*found, memory.labels);

@@ -179,7 +179,7 @@ Plan plan_of(const Problem& problem, const std::vector<Cell>& vertices, const Gr
   for (std::size_t i = 1; i < plan.vertices.size(); ++i) {
     plan.exposure += leg_exposure(clearance, plan.vertices[i - 1], plan.vertices[i]);
   }
-  plan.fare.per_exposure_m = weight_m;
+  plan.weights.per_exposure_m = weight_m;
   plan.cost = length_of(plan) + weight_m * plan.exposure;
   plan.lower_bound = std::min(plan.cost, least_along_moves);
   return plan;

@@ -60,7 +60,7 @@ class Expansion {
   Expansion(const Map& map, Frontier& frontier) : map_(map), frontier_(frontier) {}
 
   void operator()(std::uint32_t id) {
-    const Node node = frontier_.nodes[id];
+    const JumpNode node = frontier_.nodes[id];
     id_ = id;
     from_ = node.cell;
     if (node.parent == id) {

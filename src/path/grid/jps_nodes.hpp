@@ -13,7 +13,7 @@
 
 namespace outrider::jump {
 
-struct Node {
+struct JumpNode {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   Cell cell;
@@ -29,20 +29,20 @@ class Nodes {
  public:
   void clear() {
     nodes_.clear();
-    slots_.assign(least_slots, Node::none);
+    slots_.assign(least_slots, JumpNode::none);
   }
-  Node& operator[](std::uint32_t id) { return nodes_[id]; }
-  const Node& operator[](std::uint32_t id) const { return nodes_[id]; }
+  JumpNode& operator[](std::uint32_t id) { return nodes_[id]; }
+  const JumpNode& operator[](std::uint32_t id) const { return nodes_[id]; }
 
   /// The node of a cell; a new one has no parent.
   std::uint32_t find_or_add(Cell c) {
     std::size_t slot = slot_of(c);
-    for (; slots_[slot] != Node::none; slot = (slot + 1) & (slots_.size() - 1)) {
+    for (; slots_[slot] != JumpNode::none; slot = (slot + 1) & (slots_.size() - 1)) {
       if (nodes_[slots_[slot]].cell == c) return slots_[slot];
     }
     const auto id = static_cast<std::uint32_t>(nodes_.size());
     slots_[slot] = id;
-    nodes_.push_back({c, Node::none, {}, 0.0, 0, 0, false});
+    nodes_.push_back({c, JumpNode::none, {}, 0.0, 0, 0, false});
     if (2 * nodes_.size() > slots_.size()) grow();
     return id;
   }
@@ -55,15 +55,15 @@ class Nodes {
     return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15U) >> 32U) & (slots_.size() - 1);
   }
   void grow() {
-    slots_.assign(4 * slots_.size(), Node::none);
+    slots_.assign(4 * slots_.size(), JumpNode::none);
     for (std::uint32_t id = 0; id < nodes_.size(); ++id) {
       std::size_t slot = slot_of(nodes_[id].cell);
-      while (slots_[slot] != Node::none) slot = (slot + 1) & (slots_.size() - 1);
+      while (slots_[slot] != JumpNode::none) slot = (slot + 1) & (slots_.size() - 1);
       slots_[slot] = id;
     }
   }
 
-  std::vector<Node> nodes_;
+  std::vector<JumpNode> nodes_;
   std::vector<std::uint32_t> slots_;  // a power of two; none where free
 };
 

@@ -22,7 +22,7 @@ class IndexedExpansion {
       : ground_(ground), distances_(distances), frontier_(frontier) {}
 
   void operator()(std::uint32_t id) {
-    const Node node = frontier_.nodes[id];
+    const JumpNode node = frontier_.nodes[id];
     id_ = id;
     from_ = node.cell;
     at_ = static_cast<std::size_t>(from_.y) * ground_.stride + static_cast<std::size_t>(from_.x);

@@ -12,7 +12,7 @@
 
 namespace outrider::jump {
 
-struct Entry {
+struct QueueEntry {
   std::uint64_t f_bits = 0;  ///< of f as a double, which is not negative: ordered as f is
   std::uint64_t tie = 0;     ///< 38 bits of g, complemented, over 26 bits of the node
 
@@ -20,13 +20,13 @@ struct Entry {
   [[nodiscard]] std::uint32_t node() const { return static_cast<std::uint32_t>(tie & ((1U << 26U) - 1)); }
 };
 
-inline Entry entry(double f, double g, std::uint32_t node) {
+inline QueueEntry entry(double f, double g, std::uint32_t node) {
   constexpr std::uint64_t most = (std::uint64_t{1} << 38U) - 1;
   return {std::bit_cast<std::uint64_t>(f), ((most - static_cast<std::uint64_t>(g * 4096.0)) << 26U) | node};
 }
 
 /// Without a branch, which no processor could foresee.
-inline bool before(const Entry& a, const Entry& b) {
+inline bool before(const QueueEntry& a, const QueueEntry& b) {
   return ((a.f_bits < b.f_bits) | ((a.f_bits == b.f_bits) & (a.tie < b.tie))) != 0;
 }
 
@@ -36,7 +36,7 @@ class Queue {
     heap_.clear();
     has_first_ = false;
   }
-  void push(Entry added) {
+  void push(QueueEntry added) {
     if (has_first_) {
       if (before(added, first_)) std::swap(added, first_);
     } else if (heap_.empty() || before(added, heap_.front())) {
@@ -47,7 +47,7 @@ class Queue {
     rise(added);
   }
   /// Takes the first entry out; false when there is none.
-  bool pop(Entry& first) {
+  bool pop(QueueEntry& first) {
     if (has_first_) {
       first = first_;
       has_first_ = false;
@@ -55,7 +55,7 @@ class Queue {
     }
     if (heap_.empty()) return false;
     first = heap_.front();
-    const Entry last = heap_.back();
+    const QueueEntry last = heap_.back();
     heap_.pop_back();
     if (!heap_.empty()) sink(last);
     return true;
@@ -64,7 +64,7 @@ class Queue {
  private:
   static constexpr std::size_t children = 4;
 
-  void rise(const Entry& added) {
+  void rise(const QueueEntry& added) {
     std::size_t hole = heap_.size();
     heap_.push_back(added);
     while (hole > 0) {
@@ -76,7 +76,7 @@ class Queue {
     heap_[hole] = added;
   }
   /// Puts an entry in the place of the first.
-  void sink(const Entry& last) {
+  void sink(const QueueEntry& last) {
     std::size_t hole = 0;
     for (;;) {
       const std::size_t eldest = hole * children + 1;
@@ -92,8 +92,8 @@ class Queue {
     heap_[hole] = last;
   }
 
-  std::vector<Entry> heap_;
-  Entry first_;
+  std::vector<QueueEntry> heap_;
+  QueueEntry first_;
   bool has_first_ = false;
 };
 

@@ -30,7 +30,7 @@ struct Frontier {
   void begin(const GridQuery& query, Trace* told);
 
   /// The first node that is not closed yet; false when there is none.
-  bool pop(Entry& first) {
+  bool pop(QueueEntry& first) {
     while (queue.pop(first)) {
       if (!nodes[first.node()].closed) return true;
     }
@@ -41,14 +41,14 @@ struct Frontier {
   void reach(std::uint32_t from, Cell c, unsigned direction, unsigned sides) {
     ++generated;
     const std::uint32_t id = nodes.find_or_add(c);
-    Node& node = nodes[id];
+    JumpNode& node = nodes[id];
     if (node.closed) return;
     const Octile g = nodes[from].g + octile_distance(nodes[from].cell, c);
     const double length = g.value();
-    if (node.parent != Node::none && !(length < node.length)) return;
+    if (node.parent != JumpNode::none && !(length < node.length)) return;
     const double f = (g + octile_distance(c, goal)).value();
     if (!(f < most)) return;
-    if (trace != nullptr && node.parent == Node::none) trace->open(state(c));
+    if (trace != nullptr && node.parent == JumpNode::none) trace->open(state(c));
     node = {c,    from, g, length, static_cast<std::uint8_t>(direction), static_cast<std::uint8_t>(sides),
             false};
     if (c == goal) most = f;
@@ -65,11 +65,11 @@ Outcome<Plan> search(const Problem& problem, const GridQuery& query, Frontier& f
                      Trace* trace, Expand expand) {
   BudgetMeter meter(budget);
   frontier.begin(query, trace);
-  Entry first;
+  QueueEntry first;
   while (frontier.pop(first)) {
     if (!meter.spend()) return meter.refusal();
     const std::uint32_t id = first.node();
-    Node& node = frontier.nodes[id];
+    JumpNode& node = frontier.nodes[id];
     node.closed = true;
     if (trace != nullptr) {
       trace->record({frontier.state(node.cell), frontier.state(frontier.nodes[node.parent].cell), first.f(),

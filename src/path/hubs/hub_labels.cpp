@@ -37,7 +37,7 @@ std::uint64_t work_of(const Index& index) {
 std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_bytes,
                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
-      sizeof(HubTrees::Node) + sizeof(HubTrees::Label) + sizeof(HubTrees::Departure);
+      sizeof(HubTrees::HubNode) + sizeof(HubTrees::HubLabel) + sizeof(HubTrees::Departure);
   const NavigationMesh mesh = navigation_mesh(ground);
   if (mesh.turns.size() > most_turns) return nullptr;
   const auto graph = turn_graph(ground, mesh, most_bytes / sizeof(TurnGraph::Edge), stop);
@@ -117,8 +117,8 @@ struct Reading {
     return length_between(corner, turns[next->turn]) + static_cast<double>(next->beyond);
   }
 
-  const Entry* next;
-  const Entry* end;
+  const HubEntry* next;
+  const HubEntry* end;
   const Cell* turns;
   Cell corner;
   unsigned bit;
@@ -192,7 +192,7 @@ class Query {
   }
 
   Memory& memory_;
-  const std::vector<HubTrees::Node>& nodes_;
+  const std::vector<HubTrees::HubNode>& nodes_;
   Cell start_, goal_;
 };
 

@@ -37,9 +37,9 @@ class ListMaker {
   TautSight sight_;
   std::vector<Way> ways_;  ///< by hub; infinite where there is none
   std::uint64_t work_ = 0;
-  std::vector<std::uint64_t> met_;               ///< a bit for each hub
-  std::vector<const HubTrees::Label*> witness_;  ///< by hub: what made it known last
-  std::vector<Entry> found_, entries_;
+  std::vector<std::uint64_t> met_;                  ///< a bit for each hub
+  std::vector<const HubTrees::HubLabel*> witness_;  ///< by hub: what made it known last
+  std::vector<HubEntry> found_, entries_;
   std::vector<std::uint32_t> used_;  ///< turns of the list
   std::vector<Cell> turns_;
 };
@@ -76,7 +76,7 @@ void ListMaker::gather(Cell corner) {
     const double leg = length_between(corner, at);
     ++work_;
     const auto take = [&](const HubTrees::Departure& departure) {
-      const HubTrees::Label& label = departure.label;
+      const HubTrees::HubLabel& label = departure.label;
       ++work_;
       Way& way = ways_[label.hub];
       if (!(leg + label.distance < way.distance)) return;
@@ -90,14 +90,14 @@ void ListMaker::gather(Cell corner) {
 /// An earlier hub lies on a way as short: for neighbours it is mostly the same one.
 bool ListMaker::known(std::uint32_t hub) {
   const double enough = ways_[hub].distance * (1.0 + equal_within);
-  const auto tells = [&](const HubTrees::Label& label) {
+  const auto shortens = [&](const HubTrees::HubLabel& label) {
     const Way& way = ways_[label.hub];
     return way.kept && way.distance + label.distance <= enough;
   };
-  if (witness_[hub] != nullptr && tells(*witness_[hub])) return true;
-  for (const HubTrees::Label& label : trees_.labels[trees_.hubs[hub]]) {
+  if (witness_[hub] != nullptr && shortens(*witness_[hub])) return true;
+  for (const HubTrees::HubLabel& label : trees_.labels[trees_.hubs[hub]]) {
     ++work_;
-    if (!tells(label)) continue;
+    if (!shortens(label)) continue;
     witness_[hub] = &label;
     return true;
   }
@@ -105,12 +105,13 @@ bool ListMaker::known(std::uint32_t hub) {
 }
 
 TileList ListMaker::list() {
-  const auto key = [](const Entry& entry) { return std::tie(entry.hub, entry.node); };
-  std::sort(found_.begin(), found_.end(), [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  const auto key = [](const HubEntry& entry) { return std::tie(entry.hub, entry.node); };
+  std::sort(found_.begin(), found_.end(),
+            [&](const HubEntry& a, const HubEntry& b) { return key(a) < key(b); });
   entries_.clear();
   used_.clear();
   turns_.clear();
-  for (const Entry& entry : found_) {
+  for (const HubEntry& entry : found_) {
     if (entries_.empty() || key(entries_.back()) != key(entry)) {
       entries_.push_back(entry);
       used_.push_back(trees_.nodes[entry.node].turn);
@@ -121,8 +122,8 @@ TileList ListMaker::list() {
   std::sort(used_.begin(), used_.end());
   used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
   for (const std::uint32_t turn : used_) turns_.push_back(mesh_.turns[turn].at);
-  for (Entry& entry : entries_) {
-    const HubTrees::Node& node = trees_.nodes[entry.node];
+  for (HubEntry& entry : entries_) {
+    const HubTrees::HubNode& node = trees_.nodes[entry.node];
     entry.beyond = static_cast<float>(node.distance);
     entry.turn =
         static_cast<std::uint16_t>(std::lower_bound(used_.begin(), used_.end(), node.turn) - used_.begin());

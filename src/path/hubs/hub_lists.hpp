@@ -15,7 +15,7 @@ namespace outrider::hub_labelling {
 
 inline constexpr int tile_side = 4;  // corners
 
-struct Entry {
+struct HubEntry {
   std::uint32_t hub = 0;      ///< its rank
   std::uint32_t node = 0;     ///< of the turn on the way there
   float beyond = 0.0F;        ///< from that turn to the hub, cells, rounded
@@ -30,7 +30,7 @@ inline unsigned corner_bit(Cell corner) {
 
 /// By rank of the hub.
 struct TileList {
-  std::span<const Entry> entries;
+  std::span<const HubEntry> entries;
   std::span<const Cell> turns;
 };
 
@@ -40,7 +40,7 @@ struct TileRow {
     std::uint32_t entries = 0, turns = 0;  ///< first of each
   };
   std::vector<Tile> tiles;  ///< from the left, one more at the end; none when the row was not made
-  std::vector<Entry> entries;
+  std::vector<HubEntry> entries;
   std::vector<Cell> turns;
   std::uint64_t work = 0;  ///< of its making: labels and turns looked at
 
@@ -51,7 +51,7 @@ struct TileRow {
             {turns.data() + tile.turns, turns.data() + next.turns}};
   }
   [[nodiscard]] std::size_t memory() const {
-    return tiles.capacity() * sizeof(Tile) + entries.capacity() * sizeof(Entry) +
+    return tiles.capacity() * sizeof(Tile) + entries.capacity() * sizeof(HubEntry) +
            turns.capacity() * sizeof(Cell);
   }
 };

@@ -17,7 +17,7 @@ class Growth {
 
   void grow(std::uint32_t rank) {
     const std::uint32_t hub = trees_.hubs[rank];
-    for (const HubTrees::Label& label : trees_.labels[hub]) to_hub_[label.hub] = label.distance;
+    for (const HubTrees::HubLabel& label : trees_.labels[hub]) to_hub_[label.hub] = label.distance;
     reach(hub, 0.0, static_cast<std::uint32_t>(trees_.nodes.size()), {});
     while (!open_.empty()) {
       const auto [distance, turn] = open_.top();
@@ -26,7 +26,7 @@ class Growth {
       reached_[turn].distance = -1.0;  // settled
       add(rank, turn, distance);
     }
-    for (const HubTrees::Label& label : trees_.labels[hub]) to_hub_[label.hub] = far;
+    for (const HubTrees::HubLabel& label : trees_.labels[hub]) to_hub_[label.hub] = far;
     for (const std::uint32_t turn : touched_) reached_[turn] = {};
     touched_.clear();
   }
@@ -48,7 +48,7 @@ class Growth {
   /// An earlier hub tells that distance.
   [[nodiscard]] bool known(std::uint32_t turn, double distance) const {
     const double enough = distance * (1.0 + equal_within);
-    for (const HubTrees::Label& label : trees_.labels[turn]) {
+    for (const HubTrees::HubLabel& label : trees_.labels[turn]) {
       if (to_hub_[label.hub] + label.distance <= enough) return true;
     }
     return false;
@@ -63,13 +63,13 @@ class Growth {
     });
   }
 
-  using Entry = std::pair<double, std::uint32_t>;
+  using HubEntry = std::pair<double, std::uint32_t>;
   const TurnGraph& graph_;
   HubTrees& trees_;
   std::vector<double> to_hub_;  ///< by rank, from the hub that grows
   std::vector<Reached> reached_;
   std::vector<std::uint32_t> touched_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+  std::priority_queue<HubEntry, std::vector<HubEntry>, std::greater<>> open_;
 };
 
 /// In fans, for those who come to a turn.
@@ -79,7 +79,7 @@ void add_departures(HubTrees& trees, const NavigationMesh& mesh) {
     Fan<HubTrees::Departure>& fan = trees.departures[turn];
     const Cell at = mesh.turns[turn].at;
     HubTrees::Departure own;
-    for (const HubTrees::Label& label : trees.labels[turn]) {
+    for (const HubTrees::HubLabel& label : trees.labels[turn]) {
       const Cell next = mesh.turns[trees.nodes[trees.nodes[label.node].next].turn].at;
       const Cell way{next.x - at.x, next.y - at.y};
       if (way == Cell{}) {

@@ -19,12 +19,12 @@ namespace outrider::hub_labelling {
 inline constexpr double equal_within = 1e-13;
 
 struct HubTrees {
-  struct Node {
+  struct HubNode {
     double distance = 0.0;   ///< to the hub, cells
     std::uint32_t next = 0;  ///< node towards the hub; itself there
     std::uint32_t turn = 0;
   };
-  struct Label {
+  struct HubLabel {
     std::uint32_t hub = 0;  ///< its rank
     std::uint32_t node = 0;
     double distance = 0.0;
@@ -32,13 +32,13 @@ struct HubTrees {
   /// The same with the way to the next turn; that of the hub itself, {0, 0}, on both sides.
   struct Departure {
     Cell way;
-    Label label;
+    HubLabel label;
   };
-  std::vector<Node> nodes;                 ///< tree after tree, by rank of the hub
-  std::vector<std::vector<Label>> labels;  ///< by turn, by rank of the hub
-  std::vector<Winding> windings;           ///< by turn
-  std::vector<Fan<Departure>> departures;  ///< by turn
-  std::vector<std::uint32_t> hubs;         ///< turn, by rank
+  std::vector<HubNode> nodes;                 ///< tree after tree, by rank of the hub
+  std::vector<std::vector<HubLabel>> labels;  ///< by turn, by rank of the hub
+  std::vector<Winding> windings;              ///< by turn
+  std::vector<Fan<Departure>> departures;     ///< by turn
+  std::vector<std::uint32_t> hubs;            ///< turn, by rank
 
   /// Forgets what only the making of lists needs.
   void keep_paths_alone() {

@@ -25,8 +25,8 @@ Tree tree_from(const TurnGraph& graph, std::uint32_t root) {
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());
   std::vector<Cell> came(count);
   std::vector<std::uint32_t> settled;
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  using HubEntry = std::pair<double, std::uint32_t>;
+  std::priority_queue<HubEntry, std::vector<HubEntry>, std::greater<>> open;
   distance[root] = 0.0;
   open.emplace(0.0, root);
   while (!open.empty()) {
@@ -90,9 +90,9 @@ std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop
     for (std::size_t turn = 0; turn < count; ++turn) paths[turn] += tree.below[turn];
   }
   // The most paths first, then the most edges; what was counted before others were taken is counted again.
-  using Entry = std::tuple<std::uint64_t, std::size_t, std::uint32_t>;
-  const auto entry = [&](std::uint32_t turn) { return Entry{paths[turn], graph.degree(turn), ~turn}; };
-  std::priority_queue<Entry> open;
+  using HubEntry = std::tuple<std::uint64_t, std::size_t, std::uint32_t>;
+  const auto entry = [&](std::uint32_t turn) { return HubEntry{paths[turn], graph.degree(turn), ~turn}; };
+  std::priority_queue<HubEntry> open;
   for (std::uint32_t turn = 0; turn < count; ++turn) open.push(entry(turn));
   std::vector<std::uint32_t> stack;
   while (!open.empty()) {

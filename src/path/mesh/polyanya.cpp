@@ -19,7 +19,7 @@ using Side = NavigationMesh::Side;
 
 using polyanya_search::Arrow;
 using polyanya_search::Frontier;
-using polyanya_search::Node;
+using polyanya_search::MeshNode;
 using polyanya_search::turned;
 
 /// Of which the blocks are found in the time of one expansion, measured.
@@ -92,7 +92,7 @@ class Search {
       roots_.open(first_, first_, 0.0);
       add({0.0, start_, {}, {}, first_, none, none}, length(goal_.x - start_.x, goal_.y - start_.y));
     }
-    Node node;
+    MeshNode node;
     for (double f = 0.0; frontier_.pop(node, f);) {
       if (roots_.g(node.root) < node.g) continue;
       if (!meter.spend()) return meter.refusal();
@@ -169,13 +169,13 @@ class Search {
   void open(Cell root) {
     if (opened_.insert(ground_.index(root)).second) trace_->open(ground_.index(root));
   }
-  void add(const Node& node, double f) {
+  void add(const MeshNode& node, double f) {
     ++generated;
     frontier_.add(node, f);
   }
 
   /// The goal lies in a polygon that the root looks into, and in the cone.
-  [[nodiscard]] bool sees_goal(const Node& node) const {
+  [[nodiscard]] bool sees_goal(const MeshNode& node) const {
     if (node.side != none && !holds_goal(node.polygon)) return false;
     const bool everywhere = node.side == none && node.root == first_;
     const Arrow goal = arrow(node, goal_);
@@ -195,8 +195,8 @@ class Search {
     }
     return false;
   }
-  static Arrow arrow(const Node& node, Cell v) { return {v.x - node.at.x, v.y - node.at.y}; }
-  static bool within(const Node& node, Arrow v) {
+  static Arrow arrow(const MeshNode& node, Cell v) { return {v.x - node.at.x, v.y - node.at.y}; }
+  static bool within(const MeshNode& node, Arrow v) {
     return turned(node.right, v) >= 0 && turned(v, node.left) >= 0;
   }
 
@@ -207,7 +207,7 @@ class Search {
     return {all + turn.around, all + turn.around + turn.polygons};
   }
 
-  void expand(const Node& node) {
+  void expand(const MeshNode& node) {
     if (node.side != none) {
       const std::uint32_t end = mesh_.first[node.polygon + 1];
       const std::uint32_t next = node.side + 1 == end ? mesh_.first[node.polygon] : node.side + 1;
@@ -222,7 +222,7 @@ class Search {
 
   /// Over the sides of a polygon from `first` up to `last`, which follow each other to the left as the
   /// root sees them, as far as they lie in the cone.
-  void look_over(const Node& node, Arrow right, Arrow left, std::uint32_t polygon, std::uint32_t first,
+  void look_over(const MeshNode& node, Arrow right, Arrow left, std::uint32_t polygon, std::uint32_t first,
                  std::uint32_t last) {
     const std::uint32_t begin = mesh_.first[polygon], end = mesh_.first[polygon + 1];
     Arrow from = arrow(node, mesh_.sides[first].at);
@@ -252,7 +252,7 @@ class Search {
   }
 
   /// From a corner into a polygon at it, as far as it lies in the cone.
-  void look_into(const Node& node, const NavigationMesh::Wedge& wedge) {
+  void look_into(const MeshNode& node, const NavigationMesh::Wedge& wedge) {
     const std::uint32_t begin = mesh_.first[wedge.polygon], end = mesh_.first[wedge.polygon + 1];
     const std::uint32_t next = wedge.side + 1 == end ? begin : wedge.side + 1;
     const std::uint32_t last = wedge.side == begin ? end - 1 : wedge.side - 1;
@@ -271,7 +271,7 @@ class Search {
   }
 
   /// From the start over all sides of a polygon that holds it.
-  void look_everywhere(const Node& node, std::uint32_t polygon) {
+  void look_everywhere(const MeshNode& node, std::uint32_t polygon) {
     const std::uint32_t begin = mesh_.first[polygon], end = mesh_.first[polygon + 1];
     for (std::uint32_t s = begin; s < end; ++s) {
       const Side& side = mesh_.sides[s];
@@ -287,14 +287,14 @@ class Search {
     return side.polygon != none && memory_.active[side.block] == memory_.query;
   }
 
-  void go_through(const Node& node, const Side& side, Arrow from, Arrow to, Arrow right, Arrow left) {
+  void go_through(const MeshNode& node, const Side& side, Arrow from, Arrow to, Arrow right, Arrow left) {
     add({node.g, node.at, right, left, node.root, side.polygon, side.behind},
         node.g + through(node, from, to, right, left));
   }
 
   /// The least length from the root to the goal through that part of a side which lies in the cone, the
   /// goal mirrored in the side when it lies on this side of it.
-  [[nodiscard]] double through(const Node& node, Arrow from, Arrow to, Arrow right, Arrow left) const {
+  [[nodiscard]] double through(const MeshNode& node, Arrow from, Arrow to, Arrow right, Arrow left) const {
     const double side_x = to.x - from.x, side_y = to.y - from.y;
     const auto beyond = [&](double x, double y) { return x * side_y - y * side_x; };  // the root: 0
     const double line = beyond(from.x, from.y);
@@ -319,7 +319,7 @@ class Search {
 
   /// The root's path turns at a corner that it sees, if it can wind around the blocked cell there: then
   /// it goes on between its own direction and the border of that cell.
-  void turn(const Node& node, const Side& side, Arrow came) {
+  void turn(const MeshNode& node, const Side& side, Arrow came) {
     const std::int32_t sign_x = (side.blocked & 1U) != 0 ? 1 : -1, sign_y = (side.blocked & 2U) != 0 ? 1 : -1;
     const std::int32_t x = sign_x * came.x, y = sign_y * came.y;  // > 0 towards the blocked cell
     const bool along_y = x < 0 && y >= 0, along_x = x >= 0 && y < 0;

@@ -21,7 +21,7 @@ inline std::int64_t turned(Arrow a, Arrow b) { return std::int64_t{a.x} * b.y - 
 
 /// What a root sees through a side of a polygon: the cone from `right` to `left`, both of which belong
 /// to it. Without a side it is yet to look around from the root itself.
-struct Node {
+struct MeshNode {
   double g = 0.0;  ///< to the root
   Cell at;         ///< the root
   Arrow right, left;
@@ -39,8 +39,8 @@ class Frontier {
     held_ = false;
   }
 
-  void add(const Node& node, double f) {
-    const Entry entry = entry_of(f, node.g);
+  void add(const MeshNode& node, double f) {
+    const FrontierEntry entry = entry_of(f, node.g);
     nodes_.push_back(node);
     if (!held_) {
       hand_ = entry;
@@ -54,7 +54,7 @@ class Frontier {
   }
 
   /// Takes the first node out; false when there is none.
-  bool pop(Node& node, double& f) {
+  bool pop(MeshNode& node, double& f) {
     if (!held_ && heap_.empty()) return false;
     if (!held_) {
       hand_ = heap_.front();
@@ -71,32 +71,33 @@ class Frontier {
 
  private:
   /// rank: largest g, then largest place in nodes_.
-  struct Entry {
+  struct FrontierEntry {
     double f = 0.0;
     std::uint64_t rank = 0;
   };
-  [[nodiscard]] Entry entry_of(double f, double g) const {
+  [[nodiscard]] FrontierEntry entry_of(double f, double g) const {
     const std::uint64_t far = ~std::bit_cast<std::uint32_t>(static_cast<float>(g));  // g >= 0
     return {f, far << 32U | static_cast<std::uint32_t>(~nodes_.size())};
   }
-  static bool before(const Entry& a, const Entry& b) {  // without a branch, which could not be foretold
+  static bool before(const FrontierEntry& a,
+                     const FrontierEntry& b) {  // without a branch, which could not be foretold
     const auto less = static_cast<unsigned>(a.f < b.f), equal = static_cast<unsigned>(a.f == b.f);
     return (less | (equal & static_cast<unsigned>(a.rank < b.rank))) != 0;
   }
 
   // A heap of four children each.
-  void push(const Entry& entry) {
+  void push(const FrontierEntry& entry) {
     std::size_t i = heap_.size();
     heap_.push_back(entry);
     for (; i > 0 && before(entry, heap_[(i - 1) / 4]); i = (i - 1) / 4) heap_[i] = heap_[(i - 1) / 4];
     heap_[i] = entry;
   }
   void drop_top() {
-    const Entry last = heap_.back();
+    const FrontierEntry last = heap_.back();
     heap_.pop_back();
     if (!heap_.empty()) sift_down(last, heap_.size());
   }
-  void sift_down(const Entry entry, std::size_t count) {
+  void sift_down(const FrontierEntry entry, std::size_t count) {
     std::size_t i = 0;
     for (std::size_t child = 1; child < count; child = 4 * i + 1) {
       std::size_t best = child;
@@ -109,9 +110,9 @@ class Frontier {
     heap_[i] = entry;
   }
 
-  std::vector<Node> nodes_;  // in the order of their making
-  std::vector<Entry> heap_;
-  Entry hand_;
+  std::vector<MeshNode> nodes_;  // in the order of their making
+  std::vector<FrontierEntry> heap_;
+  FrontierEntry hand_;
   bool held_ = false;
 };
 

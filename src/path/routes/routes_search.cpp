@@ -32,7 +32,7 @@ class TurnTime {
   double full_speed_rad_;
 };
 
-struct Label {
+struct RouteLabel {
   double time_s = 0.0;
   double heading_rad = 0.0;
   std::uint32_t node = 0;
@@ -114,7 +114,7 @@ class Search {
 
   /// False when a settled label of the same node is as good after turning.
   bool settle(std::uint32_t index) {
-    Label& label = labels_[index];
+    RouteLabel& label = labels_[index];
     for (std::uint32_t k = settled_[label.node]; k != no_label; k = labels_[k].next_settled) {
       if (labels_[k].time_s + turn_(labels_[k].heading_rad, label.heading_rad) <= label.time_s) return false;
     }
@@ -124,7 +124,7 @@ class Search {
   }
 
   void expand(std::uint32_t index) {
-    const Label label = labels_[index];
+    const RouteLabel label = labels_[index];
     for (const SightLine& line : node_lines_.row(label.node)) {
       const double soonest = label.time_s + line.drive_s;
       if (soonest >= best_[line.to].hopeless_s) continue;
@@ -183,7 +183,7 @@ class Search {
   RouteTree& tree_;
   std::vector<Best> best_;
   std::vector<std::uint32_t> settled_;  // of each node, the newest settled label
-  std::vector<Label> labels_;
+  std::vector<RouteLabel> labels_;
   std::vector<Waiting> queue_;
   double horizon_s_ = inf;
 };

@@ -93,7 +93,7 @@ Outcome<Plan> sample(const Problem& problem, const SamplingOptions& options, con
   planner.setProblemDefinition(definition);
   planner.setup();
   planner.solve(ob::PlannerTerminationCondition([&draws] { return draws.ended(); }));
-  if (workspace.trace != nullptr) tell_tree(planner, problem, met, *workspace.trace);
+  if (workspace.trace != nullptr) trace_tree(planner, problem, met, *workspace.trace);
   if (draws.refused) return draws.meter.refusal();
   if (!definition->hasExactSolution()) {
     return fault(FaultCode::budget_exhausted,

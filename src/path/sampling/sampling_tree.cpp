@@ -11,15 +11,15 @@ namespace {
 
 namespace ob = ompl::base;
 
-struct Node {
+struct TreeNode {
   Vec2 place;
   std::vector<unsigned> next{};
   unsigned parent = 0;
   double g = std::numeric_limits<double>::infinity();
 };
 
-std::vector<Node> nodes_of(const ob::PlannerData& data) {
-  std::vector<Node> nodes;
+std::vector<TreeNode> nodes_of(const ob::PlannerData& data) {
+  std::vector<TreeNode> nodes;
   for (unsigned i = 0; i < data.numVertices(); ++i) nodes.push_back({point_of(data.getVertex(i).getState())});
   for (unsigned i = 0; i < data.numVertices(); ++i) {
     std::vector<unsigned> ends;
@@ -33,7 +33,7 @@ std::vector<Node> nodes_of(const ob::PlannerData& data) {
 }
 
 /// Dijkstra's algorithm from the nodes that stand at the start.
-void find_ways(std::vector<Node>& nodes, Vec2 start) {
+void find_ways(std::vector<TreeNode>& nodes, Vec2 start) {
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < nodes.size(); ++i) {
     if (!(nodes[i].place == start)) continue;
@@ -57,10 +57,10 @@ void find_ways(std::vector<Node>& nodes, Vec2 start) {
 
 }  // namespace
 
-void tell_tree(const ob::Planner& planner, const Problem& problem, const Met& met, Trace& trace) {
+void trace_tree(const ob::Planner& planner, const Problem& problem, const Met& met, Trace& trace) {
   ob::PlannerData data(planner.getSpaceInformation());
   planner.getPlannerData(data);
-  std::vector<Node> nodes = nodes_of(data);
+  std::vector<TreeNode> nodes = nodes_of(data);
   find_ways(nodes, problem.start);
 
   const auto turn = [&](unsigned i) {
@@ -76,7 +76,7 @@ void tell_tree(const ob::Planner& planner, const Problem& problem, const Met& me
   std::vector<std::uint32_t> number(nodes.size());
   for (std::size_t i = 0; i < joined.size(); ++i) number[joined[i].second] = static_cast<std::uint32_t>(i);
   for (const auto& [when, i] : joined) {
-    const Node& node = nodes[i];
+    const TreeNode& node = nodes[i];
     const double h = distance(node.place, problem.goal);
     trace.record({number[i], number[node.parent], node.g + h, node.g, h});
     trace.places.push_back({node.place.x, node.place.y});

@@ -10,6 +10,6 @@ namespace outrider {
 
 /// The points that are joined to the start, in the order in which they were met, with their parents on the
 /// shortest ways along the planner's graph. O(n log n) for n legs of it.
-void tell_tree(const ompl::base::Planner& planner, const Problem& problem, const Met& met, Trace& trace);
+void trace_tree(const ompl::base::Planner& planner, const Problem& problem, const Met& met, Trace& trace);
 
 }  // namespace outrider

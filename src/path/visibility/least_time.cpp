@@ -13,7 +13,7 @@ constexpr double slowest_mps = 1e-3;
 constexpr double fastest_mps = 1e3;
 constexpr double most_price = 1e6;
 
-Outcome<CostWeights> fare_of(const LeastTimeOptions& options) {
+Outcome<CostWeights> weights_of(const LeastTimeOptions& options) {
   const double speed = options.speed_mps, price = options.turn_price_s_per_rad;
   const bool good_speed = speed >= slowest_mps && speed <= fastest_mps;
   if (!good_speed) {
@@ -27,9 +27,9 @@ Outcome<CostWeights> fare_of(const LeastTimeOptions& options) {
   if (!std::isfinite(options.heading_rad)) {
     return bad_input(fmt::format("{} is no good; it takes a finite angle", options.heading_rad), "heading");
   }
-  CostWeights fare{1.0 / speed, price, std::nullopt};
-  if (options.first_turn) fare.heading_rad = options.heading_rad;
-  return fare;
+  CostWeights weights{1.0 / speed, price, std::nullopt};
+  if (options.first_turn) weights.heading_rad = options.heading_rad;
+  return weights;
 }
 
 VisibilityOptions straight(const LeastTimeOptions& options) { return {true, options.arc_step_rad}; }
@@ -49,17 +49,17 @@ std::vector<Option> describe(LeastTimeOptions& options) {
 
 Outcome<Plan> least_time(const Problem& problem, const LeastTimeOptions& options, const Budget& budget,
                          Workspace& workspace) {
-  auto fare = fare_of(options);
-  if (!fare) return pass_on(fare);
-  return tangent_search(problem, *fare, straight(options), TangentForm::paired, budget, workspace);
+  auto weights = weights_of(options);
+  if (!weights) return pass_on(weights);
+  return tangent_search(problem, *weights, straight(options), TangentForm::paired, budget, workspace);
 }
 
 std::vector<Outcome<Plan>> least_time_many(const Problem& problem, const std::vector<Vec2>& goals,
                                            const LeastTimeOptions& options, const Budget& budget,
                                            Workspace& workspace) {
-  auto fare = fare_of(options);
-  if (!fare) return std::vector<Outcome<Plan>>(goals.size(), pass_on(fare));
-  return tangent_search_many(problem, goals, *fare, straight(options), TangentForm::paired, budget,
+  auto weights = weights_of(options);
+  if (!weights) return std::vector<Outcome<Plan>>(goals.size(), pass_on(weights));
+  return tangent_search_many(problem, goals, *weights, straight(options), TangentForm::paired, budget,
                              workspace);
 }
 

@@ -34,14 +34,14 @@ void look(const PolygonGround& ground, TangentForm form, Vec2 p, std::vector<Dep
 
 /// States are legs: 0 stands for the start, 1 to n for the n goals, then the legs from the start, then the
 /// others. The estimate is the straight distance to a single goal and the turn towards it, both at their
-/// fare: neither falls faster than a way pays for it, so it is consistent. It is 0 for several goals.
+/// weights: neither falls faster than a way pays for it, so it is consistent. It is 0 for several goals.
 struct TangentPolicy {
   using Cost = double;
 
   const PolygonGround& ground;
   Vec2 from;
   std::vector<Vec2> goals;
-  const CostWeights& fare;
+  const CostWeights& weights;
   TangentGraph& graph;
   TangentForm form;
   Labels<double>& labels;
@@ -87,21 +87,21 @@ struct TangentPolicy {
     return begin + place.side * (leg.arrives + pi / 2);
   }
   [[nodiscard]] double first_turn(double heading_rad) const {
-    return fare.heading_rad ? std::abs(wrap_angle(heading_rad - *fare.heading_rad)) : 0.0;
+    return weights.heading_rad ? std::abs(wrap_angle(heading_rad - *weights.heading_rad)) : 0.0;
   }
   [[nodiscard]] double estimate(Vec2 at, std::optional<double> heading_rad) const {
     if (goals.size() != 1) return 0.0;
     const double away = distance(at, goals[0]);
-    if (fare.per_rad == 0.0 || !heading_rad || away < no_bearing_m) return fare.per_m * away;
+    if (weights.per_rad == 0.0 || !heading_rad || away < no_bearing_m) return weights.per_m * away;
     const double turn = std::abs(wrap_angle(heading_of(goals[0] - at) - *heading_rad));
-    return fare.per_m * away + fare.per_rad * turn;
+    return weights.per_m * away + weights.per_rad * turn;
   }
   [[nodiscard]] double estimate(const Departure& leg) const {
-    if (fare.per_rad == 0.0) return estimate(leg.at, std::nullopt);
+    if (weights.per_rad == 0.0) return estimate(leg.at, std::nullopt);
     return estimate(leg.at, heading_of_leg(leg));
   }
   [[nodiscard]] double estimate(State s) const {
-    if (s == 0) return estimate(from, fare.heading_rad);
+    if (s == 0) return estimate(from, weights.heading_rad);
     return s <= goals.size() ? 0.0 : estimate(leg(s));
   }
   [[nodiscard]] static double value(double cost) { return cost; }
@@ -118,21 +118,21 @@ struct TangentPolicy {
     for (const std::uint32_t i : direct) {
       const double length = distance(from, goals[i]);
       const double turn = length > 0.0 ? first_turn(heading_of(goals[i] - from)) : 0.0;
-      relax(1 + i, 0, fare.per_m * length + fare.per_rad * turn, 0.0);
+      relax(1 + i, 0, weights.per_m * length + weights.per_rad * turn, 0.0);
     }
     for (State i = 0; i < starts.size(); ++i) {
       ++counters.generated;
-      const double turn = fare.heading_rad ? first_turn(heading_of_leg(starts[i])) : 0.0;
-      relax(static_cast<State>(1 + goals.size() + i), 0, fare.per_m * starts[i].length + fare.per_rad * turn,
-            estimate(starts[i]));
+      const double turn = weights.heading_rad ? first_turn(heading_of_leg(starts[i])) : 0.0;
+      relax(static_cast<State>(1 + goals.size() + i), 0,
+            weights.per_m * starts[i].length + weights.per_rad * turn, estimate(starts[i]));
     }
   }
   template <class Relax>
   void expand_leg(State s, Relax& relax) {
     const Departure came = leg(s);
-    const double g = labels.g(s), per_turn = fare.per_m * ground.radius_m + fare.per_rad;
+    const double g = labels.g(s), per_turn = weights.per_m * ground.radius_m + weights.per_rad;
     const auto reach = [&](double leaves, double length) {
-      return g + per_turn * std::max(0.0, leaves - came.arrives) + fare.per_m * length;
+      return g + per_turn * std::max(0.0, leaves - came.arrives) + weights.per_m * length;
     };
     for (const LastLeg& last : ends[came.to]) {
       if (last.leaves < came.arrives - slack_rad) continue;
@@ -184,7 +184,7 @@ Status check_options(const VisibilityOptions& options) {
 
 }  // namespace
 
-Outcome<Plan> tangent_search(const Problem& problem, const CostWeights& fare,
+Outcome<Plan> tangent_search(const Problem& problem, const CostWeights& weights,
                              const VisibilityOptions& options, TangentForm form, const Budget& budget,
                              Workspace& workspace) {
   if (auto good = check_options(options); !good) return pass_on(good);
@@ -193,20 +193,20 @@ Outcome<Plan> tangent_search(const Problem& problem, const CostWeights& fare,
   auto graph = tangent_graph(*ground, form, budget, workspace);
   if (!graph) return pass_on(graph);
   auto& memory = workspace.get<SearchMemory<double>>();
-  TangentPolicy policy{**ground, problem.start, {problem.goal}, fare, **graph, form, memory.labels};
+  TangentPolicy policy{**ground, problem.start, {problem.goal}, weights, **graph, form, memory.labels};
   policy.look_about();
   BudgetMeter meter(budget);
   const PlacedTrace placed(workspace.trace);
   auto found = best_first(policy, memory, meter, workspace.trace);
-  placed.tell([&](State s) { return policy.place(s); });
+  placed.report([&](State s) { return policy.place(s); });
   if (!found) return pass_on(found);
   policy.counters.expansions = meter.spent();
   if (form == TangentForm::implicit) policy.counters.line_of_sight_checks += (*graph)->tests;
-  return plan_of(problem, policy.way_to(*found), fare, options, policy.counters);
+  return plan_of(problem, policy.way_to(*found), weights, options, policy.counters);
 }
 
 std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std::vector<Vec2>& goals,
-                                               const CostWeights& fare, const VisibilityOptions& options,
+                                               const CostWeights& weights, const VisibilityOptions& options,
                                                TangentForm form, const Budget& budget, Workspace& workspace) {
   std::vector<Outcome<Plan>> plans(goals.size(), fault(FaultCode::no_path, ""));
   if (auto good = check_options(options); !good) {
@@ -229,12 +229,12 @@ std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std
   for (std::size_t k = 0; !graph && k < asked.size(); ++k) plans[asked[k]] = tl::unexpected(graph.error());
   if (!graph) return plans;
   auto& memory = workspace.get<SearchMemory<double>>();
-  TangentPolicy policy{*problem.polygons, problem.start, places, fare, **graph, form, memory.labels};
+  TangentPolicy policy{*problem.polygons, problem.start, places, weights, **graph, form, memory.labels};
   policy.look_about();
   BudgetMeter meter(budget);
   const PlacedTrace placed(workspace.trace);
   const auto found = best_first(policy, memory, meter, workspace.trace);
-  placed.tell([&](State s) { return policy.place(s); });
+  placed.report([&](State s) { return policy.place(s); });
   policy.counters.expansions = meter.spent();
   if (form == TangentForm::implicit) policy.counters.line_of_sight_checks += (*graph)->tests;
   for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -245,7 +245,7 @@ std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std
     }
     Problem one = problem;
     one.goal = places[k];
-    plans[asked[k]] = plan_of(one, policy.way_to(goal), fare, options, policy.counters);
+    plans[asked[k]] = plan_of(one, policy.way_to(goal), weights, options, policy.counters);
   }
   return plans;
 }

@@ -75,27 +75,27 @@ void add_waypoints(Plan& plan, const PathPiece& piece, double step) {
 }
 
 /// Turns only on its arcs, as its legs are tangents; straight legs in their place turn as much.
-double turning_along(const std::vector<PathPiece>& pieces, const CostWeights& fare) {
+double turning_along(const std::vector<PathPiece>& pieces, const CostWeights& weights) {
   double turning = 0.0;
   for (const PathPiece& piece : pieces) turning += std::abs(piece.turn_rad);
-  if (!fare.heading_rad || pieces.empty()) return turning;
-  const Vec2 faced = direction(*fare.heading_rad);
+  if (!weights.heading_rad || pieces.empty()) return turning;
+  const Vec2 faced = direction(*weights.heading_rad);
   return turning + turn_between({-1.0 * faced, {}, {}, 0.0}, pieces.front());
 }
 
 }  // namespace
 
-Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& fare,
+Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& weights,
              const VisibilityOptions& options, const PlanCounters& counters) {
   Plan plan;
   plan.counters = counters;
-  plan.fare = fare;
+  plan.weights = weights;
   plan.waypoints.push_back(problem.start);
   const std::vector<PathPiece> exact = exact_pieces(problem, way);
-  const double turning = fare.per_rad == 0.0 ? 0.0 : fare.per_rad * turning_along(exact, fare);
+  const double turning = weights.per_rad == 0.0 ? 0.0 : weights.per_rad * turning_along(exact, weights);
   plan.cost = plan.lower_bound = turning;
   for (const PathPiece& piece : exact) {
-    plan.lower_bound += fare.per_m * length_of(piece);
+    plan.lower_bound += weights.per_m * length_of(piece);
     if (options.polygonal && piece.turn_rad != 0.0) {
       if (auto legs = straightened(*problem.polygons, piece, options.arc_step_rad)) {
         plan.pieces.insert(plan.pieces.end(), legs->begin(), legs->end());
@@ -106,7 +106,7 @@ Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostW
   }
   for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
     const PathPiece& piece = plan.pieces[i];
-    plan.cost += fare.per_m * length_of(piece);
+    plan.cost += weights.per_m * length_of(piece);
     add_waypoints(plan, piece, options.arc_step_rad);
     const bool bends =
         i + 1 < plan.pieces.size() && piece.turn_rad == 0.0 && plan.pieces[i + 1].turn_rad == 0.0;

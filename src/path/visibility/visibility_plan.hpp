@@ -14,7 +14,7 @@ struct WayLeg {
   Vec2 to;  ///< where the leg ends
 };
 
-Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& fare,
+Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& weights,
              const VisibilityOptions& options, const PlanCounters& counters);
 
 }  // namespace outrider

@@ -44,20 +44,20 @@ const std::vector<Waypoint> square = {{{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0
 
 TEST(FollowWaypoints, EveryFollowerAndMannerArrives) {
   for (const char* follower : {"pid", "pure_pursuit"}) {
-    for (const char* manner : {"holonomic", "rotate_then_go"}) {
+    for (const char* mode : {"holonomic", "rotate_then_go"}) {
       FollowOptions options;
       options.follower = follower;
-      options.manner = manner;
+      options.mode = mode;
       ASSERT_TRUE(check(options));
       const Driven driven = drive(square, options);
-      ASSERT_TRUE(driven.all) << follower << ' ' << manner;
+      ASSERT_TRUE(driven.all) << follower << ' ' << mode;
       for (std::size_t i = 0; i < square.size(); ++i) {
         const Pose2& goal = square[i].pose;
         EXPECT_LE(distance(driven.stops[i].position, goal.position), 2.0 * options.within_m);
         EXPECT_LE(std::abs(wrap_angle(driven.stops[i].heading_rad - goal.heading_rad)), options.within_rad);
       }
-      EXPECT_LE(driven.driven_m, 1.01 * (3.0 + std::sqrt(5.0))) << follower << ' ' << manner;
-      EXPECT_LE(driven.turned_rad, 1.15 * 2.0 * pi) << follower << ' ' << manner;
+      EXPECT_LE(driven.driven_m, 1.01 * (3.0 + std::sqrt(5.0))) << follower << ' ' << mode;
+      EXPECT_LE(driven.turned_rad, 1.15 * 2.0 * pi) << follower << ' ' << mode;
     }
   }
 }
@@ -77,16 +77,16 @@ TEST(FollowWaypoints, HalfTurnsGoAsWritten) {
 TEST(FollowWaypoints, PassesByWhatIsNoStop) {
   Rng rng(1);
   for (int round = 0; round < testing::cases(10); ++round) {
-    for (const char* manner : {"holonomic", "rotate_then_go"}) {
+    for (const char* mode : {"holonomic", "rotate_then_go"}) {
       for (const char* kind : {"pid", "pure_pursuit"}) {
         FollowOptions options;
-        options.manner = manner;
+        options.mode = mode;
         options.follower = kind;
         const std::vector<Waypoint> way = {{{{1, rng.uniform(-0.5, 0.5)}, 0}, false},
                                            {{{2, rng.uniform(-0.5, 0.5)}, 1}, false},
                                            {{{3, 0}, rng.uniform(-3.0, 3.0)}}};
         const Driven driven = drive(way, options);
-        ASSERT_TRUE(driven.all) << manner << ' ' << kind;
+        ASSERT_TRUE(driven.all) << mode << ' ' << kind;
         EXPECT_EQ(driven.stops.size(), 1U);
         double length = norm(way[0].pose.position);
         for (std::size_t i = 1; i < 3; ++i)

@@ -44,7 +44,7 @@ TEST(Ascent, IsBelowBruteForceHoweverTheGoalsAreDivided) {
 /// Prim's tree over the services of stop 1 and the stop itself, from which a first service costs `fee`.
 double least_tree(const Instance& instance, double fee) {
   const std::uint32_t count = instance.first[2] - instance.first[1];
-  const Node* const nodes = instance.nodes.data() + instance.first[1];
+  const TourNode* const nodes = instance.nodes.data() + instance.first[1];
   std::vector<double> away(count, fee);
   std::vector<bool> in(count, false);
   double length = 0.0;

@@ -15,7 +15,7 @@
 // comes as near as s is small. (Where a gap is too narrow for such legs, as in visibility_graph.hpp, the
 // arc stays.)
 //
-// `cost` and `lower_bound` are in s, Plan::fare holds the prices. Complete. The graph, that of
+// `cost` and `lower_bound` are in s, Plan::weights holds the prices. Complete. The graph, that of
 // visibility_graph_reduced, is built at the first query on a ground and kept in the workspace; memory,
 // budget and faults are as there. bad_input on a speed or price out of range.
 // Sources: Fenchel's and Milnor's total curvature of inscribed polygons (Milnor, On the total curvature of

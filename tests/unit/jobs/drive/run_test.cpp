@@ -71,7 +71,7 @@ TEST(DriveRun, EveryChassisFollowerAndManner) {
     expect_arrives(task, 1, 1.05);
     task.chassis = holonomic_chassis(0.03, 0.15);
     expect_arrives(task, 2, 1.05);
-    task.follow.manner = "rotate_then_go";
+    task.follow.mode = "rotate_then_go";
     expect_arrives(task, 3, 1.15);
     task.chassis = differential_chassis(0.03, 0.15);
     expect_arrives(task, 4, 1.15);

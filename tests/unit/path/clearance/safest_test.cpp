@@ -269,7 +269,7 @@ TEST(Safety, TheJudgeFindsAWrongExposure) {
   ASSERT_TRUE(plan && check(*plan, problem));
   const double added = 0.1 * plan->exposure;
   plan->exposure += added;
-  plan->cost += plan->fare.per_exposure_m * added;
+  plan->cost += plan->weights.per_exposure_m * added;
   const auto verdict = check(*plan, problem);
   ASSERT_FALSE(verdict.has_value());
   EXPECT_NE(verdict.error().sentence.find("exposure"), std::string::npos);
