@@ -43,8 +43,7 @@ class [[nodiscard]] Outcome : public tl::expected<T, Fault> {
 
 using Status = Outcome<void>;
 
-/// Makes a fault to return from any function that returns an Outcome: `return fault(FaultCode::no_path,
-/// "...")`.
+/// Makes a fault, for any function that returns an Outcome: `return fault(FaultCode::no_path, "...")`.
 inline tl::unexpected<Fault> fault(FaultCode code, std::string sentence, std::string where = {}) {
   return tl::unexpected<Fault>(Fault{code, std::move(sentence), std::move(where)});
 }

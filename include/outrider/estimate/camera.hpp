@@ -3,8 +3,8 @@
 // Frame: x to the right in the image, y down, z along the view. Image points are measured from the upper left
 // corner of the image, so pixel (i, j) has its centre at (i + 0.5, j + 0.5). Calibration files and this
 // struct measure cx and cy from the centre of the first pixel instead. Only project() and ray_through() have
-// to add the half pixel. Source: Brown, Decentering distortion of lenses, 1966; OpenCV, Camera calibration
-// and 3D reconstruction.
+// to add the half pixel.
+// Source: Brown, Decentering distortion of lenses, 1966; OpenCV, Camera calibration and 3D reconstruction.
 #pragma once
 
 #include <array>

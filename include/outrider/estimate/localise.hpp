@@ -9,14 +9,13 @@
 //   3. The largest set of solutions that all agree with one of them is chosen; of equally large sets, the one
 //      with the lowest cost. The cost is the chi-squared of the corners, the floor and the prior, plus that
 //      of the distances to the common solution.
-//   4. The set is fused, weighted by inverse covariances. The result is refined by fitting the corners of all
-//   its
-//      tags at once, because the errors of far tags are far from normally distributed.
+//   4. The set is fused, weighted by inverse covariances. The result is refined by fitting the corners of
+//      all its tags at once, because the errors of far tags are far from normally distributed.
 // If a second set of the same size gives another pose at a similar cost, there is no answer. This happens,
 // for example, with a single tag whose two solutions are both possible.
 //
-// The prior is only used to choose solutions. The answer is independent of it, so the caller may fuse the
-// two. Pure function; O(n^2) for n sightings. There are no faults: each sighting gets a verdict.
+// The prior is only used to choose solutions. The answer is independent of it, so the caller may fuse both.
+// Pure function; O(n^2) for n sightings. There are no faults: each sighting gets a verdict.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,8 @@
 // Frame of a tag: the origin is its centre; for a reader of the tag, x points right, y down and z into the
 // wall. The corners are those of the black square, whose side is the size of the tag, in the order of
 // libapriltag: lower left, lower right, upper right, upper left. The side of the white paper is a quarter
-// longer. Source: Olson, AprilTag: A robust and flexible visual fiducial system (ICRA 2011); Wang and Olson,
+// longer.
+// Source: Olson, AprilTag: A robust and flexible visual fiducial system (ICRA 2011); Wang and Olson,
 // AprilTag 2 (IROS 2016).
 #pragma once
 

@@ -13,8 +13,8 @@
 
 namespace outrider {
 
-/// Returns the convex hull, counter-clockwise, without collinear points (Andrew's monotone chain, O(n log
-/// n)). If all points are equal or on one line, returns one or two points; for no points, returns none.
+/// Returns the convex hull, counter-clockwise, without collinear points. If all points are equal or on one
+/// line, returns one or two points; for no points, returns none. Andrew's monotone chain; O(n log n).
 std::vector<Vec2> convex_hull(std::vector<Vec2> points);
 
 /// Returns the part of a convex polygon with dot(normal, p) <= offset (Sutherland-Hodgman, O(n)).

@@ -27,8 +27,7 @@ inline double distance(Vec2 a, Vec2 b) { return norm(b - a); }
 constexpr Vec2 perpendicular(Vec2 a) { return {-a.y, a.x}; }
 inline double heading_of(Vec2 a) { return std::atan2(a.y, a.x); }
 inline Vec2 direction(double heading_rad) { return {std::cos(heading_rad), std::sin(heading_rad)}; }
-/// rotated() transforms a vector from a frame with that heading to the parent frame; unrotated() is its
-/// inverse.
+/// Transforms a vector from a frame with that heading to the parent frame. unrotated() is the inverse.
 inline Vec2 rotated(double heading_rad, Vec2 v) {
   const Vec2 x = direction(heading_rad);
   return {x.x * v.x - x.y * v.y, x.y * v.x + x.x * v.y};
@@ -62,8 +61,7 @@ constexpr Vec2 xy(Vec3 a) { return {a.x, a.y}; }
 struct Rotation {
   std::array<Vec3, 3> axes = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
-  /// Makes a rotation from fixed-axis roll, pitch and yaw, as in SDF and URDF: R = Rz(yaw) Ry(pitch)
-  /// Rx(roll).
+  /// Makes a rotation from fixed-axis roll, pitch, yaw as in SDF and URDF: R = Rz(yaw) Ry(pitch) Rx(roll).
   static Rotation from_rpy(double roll_rad, double pitch_rad, double yaw_rad);
 
   friend constexpr Vec3 operator*(const Rotation& r, Vec3 v) {

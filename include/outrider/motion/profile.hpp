@@ -1,6 +1,7 @@
 // Trapezoidal motion: from rest to rest over a distance, with limited speed and acceleration.
 //
-// The functions work for metres and for radians. Source: Lynch and Park, Modern Robotics, section 9.2.2.2.
+// The functions work for metres and for radians.
+// Source: Lynch and Park, Modern Robotics, section 9.2.2.2.
 #pragma once
 
 namespace outrider {
