@@ -47,7 +47,8 @@ bool is_described(const std::string& parent, const sdf::Element& child, const Sd
   return !as_written || counts.by_kind.contains(child.GetName());
 }
 
-/// Copies a description, with only the required children and `model_levels` levels of nested models.
+/// Copies a description, with only the children for which is_described() is true and `model_levels` levels of
+/// nested models.
 sdf::ElementPtr cut_down(const sdf::Element& whole, const SdfCounts& counts, int model_levels) {
   auto copy = std::make_shared<sdf::Element>();
   copy->SetName(whole.GetName());

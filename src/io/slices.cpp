@@ -15,10 +15,9 @@ constexpr std::size_t largest_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_pieces = 200'000;
 constexpr std::size_t most_corners = 1000;
 constexpr double farthest_m = 1e6;
-constexpr double dented_m = 1e-3;     ///< a corner deeper than this inside the hull makes a polygon concave
-constexpr double rectangle_m = 2e-4;  ///< largest distance of the corners of a rectangle from those given
-constexpr double inner_floor_m =
-    0.15;  ///< height of the inner floor above the foot, where the body of a robot is
+constexpr double dented_m = 1e-3;       ///< a corner deeper than this inside the hull makes a polygon concave
+constexpr double rectangle_m = 2e-4;    ///< largest distance of the corners of a rectangle from those given
+constexpr double inner_floor_m = 0.15;  ///< height of the inner floor above the foot, within a robot's body
 
 constexpr const char* form = "it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
 

@@ -44,8 +44,7 @@ struct Discard : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// Returns true if something follows the first document. (YAML::LoadAll does not terminate on some broken
-/// text.)
+/// Returns true if something follows the first document. (YAML::LoadAll never returns for some broken text.)
 bool goes_on(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
