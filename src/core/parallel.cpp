@@ -10,8 +10,9 @@
 namespace outrider {
 
 #ifdef __SANITIZE_THREAD__
-// The thread sanitizer cannot see inside the library that oneTBB comes as, and would take each of its
-// hand-overs for a race: here the same bodies run on plain threads, so that their own races show.
+// oneTBB is a library that is not instrumented for the thread sanitizer, which would report its
+// synchronisation as races. Under the sanitizer, the same bodies therefore run on plain threads, so that
+// their own races show.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next{0};
   const auto work = [&] {

@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-/// Finaliser of SplitMix64 (Steele, Lea and Flood, 2014): a bijection that mixes every bit.
+/// Applies the finaliser of SplitMix64 (Steele, Lea and Flood, 2014): a bijection that mixes every bit.
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -14,7 +14,7 @@ std::uint64_t mix(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-/// FNV-1a over the bytes of a name.
+/// Returns the FNV-1a hash of a name.
 std::uint64_t hash(std::string_view name) {
   std::uint64_t h = 0xcbf29ce484222325ULL;
   for (const char c : name) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;

@@ -7,7 +7,7 @@
 namespace outrider {
 namespace {
 
-/// Bytes that follow the first byte of a UTF-8 character; 4 for a byte that begins none.
+/// Returns the number of bytes after the first byte of a UTF-8 character; 4 if no character begins with it.
 std::size_t tail_length(unsigned lead) {
   if (lead < 0x80) return 0;
   if (lead >> 5 == 0x6) return 1;
@@ -15,9 +15,9 @@ std::size_t tail_length(unsigned lead) {
   return lead >> 3 == 0x1E ? 3 : 4;
 }
 
-/// Bytes of the well-formed, printable character at the start of the text; 0 when there is none.
+/// Returns the length of the well-formed, printable character at the start of the text; 0 if there is none.
 std::size_t character_length(std::string_view text) {
-  constexpr unsigned least_by_tail[] = {0x20, 0x80, 0x800, 0x10000};  // shorter forms are forgeries
+  constexpr unsigned least_by_tail[] = {0x20, 0x80, 0x800, 0x10000};  // below: control or overlong
   const unsigned lead = static_cast<unsigned char>(text[0]);
   const std::size_t tail = tail_length(lead);
   if (tail > 3 || text.size() <= tail) return 0;

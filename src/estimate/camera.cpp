@@ -14,7 +14,7 @@ constexpr int longest_side_px = 100'000;
 constexpr double least_depth_m = 1e-6;
 constexpr int bend_steps = 64;
 
-/// The distorted point of a point of the plane z = 1, and the columns of its derivative.
+/// The distorted image of a point of the plane z = 1, and the columns of its derivative.
 struct Bent {
   Vec2 point;
   Vec2 by_x;
@@ -25,7 +25,7 @@ Bent bend(const std::array<double, 5>& lens, Vec2 p) {
   const auto [k1, k2, p1, p2, k3] = lens;
   const double x = p.x, y = p.y, r2 = x * x + y * y;
   const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // of radial, by x / x and by y / y
+  const double slope = 2.0 * (k1 + r2 * (2.0 * k2 + r2 * 3.0 * k3));  // (d radial / dx) / x, also for y
   const double both = slope * x * y + 2.0 * p1 * x + 2.0 * p2 * y;
   return {
       {x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x),

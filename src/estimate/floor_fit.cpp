@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-constexpr double expectation_weight = 10.0;  // degrees of freedom
+constexpr double expectation_weight = 10.0;  // of the prior for the corner error, in degrees of freedom
 constexpr int most_steps = 30;
 
 struct Pose {

@@ -8,16 +8,16 @@
 
 namespace outrider {
 
-/// A tag and where its corners appear.
+/// A tag and the image positions of its corners.
 struct TagView {
   const Tag* tag = nullptr;
   std::array<Vec2, 4> corners_px;
 };
 
-/// Levenberg-Marquardt from `start` over the six numbers of the robot's pose. Minimises the squared errors of
-/// the corners, weighted by image noise and tag placement, and of height, roll and pitch. Returns x, y and
-/// heading; their covariance is scaled by the residuals as in planar_pnp.hpp. Nothing if a tag lies behind
-/// the camera.
+/// Fits the six parameters of the pose of the robot with Levenberg-Marquardt, beginning at `start`. Minimises
+/// the squared errors of the corners, weighted by image noise and tag placement, and of height, roll and
+/// pitch. Returns x, y and heading, with a covariance that is scaled by the residuals as in planar_pnp.hpp.
+/// Returns nothing if a tag lies behind the camera.
 std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<TagView>& views,
                                        const RobotCamera& robot_camera, const LocaliseOptions& options);
 

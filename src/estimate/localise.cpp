@@ -31,7 +31,7 @@ PoseBelief belief_of(const Place& place) {
           0.5 * (place.covariance + place.covariance.transpose())};
 }
 
-/// The inverse of a covariance.
+/// Returns the inverse of a covariance.
 Matrix3d inverse(const Matrix3d& covariance) { return covariance.ldlt().solve(Matrix3d::Identity()); }
 
 Vector3d difference(const Vector3d& a, const Vector3d& b) {
@@ -44,7 +44,7 @@ double squared_distance(const Vector3d& d, const Matrix3d& covariance) {
   return d.dot(covariance.ldlt().solve(d));
 }
 
-/// The squared Mahalanobis distance between two places.
+/// Returns the squared Mahalanobis distance between two places.
 double disagreement(const Place& a, const Place& b) {
   return squared_distance(difference(a.mean, b.mean), a.covariance + b.covariance);
 }
@@ -55,7 +55,7 @@ struct Frame {
 };
 Frame frame_of(const Pose3& pose) { return {to_eigen(pose.rotation), to_eigen(pose.position)}; }
 
-/// The pose of the robot by one solution, conditioned on standing upright on the floor z = 0.
+/// The pose of the robot from one solution, conditioned on standing upright on the floor z = 0.
 struct Candidate {
   std::size_t sighting = 0;
   Place place;
@@ -63,7 +63,7 @@ struct Candidate {
   double cost = 0.0;          ///< chi-squared of the corners, the floor and the prior
 };
 
-/// The robot's frame in the world by this solution.
+/// Returns the frame of the robot in the world that follows from a solution.
 Frame robot_by(const TagPose& solution, const Tag& tag, const Pose3& robot_T_camera) {
   const Frame robot_T_tag = frame_of(robot_T_camera * solution.camera_T_tag);
   const Frame world_T_tag = frame_of(tag.world_T_tag);
@@ -71,11 +71,12 @@ Frame robot_by(const TagPose& solution, const Tag& tag, const Pose3& robot_T_cam
   return {rotation, world_T_tag.position - rotation * robot_T_tag.position};
 }
 
-/// Covariance of the robot's position and rotation vector, along the world's axes. To first order
-/// position = world_tag - R robot_tag and R is turned against the tag in the robot's frame.
+/// Returns the covariance of the position and the rotation vector of the robot, along the world axes. To
+/// first order: position = world_tag - R robot_tag, and R changes by minus the rotation of the tag in the
+/// robot frame.
 Matrix6d propagate(const TagPose& solution, const Frame& robot, const Pose3& robot_T_camera,
                    double tag_sigma_m) {
-  const Matrix3d turn = robot.rotation * to_eigen(robot_T_camera.rotation);  // from the camera's axes
+  const Matrix3d turn = robot.rotation * to_eigen(robot_T_camera.rotation);  // from camera axes to world axes
   const Vector3d to_tag = robot.rotation * to_eigen((robot_T_camera * solution.camera_T_tag).position);
   Matrix6d by_error = Matrix6d::Zero();
   by_error.topLeftCorner<3, 3>() = -turn;
@@ -86,7 +87,7 @@ Matrix6d propagate(const TagPose& solution, const Frame& robot, const Pose3& rob
   return covariance;
 }
 
-/// Conditions the pose by a solution on a robot that stands upright on the floor.
+/// Computes the pose from a solution and conditions it on a robot that stands upright on the floor.
 Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T_camera,
                    const LocaliseOptions& options) {
   const Frame robot = robot_by(solution, tag, robot_T_camera);
@@ -136,10 +137,10 @@ std::vector<Candidate> candidates_of(std::span<const TagSighting> sightings, con
   return fitting;
 }
 
-/// A set of solutions that agree with one of them, at most one for each tag.
+/// A set of solutions that agree with one of them, the centre; at most one for each tag.
 struct Agreement {
   std::size_t centre = 0;
-  std::vector<std::size_t> members;  ///< by their index among the candidates
+  std::vector<std::size_t> members;  ///< indices of candidates
   double cost = std::numeric_limits<double>::infinity();
 };
 

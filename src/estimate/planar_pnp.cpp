@@ -16,11 +16,11 @@ using Eigen::Vector3d;
 using Matrix86 = Eigen::Matrix<double, 8, 6>;
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
-constexpr int most_steps = 500;  // the worse solution of a tag seen aslant converges slowly
+constexpr int most_steps = 500;  // the worse solution of a tag seen at an angle converges slowly
 
-using Rays = std::array<Vec2, 4>;  // on the plane z = 1
+using Rays = std::array<Vec2, 4>;  // points of the plane z = 1
 
-/// Returns true if the corners go round as those of a tag seen from its front.
+/// Returns true if the corners are convex and in the order of a tag seen from its front.
 bool is_seen_from_front(const std::array<Vec2, 4>& corners) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 edge = corners[(i + 1) % 4] - corners[i];
@@ -30,7 +30,7 @@ bool is_seen_from_front(const std::array<Vec2, 4>& corners) {
   return true;
 }
 
-/// The homography from the tag's plane (m) to the rays, with 1 in its last place.
+/// Returns the homography from the plane of the tag (m) to the rays, normalised to 1 in its last element.
 /// Source: Heckbert, Fundamentals of texture mapping and image warping, 1989, section 2.2.3.
 Matrix3d homography(double size_m, const Rays& p) {
   const Vec2 d1 = p[1] - p[2], d2 = p[3] - p[2], s = p[0] - p[1] + p[2] - p[3];
@@ -45,13 +45,14 @@ Matrix3d homography(double size_m, const Rays& p) {
   return both / both(2, 2);
 }
 
-/// The two rotations that have the homography's slope at the tag's middle (Collins and Bartoli, section 4).
+/// Returns the two rotations with the Jacobian of the homography at the tag centre (Collins and Bartoli,
+/// section 4).
 std::array<Matrix3d, 2> rotations(const Matrix3d& h) {
-  const Vector2d v(h(0, 2), h(1, 2));  // where the middle appears
+  const Vector2d v(h(0, 2), h(1, 2));  // image of the tag centre
   const Matrix2d slope = h.topLeftCorner<2, 2>() - v * h.bottomLeftCorner<1, 2>();
   const double aside = v.norm();
   const Vector3d axis = aside > 0.0 ? Vector3d(-v.y() / aside, v.x() / aside, 0.0) : Vector3d::Zero();
-  const Matrix3d turn = exp_so3(std::atan(aside) * axis);  // of the view's axis to the middle
+  const Matrix3d turn = exp_so3(std::atan(aside) * axis);  // rotates the view axis to the tag centre
   const Matrix2d b = turn.topLeftCorner<2, 2>() - v * turn.bottomLeftCorner<1, 2>();
   Matrix2d adjugate;
   adjugate << b(1, 1), -b(0, 1), -b(1, 0), b(0, 0);
@@ -80,7 +81,7 @@ struct Estimate {
   Vector3d translation;
 };
 
-/// The translation that fits the rays best, as linear least squares of (x z - x, y z - y).
+/// Returns the translation that fits the rays best, by linear least squares.
 Vector3d translation_for(const Matrix3d& rotation, const std::array<Vec3, 4>& corners, const Rays& rays) {
   Matrix3d normal = Matrix3d::Zero();
   Vector3d right = Vector3d::Zero();
@@ -94,8 +95,8 @@ Vector3d translation_for(const Matrix3d& rotation, const std::array<Vec3, 4>& co
   return normal.ldlt().solve(right);
 }
 
-/// Reprojection errors in px and their derivatives by translation and rotation vector; nothing behind the
-/// camera.
+/// The reprojection errors in px and their derivatives by translation and rotation vector. linearise()
+/// returns nothing if a corner is behind the camera.
 struct Linearised {
   Vector8 error;
   Matrix86 jacobian;
@@ -125,7 +126,7 @@ struct Minimum {
   Linearised at;
 };
 
-/// Levenberg-Marquardt to a local minimum of the reprojection error.
+/// Finds a local minimum of the reprojection error with Levenberg-Marquardt.
 std::optional<Minimum> refine(Estimate pose, const Vector2d& focal, const std::array<Vec3, 4>& corners,
                               const Rays& rays) {
   auto at = linearise(pose, focal, corners, rays);

@@ -1,4 +1,4 @@
-// Vectors and rotations of space for Eigen's algebra, and back; rotation vectors.
+// Conversions of vectors and rotations to Eigen and back, and rotation vectors.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -23,14 +23,14 @@ inline Rotation to_rotation(const Eigen::Matrix3d& m) {
   return {{to_vec3(m.col(0)), to_vec3(m.col(1)), to_vec3(m.col(2))}};
 }
 
-/// The skew-symmetric matrix with skew(v) * w = v x w.
+/// Returns the skew-symmetric matrix with skew(v) * w = v x w.
 inline Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return m;
 }
 
-/// The exponential map of SO(3): the rotation about `v` by its length, rad (Rodrigues' formula).
+/// Computes the exponential map of SO(3): the rotation about `v` by its length, rad (Rodrigues' formula).
 inline Eigen::Matrix3d exp_so3(const Eigen::Vector3d& v) {
   const double angle = v.norm();
   const Eigen::Matrix3d k = skew(v);

@@ -31,7 +31,7 @@ Status check_tags(const TagMap& map) {
 
 Tag upright_tag(int id, Vec3 position, double facing_rad, double size_m) {
   const Vec2 facing = direction(facing_rad);
-  const Vec2 right = perpendicular(facing);  // of who reads it, and so looks against `facing`
+  const Vec2 right = perpendicular(facing);  // right side for the reader, who looks against `facing`
   return {
       id, size_m, {position, {{Vec3{right.x, right.y, 0}, Vec3{0, 0, -1}, Vec3{-facing.x, -facing.y, 0}}}}};
 }

@@ -15,7 +15,7 @@ using Family = std::unique_ptr<apriltag_family_t, decltype(&tag36h11_destroy)>;
 using Finder = std::unique_ptr<apriltag_detector_t, decltype(&apriltag_detector_destroy)>;
 using Findings = std::unique_ptr<zarray_t, decltype(&apriltag_detections_destroy)>;
 
-/// The library hands out a picture, and keeps the function that frees it to itself.
+/// Frees an image of libapriltag, which does not export its own function for that.
 struct FreePicture {
   void operator()(image_u8_t* picture) const {
     std::free(picture->buf);
@@ -24,7 +24,7 @@ struct FreePicture {
 };
 using Picture = std::unique_ptr<image_u8_t, FreePicture>;
 
-constexpr int least_side_px = 16;  // a tag needs 10 cells
+constexpr int least_side_px = 16;  // a tag has 10 cells on each side
 
 bool within(Vec2 p, const CameraImage& image) {
   return p.x >= 0.0 && p.y >= 0.0 && p.x <= image.width && p.y <= image.height;
@@ -79,7 +79,7 @@ std::vector<TagSighting> TagDetector::detect(const CameraImage& image, std::span
   for (const PixelBox& wanted : boxes) {
     const PixelBox box = clipped(wanted, image);
     if (box.right - box.left < least_side_px || box.bottom - box.top < least_side_px) continue;
-    // The library takes an image that it may change, and does not change it.
+    // The library takes a non-const image, but does not change it.
     auto* pixels = const_cast<std::uint8_t*>(&image.values[image.index(box.left, box.top)]);
     image_u8_t part{box.right - box.left, box.bottom - box.top, image.width, pixels};
     const Findings findings{apriltag_detector_detect(library_->finder.get(), &part),

@@ -16,7 +16,7 @@ void for_each_edge(const std::vector<Vec2>& core, Visit visit) {
   for (std::size_t i = 0; i < edges; ++i) visit(core[i], core[(i + 1) % n]);
 }
 
-/// Depth of p in the polygon: the largest signed distance to an edge line, negative inside.
+/// Returns the largest signed distance from p to the line of an edge; negative inside.
 double largest_edge_offset(Vec2 p, const std::vector<Vec2>& core) {
   double largest = -std::numeric_limits<double>::infinity();
   for_each_edge(core, [&](Vec2 a, Vec2 b) {
@@ -133,15 +133,16 @@ std::optional<Interval> cut(const std::vector<Vec2>& polygon, Vec2 origin, Vec2 
 
 namespace {
 
-/// Visits the arcs of the border, each corner's cut in equal pieces of at most `step_rad`: the corner, the
-/// outward normal where the first piece begins, how many there are and half the angle of each.
+/// Calls visit(corner, from, pieces, half) for the arc of the border at each corner of the core. The arc is
+/// divided into equal pieces of at most `step_rad`; `from` is the direction of the outward normal at the
+/// beginning of the first piece, and `half` is half the angle of a piece.
 template <class Visit>
 void for_each_arc(const RoundedPolygon& shape, double step_rad, Visit visit) {
-  constexpr double slack = 1e-9;  // of rounding: a right angle is one step of 90 degrees
+  constexpr double slack = 1e-9;  // for rounding errors: a right angle is one step of 90 degrees
   const std::size_t n = shape.core.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 corner = shape.core[i];
-    // Directions of the edges that meet here decide the arc of outward normals to cover.
+    // The directions of the two edges at this corner limit the arc of outward normals.
     const double from = n == 1 ? 0.0 : heading_of(corner - shape.core[(i + n - 1) % n]) - pi / 2;
     const double to = n == 1 ? 2.0 * pi : heading_of(shape.core[(i + 1) % n] - corner) - pi / 2;
     double sweep = n == 1 ? 2.0 * pi : wrap_angle(to - from);

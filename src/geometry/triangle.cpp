@@ -2,7 +2,7 @@
 
 namespace outrider {
 
-// The closest point by Voronoi region of the triangle.
+// Finds the closest point by the Voronoi regions of the triangle.
 double distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& t) {
   const Vec3 ab = t[1] - t[0];
   const Vec3 ac = t[2] - t[0];

@@ -1,4 +1,4 @@
-// The formats of areas behind io/cover_area.hpp: rings as they stand in the file.
+// Readers of the area formats of io/cover_area.hpp. They return the rings without conversion of units.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace outrider {
 
-/// The boundary first, then the holes.
+/// The rings of an area: the boundary first, then the holes.
 using AreaRings = std::vector<AreaRing>;
 
 Outcome<AreaRings> rings_from_geojson(std::string_view text, const std::string& name);

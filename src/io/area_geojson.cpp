@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 constexpr int deepest = 64;
 
-/// Polygons of a GeoJSON object, each with its place.
+/// Collects the polygons of a GeoJSON object, each with its position in the document.
 Status find_polygons(const Json& object, const std::string& where, int depth,
                      std::vector<std::pair<const Json*, std::string>>& found) {
   if (depth > deepest) return bad_input("it nests too deep; give one polygon", where);

@@ -9,14 +9,14 @@
 namespace outrider {
 namespace {
 
-/// The name of an element without its namespace.
+/// Returns the name of an element without its namespace.
 std::string_view local_name(const tinyxml2::XMLElement& element) {
   const std::string_view name = element.Name();
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-/// The first element of that name, this one or below it.
+/// Returns the first element of that name in the tree of this element, or null.
 const tinyxml2::XMLElement* find(const tinyxml2::XMLElement& element, std::string_view name) {
   if (local_name(element) == name) return &element;
   for (auto child = element.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {

@@ -31,7 +31,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-/// For each field of a line, which of the columns it is.
+/// Returns the index of the column for each field of a line.
 Outcome<std::vector<std::size_t>> order_of(std::string_view head, const std::string& where) {
   std::vector<std::size_t> order;
   std::array<bool, columns.size()> seen{};

@@ -13,13 +13,13 @@
 namespace outrider {
 namespace {
 
-/// The first of these keys that the map has.
+/// Returns the value of the first key if the map has it, else that of the second.
 YAML::Node either(const YAML::Node& map, const char* first, const char* second) {
   const YAML::Node node = map[first];
   return node.IsDefined() ? node : map[second];
 }
 
-/// The numbers of a sequence, or of the sequence `data` of a map.
+/// Returns the numbers of a sequence, or of the sequence `data` in a map.
 std::optional<std::vector<double>> numbers_of(const YAML::Node& node) {
   const YAML::Node list = node.IsMap() ? node["data"] : node;
   if (!list.IsDefined() || !list.IsSequence() || list.size() > 100) return std::nullopt;
@@ -86,7 +86,7 @@ Status read_side(const YAML::Node& node, const std::string& name, int& side) {
 
 bool has_matrix(const YAML::Node& map) { return either(map, "camera_matrix", "K").IsDefined(); }
 
-/// The map that holds the camera matrix: the document or one of its sections.
+/// Returns the map that contains the camera matrix: the document or one of its sections.
 Outcome<YAML::Node> camera_in(const YAML::Node& root, const std::string& name, const std::string& section) {
   if (section.empty() && root.IsMap() && has_matrix(root)) return root;
   std::vector<std::string> sections;

@@ -28,7 +28,7 @@ Outcome<Pose2> pose_of(Words words, std::string_view form) {
   return Pose2{{(*v)[0], (*v)[1]}, (*v)[2]};
 }
 
-/// As loggers write it: nan, -nan, inf, Infinity.
+/// Returns true for the notations of invalid readings: nan, -nan, inf, Infinity.
 bool is_no_number(std::string_view word) {
   if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
   std::string lower(word);
@@ -92,7 +92,7 @@ bool is_carmen_log(std::string_view text) {
 
 Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOptions& options) {
   LaserLog result;
-  std::optional<Pose2> odometry;  // since the last scan
+  std::optional<Pose2> odometry;  // the last one since the previous scan
   bool has_odometry = false;
   auto ok = for_each_line(log, [&](Words words) -> Status {
     if (words[0] == "ODOM") {

@@ -17,7 +17,7 @@ constexpr std::string_view landmark_form =
 Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
   LandmarkLog result;
   result.told_apart = true;
-  std::int64_t pose = -1;  // the one reached
+  std::int64_t pose = -1;  // number of the pose reached; -1: none
   const auto read_odometry = [&](std::span<const std::string_view> words) -> Status {
     const auto from = number<std::int64_t>(words[0]), to = number<std::int64_t>(words[1]);
     const auto v = line_numbers(words, 11, odometry_form);

@@ -24,7 +24,7 @@ bool ends_with_any(std::string_view name, std::initializer_list<std::string_view
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
 
-/// The lines of that text that hold something, each with its number from 1.
+/// Returns the lines that are not empty, each as its number (from 1) and its first word.
 std::vector<std::pair<std::size_t, std::string_view>> filled_lines(std::string_view text) {
   std::vector<std::pair<std::size_t, std::string_view>> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
@@ -39,7 +39,7 @@ Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::str
   auto map = polygon_map_from_text(text, name);
   if (!map) return pass_on(map);
   const auto lines = filled_lines(text);
-  auto line = lines.begin();  // the boundary goes up to ---, then each obstacle has a line
+  auto line = lines.begin();  // the boundary ends at ---; then each obstacle has one line
   AreaRings rings{{std::move(map->boundary), fmt::format("{}:{}", name, line->first)}};
   while (line->second != "---") ++line;
   for (auto& obstacle : map->obstacles) {
@@ -48,7 +48,7 @@ Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::str
   return rings;
 }
 
-/// Metres east and north of the low corner of the first ring.
+/// Converts degrees to metres east and north of the low corner of the box.
 /// Source: radii of curvature of WGS 84, NIMA TR8350.2 (2000).
 void project(AreaRings& rings, const Box2& box) {
   constexpr double equator_m = 6378137.0, eccentricity2 = 6.69437999014e-3;

@@ -13,7 +13,7 @@ Eigen::Index rows_of(std::span<const double> triangle) {
   return triangle.size() == 6 ? 3 : triangle.size() == 3 ? 2 : 1;
 }
 
-/// Both triangles; what the edge does not measure stays 0.
+/// Returns the symmetric matrix; rows that the edge does not measure are 0.
 Eigen::Matrix3d from_upper(std::span<const double> triangle) {
   Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
   const Eigen::Index n = rows_of(triangle);
@@ -24,7 +24,7 @@ Eigen::Matrix3d from_upper(std::span<const double> triangle) {
   return result;
 }
 
-/// The inverse of the upper left n x n, and zeros beside it; nothing unless that is positive definite.
+/// Inverts the upper left n x n block; all else is 0. Returns nothing if the block is not positive definite.
 std::optional<Eigen::Matrix3d> inverse_of_part(Eigen::Matrix3d a, Eigen::Index n) {
   a.diagonal().tail(3 - n).setOnes();
   const Eigen::LLT<Eigen::Matrix3d> factor(a);

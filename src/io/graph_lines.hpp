@@ -1,4 +1,5 @@
-// A pose graph gathered line by line: nodes by name, in the order in which they come; edges judged at once.
+// GraphLines: builds a pose graph line by line. Nodes have names and keep their order; edges are checked at
+// once.
 #pragma once
 
 #include <functional>
@@ -15,14 +16,14 @@ namespace outrider {
 
 class GraphLines {
  public:
-  /// A node that a line places; refused when it is placed already.
+  /// Places a node. Fault: bad_input if it is placed already.
   Status place(std::string_view name, const Pose2& pose, bool is_point);
-  /// An edge; nodes that are new get no place. `triangle` is the upper triangle of the information, or, when
-  /// `covariance`, of its inverse.
+  /// Adds an edge. New nodes are not placed. `triangle` is the upper triangle of the information matrix, or
+  /// of the covariance matrix if `covariance` is true.
   Status join(EdgeKind kind, std::string_view from, std::string_view to, const Pose2& measured,
               std::span<const double> triangle, bool covariance);
   [[nodiscard]] bool knows(std::string_view name) const { return numbers_.contains(name); }
-  /// The graph, with the nodes that were not placed standing where the edges say.
+  /// Returns the graph. Nodes that no line placed are placed by the edges.
   Outcome<PoseGraph> finish() &&;
 
   PoseGraph graph;
@@ -34,11 +35,11 @@ class GraphLines {
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
-/// The words as finite numbers below 1e18 in size; nothing when one is not.
+/// Returns the words as finite numbers up to 1e18 in size, or nothing if a word is not such a number.
 std::optional<std::vector<double>> numbers_of(std::span<const std::string_view> words);
 
-/// Gives `read` each line with more than blanks and a comment; a fault gets the line's number. At most
-/// 2,000,000.
+/// Calls `read` for each line that is not empty after removal of its comment. A fault gets the line number.
+/// Reads at most 2,000,000 lines.
 Status read_graph_lines(std::string_view text, const std::string& name,
                         const std::function<Status(std::string_view)>& read);
 

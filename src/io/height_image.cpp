@@ -11,9 +11,9 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t signature_bytes = 8;
-constexpr std::size_t frame_bytes = 12;  // of a chunk: length, name and checksum
+constexpr std::size_t frame_bytes = 12;  // length, name and checksum of a chunk
 
-/// Without the chunks that say how the numbers of the file relate to light; libpng would convert them.
+/// Removes the chunks that relate the values of the file to light, because libpng would convert the values.
 std::string without_colours(std::string_view bytes) {
   std::string kept(bytes.substr(0, signature_bytes));
   for (std::size_t at = signature_bytes; at + frame_bytes <= bytes.size();) {
@@ -29,7 +29,7 @@ std::string without_colours(std::string_view bytes) {
   return kept;
 }
 
-/// The pixels as whole numbers up to that of white.
+/// Reads the pixels as integers and scales them to 1 for white.
 template <class Number>
 Outcome<std::vector<double>> read_pixels(PngReader& png, std::uint32_t format, const std::string& name) {
   png.header.format = format;

@@ -1,4 +1,4 @@
-// Heights from grey PNG images.
+// Reads heights from grey PNG images.
 #pragma once
 
 #include <string>
@@ -12,10 +12,11 @@ namespace outrider {
 struct HeightImage {
   int width = 0;
   int height = 0;
-  std::vector<double> values;  ///< row by row from the top, 0 black to 1 white, as the file has them
+  std::vector<double> values;  ///< row by row from the top, 0 black to 1 white, without gamma
 };
 
-/// 8 or 16 bits a pixel; colours as their grey. Refuses transparency and images too large for a height field.
+/// Reads a PNG with 8 or 16 bits per pixel; colours become grey. Refuses transparency, and images that are
+/// too large for a height field.
 Outcome<HeightImage> height_image_from_png(std::string_view bytes, const std::string& name);
 
 }  // namespace outrider

@@ -24,7 +24,7 @@ Status check_size(std::size_t width, std::size_t height, const std::string& name
       name);
 }
 
-/// The next number of a PGM header or of P2 pixels; comments run from '#' to the end of the line.
+/// Reads the next number of a PGM header or of P2 pixels; comments go from '#' to the end of the line.
 std::optional<unsigned> pgm_number(std::string_view& rest) {
   for (;;) {
     rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
@@ -53,7 +53,7 @@ Outcome<PgmHeader> pgm_header(std::string_view& rest, const std::string& name) {
   if (!width || !height || !white || *white < 1 || *white > 65535 || rest.empty()) {
     return bad_input("its PGM header is damaged; it is P5 (or P2), width, height and 1 to 65535", name);
   }
-  rest.remove_prefix(1);  // one white space ends the header
+  rest.remove_prefix(1);  // one white-space character ends the header
   header.width = *width;
   header.height = *height;
   header.white = *white;
@@ -100,7 +100,7 @@ Outcome<GreyImage> from_png(std::string_view bytes, const std::string& name) {
   };
   if (png_image_begin_read_from_memory(&png.header, bytes.data(), bytes.size()) == 0) return damaged();
   if (auto size = check_size(png.header.width, png.header.height, name); !size) return pass_on(size);
-  constexpr std::size_t most_pixels_per_byte = std::size_t{8} * 1032;  // one bit a pixel, deflate at its best
+  constexpr std::size_t most_pixels_per_byte = std::size_t{8} * 1032;  // 1 bit per pixel, best deflate ratio
   if (std::size_t{png.header.width} * png.header.height > most_pixels_per_byte * bytes.size()) {
     return bad_input("it is cut short: its header names more pixels than its bytes can hold", name);
   }

@@ -1,4 +1,4 @@
-// Grey images: PGM (P2, P5) and PNG in, PGM out.
+// Grey images: reads PGM (P2, P5) and PNG, writes PGM.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,11 @@ struct GreyImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> values;  ///< row by row from the top, 0 black to 255 white
-  std::vector<bool> transparent;     ///< empty when no pixel is
+  std::vector<bool> transparent;     ///< empty if no pixel is transparent
 };
 
-/// Told by the first bytes. 16-bit values are scaled to 8; colours are averaged. `name` is for faults.
+/// Reads an image; the format is detected by the first bytes. 16-bit values are scaled to 8 bits, and colours
+/// are averaged. `name` is for faults.
 Outcome<GreyImage> image_from_bytes(std::string_view bytes, const std::string& name);
 
 std::string to_pgm(const GreyImage& image);

@@ -49,8 +49,9 @@ Outcome<std::vector<double>> line_numbers(std::span<const std::string_view> word
   return bad_input(fmt::format("{} numbers where a line is {}", result.size(), takes));
 }
 
-/// Independent errors of each part, so that their variances grow with what is driven and turned (Thrun,
-/// Burgard and Fox, Probabilistic Robotics, section 5.4, with roots in place of proportions).
+/// Adds independent errors for each part, so that the variances grow with the distance and the angle (Thrun,
+/// Burgard and Fox, Probabilistic Robotics, section 5.4, with standard deviations that grow with the square
+/// root).
 void Motion::add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise) {
   const double heading_rad = pose.heading_rad + turn_rad;
   const Vec2 arm = distance_m * direction(heading_rad);

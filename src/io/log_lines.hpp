@@ -1,4 +1,4 @@
-// What the readers of landmark logs share: lines of words and numbers, and motions with their noise.
+// Shared by the readers of landmark logs: lines of words and numbers, and motions with their noise.
 #pragma once
 
 #include <functional>
@@ -9,21 +9,22 @@
 
 namespace outrider {
 
-/// Calls `read` with the words of each line that has some, without what follows '#', and puts the place
-/// before what it refuses.
+/// Calls `read` with the words of each line that is not empty; '#' starts a comment. Adds file and line to
+/// its faults.
 Status for_each_line(const NamedText& text,
                      const std::function<Status(std::span<const std::string_view>)>& read);
 
-/// The words as numbers; refused, with what a line takes, unless there are as many and all are finite.
+/// Returns the words as numbers. Fault: bad_input, with the form `takes`, unless there are `count` words and
+/// all are finite numbers.
 Outcome<std::vector<double>> line_numbers(std::span<const std::string_view> words, std::size_t count,
                                           std::string_view takes);
 
-/// A motion with its covariance, made of short ones one after the other.
+/// A motion with its covariance, composed of short motions.
 struct Motion {
   Pose2 pose;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
-  /// Turns, drives, turns.
+  /// Adds a turn, a straight drive and a second turn.
   void add(double turn_rad, double distance_m, double then_turn_rad, const LogNoise& noise);
 };
 

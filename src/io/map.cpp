@@ -19,7 +19,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view png_signature = "\x89PNG";
 constexpr std::array<std::string_view, 7> map_server_keys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
-constexpr std::size_t most_looked_at = 4096;  // bytes; what comes before may be comments
+constexpr std::size_t most_looked_at = 4096;  // bytes searched for the first line that is not a comment
 
 bool is_image(std::string_view content) {
   if (content.starts_with(png_signature)) return true;
@@ -28,7 +28,7 @@ bool is_image(std::string_view content) {
          (white_space.find(content[2]) != std::string_view::npos || content[2] == '#');
 }
 
-/// What a line that is no comment tells of the map around it.
+/// Detects the kind of a map by a line that is not a comment.
 std::optional<MapKind> kind_of_line(std::string_view line) {
   if (line.starts_with('<')) return MapKind::world;
   if (line.starts_with('(')) return MapKind::polygons;
@@ -42,7 +42,7 @@ std::optional<MapKind> kind_of_line(std::string_view line) {
   return std::nullopt;
 }
 
-/// By the first lines, comments left out.
+/// Detects the kind of a map by its first lines, without comments.
 std::optional<MapKind> kind_of_content(std::string_view content) {
   if (is_image(content)) return MapKind::image;
   if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
@@ -108,7 +108,7 @@ Outcome<LoadedMap> map_of(MapKind kind, const std::string& content, const std::s
   return LoadedMap{kind, std::move(loaded->world), std::move(loaded->warnings)};
 }
 
-constexpr double any_radius_m = 0.2;  // the polygons of a world are the same for every robot
+constexpr double any_radius_m = 0.2;  // the polygons of a world do not depend on it
 
 }  // namespace
 

@@ -63,7 +63,7 @@ struct KeyReader {
   }
 };
 
-/// x, y and, where it is given, yaw.
+/// Reads x, y and, if given, yaw.
 std::optional<std::array<double, 3>> origin_of(const YAML::Node& node) {
   if (!node.IsDefined() || !node.IsSequence() || node.size() < 2 || node.size() > 3) return std::nullopt;
   std::array<double, 3> origin{};
@@ -116,7 +116,7 @@ Occupancy occupancy_of(std::uint8_t value, const MapKeys& keys) {
   return p < keys.free_thresh ? free_cell : unknown_cell;
 }
 
-/// What map_server writes.
+/// Returns the grey value that map_server writes.
 std::uint8_t shade_of(std::uint8_t occupancy) {
   if (occupancy == free_cell) return 254;
   return occupancy == occupied_cell ? 0 : 205;

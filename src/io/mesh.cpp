@@ -20,7 +20,7 @@ bool is_near(Vec3 p) {  // false for NaN too
 
 bool has_area(const Triangle& t) { return squared_norm(cross(t[1] - t[0], t[2] - t[0])) > 0.0; }
 
-/// The name in small letters, without .gz.
+/// Returns the name in lower case, without .gz.
 std::string plain_name(std::string name) {
   std::ranges::transform(name, name.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });

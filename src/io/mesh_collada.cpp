@@ -17,7 +17,7 @@ using Ids = std::map<std::string_view, const Element*>;
 constexpr int deepest_nodes = 64;
 constexpr int most_nodes = 100'000;
 
-/// A map x -> linear x + move, by the columns of its linear part.
+/// The affine map x -> linear x + move, with the linear part given by its columns.
 struct Affine {
   std::array<Vec3, 3> columns = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   Vec3 move;
@@ -40,7 +40,7 @@ struct Reader {
     return bad_input(fmt::format("<{}>: {}", excerpt(element.Name()), what),
                      fmt::format("{}:{}", name, element.GetLineNum()));
   }
-  /// The element behind a reference "#id"; null when there is none.
+  /// Returns the element with the id of a reference "#id", or null.
   [[nodiscard]] const Element* find(std::string_view reference) const {
     if (reference.starts_with('#')) reference.remove_prefix(1);
     const auto found = ids.find(reference);
@@ -88,7 +88,7 @@ Outcome<std::vector<Vec3>> positions(const Reader& reader, const Element& source
   return points;
 }
 
-/// The points of a mesh's <vertices>, which its primitives share.
+/// Returns the points of the <vertices> of a mesh, which its primitives share.
 Outcome<std::vector<Vec3>> mesh_points(const Reader& reader, const Element& mesh) {
   const Element* vertices = mesh.FirstChildElement("vertices");
   if (vertices == nullptr) return reader.wrong(mesh, "it has no <vertices>");
@@ -103,8 +103,8 @@ Outcome<std::vector<Vec3>> mesh_points(const Reader& reader, const Element& mesh
 }
 
 struct Layout {
-  std::size_t offset = 0;  ///< of VERTEX among the indices of a corner
-  std::size_t stride = 1;  ///< indices of a corner
+  std::size_t offset = 0;  ///< position of VERTEX among the indices of a corner
+  std::size_t stride = 1;  ///< number of indices per corner
 };
 
 Outcome<Layout> layout_of(const Reader& reader, const Element& primitive) {
@@ -123,7 +123,7 @@ Outcome<Layout> layout_of(const Reader& reader, const Element& primitive) {
   return layout;
 }
 
-/// One face as a fan of triangles; `corners` are indices into the points.
+/// Adds one face as a fan of triangles; `corners` are indices of points.
 void add_fan(Reader& reader, const std::vector<std::size_t>& corners, const std::vector<Vec3>& points,
              const Affine& place) {
   for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -133,10 +133,10 @@ void add_fan(Reader& reader, const std::vector<std::size_t>& corners, const std:
   }
 }
 
-/// How many corners each face of a <p> has.
+/// The numbers of corners of the faces of a <p>.
 struct FaceSizes {
-  bool one_face = false;            ///< <polygons>: the whole <p> is one
-  std::vector<std::size_t> counts;  ///< <polylist>; triangles when there are none
+  bool one_face = false;            ///< <polygons>: the whole <p> is one face
+  std::vector<std::size_t> counts;  ///< for <polylist>; empty: triangles
 
   [[nodiscard]] std::size_t of(std::size_t face, std::size_t corners) const {
     if (one_face) return corners;
@@ -214,14 +214,14 @@ Affine rotation(Vec3 axis, double angle_rad) {  // Rodrigues' formula
   return {{turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})}, {}};
 }
 
-/// How many numbers a transform has; 0 for elements that are none.
+/// Returns the number of values of a transform; 0 for other elements.
 std::size_t value_count(std::string_view kind) {
   if (kind == "matrix") return 16;
   if (kind == "rotate") return 4;
   return kind == "translate" || kind == "scale" ? 3 : 0;
 }
 
-/// The transform of one child of a node; identity for children that are none.
+/// Returns the transform of one child of a node; the identity if the child is not a transform.
 Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
   const std::string_view kind = child.Name();
   const std::size_t count = value_count(kind);
@@ -289,7 +289,7 @@ Outcome<std::vector<Triangle>> mesh_from_collada(std::string_view text, const st
     if (auto added = add_node(reader, *scene, {}, 0); !added) return pass_on(added);
     return std::move(reader.triangles);
   }
-  const Element* library = root.FirstChildElement("library_geometries");  // no scene: every mesh as it is
+  const Element* library = root.FirstChildElement("library_geometries");  // no scene: no transforms
   for (const Element* geometry = library == nullptr ? nullptr : library->FirstChildElement("geometry");
        geometry != nullptr; geometry = geometry->NextSiblingElement("geometry")) {
     if (auto added = add_geometry(reader, *geometry, {}); !added) return pass_on(added);

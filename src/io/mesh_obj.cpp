@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// Indices count from 1, or back from the last vertex when negative.
+/// Converts an index of the file, which counts from 1, or back from the last vertex if it is negative.
 std::optional<std::size_t> vertex_index(std::string_view word, std::size_t count) {
   const auto index = number<std::int64_t>(word.substr(0, word.find('/')));
   const auto size = static_cast<std::int64_t>(count);
@@ -17,7 +17,7 @@ std::optional<std::size_t> vertex_index(std::string_view word, std::size_t count
   return static_cast<std::size_t>(*index > 0 ? *index - 1 : size + *index);
 }
 
-/// The three numbers after "v"; a weight may follow.
+/// Reads the three numbers after "v"; a weight may follow.
 std::optional<Vec3> vertex(const std::vector<std::string_view>& parts) {
   if (parts.size() < 4) return std::nullopt;
   const auto x = number<double>(parts[1]);

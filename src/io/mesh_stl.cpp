@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t header_bytes = 84;  // 80 of comment, then the count
+constexpr std::size_t header_bytes = 84;  // 80 bytes of comment, then the count
 constexpr std::size_t facet_bytes = 50;   // normal and corners as 12 floats, 2 bytes of attributes
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
@@ -59,7 +59,7 @@ Outcome<std::vector<Triangle>> from_text(std::string_view text, const std::strin
 }  // namespace
 
 Outcome<std::vector<Triangle>> mesh_from_stl(std::string_view bytes, const std::string& name) {
-  if (bytes.size() >= header_bytes) {  // binary files may start with "solid" too: the length decides
+  if (bytes.size() >= header_bytes) {  // binary files may also start with "solid", so the length decides
     const std::size_t count = little_endian(bytes, 80);
     if (bytes.size() >= header_bytes + count * facet_bytes && (count > 0 || !bytes.starts_with("solid"))) {
       return from_binary(bytes, count, name);

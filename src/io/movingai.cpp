@@ -14,7 +14,7 @@ constexpr int longest_side = 100'000;
 constexpr std::size_t most_cells = 100'000'000;
 constexpr std::size_t most_queries = 1'000'000;
 
-/// Hands out lines and knows where they stand.
+/// Returns lines one by one and counts them.
 struct Lines {
   std::string_view rest;
   const std::string& name;
@@ -27,7 +27,7 @@ struct Lines {
   [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
 };
 
-/// "key N" with N from 1 to the longest side.
+/// Reads "key N" with N from 1 to the longest side.
 Outcome<int> side(Lines& lines, std::string_view key) {
   const std::string_view line = lines.next();
   const auto parts = words(line);

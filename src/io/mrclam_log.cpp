@@ -9,7 +9,7 @@ namespace {
 
 constexpr double last_robot = 5;  // subjects 1 to 5 are robots
 
-/// Rows of a file of numbers.
+/// Reads the rows of a file of numbers.
 Outcome<std::vector<std::vector<double>>> rows(const NamedText& text, std::size_t count,
                                                std::string_view takes) {
   std::vector<std::vector<double>> result;
@@ -23,7 +23,7 @@ Outcome<std::vector<std::vector<double>>> rows(const NamedText& text, std::size_
   return result;
 }
 
-/// The same with the time first: refused where it runs back.
+/// Reads rows that begin with a time. Fault: bad_input if the time decreases.
 Outcome<std::vector<std::vector<double>>> timed_rows(const NamedText& text, std::size_t count,
                                                      std::string_view takes) {
   double before_s = -1e12;
@@ -40,7 +40,7 @@ Outcome<std::vector<std::vector<double>>> timed_rows(const NamedText& text, std:
 
 using Rows = std::vector<std::vector<double>>;
 
-/// Drives on from `now_s` to `until_s` at the speeds of the last row before.
+/// Adds the motion from `now_s` to `until_s`, at each time with the speeds of the latest row.
 void drive(Motion& motion, double& now_s, double until_s, const Rows& odometry, std::size_t& row,
            const LogNoise& noise) {
   while (now_s < until_s) {

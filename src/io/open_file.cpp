@@ -17,18 +17,18 @@ namespace outrider {
 namespace {
 
 struct Access {
-  int root = -1;  ///< descriptor of the folder; -1: everything may be read
+  int root = -1;  ///< descriptor of the folder; -1: all files may be read
   std::string root_path;
   std::map<std::string, std::string> supplied;
 };
 
-/// Of the whole process; written before other threads start.
+/// Returns the access rule of the process. It is only written before other threads start.
 Access& access_rule() {
   static Access rule;
   return rule;
 }
 
-/// openat2 beneath the root. The kernel asks to try again when folders were moved meanwhile.
+/// Calls openat2 beneath the root. Repeats it on EAGAIN, which occurs if folders were moved meanwhile.
 int open2(int root, const std::string& path, int flags) {
   open_how how{};
   how.flags = static_cast<std::uint64_t>(flags);
@@ -42,7 +42,7 @@ int open2(int root, const std::string& path, int flags) {
   return static_cast<int>(descriptor);
 }
 
-/// open(), or openat2() in a confined process; -1 and errno when it is refused.
+/// Calls open(), or openat2() in a confined process. Returns -1 and sets errno on failure.
 int open_allowed(const std::string& path, int flags) {
   const Access& rule = access_rule();
   if (rule.root < 0) return ::open(path.c_str(), flags | O_CLOEXEC);
@@ -63,7 +63,7 @@ Fault why_not(int error, const std::string& path) {
           path};
 }
 
-/// The descriptor, or why there is none; closes one that is of no use.
+/// Returns the descriptor, or the fault if it is -1 or not a readable file; it is closed then.
 Outcome<int> checked(int descriptor, const std::string& path, bool regular_only) {
   if (descriptor < 0) return tl::unexpected<Fault>(why_not(errno, path));
   struct stat status{};
@@ -115,7 +115,7 @@ Outcome<int> open_beneath(int folder, const std::string& path) {
 Outcome<int> open_file(const std::string& path) {
   if (path.empty()) return bad_input("the file name is empty");
   const bool confined = access_rule().root >= 0;
-  // Without O_NONBLOCK the open of a pipe waits for somebody who writes to it.
+  // Without O_NONBLOCK, opening a pipe would wait for a writer.
   const int descriptor = open_allowed(path, O_RDONLY | (confined ? O_NONBLOCK : 0));
   return checked(descriptor, path, confined);
 }

@@ -1,4 +1,5 @@
-// The one place where files are opened for reading. confinement.hpp says which may be.
+// Opens files for reading. This is the only place that does so. confinement.hpp defines which files are
+// allowed.
 #pragma once
 
 #include <string>
@@ -7,16 +8,16 @@
 
 namespace outrider {
 
-/// A descriptor of a file that can be read; the caller closes it. Refuses folders, files that are missing
-/// or may not be read, and in a confined process whatever is not a regular file beneath the root.
+/// Opens a file and returns its descriptor, which the caller closes. Refuses folders, missing files and files
+/// without read permission; a confined process also refuses all but regular files beneath the root.
 Outcome<int> open_file(const std::string& path);
 
-/// The content that supply_file() set for the path, or null.
+/// Returns the content that supply_file() set for the path, or null.
 const std::string* supplied_content(const std::string& path);
 
 enum class FileKind { missing, forbidden, folder, other };
 
-/// What lies at a path. `forbidden`: the confinement does not let us look.
+/// Returns the kind of file at a path; `forbidden` if it lies outside the confinement.
 FileKind file_kind(const std::string& path);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// PngReader: what libpng holds of a picture while it is read, freed however we leave.
+// PngReader: owns the state of libpng while an image is read or written.
 #pragma once
 
 #include <png.h>

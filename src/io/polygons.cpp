@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes one "(x,y)" off the text.
+/// Removes one "(x,y)" from the text and returns it.
 Outcome<Vec2> take_point(std::string_view& rest, const std::string& where) {
   const auto wrong = [&] {
     return bad_input(fmt::format("'{}' is no corner; write (x,y) with x and y from -{} to {} m",

@@ -14,12 +14,13 @@ namespace {
 
 constexpr int longest_side = 100'000;
 constexpr std::size_t most_cells = 100'000'000;
-/// Up to here memory is taken before the costs are seen, so that the row that is short can be named.
+/// Up to this number of cells, the length of the text is not checked first, so a fault can name the short
+/// row.
 constexpr std::size_t small_size = 1'000'000;
 constexpr std::size_t most_steps = 10'000'000;
 constexpr std::uint32_t most_cost = 1'000'000'000;
 
-/// Hands out lines and knows where they stand.
+/// Returns lines one by one and counts them.
 struct Lines {
   std::string_view rest;
   const std::string& name;
@@ -46,14 +47,14 @@ Status expect(Lines& lines, std::string_view letter) {
       lines.where());
 }
 
-/// Whole, however it is written: 25, 25.0, 2.5e1.
+/// Parses an integer in any notation: 25, 25.0, 2.5e1.
 std::optional<std::uint32_t> whole(std::string_view text, std::uint32_t low) {
   const auto value = number<double>(trimmed(text));
   if (!value || *value < low || *value > most_cost || *value != std::floor(*value)) return std::nullopt;
   return static_cast<std::uint32_t>(*value);
 }
 
-/// "x,y", both whole and from 1.
+/// Parses "x,y", two integers from 1.
 std::optional<Cell> pair_of(std::string_view line) {
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos) return std::nullopt;
@@ -77,7 +78,7 @@ Outcome<GridFrame> take_size(Lines& lines) {
                                  frame.height, most_cells),
                      lines.where());
   }
-  const std::size_t shortest = 2 * frame.size() - 1;  // a digit, and a comma or a line end, for each
+  const std::size_t shortest = 2 * frame.size() - 1;  // a digit and a comma or a line end per cell
   if (frame.size() > small_size && shortest > lines.rest.size()) {
     return bad_input(
         fmt::format("{} x {} costs do not fit in the rest of the file; it is cut short or the size is wrong",
@@ -113,7 +114,7 @@ Outcome<Cell> take_robot(Lines& lines, const GridFrame& frame) {
   return cell_of(line, lines, frame, "robot");
 }
 
-/// Up to the line M.
+/// Reads the cells of the target and the line M.
 Outcome<std::vector<Cell>> take_target(Lines& lines, const GridFrame& frame) {
   if (auto letter = expect(lines, "T"); !letter) return pass_on(letter);
   std::vector<Cell> target;
@@ -136,7 +137,8 @@ Outcome<std::vector<Cell>> take_target(Lines& lines, const GridFrame& frame) {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// Reads the usual forms, digits with ".000" or blanks around them, and moves behind; otherwise says no.
+/// Fast path: reads digits, with ".000" after or blanks around them, and advances `at`. Returns false for
+/// other forms.
 bool take_usual(const char*& at, const char* end, std::uint32_t& value) {
   constexpr int most_digits = 9;
   const char* p = at;
@@ -155,7 +157,7 @@ bool take_usual(const char*& at, const char* end, std::uint32_t& value) {
   return true;
 }
 
-/// Row x of the file: column x of the grid, from the lowest cell up.
+/// Reads row x of the file, which is column x of the grid, from the lowest cell up.
 Status take_row(std::string_view line, const Lines& lines, int x, std::vector<std::uint32_t>& row) {
   const char* at = line.data();
   const char* const end = at + line.size();
@@ -183,7 +185,7 @@ Status take_row(std::string_view line, const Lines& lines, int x, std::vector<st
   return {};
 }
 
-/// A block of rows at a time is turned into columns, so that both are gone through in order.
+/// Transposes blocks of rows into columns, so that memory is accessed in order.
 Status take_costs(Lines& lines, CostGrid& costs) {
   constexpr int block = 16;
   const int width = costs.frame.width;

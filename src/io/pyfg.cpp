@@ -12,7 +12,7 @@ namespace {
 
 struct Form {
   std::string_view tag;
-  std::size_t names_from;  ///< word of the first name
+  std::size_t names_from;  ///< index of the word with the first name
   std::size_t names;
   std::size_t numbers;
   std::string_view sentence;
@@ -28,7 +28,7 @@ constexpr std::array<Form, 5> forms = {{
 struct Reader {
   GraphLines lines;
   std::vector<Pose2> truth;
-  std::set<char> robots;  ///< whose first pose was read
+  std::set<char> robots;  ///< robots whose first pose was read
 
   Status vertex(std::string_view name, const Pose2& pose, bool is_point) {
     if (auto ok = lines.place(name, pose, is_point); !ok) return ok;

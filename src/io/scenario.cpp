@@ -13,7 +13,7 @@ namespace {
 
 using Value = std::variant<double, std::int64_t, bool, std::string>;
 
-/// Every option's value, to put back when a file is refused half way.
+/// Returns the values of all options, to restore them if a file is refused.
 std::vector<Value> snapshot(const std::vector<OptionGroup>& groups) {
   std::vector<Value> values;
   for (const OptionGroup& group : groups) {
@@ -40,7 +40,7 @@ std::string did_you_mean(const std::string& unknown, const std::vector<std::stri
   return known.empty() ? "there are none here" : fmt::format("known are {}", fmt::join(known, ", "));
 }
 
-/// What a scalar lacks to be a value of that option, beyond what assign() checks on the text.
+/// Returns the reason why a node cannot be a value of the option, or an empty text. assign() checks the rest.
 std::string_view type_fault(const Option& option, const YAML::Node& value) {
   if (value.IsMap()) return "it is no section; it takes one value";
   if (value.IsSequence())

@@ -1,4 +1,4 @@
-// The forms of a scenario that people and tools read: schema, commented YAML, tables.
+// Generates the schema, the commented YAML and the tables of scenarios.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Json value_json(const Option& option) {
   return Json::parse(text, nullptr, false);
 }
 
-/// A double-quoted YAML scalar; JSON strings are a part of YAML.
+/// Returns a double-quoted YAML scalar. Every JSON string is one.
 std::string quoted(const std::string& text) {
   return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
 }
@@ -33,7 +33,7 @@ std::string unit_and_range(const Option& option) {
   return text;
 }
 
-/// A bound of an integer option; bounds may lie beyond what an integer holds.
+/// Converts a bound of an integer option, which may exceed the range of integers.
 std::int64_t whole(double bound) {
   constexpr double limit = 9.2e18;
   return static_cast<std::int64_t>(std::clamp(bound, -limit, limit));

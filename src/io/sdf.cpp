@@ -42,9 +42,9 @@ bool is_size(double size_m) { return size_m > 0.0 && size_m <= farthest_m; }
 
 // ---- Poses and names -----------------------------------------------------------------------------
 
-/// One collision, found in the tree of models.
+/// A collision found in the tree of models.
 struct Found {
-  std::string model;  ///< with the models around it, by '/'
+  std::string model;  ///< with the names of the enclosing models, separated by '/'
   const sdf::Link* link = nullptr;
   const sdf::Collision* collision = nullptr;
   Pose3 world_T_collision;
@@ -55,7 +55,7 @@ struct Walk {
   const std::string& file;
   std::vector<Found> found;
 
-  /// The world pose of a part: what the state says, or its place in its parent.
+  /// Returns the world pose of a part: that of the saved state, or else the one from its parent.
   Outcome<Pose3> place(const sdf::SemanticPose& part, const std::string& resolve_to,
                        const Pose3& world_T_parent, const std::string& key) const {
     if (const auto known = stated.find(key); known != stated.end()) return known->second;
@@ -79,7 +79,8 @@ Status walk_link(Walk& walk, const sdf::Link& link, const std::string& model, co
   return {};
 }
 
-/// `key` names the model in the state ("a::b"), `name` in the world ("a/b").
+/// Collects the collisions of a model. `key` is its name in the state ("a::b"), `name` that in the world
+/// ("a/b").
 Status walk_model(Walk& walk, const sdf::Model& model, const std::string& key, const std::string& name,
                   const Pose3& world_T_model) {
   for (std::uint64_t i = 0; i < model.LinkCount(); ++i) {
@@ -101,8 +102,8 @@ Status walk_model(Walk& walk, const sdf::Model& model, const std::string& key, c
   return {};
 }
 
-/// "model/link/collision", where a link or a collision that is the only one says nothing, and a
-/// collision does not repeat its link.
+/// Returns the names "model/link/collision". A link or a collision that is the only one is omitted, and a
+/// collision does not repeat the name of its link.
 std::vector<std::string> solid_names(const std::vector<Found>& found) {
   std::map<std::string, std::set<const sdf::Link*>> links;
   for (const Found& one : found) links[one.model].insert(one.link);

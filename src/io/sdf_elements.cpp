@@ -11,7 +11,8 @@ constexpr std::size_t most_tags = 2'000'000;
 constexpr std::size_t most_parts = 20'000;
 constexpr std::size_t most_deep_models = 50;
 
-/// Counts what is below an element that is in so many models; gives the number of deeply nested models.
+/// Counts the elements below an element that is nested in `levels` models. Returns the number of deeply
+/// nested models.
 std::size_t count_below(const SdfElement& element, int levels, SdfCounts& counts) {
   std::size_t deep = 0;
   for (const SdfElement* child = element.FirstChildElement(); child != nullptr;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A path that is forbidden is given too: whoever reads it is told so.
+/// Returns the path if it exists. Returns a forbidden path too, so that reading it gives the right fault.
 std::optional<std::string> existing(const fs::path& path) {
   return file_kind(path.string()) == FileKind::missing ? std::nullopt : std::optional(path.string());
 }
@@ -51,7 +51,7 @@ std::optional<std::string> find_model(std::string_view uri, const SdfFolders& fo
   if (!config) return std::nullopt;
   for (const auto* sdf = (*config)->RootElement()->FirstChildElement("sdf"); sdf != nullptr;
        sdf = sdf->NextSiblingElement("sdf")) {
-    if (!xml_text(*sdf).empty()) sdf_name = xml_text(*sdf);  // the last is the newest by custom
+    if (!xml_text(*sdf).empty()) sdf_name = xml_text(*sdf);  // by convention, the last is the newest
   }
   return existing(fs::path(*found) / sdf_name);
 }

@@ -1,4 +1,4 @@
-// Where the files that a world names are found.
+// Finds the files that a world names.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,11 @@ struct SdfFolders {
   std::vector<std::string> models;  ///< more folders for model://, in order
 };
 
-/// file://, model://, package:// or a plain path; nothing when there is no such file or folder.
+/// Resolves file://, model://, package:// or a plain path. Returns nothing if there is no such file or
+/// folder.
 std::optional<std::string> find_uri(std::string_view uri, const SdfFolders& folders);
 
-/// The SDF file of an <include>: the file itself, or the one that a model folder's model.config names.
+/// Returns the SDF file of an <include>: the file itself, or the one named by model.config in a model folder.
 std::optional<std::string> find_model(std::string_view uri, const SdfFolders& folders);
 
 }  // namespace outrider

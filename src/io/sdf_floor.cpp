@@ -16,14 +16,14 @@ bool bounded(const Solid& solid) {
          !std::holds_alternative<HeightFieldShape>(solid.shape);
 }
 
-/// A box that lies flat: no thicker than a tenth of its shorter side.
+/// Returns true for a box that lies flat and is at most as thick as a tenth of its shorter side.
 bool is_slab(const Solid& solid) {
   const auto* box = std::get_if<BoxShape>(&solid.shape);
   return box != nullptr && solid.world_T_solid.rotation.axes[2].z > 1.0 - 1e-9 &&
          box->half_size.z <= 0.1 * std::min(box->half_size.x, box->half_size.y);
 }
 
-/// The top of the highest slab that reaches under everything and has nothing but such slabs below it.
+/// Returns the highest slab that reaches under everything and has only such slabs below it.
 std::optional<Box3> slab_floor(const World& world) {
   Box2 all;
   for (const Solid& solid : world.solids) {
@@ -31,13 +31,13 @@ std::optional<Box3> slab_floor(const World& world) {
     all.include(bounds(solid).ground().low);
     all.include(bounds(solid).ground().high);
   }
-  const auto covers = [&](const Solid& solid) {  // walls may stand over its edge by a tenth
+  const auto covers = [&](const Solid& solid) {  // others may extend over its edge by a tenth of its size
     const Box2 box = bounds(solid).ground();
     const Box2 grown = box.grown(0.1 * std::min(box.size().x, box.size().y));
     return is_slab(solid) && grown.contains(all.low) && grown.contains(all.high);
   };
   std::vector<Box3> slabs;
-  double lowest_middle_m = std::numeric_limits<double>::infinity();  // of all that is no such slab
+  double lowest_middle_m = std::numeric_limits<double>::infinity();  // of all solids that are not such slabs
   for (const Solid& solid : world.solids) {
     if (!bounded(solid)) continue;
     const Box3 box = bounds(solid);

@@ -1,4 +1,4 @@
-// Which solid is the floor, and how far the yard reaches.
+// Determines the floor of a world and its bounds.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace outrider {
 
-/// An upright half-space and the size that its file gives it.
+/// A horizontal half-space and its size in the file.
 struct FloorPlane {
   Vec3 point;
   Vec2 size;
 };
 
-/// Sets floor_z_m and bounds, as sdf.hpp says; `planes` are the world's upright half-spaces.
+/// Sets floor_z_m and bounds as described in sdf.hpp. `planes` are the horizontal half-spaces of the world.
 Status set_floor_and_bounds(World& world, const std::vector<FloorPlane>& planes, const std::string& name);
 
 }  // namespace outrider

@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-/// Swallows what libraries print on std::cerr while it lives.
+/// Discards all output to std::cerr during its lifetime.
 class MutedErrors {
  public:
   MutedErrors() : before_(std::cerr.rdbuf(sink_.rdbuf())) {}
@@ -26,7 +26,7 @@ class MutedErrors {
   std::streambuf* before_;
 };
 
-/// sdformat's description of all of SDF 1.9, read once.
+/// Returns the description of SDF 1.9 from sdformat, which is read once.
 const sdf::Element& whole_schema() {
   static const sdf::SDFPtr schema = [] {
     auto read = std::make_shared<sdf::SDF>();
@@ -36,18 +36,19 @@ const sdf::Element& whole_schema() {
   return *schema->Root();
 }
 
-/// True for elements that repair_sdf() may leave in the text under this parent, and those that sdformat adds
-/// where they are missing.
+/// Returns true for elements that repair_sdf() may leave in the text under this parent, and for those that
+/// sdformat adds if they are missing.
 bool is_described(const std::string& parent, const sdf::Element& child, const SdfCounts& counts) {
   if (one_of(child.GetRequired(), {"1", "+"})) return true;
   if (!sdf_matters(parent, child.GetName())) return false;
-  // No conversion from an older version makes one of these where there is none.
+  // Conversions from older versions never create one of these.
   const bool as_written =
       parent == "geometry" || is_sdf_part(child.GetName()) || child.GetName() == "include";
   return !as_written || counts.by_kind.contains(child.GetName());
 }
 
-/// A copy of a description with only the children that count, and models in models on so many levels.
+/// Copies a description, with only the children for which is_described() is true and `model_levels` levels of
+/// nested models.
 sdf::ElementPtr cut_down(const sdf::Element& whole, const SdfCounts& counts, int model_levels) {
   auto copy = std::make_shared<sdf::Element>();
   copy->SetName(whole.GetName());
@@ -67,7 +68,7 @@ sdf::ElementPtr cut_down(const sdf::Element& whole, const SdfCounts& counts, int
     const sdf::Element& child = *whole.GetElementDescription(i);
     if (!is_described(whole.GetName(), child, counts)) continue;
     const bool nested = whole.GetName() == "model" && child.GetName() == "model" && model_levels > 1;
-    // The library's description of a nested model is a reference to that of a model.
+    // In the library, the description of a nested model is a reference to that of a model.
     copy->AddElementDescription(nested ? cut_down(whole, counts, model_levels - 1)
                                        : cut_down(child, counts, model_levels));
   }

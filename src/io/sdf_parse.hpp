@@ -1,9 +1,9 @@
-// sdformat's reading of repaired SDF text, with a description of the format that is cut down to what the
-// text can hold.
+// Parses repaired SDF text with sdformat, with a reduced description of the format.
 //
-// sdformat copies the description of an element into every element that it reads: all that a <model> may
-// hold, with sensors, engines and materials, is 2.3 MiB. Of that repair_sdf() leaves a few elements. Without
-// the others a model costs some ten kilobytes, and the answers are the same.
+// sdformat copies the description of an element into every element that it reads. That of a <model>, with
+// sensors, engines and materials, takes 2.3 MiB. repair_sdf() leaves only a few kinds of elements in the
+// text. Without the descriptions of the others, a model takes some ten kilobytes, and the results are the
+// same.
 #pragma once
 
 #include <sdf/Root.hh>
@@ -14,7 +14,8 @@
 
 namespace outrider {
 
-/// Every failure of sdformat is a fault with the line, where it says one. Mutes std::cerr meanwhile.
+/// Parses the text. Every failure of sdformat becomes a fault, with the line if sdformat states it. Mutes
+/// std::cerr meanwhile.
 Outcome<sdf::Root> parse_sdf(const RepairedSdf& repaired, const std::string& file);
 
 }  // namespace outrider

@@ -7,7 +7,7 @@
 namespace outrider {
 namespace {
 
-/// The name with every "::" as "_": sdformat keeps "::" for itself.
+/// Replaces every "::" in a name by "_", because sdformat reserves "::".
 std::string without_colons(std::string_view given) {
   std::string name;
   for (const char c : given) {
@@ -20,7 +20,7 @@ std::string without_colons(std::string_view given) {
   return name;
 }
 
-/// Collects the poses of the models and links of a saved state; they are in the world's frame.
+/// Collects the poses of the models and links in a saved state. They are in the world frame.
 Status read_stated(const SdfFile& file, SdfElement& owner, const std::string& prefix,
                    std::map<std::string, Pose3>& stated) {
   for (SdfElement* child = owner.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
@@ -88,7 +88,7 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
     file.warn(collision, fmt::format("collision '{}' has no shape and was left out", path));
     return false;
   }
-  SdfElement* kept = nullptr;  // sdformat's own order of preference
+  SdfElement* kept = nullptr;  // in the order of preference of sdformat
   for (const char* kind :
        {"box", "capsule", "cylinder", "ellipsoid", "plane", "sphere", "mesh", "heightmap", "empty"}) {
     if (kept == nullptr) kept = geometry->FirstChildElement(kind);
@@ -123,7 +123,7 @@ bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::stri
 
 void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken) {
   const char* attribute = element.Attribute("name");
-  if (attribute == nullptr) return;  // sdformat says so
+  if (attribute == nullptr) return;  // sdformat reports this
   const std::string wanted = without_colons(attribute);
   if (wanted != attribute) file.warn(element, "'::' in a name was replaced by '_'");
   const std::string name = taken.take(wanted);

@@ -1,4 +1,4 @@
-// One file of an SDF world while it is repaired, and the repair of its single parts.
+// The state of one file of an SDF world during its repair, and the repair of its parts.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,16 +19,16 @@ namespace outrider {
 
 inline constexpr double newest_sdf_version = 1.9;
 
-/// What all files of one world share.
+/// The state shared by all files of a world.
 struct SdfSession {
   SdfWarnings& warnings;
-  std::set<std::string, std::less<>> referenced;  // frames named by an attribute anywhere
+  std::set<std::string, std::less<>> referenced;  // frames that are named by attributes
   std::size_t includes = 0;
   std::size_t bytes = 0;
   std::size_t tags = 0;
 };
 
-/// One file of it.
+/// One file of a world.
 struct SdfFile {
   SdfSession& session;
   std::string name;
@@ -44,17 +44,17 @@ struct SdfFile {
   }
 };
 
-/// Refuses what is no pose; three numbers get a rotation of zero.
+/// Repairs a pose: three numbers get a rotation of zero. Refuses everything else that is not a pose.
 Status repair_pose(const SdfFile& file, SdfElement& pose);
 
 /// Checks the times of a saved state and collects the world poses of its models and links.
 Status read_state(const SdfFile& file, SdfElement& state, std::map<std::string, Pose3>& stated);
 
-/// Leaves one shape in a collision, and finds the file of a mesh. True when the collision stays; `path`
-/// names it in warnings.
+/// Removes all shapes of a collision but one, and finds the file of a mesh. Returns true if the collision is
+/// kept. `path` names it in warnings.
 bool repair_geometry(const SdfFile& file, SdfElement& collision, const std::string& path);
 
-/// Makes the name of a frame or a collision unique among its siblings, and free of "::".
+/// Makes the name of a frame or a collision unique among its siblings, without "::".
 void repair_name(const SdfFile& file, SdfElement& element, UniqueNames& taken);
 
 }  // namespace outrider

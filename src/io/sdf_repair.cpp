@@ -18,10 +18,10 @@ constexpr int deepest_include = 8;
 
 Status repair_children(const SdfFile& file, Element& parent, const std::string& path);
 
-/// What an <include> brings into its parent; null when its file is not found or holds no model.
+/// Returns the model of an <include>; null if its file is not found or contains no model.
 Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2::XMLDocument& document);
 
-/// False when the element is to be left out.
+/// Repairs an element. Returns false if it must be removed.
 Outcome<bool> repair_element(const SdfFile& file, Element& element, const std::string& path) {
   const std::string_view kind = element.Name();
   if (kind == "pose") {
@@ -48,7 +48,7 @@ void leave_out(const SdfFile& file, Element& parent, Element* child) {
   parent.DeleteChild(child);
 }
 
-/// Puts the included model where its <include> stood.
+/// Replaces an <include> by its model.
 Status splice_include(const SdfFile& file, Element& parent, Element* include, UniqueNames& taken) {
   auto model = expand_include(file, *include, *parent.GetDocument());
   if (!model) return pass_on(model);
@@ -86,7 +86,7 @@ Status repair_children(const SdfFile& file, Element& parent, const std::string& 
   return {};
 }
 
-/// Notes every frame that an attribute of the tree names, also the last part of "a::b".
+/// Collects the names of all frames in attributes of the tree; of "a::b", only the last part.
 void collect_references(const Element& element, std::set<std::string, std::less<>>& referenced) {
   for (const char* attribute : {"relative_to", "attached_to", "placement_frame", "frame"}) {
     const std::string_view name = xml_attribute(element, attribute);
@@ -115,7 +115,7 @@ Outcome<XmlDocument> parse_file(SdfFile& file, std::string_view text) {
     root.SetAttribute("version", "1.6");
   }
   file.version = version.value_or(1.6);
-  // 1.10 and later are newer than 1.9, though smaller as numbers.
+  // 1.10 and later are newer than 1.9, but smaller as numbers.
   const std::string_view text_of = xml_attribute(root, "version");
   if (text_of.starts_with("1.1") && text_of.size() > 3) file.version = newest_sdf_version + 0.1;
   if (file.version > newest_sdf_version) {
@@ -176,7 +176,7 @@ Outcome<Element*> expand_include(const SdfFile& file, Element& include, tinyxml2
   return copy;
 }
 
-/// Puts the models of a file without a world into one.
+/// Moves the models of a file without a world into a new world.
 void make_world(Element& root) {
   Element* world = root.GetDocument()->NewElement("world");
   world->SetAttribute("name", "yard");

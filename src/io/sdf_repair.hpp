@@ -1,5 +1,5 @@
-// Makes SDF text fit for sdformat: keeps what says where collisions stand, repairs it, and brings in
-// the files it names. sdf.hpp is the manual.
+// Prepares SDF text for sdformat: keeps the elements that determine the poses of collisions, repairs them,
+// and inserts included files. See sdf.hpp.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace outrider {
 
-/// Warnings by what was done, each with its first place and how often.
+/// Warnings by sentence, each with its first position and its count.
 class SdfWarnings {
  public:
   void add(const std::string& where, const std::string& sentence);
@@ -31,9 +31,9 @@ class SdfWarnings {
 
 struct RepairedSdf {
   std::string text;                     ///< one <world>; <mesh><uri> is the path of a file that exists
-  SdfCounts counts;                     ///< of its elements
+  SdfCounts counts;                     ///< numbers of its elements
   std::map<std::string, Pose3> stated;  ///< world poses from <state>, by "model::nested::link"
-  bool bare = false;                    ///< there was no <world>
+  bool bare = false;                    ///< true if there was no <world>
 };
 
 Outcome<RepairedSdf> repair_sdf(std::string_view text, const std::string& name, const std::string& model_path,

@@ -31,7 +31,7 @@ bool is_size(double size_m) { return size_m > 0.0 && size_m <= largest_m; }
 
 bool is_scale(double factor) { return std::abs(factor) >= smallest_scale && std::abs(factor) <= largest_m; }
 
-/// The rotation that takes +z to a direction.
+/// Returns a rotation that maps +z to a direction.
 Rotation upward(Vec3 normal) {
   const Vec3 z = (1.0 / norm(normal)) * normal;
   if (z.z >= 1.0) return {};
@@ -41,7 +41,8 @@ Rotation upward(Vec3 normal) {
   return {{x, cross(z, x), z}};
 }
 
-/// Triangles around an ellipsoid: a sphere's, stretched, and grown so that no face cuts into it.
+/// Makes a mesh around an ellipsoid: that of a sphere, scaled, and enlarged so that no face cuts the
+/// ellipsoid.
 MeshShape ellipsoid(Vec3 radii) {
   constexpr int rings = 24;
   constexpr int sides = 48;

@@ -15,9 +15,9 @@ constexpr std::size_t largest_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_pieces = 200'000;
 constexpr std::size_t most_corners = 1000;
 constexpr double farthest_m = 1e6;
-constexpr double dented_m = 1e-3;       ///< a corner deeper than this below the hull makes a dent
-constexpr double rectangle_m = 2e-4;    ///< how far the corners of a rectangle are from those given
-constexpr double inner_floor_m = 0.15;  ///< above the foot: where the body of a robot is
+constexpr double dented_m = 1e-3;       ///< a corner deeper than this inside the hull makes a polygon concave
+constexpr double rectangle_m = 2e-4;    ///< largest distance of the corners of a rectangle from those given
+constexpr double inner_floor_m = 0.15;  ///< height of the inner floor above the foot, within a robot's body
 
 constexpr const char* form = "it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
 
@@ -32,7 +32,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   }
 }
 
-/// The corners as a convex polygon.
+/// Returns the corners as a convex polygon, or the fault that they are not convex.
 Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
   std::vector<Vec2> hull = convex_hull(corners);
   if (hull.size() < 3) return bad_input("its corners lie on one line; give a wall by its two ends");
@@ -90,7 +90,7 @@ bool is_rectangle(const std::vector<Vec2>& c) {
   return norm(missing) <= rectangle_m && skew <= rectangle_m;
 }
 
-/// The sides of a prism, and a floor inside it, so that nobody starts there.
+/// Makes the sides of a prism, and a floor inside it, so that no robot can start there.
 MeshShape prism(const std::vector<Vec2>& corners, Vec2 centre, double half_height_m) {
   MeshShape mesh;
   const auto at = [&](std::size_t i, double z) {

@@ -96,7 +96,7 @@ Outcome<Vec3> size_of(const Words& keys, std::optional<std::size_t> type, const 
   return Vec3{sides[0], sides[1], sides[2]};
 }
 
-/// Everything but the name.
+/// Reads all of a target except its name.
 Outcome<Target> target_of(const Words& keys, std::optional<std::size_t> type, const std::string& where) {
   auto x = coordinate(keys, "x", {}, where);
   if (!x) return pass_on(x);

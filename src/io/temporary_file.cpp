@@ -24,7 +24,7 @@ tl::unexpected<Fault> cannot_write(int error, const std::string& path) {
                fmt::format("it cannot be written: {}", std::generic_category().message(error)), path);
 }
 
-/// The file behind a symbolic link, so that the link itself survives the renaming.
+/// Resolves symbolic links, so that renaming replaces the file and not the link.
 Outcome<std::string> destination(const std::string& path) {
   if (path.empty()) return bad_input("the file name is empty");
   std::error_code error;
@@ -36,14 +36,14 @@ Outcome<std::string> destination(const std::string& path) {
   return error ? path : real.string();
 }
 
-/// Locks the file unless somebody else removed or locked it.
+/// Locks a file. Returns false if another process has removed or locked it.
 bool lock(int descriptor) {
   struct stat status{};
   return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &status) == 0 &&
          status.st_nlink > 0;
 }
 
-/// Makes a file that did not exist before, and locks it.
+/// Creates a new file and locks it.
 Outcome<int> create(const std::string& final_name, const std::string& path, std::string& name) {
   constexpr int attempts = 1000;
   const fs::path folder = fs::path(final_name).parent_path();
@@ -51,7 +51,7 @@ Outcome<int> create(const std::string& final_name, const std::string& path, std:
     name = folder / fmt::format("{}{}-{}{}", prefix, ::getpid(), i, suffix);
     const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 && lock(descriptor)) return descriptor;
-    if (descriptor >= 0) {  // another writer took it for abandoned between the two calls
+    if (descriptor >= 0) {  // another writer removed it as abandoned between the two calls
       ::close(descriptor);
       continue;
     }
@@ -65,7 +65,7 @@ Outcome<int> create(const std::string& final_name, const std::string& path, std:
   return cannot_write(EEXIST, path);
 }
 
-/// Writes everything, and waits until the disk has it. 0, or errno.
+/// Writes everything and waits until it is on the disk. Returns 0, or errno.
 int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
@@ -89,7 +89,7 @@ Outcome<TemporaryFile> TemporaryFile::write(const std::string& path, std::string
   TemporaryFile file;
   auto descriptor = create(*final_name, path, file.name_);
   if (!descriptor) {
-    file.name_.clear();  // it is not ours
+    file.name_.clear();  // the file belongs to another process
     return pass_on(descriptor);
   }
   file.descriptor_ = *descriptor;

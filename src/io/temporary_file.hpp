@@ -1,4 +1,4 @@
-// A whole file under a temporary name, ready to take its own.
+// TemporaryFile: a complete file under a temporary name, which can be renamed to its final name.
 #pragma once
 
 #include <filesystem>
@@ -9,32 +9,34 @@
 
 namespace outrider {
 
-/// Holds a lock on the file while it lives: one that nobody holds a lock on was left by a writer that was
-/// killed. The file is removed with the object unless it was renamed.
+/// Holds a lock on the file during its lifetime. A temporary file without a lock was left by a killed writer.
+/// The destructor removes the file unless it was renamed.
 class TemporaryFile {
  public:
-  /// Writes the content beside `path`, with the mode of the file that lies there, and waits for the disk.
+  /// Writes the content beside `path`, with the mode of an existing file there, and waits for the disk.
   static Outcome<TemporaryFile> write(const std::string& path, std::string_view content);
 
   TemporaryFile(TemporaryFile&& other) noexcept;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile();
 
-  /// rename() to the final name, and nothing else: it may be called between fork() and _exit().
+  /// Renames the file to its final name and does nothing else, so it may be called between fork() and
+  /// _exit().
   [[nodiscard]] bool rename() const;
-  /// Whether rename() was done, by this process or another; else the fault. `error` is what errno was.
+  /// Returns a fault unless rename() has succeeded, in this process or another. `error` is the errno of
+  /// rename().
   Status finish(int error);
 
  private:
   TemporaryFile() = default;
 
-  std::string path_;        // as it was asked for
+  std::string path_;        // as given by the caller
   std::string final_name_;  // with links resolved
-  std::string name_;        // empty: nothing is left to remove
+  std::string name_;        // empty: there is no file to remove
   int descriptor_ = -1;
 };
 
-/// Removes what writers left in a folder that were killed.
+/// Removes the temporary files of killed writers from a folder.
 void remove_abandoned_files(const std::filesystem::path& folder);
 
 }  // namespace outrider

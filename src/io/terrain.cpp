@@ -24,7 +24,7 @@ std::string lower(std::string_view word) {
   return result;
 }
 
-/// Lines of a grid, counted.
+/// Returns the lines of a grid one by one and counts them.
 struct Lines {
   std::string_view rest;
   const std::string& name;
@@ -43,12 +43,12 @@ struct Lines {
 struct GridHeader {
   int columns = 0;
   int rows = 0;
-  Vec2 first;  ///< centre of the cell of the lowest x and y
+  Vec2 first;  ///< centre of the cell with the lowest x and y
   double cell_m = 0.0;
   std::optional<double> no_data;
 };
 
-/// The words before the heights; `lines.line` is the first line of these then.
+/// Reads the words before the heights. After that, `lines.line` is the first line of heights.
 Outcome<std::map<std::string, double>> header_fields(Lines& lines) {
   std::map<std::string, double> words_of_header;
   while (lines.next()) {

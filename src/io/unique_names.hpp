@@ -1,4 +1,4 @@
-// Names that are each given once.
+// UniqueNames: gives each name only once.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@ namespace outrider {
 
 class UniqueNames {
  public:
-  /// The wanted name, or the first of name_2, name_3 ... that is free. Constant time for equal names, but
-  /// for the look-up.
+  /// Returns the wanted name, or the first free one of name_2, name_3 ... Apart from the look-up, repeated
+  /// requests for the same name take constant time.
   std::string take(const std::string& wanted) {
     if (taken_.insert(wanted).second) return wanted;
     std::size_t& number = next_.try_emplace(wanted, 2).first->second;
@@ -24,7 +24,7 @@ class UniqueNames {
 
  private:
   std::set<std::string> taken_;
-  std::map<std::string, std::size_t> next_;  // by wanted name: all numbers from 2 to below this are taken
+  std::map<std::string, std::size_t> next_;  // by wanted name: all numbers from 2 to below this one are taken
 };
 
 }  // namespace outrider

@@ -16,14 +16,14 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_near_names = 3;
-constexpr double rounding_deg = 1e-9;  // a right angle reads as 90
+constexpr double rounding_deg = 1e-9;  // tolerance for whole degrees
 
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
   return text.substr(0, text.find_last_not_of(white_space) + 1);
 }
 
-/// What stands between semicolons, without white space around it; empty parts are left out.
+/// Splits a text at semicolons, without the white space around the parts and without empty parts.
 std::vector<std::string_view> parts(std::string_view text) {
   std::vector<std::string_view> found;
   while (!text.empty()) {
@@ -63,7 +63,7 @@ Vec2 middle_of(const World& world, const std::vector<std::size_t>& solids) {
   return 0.5 * (around.low + around.high);
 }
 
-/// The refusal of a name that nothing has.
+/// Makes the fault for an unknown name.
 tl::unexpected<Fault> unknown(std::string_view name, const World& world, const char* key) {
   std::vector<std::string> known, near;
   for (const MovableThing& thing : movable_things(world)) known.push_back(thing.name);
@@ -85,7 +85,7 @@ tl::unexpected<Fault> unknown(std::string_view name, const World& world, const c
   return bad_input(fmt::format("nothing in the world is named '{}'; {}", excerpt(name), remedy), key);
 }
 
-/// The solids of a name, none of which another name stands for.
+/// Returns the solids of a name and marks them as taken. Faults: ground, and solids that are already taken.
 Outcome<std::vector<std::size_t>> claimed(const World& world, std::string_view name, const char* key,
                                           std::vector<bool>& taken) {
   std::vector<std::size_t> solids = solids_of(world, name);

@@ -18,7 +18,7 @@ namespace {
 
 enum class WorldKind { sdf, map_server, image, slices };
 
-/// The map with a ring of unknown cells around it.
+/// Returns the map with a ring of unknown cells around it.
 Grid<std::uint8_t> ringed(const Grid<std::uint8_t>& occupancy) {
   GridFrame frame = occupancy.frame;
   frame.origin = frame.corner({-1, -1});
@@ -60,7 +60,7 @@ bool begins_with_a_slice(std::string_view content) {
   return false;
 }
 
-/// Of maps the two that are worlds as well.
+/// Returns the kind of world for those kinds of maps that are also worlds.
 std::optional<WorldKind> kind_of_map(MapKind kind) {
   if (kind == MapKind::world) return WorldKind::sdf;
   if (kind == MapKind::map_server) return WorldKind::map_server;
@@ -83,13 +83,13 @@ Outcome<WorldKind> world_kind(std::string_view content, const std::string& path)
       path);
 }
 
-/// The name of the file without its folder and ending.
+/// Returns the name of the file without folder and ending.
 std::string name_of(const std::string& path) {
   const std::string name = excerpt(std::filesystem::path(path).filename().string());
   return name.substr(0, name.find('.', 1));
 }
 
-/// The solids of a world that is no SDF, without its floor.
+/// Makes a world from a file that is not SDF, without its floor.
 Outcome<World> world_from(WorldKind kind, const std::string& content, const std::string& path,
                           const WorldFileOptions& options) {
   if (kind == WorldKind::slices) {

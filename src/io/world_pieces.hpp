@@ -1,4 +1,4 @@
-// Solids that are put into a world one by one, as many as one may hold.
+// Adds solids to a world, up to the maximum number.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace outrider {
 
-/// Fault: bad_input at `where` when the world is full.
+/// Adds a solid. Fault: bad_input with `where` if the world has the maximum number.
 Status add_solid(World& world, Solid solid, const std::string& where);
 
-/// Stands the slices on the floor.
+/// Adds slices as solids that stand on the floor.
 Status add_slices(World& world, const std::vector<WorldSlice>& slices, double height_m,
                   const std::string& where);
 

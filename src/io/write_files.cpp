@@ -12,17 +12,17 @@
 namespace outrider {
 namespace {
 
-/// Renames all in their order; stops at the first that fails. 0, or errno. Between fork() and _exit() only
-/// calls like these are safe.
+/// Renames all files in order and stops at the first failure. Returns 0, or errno. It makes only calls that
+/// are safe between fork() and _exit().
 int rename_all(const std::vector<TemporaryFile>& files) {
   const auto failed = std::ranges::find_if_not(files, &TemporaryFile::rename);
   return failed == files.end() ? 0 : errno;
 }
 
-/// The same in a process of its own, in a session of its own, which outlives this one if it is killed.
+/// Renames all files in a separate process with its own session, which survives if this process is killed.
 int rename_all_unharmed(const std::vector<TemporaryFile>& files) {
   const pid_t child = ::fork();
-  if (child < 0) return rename_all(files);  // no room for a process
+  if (child < 0) return rename_all(files);  // no new process is possible
   if (child == 0) {
     ::setsid();
     ::_exit(rename_all(files) & 0x7f);

@@ -11,7 +11,7 @@ namespace {
 
 class SameLinePrinter : public tinyxml2::XMLPrinter {
  public:
-  SameLinePrinter() : XMLPrinter(nullptr, true) {}  // compact: no line ends of its own
+  SameLinePrinter() : XMLPrinter(nullptr, true) {}  // compact: it adds no line ends
 
   bool VisitEnter(const tinyxml2::XMLElement& element, const tinyxml2::XMLAttribute* attributes) override {
     while (line_ < element.GetLineNum()) {

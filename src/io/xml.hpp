@@ -13,17 +13,17 @@ namespace outrider {
 
 using XmlDocument = std::unique_ptr<tinyxml2::XMLDocument>;
 
-/// Refuses what is not well-formed, has another root element (any will do for an empty name), or nests
-/// deeper than 100.
+/// Parses a document. Refuses text that is not well-formed, another root element than `root` (if that is not
+/// empty), and nesting deeper than 100.
 Outcome<XmlDocument> xml_document(std::string_view text, const std::string& name, std::string_view root);
 
-/// The text of an element, or of its child of that name; empty when there is none.
+/// Returns the text of an element, or of its child with that name; empty if there is none.
 std::string_view xml_text(const tinyxml2::XMLElement& element);
 std::string_view xml_text(const tinyxml2::XMLElement& element, const char* child);
 std::string_view xml_attribute(const tinyxml2::XMLElement& element, const char* attribute);
 
-/// The document as text whose elements start on the lines where they stood in the file, so that
-/// whoever reads it names the right line. Comments are left out.
+/// Returns the document as text whose elements start on the same lines as in the file, so that faults of
+/// later readers name the right line. Comments are removed.
 std::string xml_on_same_lines(const tinyxml2::XMLDocument& document);
 
 }  // namespace outrider

@@ -29,7 +29,7 @@ Status check_keys(const YAML::Node& map, const std::string& name) {
   return {};
 }
 
-/// Lets a document pass without keeping it.
+/// Ignores all events of a document.
 struct Discard : YAML::EventHandler {
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -44,7 +44,7 @@ struct Discard : YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// True when something follows the first document. (YAML::LoadAll never ends on some broken text.)
+/// Returns true if something follows the first document. (YAML::LoadAll never returns for some broken text.)
 bool goes_on(const std::string& text) {
   std::istringstream stream(text);
   YAML::Parser parser(stream);
@@ -52,7 +52,7 @@ bool goes_on(const std::string& text) {
   return parser.HandleNextDocument(discard) && parser.HandleNextDocument(discard);
 }
 
-/// Finds one key of the top map in the events of a document.
+/// Finds the value of one key of the top-level map in the events of a document.
 class FindTopValue : public YAML::EventHandler {
  public:
   explicit FindTopValue(std::string key) : key_(std::move(key)) {}
@@ -80,7 +80,7 @@ class FindTopValue : public YAML::EventHandler {
   void OnMapEnd() override { end(); }
 
  private:
-  /// Keys and values of the top map take turns.
+  /// Handles a scalar. Keys and values of the top-level map alternate.
   void see(const std::string& text) {
     if (depth_ != 1) {
       is_map_ = is_map_ && depth_ > 0;

@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-/// Highest speed reached: the limit, or less when the distance is too short for it.
+/// Returns the highest speed reached: the limit, or less if the distance is too short for it.
 double peak_speed(double distance, const Limits& limits) {
   return std::min(limits.speed, std::sqrt(distance * limits.acceleration));
 }
@@ -34,7 +34,7 @@ double covered(double distance, const Limits& limits, double time_s) {
 double speed_after(double distance, const Limits& limits, double time_s) {
   const double left = duration(distance, limits) - time_s;
   if (time_s <= 0.0 || left <= 0.0) return 0.0;
-  // min() last: an infinite acceleration is at full speed at once.
+  // min() comes last: with an infinite acceleration the robot has full speed at once.
   return std::min(peak_speed(distance, limits), limits.acceleration * std::min(time_s, left));
 }
 

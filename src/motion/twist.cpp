@@ -5,7 +5,7 @@
 namespace outrider {
 namespace {
 
-/// sin(a) / a and (1 - cos(a)) / a, by series near 0 where the quotients lose digits.
+/// Holds sin(a) / a and (1 - cos(a)) / a; computed by series near 0, where the quotients lose digits.
 struct ArcFactors {
   double along;
   double aside;

@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-/// Cells begin <= x < end of the rows from `row` to `last`.
+/// The cells with begin <= x < end in the rows from `row` to `last`, inclusive.
 struct Rectangle {
   int begin = 0;
   int end = 0;
@@ -14,7 +14,7 @@ struct Rectangle {
   int last = 0;
 };
 
-/// The runs of cells of a row that are not free, left to right.
+/// Returns the runs of cells in a row that are not free, from left to right.
 std::vector<Rectangle> runs_of(const Grid<std::uint8_t>& occupancy, int row) {
   std::vector<Rectangle> runs;
   const int width = occupancy.frame.width;
@@ -29,7 +29,7 @@ std::vector<Rectangle> runs_of(const Grid<std::uint8_t>& occupancy, int row) {
 
 std::vector<Rectangle> rectangles_of(const Grid<std::uint8_t>& occupancy) {
   std::vector<Rectangle> all;
-  std::vector<std::size_t> open;  // those that reach the row before, left to right
+  std::vector<std::size_t> open;  // rectangles that end at the previous row, from left to right
   for (int row = 0; row < occupancy.frame.height; ++row) {
     std::vector<std::size_t> next;
     auto above = open.begin();

@@ -12,7 +12,7 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
   return a >= 0 ? a / positive : -((positive - 1 - a) / positive);
 }
 
-/// Distance of each cell to the nearest blocked one of its column; `none` where there is none.
+/// Returns the distance from each cell to the nearest blocked cell of its column, or `none`.
 std::vector<std::int64_t> along_columns(const Grid<std::uint8_t>& blocked) {
   const auto width = static_cast<std::size_t>(blocked.frame.width), size = blocked.cells.size();
   std::vector<std::int64_t> apart(size, none);
@@ -31,7 +31,8 @@ std::vector<std::int64_t> along_columns(const Grid<std::uint8_t>& blocked) {
   return apart;
 }
 
-/// The parabolas (x - x0)^2 + height of one row that are lowest somewhere, and from which x on.
+/// The lower envelope of the parabolas (x - x0)^2 + height of one row, and the x from which each is the
+/// lowest.
 struct Envelope {
   std::vector<std::int64_t> centre, height, from;
 
@@ -40,7 +41,7 @@ struct Envelope {
     height.clear();
     from.clear();
   }
-  /// Parabolas come with growing centres.
+  /// Adds a parabola. The centres must be added in ascending order.
   void add(std::int64_t x, std::int64_t h) {
     std::int64_t start = 0;
     while (!centre.empty()) {

@@ -11,7 +11,7 @@ namespace outrider {
 namespace {
 
 constexpr double touch_m = 1e-9;
-constexpr int most_tiles = 256;  // a side
+constexpr int most_tiles = 256;  // on each side of the map
 
 int tile_at(double t, int count) {
   return static_cast<int>(std::clamp(std::floor(t), 0.0, static_cast<double>(count - 1)));
@@ -22,8 +22,8 @@ double squared_distance(Vec2 p, Vec2 a, Vec2 along, double length2) {
   return squared_norm(p - a - t * along);
 }
 
-/// True when the segment passes through the core shrunk by `touch_m`; a core of two points is a
-/// fence that must not be crossed.
+/// Returns true if the segment passes through the core shrunk by `touch_m`. A core of two points is a fence
+/// that must not be crossed.
 bool pierces(Segment s, const std::vector<Vec2>& core) {
   const Vec2 along = s.b - s.a;
   if (core.size() == 2) {
@@ -44,8 +44,8 @@ bool pierces(Segment s, const std::vector<Vec2>& core) {
   return core.size() > 2 && t_low < t_high;
 }
 
-/// True when some point of the segment is nearer to the core than `reach` > 0. Squared distances;
-/// most pairs are told apart by the segment's own direction and normal.
+/// Returns true if a point of the segment is nearer to the core than `reach` > 0. Compares squared distances.
+/// Most pairs are rejected by the extents of the core along and across the segment.
 bool comes_nearer(Segment s, const std::vector<Vec2>& core, double reach) {
   const Vec2 along = s.b - s.a;
   const double length2 = squared_norm(along);
@@ -85,7 +85,7 @@ bool comes_nearer(Segment s, const std::vector<Vec2>& core, double reach) {
   return start_inside || (core.size() == 2 && squared_distance(core[1], s.a, along, length2) < reach2);
 }
 
-/// True when the disk swept along the segment goes deeper than `touch_m` into the obstacle.
+/// Returns true if the disk swept along the segment overlaps the obstacle by more than `touch_m`.
 bool collides(Segment s, const RoundedPolygon& obstacle, double radius_m) {
   const double reach = radius_m + obstacle.radius_m - touch_m;
   return reach > 0.0 ? comes_nearer(s, obstacle.core, reach) : pierces(s, obstacle.core);
@@ -145,8 +145,9 @@ CollisionMap::TileRange CollisionMap::tiles_of(const Box2& box) const {
           tile_at((box.high.y - bounds_.low.y) / tile_m_, rows_)};
 }
 
-/// Visits the obstacles that may lie within `reach_m` of the segment, row of tiles by row, until one
-/// visit returns true. An obstacle is met again only where it leaves the strip and comes back.
+/// Visits the obstacles that may lie within `reach_m` of the segment, one row of tiles after another, until a
+/// visit returns true. An obstacle is visited twice only if its tiles leave the strip around the segment and
+/// return.
 template <class Visit>
 bool CollisionMap::any_along(Segment s, double reach_m, Visit visit) const {
   constexpr double inf = std::numeric_limits<double>::infinity();

@@ -10,10 +10,10 @@
 namespace outrider {
 namespace {
 
-/// A side of a triangle by the posts at its ends, the lesser first.
+/// A side of a triangle, given by the indices of the posts at its ends, the smaller first.
 using Side = std::pair<std::size_t, std::size_t>;
 
-/// The line of one height, as the pairs of sides between which it passes.
+/// The contours at one height: the graph of the triangle sides that they connect.
 class Lines {
  public:
   Lines(const HeightField& field, double height_m) : field_(field), height_m_(height_m) {
@@ -25,7 +25,7 @@ class Lines {
     }
   }
 
-  /// Takes the pieces apart into lines: those with loose ends first.
+  /// Extracts the lines from the graph: first the open ones, then the closed ones.
   std::vector<Contour> take() {
     std::vector<Contour> all;
     for (const bool closed : {false, true}) {

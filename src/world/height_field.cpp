@@ -145,9 +145,9 @@ Interval HeightField::heights_over(const Box2& box) const {
 struct HeightField::Nearest {
   const HeightField& field;
   Vec3 p;
-  double least;  ///< so far
+  double least;  ///< smallest distance found so far
 
-  /// No point of a block of that layer is nearer.
+  /// Returns a lower bound of the distance from p to the ground in a block of a layer.
   [[nodiscard]] double bound(std::size_t layer, Cell block) const {
     const double size = std::ldexp(1.0, static_cast<int>(layer));
     const Vec2 low =
@@ -175,7 +175,7 @@ struct HeightField::Nearest {
       const Cell cell{2 * block.x + i % 2, 2 * block.y + i / 2};
       if (cell.x >= fine.columns || cell.y >= fine.rows) continue;
       const std::pair part{bound(layer - 1, cell), cell};
-      std::size_t k = count++;  // the nearest first
+      std::size_t k = count++;  // sorts by bound, the nearest first
       for (; k > 0 && parts[k - 1].first > part.first; --k) parts[k] = parts[k - 1];
       parts[k] = part;
     }
@@ -200,7 +200,7 @@ std::vector<Vec3> HeightField::drape(Segment s) const {
   const Vec2 from = scaled(s.a - origin_);
   const Vec2 by = scaled(whole);
   std::vector<double> parts{0.0, 1.0};
-  // The sides of the triangles lie where x, y or x - y is whole; no side lies beyond the lattice.
+  // The sides of the triangles lie where x, y or x - y is an integer. There are no sides outside the lattice.
   const auto cross_sides = [&](double begin, double step, int low, int high) {
     if (step == 0.0) return;
     const double least = std::max(std::min(begin, begin + step), static_cast<double>(low));

@@ -41,7 +41,7 @@ double distance_local(Vec3 p, const MeshShape& mesh) {
   return nearest;
 }
 
-// ---- Convex pieces as corners and edges, in the world ------------------------------------------
+// ---- Convex pieces as corners and edges, in the world frame ------------------------------------
 
 struct Polytope {
   std::vector<Vec3> corners;
@@ -61,7 +61,7 @@ Polytope polytope(const BoxShape& box, const Pose3& world_T_solid) {
   return result;
 }
 
-/// The prism around a cylinder.
+/// Makes the prism around a cylinder.
 Polytope polytope(const CylinderShape& cylinder, const Pose3& world_T_solid) {
   Polytope result;
   const double radius = cylinder.radius_m / std::cos(pi / prism_sides);
@@ -83,7 +83,7 @@ Polytope polytope(const std::array<Vec3, 3>& triangle, const Pose3& world_T_soli
           {{0, 1}, {1, 2}, {2, 0}}};
 }
 
-/// Shadow on the ground of the part of a polytope between two heights.
+/// Projects the part of a polytope between two heights onto the ground.
 std::vector<RoundedPolygon> shadow(const Polytope& piece, double z_low, double z_high) {
   std::vector<Vec2> points;
   for (const Vec3 c : piece.corners) {
@@ -100,7 +100,7 @@ std::vector<RoundedPolygon> shadow(const Polytope& piece, double z_low, double z
   return {RoundedPolygon{convex_hull(std::move(points)), 0.0}};
 }
 
-/// Cut of a polytope with the vertical plane {origin + s along}.
+/// Cuts a polytope with the vertical plane {origin + s along}.
 std::vector<std::vector<Vec2>> cut_polytope(const Polytope& piece, Vec2 origin, Vec2 along) {
   const auto side = [&](Vec3 c) { return cross(along, xy(c) - origin); };
   std::vector<Vec2> points;
@@ -117,7 +117,8 @@ std::vector<std::vector<Vec2>> cut_polytope(const Polytope& piece, Vec2 origin, 
   return {convex_hull(std::move(points))};
 }
 
-/// Columns under the ground along the line, down to a depth of 1e3; neighbours of one slope are one.
+/// Returns the ground under the line as columns, down to 1e3 m below its lowest point. Neighbouring columns
+/// with the same slope are joined.
 std::vector<std::vector<Vec2>> cut_ground(const HeightField& field, Vec2 origin, Vec2 along) {
   const Box2 box = field.bounds();
   const Vec2 corners[] = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};

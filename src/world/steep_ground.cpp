@@ -12,7 +12,7 @@ struct Patch {
   int x0, x1, y0, y1;
 };
 
-/// Halves the sides; a block is steep where one of its cells is.
+/// Halves the resolution. A block is steep if one of its cells is steep.
 Grid<std::uint8_t> coarser(const Grid<std::uint8_t>& fine) {
   GridFrame frame;
   frame.width = (fine.frame.width + 1) / 2;
@@ -27,7 +27,7 @@ Grid<std::uint8_t> coarser(const Grid<std::uint8_t>& fine) {
 
 std::vector<Patch> patches(const Grid<std::uint8_t>& steep) {
   std::vector<Patch> done;
-  std::vector<Patch> open;  // that end at the present row
+  std::vector<Patch> open;  // patches that end at the present row
   for (int y = 0; y < steep.frame.height; ++y) {
     std::vector<Patch> row;
     for (int x = 0; x < steep.frame.width; ++x) {

@@ -26,7 +26,7 @@ World World::on(std::shared_ptr<const HeightField> ground) const {
 }
 
 Box2 standing_bounds(const World& world) {
-  constexpr double flat_m = 0.01;  // paint, mats and thresholds are no walls
+  constexpr double flat_m = 0.01;  // excludes paint, mats and thresholds
   Box2 yard;
   for (const Solid& solid : world.solids) {
     if (std::holds_alternative<HalfSpaceShape>(solid.shape) ||

@@ -17,12 +17,12 @@
 
 namespace outrider {
 
-/// One member of an options struct. Angles are stored in radians; their unit is "deg" and every
-/// text form (flag, key, schema, docs) is in degrees.
+/// One member of an options struct. Angles are stored in radians; their unit is "deg", and every text form
+/// (flag, key, schema, docs) is in degrees.
 struct Option {
   std::string name;      ///< snake_case, e.g. "muzzle_speed"; the flag is --gun-muzzle-speed
   std::string unit;      ///< "m", "s", "m/s", "deg", ... or empty
-  double low = 0.0;      ///< least allowed value in `unit`; numbers only
+  double low = 0.0;      ///< smallest allowed value in `unit`; numbers only
   double high = 0.0;     ///< largest allowed value in `unit`; numbers only
   std::string sentence;  ///< what the option means, without the unit and the default
   std::variant<double*, std::int64_t*, bool*, std::string*> value;  ///< points to the member
@@ -40,8 +40,8 @@ struct OptionGroup {
   std::vector<Option> options;
 };
 
-/// Reads `text` into the member. The fault names the option, the value, the unit and the range; the
-/// member is untouched then. NaN and infinities are refused.
+/// Parses `text` into the member. Fault: bad_input, which names the option, the value, the unit and the
+/// range; the member then keeps its value. Refuses NaN and infinities.
 Status assign(const Option& option, std::string_view text);
 
 /// Returns the present value as text, in the shortest form that parses to the same value (degrees for "deg").

@@ -1,6 +1,6 @@
 // Outcome<T>: a value, or a Fault that says in one sentence what went wrong and where.
 //
-// Every function of Outrider that can be refused returns an Outcome. Exceptions are kept for broken
+// Every function of Outrider that can fail on its input returns an Outcome. Exceptions are only for broken
 // invariants, that is, for bugs. Thread rule: plain values, no shared state.
 #pragma once
 
@@ -15,7 +15,7 @@ enum class FaultCode {
   start_blocked,     ///< the start collides with an obstacle
   goal_blocked,      ///< the goal collides with an obstacle
   outside_map,       ///< the start or the goal lies outside the known world
-  no_path,           ///< proven: nothing joins the start and the goal
+  no_path,           ///< proven: no path connects the start and the goal
   no_shot,           ///< proven at the stated resolution: no flight hits the target
   budget_exhausted,  ///< the budget of expansions or of wall time ended first
   cancelled,         ///< the caller's stop token was raised
@@ -23,16 +23,16 @@ enum class FaultCode {
   cannot_write,      ///< the system failed to write a file, for instance on a full disk
 };
 
-/// The name of the code as it stands in reports, e.g. "start_blocked".
+/// Returns the name of the code as used in reports, e.g. "start_blocked".
 std::string_view to_string(FaultCode code);
 
 struct Fault {
   FaultCode code = FaultCode::bad_input;
   std::string sentence;  ///< one sentence for a person, with the value and the remedy
-  std::string where;     ///< file:line, scenario key or flag; empty when the sentence says it all
+  std::string where;     ///< file:line, scenario key or flag; empty if the sentence says enough
 };
 
-/// "where: sentence", the form in which a fault is shown.
+/// Returns "where: sentence", the form in which a fault is shown.
 std::string to_string(const Fault& fault);
 
 template <class T>
@@ -43,14 +43,14 @@ class [[nodiscard]] Outcome : public tl::expected<T, Fault> {
 
 using Status = Outcome<void>;
 
-/// `return fault(FaultCode::no_path, "...")` from any function that returns an Outcome.
+/// Makes a fault, for any function that returns an Outcome: `return fault(FaultCode::no_path, "...")`.
 inline tl::unexpected<Fault> fault(FaultCode code, std::string sentence, std::string where = {}) {
   return tl::unexpected<Fault>(Fault{code, std::move(sentence), std::move(where)});
 }
 inline tl::unexpected<Fault> bad_input(std::string sentence, std::string where = {}) {
   return fault(FaultCode::bad_input, std::move(sentence), std::move(where));
 }
-/// Passes the fault of one outcome on as the fault of another.
+/// Makes a fault from that of a failed outcome, to return it as an outcome of another type.
 template <class T>
 tl::unexpected<Fault> pass_on(Outcome<T>& outcome) {
   return tl::unexpected<Fault>(std::move(outcome.error()));

@@ -1,4 +1,4 @@
-// Overload: one visitor for a std::variant out of a lambda for each of its types.
+// Overload: combines lambdas, one for each type of a std::variant, into one visitor.
 #pragma once
 
 namespace outrider {

@@ -7,7 +7,7 @@
 
 namespace outrider {
 
-/// A normal distribution of world_T_robot: x (m), y (m) and heading (rad), errors along the world's axes.
+/// A normal distribution of world_T_robot: x (m), y (m) and heading (rad), with errors along the world axes.
 struct PoseBelief {
   Pose2 world_T_robot;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

@@ -1,4 +1,4 @@
-// CameraImage: grey pixels, and boxes of them.
+// CameraImage: a grey image, and PixelBox: a rectangle of pixels.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct CameraImage {
   }
 };
 
-/// Pixels with left <= x < right and top <= y < bottom.
+/// The pixels with left <= x < right and top <= y < bottom.
 struct PixelBox {
   int left = 0;
   int top = 0;

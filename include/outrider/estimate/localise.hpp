@@ -1,22 +1,21 @@
-// Localise: the pose of a robot on a floor from the tags that it sees.
+// Localisation: estimates the pose of a robot on a floor from the tags that it sees.
 //
-// Each solution of each sighting is a pose of the robot in space. The robot stands upright on the floor, so
-// the normal distribution over six numbers is conditioned on height, roll and pitch. Then at most one
-// solution of each tag is chosen:
-//   1. sightings of ids that are not in the map are dropped as false detections;
-//   2. solutions that do not fit the floor, or the prior if there is one, are dropped (squared Mahalanobis
-//      distance beyond the 99.9 % quantile, times `gate`);
-//   3. the largest set of solutions that all agree with one of them is chosen; of equal sets, the one with
-//   the
-//      least sum of distances;
-//   4. the set is fused, weighted by inverse covariances, and the result is refined by fitting the corners of
-//      all its tags at once, because the covariances of far tags are far from normal.
-// If a second set of the same size gives another pose at a similar cost, as with a single tag whose two
-// solutions are both possible, there is no answer. Costs are chi-squared: of the corners, the floor and the
-// prior.
+// Each solution of each sighting gives a pose of the robot in space. The robot stands upright on the floor,
+// so the normal distribution of the six pose parameters is conditioned on height, roll and pitch. Then at
+// most one solution of each tag is chosen:
+//   1. Sightings with ids that are not in the map are dropped as false detections.
+//   2. Solutions that do not fit the floor, or the prior if there is one, are dropped (squared Mahalanobis
+//      distance above the 99.9 % quantile times `gate`).
+//   3. The largest set of solutions that all agree with one of them is chosen; of equally large sets, the one
+//      with the lowest cost. The cost is the chi-squared of the corners, the floor and the prior, plus that
+//      of the distances to the common solution.
+//   4. The set is fused, weighted by inverse covariances. The result is refined by fitting the corners of
+//      all its tags at once, because the errors of far tags are far from normally distributed.
+// If a second set of the same size gives another pose at a similar cost, there is no answer. This happens,
+// for example, with a single tag whose two solutions are both possible.
 //
-// The prior is used only to choose: the answer is independent of it, and the caller may fuse the two.
-// Pure; O(n^2) for n sightings. No errors: each sighting gets a verdict.
+// The prior is only used to choose solutions. The answer is independent of it, so the caller may fuse both.
+// Pure function; O(n^2) for n sightings. There are no faults: each sighting gets a verdict.
 #pragma once
 
 #include <optional>
@@ -33,12 +32,12 @@
 namespace outrider {
 
 struct LocaliseOptions {
-  double floor_sigma_m = 0.01;            ///< of the robot's height above the floor
-  double floor_sigma_rad = radians(0.5);  ///< of its roll and of its pitch
-  double tag_sigma_m = 0.005;             ///< of where a tag of the map hangs, along each axis
-  double gate = 1.0;                      ///< factor on the thresholds of the tests above
-  double ambiguity = 9.0;                 ///< chi-squared by which the best pose must beat another
-  double corner_sigma_px = 0.2;           ///< expected error of a corner along each axis, > 0
+  double floor_sigma_m = 0.01;            ///< standard deviation of the height of the robot above the floor
+  double floor_sigma_rad = radians(0.5);  ///< standard deviation of its roll and of its pitch
+  double tag_sigma_m = 0.005;    ///< standard deviation of the position of a tag in the map, along each axis
+  double gate = 1.0;             ///< factor for the thresholds of the tests above
+  double ambiguity = 9.0;        ///< chi-squared by which the best pose must beat another
+  double corner_sigma_px = 0.2;  ///< expected error of a corner along each axis, > 0
 };
 
 std::vector<Option> describe(LocaliseOptions& options);
@@ -51,14 +50,16 @@ enum class TagVerdict {
   outvoted,    ///< the other tags agree on another pose
   ambiguous,   ///< two poses are possible
 };
-/// "used", "unknown_id", ...
+/// Returns "used", "unknown_id", ...
 std::string_view to_string(TagVerdict verdict);
 
+/// The result of a localisation.
 struct TagFix {
   std::optional<PoseBelief> belief;  ///< empty if no tag was used
   std::vector<TagVerdict> verdicts;  ///< by sighting
 };
 
+/// Estimates the pose of the robot as described above.
 TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const RobotCamera& robot_camera,
                 const std::optional<PoseBelief>& prior = std::nullopt, const LocaliseOptions& options = {});
 

@@ -1,13 +1,13 @@
-// Planar PnP: the pose of a tag from its four corners, with both of its solutions.
+// Planar PnP: computes the pose of a tag from its four corners, with both solutions.
 //
-// A second pose, tilted the other way, explains a distant square almost as well. Both are returned: IPPE
-// gives two candidates in closed form, and Levenberg-Marquardt takes each to a local minimum of the
-// reprojection error. If both reach the same minimum, it is returned once. Choosing between them takes more
-// than one tag: see localise.hpp.
+// A second pose, tilted the other way, explains a distant square almost as well, so both are returned. IPPE
+// gives two candidates in closed form, and Levenberg-Marquardt refines each to a local minimum of the
+// reprojection error. If both reach the same minimum, it is returned once. More than one tag is needed to
+// choose between the two: see localise.hpp.
 //
-// Covariance: (J^T J)^-1 sigma^2 at the minimum. sigma^2 is estimated from the reprojection error, which has
-// only two degrees of freedom with four corners. The prior `corner_sigma_px` counts as `corner_sigma_weight`
-// more degrees of freedom (the mean of a scaled inverse chi-squared distribution).
+// The covariance is (J^T J)^-1 sigma^2 at the minimum. sigma^2 is estimated from the reprojection error,
+// which has only two degrees of freedom with four corners. The prior `corner_sigma_px` counts as
+// `corner_sigma_weight` more degrees of freedom (the mean of a scaled inverse chi-squared distribution).
 //
 // Source: Collins and Bartoli, Infinitesimal plane-based pose estimation (IJCV 2014).
 #pragma once
@@ -28,8 +28,8 @@ struct PlanarPnpOptions {
 
 std::vector<Option> describe(PlanarPnpOptions& options);
 
-/// Returns the one or two local minima, least error first; none if the corners are no convex quadrilateral,
-/// or no pose has the tag in front of the camera. O(1).
+/// Returns the one or two local minima, the smallest error first. Returns none if the corners are not a
+/// convex quadrilateral seen from the front, or if no pose has the tag in front of the camera. O(1).
 std::vector<TagPose> planar_pnp(const Camera& camera, double size_m, const std::array<Vec2, 4>& corners_px,
                                 const PlanarPnpOptions& options = {});
 

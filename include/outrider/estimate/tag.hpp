@@ -1,8 +1,9 @@
 // AprilTags of the family tag36h11: maps of tags, and sightings by a camera.
 //
-// Frame of a tag: origin in its middle, x to the right and y down as one reads it, z into the wall behind.
-// Its corners are those of the black square, whose side is the tag's size, in the order of libapriltag:
-// lower left, lower right, upper right, upper left. The paper around it is a quarter larger.
+// Frame of a tag: the origin is its centre; for a reader of the tag, x points right, y down and z into the
+// wall. The corners are those of the black square, whose side is the size of the tag, in the order of
+// libapriltag: lower left, lower right, upper right, upper left. The side of the white paper is a quarter
+// longer.
 // Source: Olson, AprilTag: A robust and flexible visual fiducial system (ICRA 2011); Wang and Olson,
 // AprilTag 2 (IROS 2016).
 #pragma once
@@ -18,7 +19,7 @@
 namespace outrider {
 
 inline constexpr int tag_family_size = 587;    ///< ids go from 0 to 586
-inline constexpr double paper_per_tag = 1.25;  ///< side of the white paper by that of the black square
+inline constexpr double paper_per_tag = 1.25;  ///< side of the white paper / side of the black square
 inline constexpr double default_tag_size_m = 0.166;
 
 struct Tag {
@@ -27,37 +28,38 @@ struct Tag {
   Pose3 world_T_tag;
 };
 
-/// The tags in the world, each id once.
+/// The tags in the world; each id occurs once.
 struct TagMap {
   std::vector<Tag> tags;
 
   [[nodiscard]] const Tag* find(int id) const;
 };
 
-/// Refuses duplicate ids, ids outside the family, and sizes that are not positive.
+/// Checks a map. Faults: duplicate ids, ids outside the family, and sizes that are not positive.
 Status check_tags(const TagMap& map);
 
-/// An upright tag with its centre at `position` (m). `facing_rad` is the heading from the wall to the reader.
+/// Makes an upright tag with its centre at `position` (m). `facing_rad` is the heading from the wall to the
+/// reader.
 Tag upright_tag(int id, Vec3 position, double facing_rad, double size_m = default_tag_size_m);
 
-/// Corners in the tag's frame, m.
+/// Returns the corners in the frame of the tag, m.
 std::array<Vec3, 4> tag_corners(double size_m);
 
 /// A possible pose of a tag: a local minimum of the reprojection error of its corners.
 struct TagPose {
   Pose3 camera_T_tag;
   double error_px = 0.0;  ///< root mean square over the corners, after refinement
-  /// Of translation (m) and rotation vector (rad), both in the camera's frame.
+  /// Covariance of the translation (m) and the rotation vector (rad), both in the camera frame.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
 /// A detection of one tag in an image.
 struct TagSighting {
   int id = 0;
-  std::array<Vec2, 4> corners_px;  ///< in the image, see Camera; ordered as tag_corners()
-  int corrected_bits = 0;          ///< of its 36
-  double margin = 0.0;             ///< mean grey levels between a bit and the decision threshold
-  std::vector<TagPose> poses;      ///< one or two, that of the least error first; see planar_pnp.hpp
+  std::array<Vec2, 4> corners_px;  ///< in the image (see Camera), in the order of tag_corners()
+  int corrected_bits = 0;          ///< number of corrected bits, of 36
+  double margin = 0.0;             ///< mean difference of a bit to the decision threshold, grey levels
+  std::vector<TagPose> poses;      ///< one or two, the smallest error first; see planar_pnp.hpp
 };
 
 }  // namespace outrider

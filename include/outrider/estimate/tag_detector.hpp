@@ -1,9 +1,9 @@
-// TagDetector: tags of the family tag36h11 in grey images, by libapriltag.
+// TagDetector: detects tags of the family tag36h11 in grey images, with libapriltag.
 //
-// False detections are rejected by three tests: at most `most_corrected_bits` of 36 bits corrected (any two
-// codes differ in 11), a contrast of at least `least_margin`, and a black square wholly within the image. A
-// partly hidden tag is not detected. If an id appears several times, all detections are returned. Thread
-// rule: one detector per thread; the same image gives the same answer.
+// Three tests reject false detections: at most `most_corrected_bits` of the 36 bits are corrected (any two
+// codes differ in at least 11), the contrast is at least `least_margin`, and the black square is wholly
+// within the image. A partly hidden tag is not detected. If an id appears several times, all detections are
+// returned. Thread rule: use each detector from one thread. The same image gives the same answer.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@
 namespace outrider {
 
 struct TagDetectorOptions {
-  double decimation = 1.0;    ///< factor by which the image is reduced to find edges; 1 is most exact
-  bool refine_edges = false;  ///< snaps edges to the strongest gradient; needed with decimation
+  double decimation = 1.0;    ///< factor by which the image is reduced to find edges; 1: most accurate
+  bool refine_edges = false;  ///< snap edges to the strongest gradient; needed with decimation
   double blur_px = 0.0;       ///< standard deviation of a blur before the search, for noisy images
-  std::int64_t most_corrected_bits = 2;  ///< 0 to 2
-  double least_margin = 20.0;            ///< grey levels
+  std::int64_t most_corrected_bits = 2;  ///< maximum number of corrected bits, 0 to 2
+  double least_margin = 20.0;            ///< minimum contrast, grey levels
 };
 
 std::vector<Option> describe(TagDetectorOptions& options);
@@ -34,9 +34,9 @@ class TagDetector {
   TagDetector& operator=(TagDetector&&) noexcept;
   ~TagDetector();
 
-  /// Returns ids and corners, without poses, sorted by id and then by corner. Linear in the pixels.
+  /// Detects tags. Returns ids and corners, without poses, sorted by id and then by corner. O(pixels).
   [[nodiscard]] std::vector<TagSighting> detect(const CameraImage& image);
-  /// The same, looking only into these boxes of the image, which should not overlap.
+  /// Detects tags in boxes of the image only. The boxes should not overlap.
   [[nodiscard]] std::vector<TagSighting> detect(const CameraImage& image, std::span<const PixelBox> boxes);
 
  private:
@@ -45,11 +45,11 @@ class TagDetector {
   std::unique_ptr<Library> library_;
 };
 
-inline constexpr std::size_t tag_cells = 10;  ///< along each side of a tag on its paper
-/// The white cells on the paper of a tag, row by row from the top.
+inline constexpr std::size_t tag_cells = 10;  ///< number of cells along each side of the paper of a tag
+/// Tells for each cell of the paper of a tag, row by row from the top, if it is white.
 using TagPattern = std::array<bool, tag_cells * tag_cells>;
 
-/// Refuses an id outside the family.
+/// Returns the pattern of a tag. Fault: bad_input for an id outside the family.
 Outcome<TagPattern> tag_pattern(int id);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// Axis-aligned boxes of the plane and of space.
+// Axis-aligned boxes in the plane and in space. A default box is empty.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Box2 {
   [[nodiscard]] constexpr bool contains(Vec2 p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
-  /// 0 inside.
+  /// Returns the distance from p to the box; 0 inside.
   [[nodiscard]] double distance_to(Vec2 p) const {
     return norm(Vec2{std::max({0.0, low.x - p.x, p.x - high.x}), std::max({0.0, low.y - p.y, p.y - high.y})});
   }

@@ -7,7 +7,7 @@
 
 namespace outrider {
 
-/// Sum of the legs, m; 0 of fewer than two points. O(points).
+/// Returns the sum of the lengths of the legs, m; 0 for fewer than two points. O(points).
 double length_of(const std::vector<Vec2>& points);
 
 }  // namespace outrider

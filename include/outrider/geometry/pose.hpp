@@ -1,8 +1,8 @@
-// Poses of the plane, SE(2), and of space, SE(3): the position and orientation of a frame in another.
+// Poses in the plane, SE(2), and in space, SE(3): the position and orientation of one frame in another.
 //
-// Frames stand in names: a_T_b is the pose of frame b in frame a, and takes points of b to points of a.
-// Headings are added and subtracted as they stand, so that a pose can count whole turns; wrap_heading()
-// brings one to (-pi, pi]. All O(1).
+// Names state the frames: a_T_b is the pose of frame b in frame a; it transforms points of b to points of a.
+// Headings are added and subtracted without wrapping, so a pose can count whole turns; wrap_heading() brings
+// a heading to (-pi, pi]. All operations are O(1).
 #pragma once
 
 #include "outrider/core/units.hpp"
@@ -15,9 +15,9 @@ struct Pose2 {
   double heading_rad = 0.0;  ///< counter-clockwise from +x
 
   friend bool operator==(const Pose2&, const Pose2&) = default;
-  /// A point given in this frame, in the parent's frame.
+  /// Transforms a point from this frame to the parent frame.
   friend Vec2 operator*(const Pose2& t, Vec2 p) { return t.position + rotated(t.heading_rad, p); }
-  /// A point of the parent's frame, in this frame.
+  /// Transforms a point from the parent frame to this frame.
   [[nodiscard]] Vec2 to_local(Vec2 p) const { return unrotated(heading_rad, p - position); }
 };
 
@@ -43,12 +43,12 @@ struct Pose3 {
   Vec3 position;
   Rotation rotation;
 
-  /// A point given in this frame, in the parent's frame.
+  /// Transforms a point from this frame to the parent frame.
   friend constexpr Vec3 operator*(const Pose3& t, Vec3 p) { return t.position + t.rotation * p; }
   friend constexpr Pose3 operator*(const Pose3& a, const Pose3& b) {
     return {a * b.position, a.rotation * b.rotation};
   }
-  /// A point of the parent's frame, in this frame.
+  /// Transforms a point from the parent frame to this frame.
   [[nodiscard]] constexpr Vec3 to_local(Vec3 p) const { return rotation.unrotate(p - position); }
 };
 

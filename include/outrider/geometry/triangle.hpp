@@ -1,4 +1,4 @@
-// Triangles of space.
+// Triangles in space.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace outrider {
 
-/// Distance from p to a triangle, its inside included, m. Exact; O(1).
+/// Returns the distance from p to a filled triangle, m. Exact; O(1).
 /// Source: Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
 double distance_to_triangle(Vec3 p, const std::array<Vec3, 3>& triangle);
 

@@ -1,11 +1,11 @@
-// Calibration files of cameras: YAML as ROS and OpenCV write it, or with a bare matrix.
+// Calibration files of cameras: YAML as written by ROS and OpenCV, or with a plain matrix.
 //
-// Reads keys camera_matrix (a map with `data`, nine numbers by rows) or K (nine numbers), and where they are
-// given distortion_coefficients (a map with `data`) or D (four or five numbers: k1 k2 p1 p2 k3),
-// distortion_model (plumb_bob), image_width and image_height, or width and height. The keys may stand one
-// level down, in named sections: then the name of one is asked for.
-// Errors: bad_input with file, line and key: a singular matrix, skew, anything but a pinhole, a lens model
-// that is not known. Bounds: 1 MiB.
+// Required key: camera_matrix (a map with `data`, nine numbers by rows) or K (nine numbers). Optional keys:
+// distortion_coefficients (a map with `data`) or D (four or five numbers: k1 k2 p1 p2 k3), distortion_model
+// (plumb_bob), and image_width and image_height, or width and height. The keys may be in named sections, one
+// level down; `section` then names the section to read.
+// Faults: bad_input with file, line and key, for a singular matrix, skew, a camera that is not a pinhole, and
+// an unknown lens model. Bounds: 1 MiB.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace outrider {
 
-/// Width and height are 0 where the file does not tell; whoever has an image fills them in.
+/// Reads a camera. Width and height are 0 if the file does not state them; take them from an image then.
 Outcome<Camera> camera_from_text(std::string_view text, const std::string& name,
                                  const std::string& section = {});
 

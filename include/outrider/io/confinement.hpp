@@ -1,13 +1,13 @@
-// What this process may read: everything, or only the files beneath one folder.
+// Confinement: limits the files that this process can read to one folder.
 //
-// A scenario names a world, the world includes models, a model names meshes. A program that runs scenarios
-// of strangers cannot tell beforehand which files that will open, so it does not try: it confines itself
-// before it reads the first one, and every file is then authorised by the kernel when it is opened
-// (openat2 with RESOLVE_BENEATH: no "..", no absolute path and no link leads out, whatever names them).
-// All of Outrider reads through read_file() (files.hpp); tests/architecture holds the rest to it.
+// A scenario names a world, the world includes models, and a model names meshes. A program that runs
+// untrusted scenarios cannot tell beforehand which files that will open. It therefore confines itself before
+// it reads the first one. The kernel then authorises every file when it is opened (openat2 with
+// RESOLVE_BENEATH: no "..", no absolute path and no link can lead outside). All of Outrider reads through
+// read_file() (files.hpp); tests/architecture checks that.
 //
 // confine_reading() and supply_file() change the whole process and cannot be undone. Thread rule: call them
-// before the first file is read and before other threads start; open_beneath() at any time.
+// before the first file is read and before other threads start; open_beneath() may be called at any time.
 #pragma once
 
 #include <string>
@@ -16,18 +16,19 @@
 
 namespace outrider {
 
-/// From now on only regular files beneath `root` can be read, and the process works in `root`. A relative
-/// path starts there, an absolute one must begin with `root` as it was given. Device files and pipes are
-/// refused, so that nothing can block. Faults: bad_input when `root` is no folder, when the process is
-/// confined already, or when the system has no openat2 (Linux before 5.6).
+/// Limits reading to regular files beneath `root`, and makes `root` the working directory. Relative paths
+/// start there; absolute paths must begin with `root` as given. Device files and pipes are refused, so that
+/// no call can block. Faults: bad_input if `root` is not a folder, if the process is already confined, or if
+/// the system has no openat2 (Linux before 5.6).
 Status confine_reading(const std::string& root);
 
-/// A descriptor of the regular file at `path` beneath the open folder `folder`, wherever names and links
-/// lead; the caller closes it. Never blocks. Faults: as those of read_file(), and bad_input for a path that
-/// leads out.
+/// Opens the regular file at `path` beneath the open folder `folder` and returns its descriptor, which the
+/// caller closes. No name and no link can lead outside the folder. Never blocks. Faults: those of
+/// read_file(), and bad_input for a path that leads outside.
 Outcome<int> open_beneath(int folder, const std::string& path);
 
-/// From now on read_file(path) gives `content`, whatever lies there; `path` must be spelled the same.
+/// Makes read_file(path) return `content` from now on, whether or not the file exists. `path` is compared as
+/// text.
 void supply_file(const std::string& path, std::string content);
 
 }  // namespace outrider

@@ -1,17 +1,18 @@
-// Areas to cover: one polygon with holes, from four formats told by the end of the name.
+// Areas to cover: one polygon with holes, in one of four formats, chosen by the ending of the file name.
 //
 //   .json .geojson  GeoJSON (RFC 7946): a Polygon, a Feature or a FeatureCollection with one polygon
-//   .xml .gml       the first gml:Polygon of a file: outerBoundaryIs and innerBoundaryIs of gml:coordinates
+//   .xml .gml       the first gml:Polygon of a file: outerBoundaryIs and innerBoundaryIs with gml:coordinates
 //   .yaml .yml      polygon_coverage_msgs/PolygonWithHoles: polygon: {polygon: {hull:, holes:}}, in metres
 //   anything else   the text of io/polygons.hpp: boundary, ---, obstacles, which are the holes; in metres
 //
-// GeoJSON and GML give degrees of longitude and latitude (WGS 84). They become metres east and north of the
-// south-west corner of the area by the radii of curvature of the ellipsoid in the middle of it: within 0.1 %
-// for areas up to 10 km. Where the numbers as degrees would span more than 0.2 of them they are taken for
-// metres, and `note` says so; Units says otherwise. Files may be gzip-compressed.
+// GeoJSON and GML give longitude and latitude in degrees (WGS 84). They are converted to metres east and
+// north of the south-west corner of the area, with the radii of curvature of the ellipsoid at its middle; the
+// error is below 0.1 % for areas up to 10 km. If the area would span more than 0.2 degrees or exceed their
+// range, the numbers are assumed to be metres, and `note` says so. Units overrides this choice. Files may be
+// gzip-compressed.
 //
-// Errors: bad_input with the file and the line, or the place in the JSON. Bounds: those of
-// path/polygon_ground.hpp. Whether the polygons are simple is asked by cover_ground().
+// Faults: bad_input with file and line, or the position in the JSON. Bounds: those of
+// path/visibility/polygon_ground.hpp. cover_ground() checks that the polygons are simple.
 #pragma once
 
 #include <string>
@@ -26,14 +27,14 @@ namespace outrider {
 enum class Units { told_by_size, degrees, metres };
 
 struct AreaRing {
-  std::vector<Vec2> corners;  ///< m, without the first again at the end
-  std::string where;          ///< file:line, or the place in the JSON
+  std::vector<Vec2> corners;  ///< m; the first corner is not repeated at the end
+  std::string where;          ///< file:line, or the position in the JSON
 };
 
 struct CoverArea {
   AreaRing boundary;
   std::vector<AreaRing> holes;
-  std::string note;  ///< how numbers were understood, where that is not certain
+  std::string note;  ///< how the numbers were interpreted, if that is uncertain
 };
 
 Outcome<CoverArea> load_cover_area(const std::string& path, Units units = Units::told_by_size);

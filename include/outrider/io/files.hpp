@@ -1,14 +1,15 @@
-// Whole files in, whole files out.
+// Reads and writes whole files.
 //
-// Reading: plain or gzip-compressed (told by the first two bytes, not by the name), never more than a
-// stated number of bytes after decompression. confinement.hpp limits which files may be read.
+// Reading: files may be plain or gzip-compressed, which is detected by the first two bytes, not by the name.
+// At most a stated number of bytes is read after decompression. confinement.hpp limits which files can be
+// read.
 //
-// Writing: to temporary names in the same folder, then renamed, so that a reader sees the old files or the
-// new ones. A failure, a full disk for one, leaves the old files as they were. What a writer leaves behind
-// that was killed (.outrider-*.part) is removed by the next one that writes to the folder. A file that is
-// replaced keeps its mode; a symbolic link is followed.
+// Writing: content goes to temporary files in the same folder, which are then renamed, so a reader sees the
+// old files or the new ones. If writing fails, for example on a full disk, the old files stay unchanged.
+// Temporary files of a killed writer (.outrider-*.part) are removed by the next writer to the same folder. A
+// file that is replaced keeps its mode; symbolic links are followed.
 //
-// Errors: bad_input with the file in `where`; cannot_write when the system fails while it writes, as on a
+// Faults: bad_input with the file in `where`; cannot_write if the system fails to write, for example on a
 // full disk. Thread rule: safe to call concurrently.
 #pragma once
 
@@ -23,15 +24,14 @@ namespace outrider {
 
 inline constexpr std::size_t largest_file_bytes = std::size_t{256} << 20;
 
-/// The content of a file, decompressed. Refuses a missing file, a folder, one that may not be read,
-/// damaged or truncated gzip data, and more than `limit_bytes`.
+/// Returns the content of a file, decompressed. Faults: bad_input for a missing file, a folder, a file
+/// without read permission, damaged or truncated gzip data, and more than `limit_bytes`.
 Outcome<std::string> read_file(const std::string& path, std::size_t limit_bytes = largest_file_bytes);
 
-/// True if there is something other than a folder that read_file() may open.
+/// Returns true if the path exists, is not a folder, and read_file() is allowed to open it.
 bool file_exists(const std::string& path);
 
-/// Replaces or makes the file. Its folder must exist; a path that names something other than a regular
-/// file is refused.
+/// Creates or replaces a file. Its folder must exist. Refuses a path that exists but is not a regular file.
 Status write_file(const std::string& path, std::string_view content);
 
 struct NamedContent {
@@ -39,10 +39,10 @@ struct NamedContent {
   std::string content;
 };
 
-/// Writes files that belong together: all lie on the disk under temporary names before the first is
-/// renamed. They are renamed in their order, so put the one that names the others last. A process that is
-/// killed at any moment, even by SIGKILL, leaves all old files or all new ones: a short-lived process of its
-/// own does the renaming.
+/// Writes files that belong together. All of them are on the disk under temporary names before the first is
+/// renamed. They are renamed in the given order, so put a file that refers to the others last. If the process
+/// is killed at any moment, even by SIGKILL, either all old files or all new files remain, because a separate
+/// short-lived process does the renaming.
 Status write_files(const std::vector<NamedContent>& files);
 
 }  // namespace outrider

@@ -1,8 +1,8 @@
-// Pose graphs of the plane as g2o writes them: VERTEX_SE2, VERTEX_XY, EDGE_SE2, EDGE_SE2_XY and FIX, a line
-// each, with informations as upper triangles by rows.
+// Planar pose graphs in the g2o format: lines VERTEX_SE2, VERTEX_XY, EDGE_SE2, EDGE_SE2_XY and FIX, with
+// information matrices as upper triangles by rows.
 //
-// Vertices that only edges name get their place from the edges. '#' starts a comment.
-// Errors: bad_input with file:line, what is wrong and what would be right. Bounds: 2,000,000 lines.
+// Vertices that occur only in edges are placed by the edges. Only the first vertex may be fixed. '#' starts a
+// comment. Faults: bad_input with file:line, the error and the remedy. Bounds: 2,000,000 lines.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace outrider {
 
 Outcome<PoseGraph> pose_graph_from_g2o(std::string_view text, const std::string& name);
 
-/// The graph with its nodes at `poses`; reads back to the same numbers. Refuses ranges, which the format does
-/// not have, and names that are not whole numbers.
+/// Returns the graph with its nodes at `poses` as g2o text, which reads back to the same numbers. Faults:
+/// bad_input for ranges, which the format does not have, and for names that are not integers.
 Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& poses);
 
 }  // namespace outrider

@@ -1,14 +1,14 @@
-// Recorded logs of robots that look for landmarks, in the formats of published data.
+// Recorded logs of robots that observe landmarks, in the formats of published data.
 //
 //   freiburg   lines "ODOMETRY turn distance turn" and "SENSOR id range bearing" (m, rad); the map "id x y"
-//   mrclam     UTIAS MR.CLAM: lines of time, forward and turning speed; of time, barcode, range and bearing;
-//              of subject and barcode; of subject, x, y and two deviations. '#' starts a comment. Other
-//              robots are no landmarks and are left out.
+//   mrclam     UTIAS MR.CLAM, four files: lines of time, forward and turning speed; of time, barcode, range
+//              and bearing; of subject and barcode; of subject, x, y and two standard deviations. '#' starts
+//              a comment. Other robots are not landmarks and are skipped.
 //   chain      lines "ODOMETRY i j x y heading" and "LANDMARK i k x y", each with the upper triangle of its
-//              covariance; a LANDMARK stands after the ODOMETRY that leads to its pose
+//              covariance; a LANDMARK line follows the ODOMETRY line that leads to its pose
 //
-// The noise of logs that do not give one is that of LogNoise. Errors: bad_input with file:line, what is wrong
-// and what would be right. Bounds: 2,000,000 lines.
+// For logs without noise, LogNoise gives it. Faults: bad_input with file:line, the error and the remedy.
+// Bounds: 2,000,000 lines.
 #pragma once
 
 #include <string>
@@ -20,24 +20,24 @@
 
 namespace outrider {
 
-/// Standard deviations. Those of odometry grow with the root of what was driven and turned.
+/// Standard deviations. Those of odometry grow with the square root of the distance and of the angle turned.
 struct LogNoise {
-  double distance = 0.01;
-  double turn_per_distance_rad = radians(6.0);
-  double turn = 0.1;
+  double distance = 0.01;                       ///< error of the position, m per sqrt(m)
+  double turn_per_distance_rad = radians(6.0);  ///< error of the heading, rad per sqrt(m)
+  double turn = 0.1;                            ///< error of the heading, rad per sqrt(rad)
   double range_m = 0.3;
   double bearing_rad = radians(6.0);
 };
 
 std::vector<Option> describe(LogNoise& noise);
 
-/// Text and the name under which it is spoken of.
+/// A text and its name in faults.
 struct NamedText {
   std::string_view text;
   std::string name;
 };
 
-/// `map` may be empty.
+/// Reads a freiburg log. `map` may be empty.
 Outcome<LandmarkLog> landmark_log_from_freiburg(const NamedText& log, const NamedText& map,
                                                 const LogNoise& noise);
 
@@ -47,9 +47,10 @@ struct MrclamTexts {
   NamedText barcodes;
   NamedText landmarks;  ///< may be empty
 };
-/// A step for each time at which landmarks were sighted.
+/// Reads an mrclam log. There is one step for each time at which landmarks were sighted.
 Outcome<LandmarkLog> landmark_log_from_mrclam(const MrclamTexts& texts, const LogNoise& noise);
 
+/// Reads a chain log.
 Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log);
 
 }  // namespace outrider

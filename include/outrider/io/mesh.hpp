@@ -1,11 +1,11 @@
 // Triangle meshes: STL (text and binary), Wavefront OBJ and Collada (.dae).
 //
-// The format is told by the ending of the name, STL's two forms by the content; files may be
-// gzip-compressed. Only positions and faces are read. OBJ and Collada polygons become fans of
-// triangles. Collada: the nodes of the visual scene with their transforms, and the <unit> of length;
-// <up_axis> is ignored, as Gazebo does. Triangles without area are left out.
+// The format is chosen by the ending of the name; the two forms of STL are distinguished by the content.
+// Files may be gzip-compressed. Only positions and faces are read. Polygons in OBJ and Collada become fans of
+// triangles. In Collada, the nodes of the visual scene with their transforms and the <unit> of length are
+// used; <up_axis> is ignored, as in Gazebo. Triangles without area are skipped.
 //
-// Errors: bad_input with the file (and line of text formats). Bounds: 64 MiB, a million triangles,
+// Faults: bad_input with the file (and the line, for text formats). Bounds: 64 MiB, a million triangles,
 // coordinates within 1e6. O(length of the file + triangles).
 #pragma once
 
@@ -23,7 +23,7 @@ using Triangle = std::array<Vec3, 3>;
 
 inline constexpr std::size_t most_triangles = 1'000'000;
 
-/// At least one triangle, in metres where the format has units, else as the file says.
+/// Loads at least one triangle. Coordinates are in metres if the format has units, else as in the file.
 Outcome<std::vector<Triangle>> load_mesh(const std::string& path);
 Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std::string& name);
 

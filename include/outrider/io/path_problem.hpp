@@ -1,9 +1,9 @@
-// A question for the path planners from a map file: the short way from a file to a plan.
+// Loads path problems from map files.
 //
-// Takes every map of io/map.hpp: a polygon environment becomes polygons, any other a grid that is free for
-// the disk. Start and goal are in the coordinates of the map, m (MovingAI: cells, y from the bottom); whether
-// they are free is asked by the planner. Faults: bad_input with file and line; on a map_server map that is
-// turned, whose grid has axes of its own: load it with load_map_server().
+// Takes every map of io/map.hpp. A polygon environment becomes polygons; any other map becomes a grid that is
+// free for the disk. Start and goal are in the coordinates of the map, m (MovingAI: cells, y from the
+// bottom). The planner checks that they are free. Faults: bad_input with file and line; also for a map_server
+// map with a rotation, because its grid has axes of its own: use load_map_server() for such a map.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@
 namespace outrider {
 
 struct MapOptions {
-  std::optional<double> radius_m;  ///< of the robot; 0 on MovingAI maps, 0.18 on polygons, else 0.26
-  double height_m = 0.2;           ///< of the robot, in worlds
-  double resolution_m = 0.1;       ///< of the grid, in worlds
+  std::optional<double> radius_m;  ///< of the robot; unset: MovingAI 0, polygons 0.18, others 0.26
+  double height_m = 0.2;           ///< height of the robot, for worlds
+  double resolution_m = 0.1;       ///< resolution of the grid, for worlds
   GridModel model = GridModel::cells;
 };
 

@@ -1,7 +1,8 @@
-// Photos as grey images: PNG, JPEG and PGM (P2, P5), told by their first bytes; any may be gzip-compressed.
+// Photos as grey images: PNG, JPEG and PGM (P2, P5), detected by their first bytes.
 //
-// Colours of a PNG count by their mean, those of a JPEG by how bright the eye finds them (ITU-R BT.601).
-// Errors: bad_input with the file. Bounds: sides up to 100,000 and 100 million pixels.
+// Files may be gzip-compressed.
+// The grey value is the mean of the colours of a PNG, and the luminance of a JPEG (ITU-R BT.601).
+// Faults: bad_input with the file. Bounds: sides up to 100,000 and 100 million pixels.
 #pragma once
 
 #include <string>
@@ -14,10 +15,10 @@ namespace outrider {
 
 Outcome<CameraImage> load_photo(const std::string& path);
 
-/// `name` is for faults.
+/// Reads a photo from the content of a file. `name` is for faults.
 Outcome<CameraImage> photo_from_bytes(std::string_view bytes, const std::string& name);
 
-/// The image as a grey PNG.
+/// Returns the image as a grey PNG file.
 std::string to_png(const CameraImage& image);
 
 }  // namespace outrider

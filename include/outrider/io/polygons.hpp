@@ -1,12 +1,12 @@
-// Polygon environments: text with blocks separated by lines of `---`.
+// Polygon environments: text in blocks that are separated by lines of `---`.
 //
-// First the corners of the boundary, then one obstacle a line, then (if the block is there) one query a
-// line, its start and its goal. A corner is (x,y) in metres; white space is free around and within, and
-// empty lines are skipped; # begins a comment. The boundary may go over several lines. Polygons are
-// simple, of either orientation; those that cross or touch themselves are refused, not repaired.
+// The first block has the corners of the boundary, on one or several lines. The second has one obstacle per
+// line. The third is optional and has one query per line: start and goal. A corner is (x,y) in metres, with
+// optional white space around and within. Empty lines are skipped; # starts a comment. Polygons are simple,
+// in either orientation; those that cross or touch themselves are refused, not repaired.
 //
-// Errors: bad_input with file:line. Bounds: those of path/polygon_ground.hpp, and 100,000 queries. Files
-// may be gzip-compressed.
+// Faults: bad_input with file:line. Bounds: those of path/visibility/polygon_ground.hpp, and 100,000 queries.
+// Files may be gzip-compressed.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct PolygonMap {
 Outcome<PolygonMap> load_polygon_map(const std::string& path);
 Outcome<PolygonMap> polygon_map_from_text(std::string_view text, const std::string& name);
 
-/// The text that reads as exactly this map.
+/// Returns the map as text, which reads back to exactly the same map.
 std::string polygon_map_text(const PolygonMap& map);
 
 }  // namespace outrider

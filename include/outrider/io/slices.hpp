@@ -1,10 +1,11 @@
-// Slices: what a horizontal plane cuts of a world, as text, one piece a line, in m.
+// Slices: the cut of a horizontal plane through a world, as text with one piece per line, in m.
 //
 //   x0,y0,x1,y1                     a wall without thickness
-//   model,link,x0,y0,x1,y1,...      a convex polygon of at least 3 corners, either way round, or such a wall
+//   model,link,x0,y0,x1,y1,...      a convex polygon (at least 3 corners, either orientation) or such a wall
 //
-// Empty lines and what begins with # are left out. Faults: bad_input with file:line: numbers that are none or
-// beyond 1e6 m, half a corner, a piece of one corner, a polygon that is not convex (by more than 1 mm).
+// Empty lines and lines that begin with # are skipped. Faults: bad_input with file:line, for numbers that are
+// invalid or beyond 1e6 m, an odd number of coordinates, a piece with one corner, and a polygon that is not
+// convex (by more than 1 mm).
 // Bounds: 64 MiB, 200,000 pieces of at most 1000 corners.
 #pragma once
 
@@ -25,9 +26,9 @@ struct WorldSlice {
 Outcome<std::vector<WorldSlice>> load_slices(const std::string& path);
 Outcome<std::vector<WorldSlice>> slices_from_text(std::string_view text, const std::string& name);
 
-/// The slice as a solid between two heights. A wall is a box without thickness and a rectangle a box, whose
-/// corners are within 0.2 mm of those given; any other polygon is the mesh of its sides and of a floor 15
-/// cm above its foot.
+/// Makes a solid from a slice, between two heights. A wall becomes a box without thickness. A rectangle
+/// becomes a box whose corners are within 0.2 mm of the given ones. Any other polygon becomes a mesh of its
+/// sides and of a floor 15 cm above its foot, at most at half its height.
 Solid upright(const WorldSlice& slice, const std::string& name, double z_low_m, double z_high_m);
 
 }  // namespace outrider

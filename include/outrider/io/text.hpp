@@ -1,4 +1,4 @@
-// Lines, words and numbers of text formats.
+// Reads lines, words and numbers of text formats.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace outrider {
 
-/// The next line without its end ("\n" or "\r\n"); `rest` loses it.
+/// Removes the next line from `rest` and returns it without its end ("\n" or "\r\n").
 inline std::string_view take_line(std::string_view& rest) {
   const std::size_t end = rest.find('\n');
   std::string_view line = rest.substr(0, end);
@@ -24,7 +24,7 @@ inline std::string_view take_line(std::string_view& rest) {
 
 inline constexpr std::string_view white_space = " \t\r\n\f\v";
 
-/// The next word, or empty at the end; `rest` loses it and the white space before it.
+/// Removes the next word and the white space before it from `rest`. Returns the word; empty at the end.
 inline std::string_view take_word(std::string_view& rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
   const std::string_view word = rest.substr(0, rest.find_first_of(white_space));
@@ -38,7 +38,7 @@ inline std::vector<std::string_view> words(std::string_view text) {
   return result;
 }
 
-/// The whole text as a finite number (a leading + is allowed) or as an integer; nothing otherwise.
+/// Parses the whole text as a finite number or an integer; a leading + is allowed. Returns nothing otherwise.
 template <class Number>
 std::optional<Number> number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -51,7 +51,8 @@ std::optional<Number> number(std::string_view text) {
   return value;
 }
 
-/// The text cut to what fits a sentence, control characters and bytes outside ASCII as '?'.
+/// Returns the text for use in a sentence: cut to `most` bytes, with '?' for control characters and bytes
+/// outside ASCII.
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// The poses of a track as a table.
+// Writes the poses of a track as a table.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace outrider {
 
-/// A pose a line: number, x, y, heading (m, rad).
+/// Returns one line per pose: number, x, y, heading (m, rad).
 std::string track_csv(const std::vector<Pose2>& poses);
 
 }  // namespace outrider

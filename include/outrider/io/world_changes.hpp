@@ -1,16 +1,16 @@
-// What stands in a world, put elsewhere or taken away: two keys of a scenario.
+// World changes: two keys of a scenario that move or remove objects of a world.
 //
 //     moved: bench=1.5,-2,90; shed=0,4,0
 //     removed: tree_1; tree_2
 //
-// A name stands for the solid of that name and for all whose names begin with it and a '/': the name of an
-// SDF model for all of its parts. A move gives x, y in m, where the middle of the upright box around them (as
-// the world has them) comes to stand, and by how many degrees they are turned about it, counter-clockwise,
-// from how the world has them. Heights above the ground under the middle stay, and so do the bounds of the
-// world.
+// A name means the solid with that name and all solids whose names begin with it and a '/'. The name of an
+// SDF model therefore means all of its parts. A move gives x and y in m, the new position of the middle of
+// the upright box around these solids in the original world, and the angle in degrees by which they are
+// turned about it, counter-clockwise. The heights above the ground under the middle stay the same, and so do
+// the bounds of the world.
 //
-// Errors: bad_input with the key; an unknown name lists those that are near; the ground stays. O(names x
-// solids).
+// Faults: bad_input with the key; for an unknown name, with similar names. The ground cannot be moved or
+// removed. O(names x solids).
 #pragma once
 
 #include <string>
@@ -23,9 +23,10 @@
 
 namespace outrider {
 
+/// A move of the solids with one name.
 struct MovedThing {
   std::string name;
-  Pose2 place;  ///< of the middle; heading_rad is the turn from how the world has it
+  Pose2 place;  ///< new position of the middle; heading_rad is the turn relative to the original world
   friend bool operator==(const MovedThing&, const MovedThing&) = default;
 };
 
@@ -34,24 +35,26 @@ struct WorldChanges {
   std::vector<std::string> removed;
 };
 
-/// From the two texts above, either of which may be empty.
+/// Parses the two values above; each may be empty.
 Outcome<WorldChanges> changes_from_text(std::string_view moved, std::string_view removed);
-/// An angle in degrees as people write it: 90, not 90.00000000000001.
+/// Returns an angle in degrees as text, without rounding errors of whole numbers: 90, not 90.00000000000001.
 std::string degrees_text(double angle_rad);
 std::string moved_text(const std::vector<MovedThing>& moved);
 std::string removed_text(const std::vector<std::string>& removed);
 
-/// Faults: no such name; a solid that two names stand for; something without end, which is ground.
+/// Returns the world with the changes. Faults: an unknown name; a solid with two changes; a change of the
+/// ground (a half-space or a height field).
 Outcome<World> changed(const World& world, const WorldChanges& changes);
 
-/// Something that can stand elsewhere: all solids whose names have the same first part.
+/// An object that can be moved: all solids whose names have the same first part, up to a '/'.
 struct MovableThing {
   std::string name;
-  Vec2 middle;  ///< of the upright box around it, m
+  Vec2 middle;  ///< middle of the upright box around it, m
   std::vector<std::size_t> solids;
 };
 
-/// In the order of the world. Without the ground, and what has a name that the texts above cannot hold.
+/// Returns the movable objects in the order of the world. Omits the ground, and names that cannot be written
+/// in the values above.
 std::vector<MovableThing> movable_things(const World& world);
 
 }  // namespace outrider

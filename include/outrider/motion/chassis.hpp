@@ -1,7 +1,7 @@
 // Chassis: forward and inverse kinematics of wheeled robots.
 //
 // A wheel that rolls without slip has a speed that is linear in the twist of the body, so a chassis is a
-// matrix with a row of three factors for each wheel. Its columns are orthogonal for all three kinds, so the
+// matrix with one row of three factors for each wheel. Its columns are orthogonal for all three kinds, so the
 // least-squares twist for given wheel speeds is a projection on each column. The residual, which four mecanum
 // wheels can have, is slip.
 //
@@ -26,7 +26,7 @@
 namespace outrider {
 
 inline constexpr std::size_t most_wheels = 4;
-/// One number for each wheel, in the order of the chassis; 0 beyond its last wheel.
+/// Holds one number for each wheel, in the order of the chassis; the rest is 0.
 using WheelSpeeds4 = std::array<double, most_wheels>;
 
 /// A wheel: the factors by which its speed depends on the twist of the body.
@@ -44,15 +44,15 @@ struct Chassis {
   [[nodiscard]] bool moves_sideways() const;
 };
 
-/// `half_track_m` is half the distance between the wheels.
+/// Makes a differential chassis. `half_track_m` is half the distance between the wheels.
 Chassis differential_chassis(double wheel_radius_m, double half_track_m);
-/// `half_size_m` is half the length plus half the width between the wheels.
+/// Makes a mecanum chassis. `half_size_m` is half the length plus half the width between the wheels.
 Chassis mecanum_chassis(double wheel_radius_m, double half_size_m);
-/// `ring_radius_m` is the distance from the centre to each wheel.
+/// Makes a holonomic chassis. `ring_radius_m` is the distance from the centre to each wheel.
 Chassis holonomic_chassis(double wheel_radius_m, double ring_radius_m);
 
 /// Makes a chassis by the name of its kind; `reach_m` is the half track, half size or ring radius. Fault:
-/// bad_input on another kind.
+/// bad_input for another kind.
 Outcome<Chassis> make_chassis(std::string_view kind, double wheel_radius_m, double reach_m);
 
 /// Inverse kinematics: returns the wheel speeds of a twist. Ignores sideways motion if the chassis cannot do

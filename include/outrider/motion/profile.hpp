@@ -1,6 +1,7 @@
-// Trapezoidal motion: from rest to rest over a distance, under a speed and an acceleration limit.
+// Trapezoidal motion: from rest to rest over a distance, with limited speed and acceleration.
 //
-// Works for metres and for radians alike. Source: Lynch and Park, Modern Robotics, section 9.2.2.2.
+// The functions work for metres and for radians.
+// Source: Lynch and Park, Modern Robotics, section 9.2.2.2.
 #pragma once
 
 namespace outrider {
@@ -8,7 +9,7 @@ namespace outrider {
 /// Limits of a motion. The unit is m or rad.
 struct Limits {
   double speed = 1.0;         ///< > 0, unit per second
-  double acceleration = 1.0;  ///< > 0, unit per second squared; infinity for a jump to full speed
+  double acceleration = 1.0;  ///< > 0, unit per second squared; infinite: full speed at once
 };
 
 /// Returns the least time to cover `distance` >= 0 from rest to rest, s. O(1).

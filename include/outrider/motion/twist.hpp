@@ -1,7 +1,7 @@
-// Twists of the plane: velocities of a body, and the poses they lead to.
+// Twists in the plane: velocities of a body, and the poses that they lead to.
 //
-// A constant twist moves a body along an arc. moved() is the exponential map of the group of planar motions
-// and twist_between() its logarithm, both exact and O(1).
+// A constant twist moves a body along an arc. moved() is the exponential map of SE(2), the group of planar
+// motions, and twist_between() is its logarithm. Both are exact and O(1).
 // Source: Lynch and Park, Modern Robotics, section 3.2.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace outrider {
 
-/// Velocity of a body in its own frame.
+/// The velocity of a body in its own frame.
 struct Twist2 {
   double ahead_mps = 0.0;
   double left_mps = 0.0;
@@ -26,11 +26,11 @@ struct Twist2 {
 
 inline double speed_of(const Twist2& twist) { return norm(Vec2{twist.ahead_mps, twist.left_mps}); }
 
-/// The pose after moving with a constant twist for `duration_s`; the heading is not wrapped.
+/// Returns the pose after a motion with a constant twist for `duration_s`; the heading is not wrapped.
 Pose2 moved(const Pose2& from, const Twist2& twist, double duration_s);
 
-/// The constant twist that moves a body from one pose to another in `duration_s` > 0. It turns by the
-/// difference of the headings, not wrapped, which must be less than a whole turn.
+/// Returns the constant twist that moves a body from one pose to another in `duration_s` > 0. The body turns
+/// by the difference of the headings, which is not wrapped and must be less than a whole turn.
 Twist2 twist_between(const Pose2& from, const Pose2& to, double duration_s);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// Blocks: what a map of cells says stands somewhere, as solids.
+// Blocks: the cells of a map that are not free, as solids.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace outrider {
 
-/// Upright boxes from low_z_m to high_z_m that together cover exactly the cells that are not free, each cell
-/// once: runs of a row that the next rows repeat are one box. `occupancy` holds values of Occupancy. Named
-/// "block_1", "block_2", ... in the order of their lowest rows. O(cells).
+/// Makes upright boxes from low_z_m to high_z_m that together cover exactly the cells that are not free, each
+/// cell once. Equal runs of cells in consecutive rows become one box. `occupancy` holds values of Occupancy.
+/// The boxes are named "block_1", "block_2", ... in the order of their lowest rows. O(cells).
 std::vector<Solid> blocks(const Grid<std::uint8_t>& occupancy, double low_z_m, double high_z_m);
 
 }  // namespace outrider

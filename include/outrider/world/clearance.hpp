@@ -1,7 +1,7 @@
-// Clearance of a grid: how far every cell is from the nearest blocked one. Exact, in whole numbers.
+// Clearance of a grid: the distance from each cell to the nearest blocked one. Exact, in integers.
 //
-// O(cells). Sources: Felzenszwalb and Huttenlocher, Distance transforms of sampled functions (2012);
-// the division in whole numbers, Meijster, Roerdink and Hesselink (2000).
+// O(cells). Sources: Felzenszwalb and Huttenlocher, Distance transforms of sampled functions (2012); the
+// integer division: Meijster, Roerdink and Hesselink (2000).
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace outrider {
 
-/// Of every cell in a grid without a blocked one.
+/// The value of all cells if no cell of the grid is blocked.
 inline constexpr std::uint32_t no_obstacle = std::numeric_limits<std::uint32_t>::max();
 
-/// Squared distance from each cell's centre to the centre of the nearest cell other than 0, in cells.
-/// The grid is at most 32768 cells a side.
+/// Returns the squared distance, in cells^2, from the centre of each cell to the centre of the nearest cell
+/// that is not 0. The grid must have at most 32768 cells on each side.
 Grid<std::uint32_t> squared_clearance(const Grid<std::uint8_t>& blocked);
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// Contours: lines of equal height of a height field, for maps.
+// Contours: lines of equal height of a height field, for display on maps.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,15 @@ namespace outrider {
 
 struct Contour {
   double height_m = 0.0;
-  std::vector<Vec2> points;  ///< the first again at the end where the line is closed
+  std::vector<Vec2> points;  ///< if the line is closed, the last point equals the first
 };
 
-/// The lines at all multiples of `step_m` above the lowest and below the highest point, exact on the
-/// triangles. Same field, same lines in the same order. O(cells + points).
+/// Returns the contours at all multiples of `step_m` strictly between the lowest and the highest point, exact
+/// on the triangles. The same field gives the same lines in the same order. O(cells + points) for each
+/// height.
 std::vector<Contour> contours(const HeightField& field, double step_m);
 
-/// A step of 1, 2 or 5 times a power of ten that gives at most 12 heights.
+/// Returns a step of 1, 2 or 5 times a power of ten that gives at most 12 heights.
 double contour_step(const HeightField& field);
 
 }  // namespace outrider

@@ -1,10 +1,10 @@
-// HeightField: ground that is not flat, as heights on a lattice of posts.
+// HeightField: uneven ground, given by heights on a lattice of posts.
 //
-// Between four posts lie two triangles, joined along the diagonal from the lowest x and y to the highest:
-// the surface that physics engines collide with. On it every question has an exact answer. The ground is
-// everything below the surface, over the bounds of the lattice; beyond them there is none, but heights and
-// slopes are those of the nearest point of the edge.
-// Units: metres in the world's frame. Thread rule: const queries may run concurrently.
+// Each square of four posts is divided into two triangles along the diagonal from the lowest x and y to the
+// highest, which is the surface that physics engines use for collisions. All queries are exact on it. The
+// ground is everything below the surface, within the bounds of the lattice. Outside the bounds there is no
+// ground, but heights and slopes are those of the nearest point of the edge.
+// Units: metres in the world frame. Thread rule: const queries may run concurrently.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ class HeightField {
  public:
   static constexpr std::size_t most_posts = std::size_t{1} << 22;
 
-  /// Heights row by row from the lowest y. Refused (bad_input): fewer than 2 posts a side or more than
-  /// `most_posts`, a spacing that is not above 0, heights that are too few, too many, not finite or beyond
-  /// 1e6 m. O(posts).
+  /// Makes a field from heights given row by row from the lowest y. Fault: bad_input for fewer than 2 posts
+  /// on a side or more than `most_posts`, a spacing that is not above 0, a wrong number of heights, and
+  /// heights or bounds that are not finite or beyond 1e6 m. O(posts).
   static Outcome<HeightField> make(Vec2 origin, Vec2 spacing_m, int columns, int rows,
                                    std::vector<double> heights_m);
-  /// What make() says of the numbers of posts: for readers, before they allocate.
+  /// Checks the numbers of posts as make() does, so that readers can check them before they allocate memory.
   static Status check_size(double columns, double rows);
 
   [[nodiscard]] Vec2 spacing_m() const { return spacing_m_; }
@@ -38,36 +38,38 @@ class HeightField {
 
   [[nodiscard]] double lowest_m() const { return lowest_m_; }
   [[nodiscard]] double highest_m() const { return highest_m_; }
-  /// Tangent of the steepest slope of any triangle.
+  /// Returns the tangent of the steepest slope of all triangles.
   [[nodiscard]] double steepest() const { return steepest_; }
-  /// The steeper slope of the two triangles of a cell.
+  /// Returns the tangent of the slope of the steeper triangle of a cell.
   [[nodiscard]] double steepest_in(Cell cell) const;
-  /// Lowest and highest point over a box; of the nearest edge where it lies beyond. O(cells in the box).
+  /// Returns the lowest and the highest post of the cells that the box touches, which bound the heights over
+  /// the box. Outside the lattice, the nearest cells count. O(cells in the box).
   [[nodiscard]] Interval heights_over(const Box2& box) const;
 
-  /// The cell that holds p, or the nearest one. O(1).
+  /// Returns the cell that contains p, or the nearest one. O(1).
   [[nodiscard]] Cell cell_at(Vec2 p) const { return place(p).cell; }
   [[nodiscard]] double height(Vec2 p) const;  ///< O(1)
   [[nodiscard]] Vec2 gradient(Vec2 p) const;  ///< of the triangle at p; O(1)
   [[nodiscard]] Vec3 normal(Vec2 p) const;    ///< of the triangle at p, upwards, of length 1; O(1)
-  /// Distance from p to the ground; 0 on it or below it. Exact: branch and bound over a pyramid of highest
-  /// points. About O(log posts) near the ground.
+  /// Returns the distance from p to the ground; 0 on or below the surface. Exact: branch and bound over a
+  /// pyramid of maximum heights. About O(log posts) near the ground.
   [[nodiscard]] double distance(Vec3 p) const;
-  /// A straight segment of the plane laid on the surface: its ends and every point where it passes from one
+  /// Projects a segment vertically onto the surface: returns its ends and all points where it passes from one
   /// triangle to another, in order. O(cells that it crosses).
   [[nodiscard]] std::vector<Vec3> drape(Segment s) const;
-  /// The length of that. Never less than the segment's own.
+  /// Returns the length of a segment along the surface; it is at least the length of the segment.
   [[nodiscard]] double length(Segment s) const;
-  /// The point of the segment that is that far from its first end along the surface; the last end at most.
+  /// Returns the point of the segment at the distance `way_m` from its first end along the surface, at most
+  /// its last end.
   [[nodiscard]] Vec2 walked(Segment s, double way_m) const;
 
  private:
-  struct Layer {  ///< highest points of square blocks of cells
+  struct Layer {  ///< maximum heights of square blocks of cells
     int columns = 0;
     int rows = 0;
     std::vector<double> highest_m;
   };
-  struct Place {  ///< in a cell, from 0 to 1 along both of its sides
+  struct Place {  ///< a cell and a position in it, from 0 to 1 along both sides
     Cell cell;
     Vec2 in;
   };
@@ -89,7 +91,7 @@ class HeightField {
   double lowest_m_ = 0.0;
   double highest_m_ = 0.0;
   double steepest_ = 0.0;
-  std::vector<Layer> pyramid_;  // of 1, 2, 4, ... cells a side, the last of one block
+  std::vector<Layer> pyramid_;  // layers with blocks of 1, 2, 4, ... cells a side; the last has one block
 };
 
 }  // namespace outrider

@@ -1,4 +1,4 @@
-// How far what is known of a map reaches.
+// Known extent: the range of the known cells of a map.
 #pragma once
 
 #include "outrider/world/grid.hpp"
@@ -6,7 +6,7 @@
 
 namespace outrider {
 
-/// The cells from low to high, both among them; none of them where high is below low.
+/// The range of cells from low to high, both included. It is empty if high is below low.
 struct CellExtent {
   Cell low{0, 0};
   Cell high{-1, -1};
@@ -15,7 +15,7 @@ struct CellExtent {
   [[nodiscard]] int height() const { return high.y - low.y + 1; }
 };
 
-/// The smallest that has all known cells of a grid of Occupancy. O(cells).
+/// Returns the smallest extent that contains all known cells of a grid of Occupancy. O(cells).
 CellExtent known_extent(const Grid<std::uint8_t>& occupancy);
 
 }  // namespace outrider

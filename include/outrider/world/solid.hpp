@@ -1,8 +1,8 @@
-// Solids: the things of a world that stop a robot or a ball.
+// Solids: the objects of a world that stop a robot or a ball.
 //
-// Every shape is exact for distances. Footprints and slices are exact for upright boxes, upright
-// cylinders, spheres, meshes and boxes in any rotation; a tilted cylinder is replaced there by a
-// prism around it whose corners stand at most 0.13 % of its radius outside.
+// Distances are exact for every shape. Footprints are exact except for tilted cylinders. Slices are exact
+// except for cylinders and spheres. A cylinder is replaced there by a prism around it, whose corners are at
+// most 0.13 % of its radius outside; a sphere is replaced by a polygon of 48 corners on its outline.
 #pragma once
 
 #include <array>
@@ -21,21 +21,22 @@ namespace outrider {
 struct BoxShape {
   Vec3 half_size;  ///< m
 };
-struct CylinderShape {  ///< axis along z of the solid's frame
+struct CylinderShape {  ///< with its axis along z of the solid's frame
   double radius_m = 0.0;
   double half_length_m = 0.0;
 };
 struct SphereShape {
   double radius_m = 0.0;
 };
-/// The half-space z <= 0 of the solid's frame: the ground, or a cliff without end.
+/// The half-space z <= 0 of the solid's frame: the ground, or an infinite cliff.
 struct HalfSpaceShape {};
-/// A surface of triangles. A ball cannot pass a triangle; what the surface encloses is not filled.
+/// A surface of triangles. A ball cannot pass a triangle. The space that the surface encloses is not solid.
 struct MeshShape {
   std::vector<std::array<Vec3, 3>> triangles;
 };
 
-/// The ground under a height field, which is given in the world: the solid's pose is the identity.
+/// The ground under a height field. The field is given in the world frame, so the pose of the solid must be
+/// the identity.
 struct HeightFieldShape {
   std::shared_ptr<const HeightField> field;
 };
@@ -48,24 +49,25 @@ struct Solid {
   Shape shape;
 };
 
-/// "box", "cylinder", "sphere", "half_space", "mesh" or "height_field".
+/// Returns "box", "cylinder", "sphere", "half_space", "mesh" or "height_field".
 std::string_view kind(const Shape& shape);
 
-/// Distance from p to the solid, m; 0 inside it or on it. Exact. O(1), meshes O(triangles),
+/// Returns the distance from p to the solid, m; 0 inside or on it. Exact. O(1); O(triangles) for meshes; for
 /// height fields as HeightField::distance().
 double distance(Vec3 p, const Solid& solid);
 
-/// Smallest box around the solid; infinite for a half-space, and downwards for a height field.
+/// Returns the smallest box around the solid. The box of a half-space is infinite, except at the surface of a
+/// horizontal one; the box of a height field is infinite downwards.
 Box3 bounds(const Solid& solid);
 
-/// The convex pieces that the part of the solid with z_low <= z <= z_high covers on the ground;
-/// none when the solid has no part there, and none for a half-space or a height field.
+/// Projects the part of the solid with z_low <= z <= z_high onto the ground, as convex pieces. There are none
+/// if the solid has no such part, and none for a half-space or a height field.
 std::vector<RoundedPolygon> footprint(const Solid& solid, double z_low_m, double z_high_m);
 
-/// The convex pieces in which the vertical plane through `origin` along the unit vector `along` cuts
-/// the solid, in plane coordinates (distance along, height): what a side view draws. Curved outlines
-/// are polygons of 48 corners. A half-space is cut to |distance| <= 1e3 and a depth of 1e3, a
-/// height field to the same depth.
+/// Returns the convex pieces in which the vertical plane through `origin` along the unit vector `along` cuts
+/// the solid, in plane coordinates (distance along, height), for side views. A half-space is limited to
+/// |distance| <= 1e3 m and to heights within 1e3 m of its position, a height field to 1e3 m below its lowest
+/// point.
 std::vector<std::vector<Vec2>> slice(const Solid& solid, Vec2 origin, Vec2 along);
 
 }  // namespace outrider

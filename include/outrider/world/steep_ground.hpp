@@ -1,4 +1,4 @@
-// Steep ground: the part of a height field on which a robot does not drive, as obstacles.
+// Steep ground: the part of a height field that is too steep for a robot, as obstacles.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace outrider {
 
-/// Rectangles that cover the cells with a triangle steeper than `max_slope_rad`, and no others: runs along
-/// the rows, joined where they lie above one another. Where that takes more than `most` rectangles, blocks
-/// of 2 x 2 cells count as one, then of 4 x 4, and so on: more ground is closed then, never less. O(cells).
+/// Returns rectangles that cover exactly the cells with a triangle steeper than `max_slope_rad`. Equal runs
+/// of cells in consecutive rows become one rectangle. If there are more than `most`, blocks of 2 x 2 cells
+/// are treated as one cell, then blocks of 4 x 4, and so on; the obstacles then cover more ground, never
+/// less. O(cells).
 std::vector<RoundedPolygon> steep_ground(const HeightField& field, double max_slope_rad,
                                          std::size_t most = 300);
 

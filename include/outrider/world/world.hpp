@@ -23,8 +23,8 @@ struct World {
   /// Returns a copy with one more solid.
   [[nodiscard]] World with(Solid solid) const;
   /// Returns a copy with the height field as its ground. Horizontal half-spaces and an earlier terrain are
-  /// removed, a solid "terrain" is added, and floor_z_m becomes the lowest height of the field. If the field
-  /// is flat and at the height of the floor, the copy is unchanged.
+  /// removed, a solid "terrain" is added, and floor_z_m becomes the lowest height of the field. If the world
+  /// has a flat ground and the field is equal to it, the copy is unchanged.
   [[nodiscard]] World on(std::shared_ptr<const HeightField> ground) const;
   /// Returns the height of the ground on which the robot drives, m.
   [[nodiscard]] double ground_z_m(Vec2 p) const { return terrain ? terrain->height(p) : floor_z_m; }
