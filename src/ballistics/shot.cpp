@@ -138,7 +138,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
   return result;
 }
 
-/// Whether the shot hits with errors of these parts of the largest.
+/// Returns true if the shot hits with errors of these parts of the largest.
 bool hits_with_errors(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
                       const Shot& shot, double yaw_part, double pitch_part, double speed_part) {
   Shot off = off_by(stance_at(rules, position), shot, yaw_part * rules.errors.gun_rad,

@@ -147,7 +147,8 @@ bool Sight::stops(Window& window, const Arc& arc) {
   return touches(window, arc, from, to);
 }
 
-/// Whether the arc comes between two heights over the part of an interval that lies before the target.
+/// Returns true if the arc comes between two heights over the part of an interval that lies before the
+/// target.
 bool Sight::enters(const Arc& arc, Interval over, double low_m, double high_m) const {
   over.low = std::max(over.low, arc.start_m());
   over.high = std::min(over.high, touch_m_ - contact_tolerance_m);

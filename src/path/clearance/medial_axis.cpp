@@ -31,7 +31,7 @@ Status check_options(const MedialAxisOptions& options) {
   return {};
 }
 
-/// A way as points so close that legs between neighbours keep its clearance, with the cost up to each.
+/// A path as points so close that legs between neighbours keep its clearance, with the cost up to each point.
 struct PointsOfWay {
   const PolygonGround& ground;
   double weight_m;
@@ -69,7 +69,8 @@ PointsOfWay points_of(const std::vector<Bisector>& way, const PolygonGround& gro
   return fine;
 }
 
-/// Clearance grows by no more than one walks, and ends at the widest place: no path costs less.
+/// Returns a lower bound of the cost of any path: clearance grows by at most the distance moved, and is
+/// limited by that of the widest place.
 double least_cost(const MedialGraph& graph, Vec2 start, Vec2 goal, double weight_m) {
   const double length = distance(start, goal);
   const double from = graph.start.leg.apart, to = graph.goal.leg.apart;

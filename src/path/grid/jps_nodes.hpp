@@ -1,7 +1,7 @@
-// The jump points that a search has met, numbered as they are met, and found by their cell.
+// The jump points that a search has reached, numbered in the order of discovery and found by their cell.
 //
-// A table of open addresses, as large as the search needs and not as the grid, so that a short search
-// stays in the nearest cache. Its order shows in no result. O(1) expected.
+// A hash table with open addressing, whose size depends on the search instead of the grid, so that a short
+// search stays in the nearest cache. Its order does not affect results. O(1) expected.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ class Nodes {
   Node& operator[](std::uint32_t id) { return nodes_[id]; }
   const Node& operator[](std::uint32_t id) const { return nodes_[id]; }
 
-  /// The node of a cell; a new one has no parent.
+  /// Returns the node of a cell; a new one has no parent.
   std::uint32_t find_or_add(Cell c) {
     std::size_t slot = slot_of(c);
     for (; slots_[slot] != Node::none; slot = (slot + 1) & (slots_.size() - 1)) {

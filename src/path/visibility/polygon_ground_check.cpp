@@ -14,7 +14,7 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 
-/// Whether the arc passes the direction of v from its centre.
+/// Returns true if the arc passes the direction of v from its centre.
 bool passes(const PathPiece& arc, Vec2 v) {
   const Vec2 begin = arc.from - arc.centre;
   double angle = std::atan2(cross(begin, v), dot(begin, v));

@@ -38,7 +38,7 @@ void for_each_entry(const PolygonGround& ground, const EdgeIndex& index, Visit v
   }
 }
 
-/// Whether the disk's centre, moving along s, stays clear of the edge.
+/// Returns true if the disk's centre, moving along s, stays clear of the edge.
 bool clear_of(const Segment& edge, const Segment& s, Vec2 along, double length, double least) {
   const Vec2 a = edge.a - s.a, b = edge.b - s.a;
   const double ay = cross(along, a), by = cross(along, b);

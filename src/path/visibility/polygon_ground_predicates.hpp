@@ -10,7 +10,7 @@ namespace outrider {
 /// 1 when a, b, c turn left, -1 right, 0 on one line.
 int turn_of(Vec2 a, Vec2 b, Vec2 c);
 
-/// Whether the closed segments have a point in common.
+/// Returns true if the closed segments have a point in common.
 bool segments_meet(Segment s, Segment t);
 
 }  // namespace outrider

@@ -70,7 +70,7 @@ struct TangentPolicy {
   [[nodiscard]] State first_leg() const { return static_cast<State>(1 + goals.size() + starts.size()); }
   [[nodiscard]] std::size_t states() const { return first_leg() + graph.legs.size(); }
   [[nodiscard]] static State start() { return 0; }
-  /// Whether the search is done once s is closed: it was the last of the goals.
+  /// Returns true if the search is done once s is closed: it was the last of the goals.
   [[nodiscard]] bool is_goal(State s) { return s != 0 && s <= goals.size() && --waiting == 0; }
   [[nodiscard]] const Departure& leg(State s) const {
     return s < first_leg() ? starts[s - 1 - goals.size()] : graph.legs[s - first_leg()];

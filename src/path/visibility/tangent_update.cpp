@@ -37,7 +37,7 @@ struct ChangedEdges {
     radius_m = 0.5 * norm(box.size());
   }
 
-  /// Whether a leg that keeps within `beside_m` of a line may be hindered by one of them.
+  /// Returns true if a leg that keeps within `beside_m` of a line may be hindered by one of them.
   [[nodiscard]] bool near(const Segment& line, double beside_m) const {
     return !edges.empty() && distance(centre, line) <= radius_m + beside_m;
   }

@@ -69,7 +69,7 @@ struct Sweep {
     const double slope = cross(leg.along, wall);
     return slope == 0.0 ? 0.0 : cross(piece.wall.a - leg.from, wall) / slope;
   }
-  /// Whether the ray meets none of what lies within `reach` of the two points.
+  /// Returns true if the ray meets none of what lies within `reach` of the two points.
   [[nodiscard]] bool passes_by(Vec2 a, Vec2 b, double reach) const {
     if (all_round()) return false;
     const double most = place.radius_m + reach;
@@ -171,7 +171,7 @@ struct MetPieces {
       order.insert(std::lower_bound(order.begin(), order.end(), at, nearer), piece);
     }
   }
-  /// Whether the nearest piece plainly crosses the leg.
+  /// Returns true if the nearest piece plainly crosses the leg.
   [[nodiscard]] bool hide(const Tangent& leg) const {
     return !order.empty() &&
            sweep.met_at(order.front(), leg) < leg.length - margin_ratio * (1.0 + leg.length);

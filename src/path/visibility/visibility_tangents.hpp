@@ -37,7 +37,7 @@ struct Tangent {
 /// Nothing when one circle holds the other, or the places are one.
 std::optional<Tangent> tangent(const Place& a, const Place& b);
 
-/// Whether a leg in that direction touches the arc of the place where it is free.
+/// Returns true if a leg in that direction touches the arc of the place where it is free.
 bool touches_arc(const Place& place, Vec2 along);
 
 /// How far round its arc a way has come when it is headed along, rad from the beginning of the place.
