@@ -1,7 +1,8 @@
-// Reach: in how many seconds the robot can be in each cell, layer by layer, and so when it can catch.
+// Reach: the least number of seconds in which the robot can be in each cell, layer by layer, and the seconds
+// of possible catches.
 //
-// The flood goes no farther than seconds in which a catch may still be cheaper than one already known.
-// O(cells reached + seconds).
+// The flood goes no farther than the seconds in which a catch may still be cheaper than a known one. O(cells
+// reached + seconds).
 #pragma once
 
 #include <cstdint>
@@ -16,11 +17,11 @@ class Reach {
  public:
   explicit Reach(const PursuitField& field);
 
-  /// Floods on until the next second in which the target can be caught, or to the end. False: the
-  /// budget ended first.
+  /// Continues the flood until the next second in which the target can be caught, or to the end. Returns
+  /// false if the budget ended first.
   bool next_catch(BudgetMeter& meter);
 
-  /// Seconds in which the target can be caught, in order.
+  /// The seconds in which the target can be caught, in order.
   std::vector<int> catches;
   bool complete = false;  ///< no second after the last of `catches` allows one
 
@@ -28,7 +29,7 @@ class Reach {
   std::uint32_t cheapest = 0;  ///< the least cost among them
 
   [[nodiscard]] std::uint64_t size() const { return size_; }  ///< cells reached
-  /// A way to a reached cell with the least number of steps, from the start.
+  /// Returns a path from the start to a reached cell with the least number of steps.
   [[nodiscard]] std::vector<CellIndex> path_to(CellIndex cell) const;
 
  private:

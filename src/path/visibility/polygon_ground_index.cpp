@@ -17,7 +17,7 @@ int row_of(const EdgeIndex& index, double y) {
       std::clamp(std::floor((y - index.origin.y) / index.cell_m), 0.0, index.height - 1.0));
 }
 
-/// visit(cell, edge) for every cell that the edge comes within the reach of.
+/// Calls visit(cell, edge) for every cell within reach of the edge.
 template <class Visit>
 void for_each_entry(const PolygonGround& ground, const EdgeIndex& index, Visit visit) {
   const double reach = ground.radius_m * (1.0 + 1e-6) + 2.0 * contact_m + index.cell_m * 0.70711;
