@@ -22,7 +22,7 @@ struct Choice {
   std::uint8_t pitch = FiringRegion::no_shot;
   float error_ratio = std::numeric_limits<float>::infinity();
   bool in_range = false;
-  const Blocker* blocker = nullptr;  ///< of the flattest arc
+  const Blocker* blocker = nullptr;  ///< blocker of the flattest arc
 };
 
 /// A place of the robot, and the blockers that may be in the way.

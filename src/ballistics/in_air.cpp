@@ -134,7 +134,7 @@ class Range {
   const Target& target_;
   Solid box_;
   std::size_t last_stop_ =
-      std::numeric_limits<std::size_t>::max();  ///< what stopped one often stops the next
+      std::numeric_limits<std::size_t>::max();  ///< the solid that stopped one shot often stops the next
 };
 
 class ExhaustionInAir {

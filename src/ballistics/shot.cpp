@@ -35,7 +35,7 @@ bool better(const Candidate& a, const Candidate& b) {
 
 /// A point on a target, seen from the gun.
 struct Aim {
-  Vec2 sight;             ///< from the yaw axis
+  Vec2 sight;             ///< vector from the yaw axis
   double height_m = 0.0;  ///< above the floor
   double off_centre;      ///< distance from the centre, relative to half the width and height
 };

@@ -86,7 +86,7 @@ struct AnytimePursuit::Search {
   std::unique_ptr<PursuitField> field;
   std::unique_ptr<Reach> reach;
   std::unique_ptr<Relaxation> running;
-  std::vector<std::unique_ptr<Relaxation>> relaxations;  // that have run
+  std::vector<std::unique_ptr<Relaxation>> relaxations;  // relaxations that have run
   Line in_time, too_late;                                // the latest relaxed ways of either kind
   std::unique_ptr<LabelSearch> labels;
   std::unique_ptr<LayeredSearch> layers;

@@ -42,7 +42,7 @@ struct PursuitField {
   CellIndex start = 0;
   int last_s = 0;                    ///< last second of the target, from the start
   std::uint32_t cheapest = 0;        ///< cost of the cheapest free cell
-  std::vector<std::uint32_t> costs;  ///< of free cells; border and walls are not read
+  std::vector<std::uint32_t> costs;  ///< costs of free cells; border and walls are not read
   CellSet free;
   std::vector<CellIndex> target;  ///< at second 0, 1, ... from the start
   CellSet visited;                ///< cells in which the target is in some second from 1 on

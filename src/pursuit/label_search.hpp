@@ -69,7 +69,7 @@ class LabelSearch {
   std::uint64_t most_work_;
   std::uint64_t work_ = 0;
   std::vector<PursuitLabel> labels_;
-  std::vector<std::uint32_t> first_;  // of each cell
+  std::vector<std::uint32_t> first_;  // first label of each cell
   RadixQueue<Ties::newest_first> queue_;
   std::optional<TimedWay> better_;
 };

@@ -38,7 +38,7 @@ class LayeredSearch {
   using Layer = std::vector<State>;
   struct Moves {
     std::vector<CellIndex> cells;
-    std::vector<std::uint8_t> steps;  // from which neighbour, in the order of a window of nine
+    std::vector<std::uint8_t> steps;  // source neighbour, in the order of a window of nine
   };
 
   bool take_up_layer(BudgetMeter& meter);
@@ -52,13 +52,13 @@ class LayeredSearch {
   std::uint64_t best_;
   std::uint64_t least_total_ = 0;  // over the present layer, in parts
   int caught_s_ = 0;               // second of the best catch; 0 for none
-  int second_ = 0;                 // of the present layer
-  std::size_t done_ = 0;           // states of the layer that have been taken up
+  int second_ = 0;                 // second of the present layer
+  std::size_t done_ = 0;           // number of expanded states of the layer
   Layer layer_;
-  std::vector<Layer> kept_;  // those of second 0, block_s_, 2 block_s_, ...
+  std::vector<Layer> kept_;  // layers of second 0, block_s_, 2 block_s_, ...
   int block_s_;
   std::vector<CellIndex> touched_;   // cells of the next layer
-  std::vector<std::uint64_t> cost_;  // of each cell of the next layer
+  std::vector<std::uint64_t> cost_;  // cost of each cell of the next layer
   std::vector<std::uint8_t> step_;
 };
 

@@ -25,7 +25,7 @@ class Reach {
   std::vector<int> catches;
   bool complete = false;  ///< no second after the last of `catches` allows one
 
-  CellSet cells;               ///< those reached
+  CellSet cells;               ///< reached cells
   std::uint32_t cheapest = 0;  ///< the least cost among them
 
   [[nodiscard]] std::uint64_t size() const { return size_; }  ///< cells reached
@@ -39,9 +39,9 @@ class Reach {
   CellSet open_;                    // free and not reached
   std::vector<std::uint8_t> mark_;  // 1 + steps modulo 255; 0 where not reached
   std::vector<CellIndex> frontier_, next_;
-  std::size_t done_ = 0;  // cells of the frontier that have been taken up
+  std::size_t done_ = 0;  // number of expanded cells of the frontier
   std::uint64_t size_ = 1;
-  int second_ = 0;  // of the frontier
+  int second_ = 0;  // second of the frontier
 };
 
 }  // namespace outrider

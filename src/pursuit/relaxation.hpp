@@ -68,7 +68,7 @@ class Relaxation {
   std::int64_t zero_s_;               // the second that is worth nothing: all are worth at least that
   std::vector<Source> sources_;       // the best second of each cell, by cell
   CellSet open_;                      // reached by the robot, and not yet from the target
-  std::vector<std::uint64_t> bound_;  // of being there at second zero_s_
+  std::vector<std::uint64_t> bound_;  // bound for being there at second zero_s_
   std::vector<std::uint8_t> step_;    // 1 + which step to take; 0: wait for the target here
   RadixQueue<Ties::oldest_first> queue_;
 };

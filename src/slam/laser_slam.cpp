@@ -364,7 +364,7 @@ Eigen::Matrix3d LaserSlam::pose_covariance() const {
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
 std::vector<LaserLoop> LaserSlam::closed_loops() const {
-  std::vector<std::size_t> pose_of;  // by kept scan: the first pose that hangs on it is its own
+  std::vector<std::size_t> pose_of;  // by keyframe: the first pose attached to it is its own
   for (std::size_t i = 0; i < state_->track.size(); ++i) {
     if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keyframes.size() + i);
   }

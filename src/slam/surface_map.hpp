@@ -29,7 +29,7 @@ namespace outrider {
 /// A normal prior of a pose in the world.
 struct PosePrior {
   Pose2 mean;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, heading; zero for no prior
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< information of x, y, heading; zero: no prior
 };
 
 /// The poses to search: a square of half side `reach_m` about the centre, rotated by up to `turn_rad`.

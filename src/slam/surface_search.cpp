@@ -169,7 +169,7 @@ class Search {
   int reach_ = 0;  ///< cells
   int turns_ = 0;  ///< steps to each side
   double step_rad_ = 0.0;
-  std::vector<std::vector<Cell>> cells_;  ///< of the points at the centre, by angle
+  std::vector<std::vector<Cell>> cells_;  ///< cells of the points for the pose at the centre, by angle
 };
 
 }  // namespace

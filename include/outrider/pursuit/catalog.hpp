@@ -12,7 +12,7 @@
 
 namespace outrider {
 
-/// What a planner guarantees with its default options.
+/// The guarantees of a planner with its default options.
 struct PursuitGuarantee {
   bool complete = true;       ///< finds a catch whenever there is one, or proves that there is none
   bool optimal = true;        ///< the catch is the cheapest, with lower_bound = cost

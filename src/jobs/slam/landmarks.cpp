@@ -95,7 +95,7 @@ class Recorder {
       if (by_id && truth.contains(landmark.id)) landmark.truth = truth.at(landmark.id);
       if (!by_id) landmark.truth = nearest(truth, landmark.position);
     }
-    std::vector<Pose2> poses = slam.trajectory();  // with those of a run before, and where this one began
+    std::vector<Pose2> poses = slam.trajectory();  // also those of an earlier run, and the start
     poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(log_.steps.size()));
     record_.settle(poses, {});
     return std::move(report_);

@@ -14,8 +14,8 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_cells = 150'000;       // of the map in the report
-constexpr std::size_t most_shown_cells = 40'000;  // of the map that observers see
+constexpr std::size_t most_cells = 150'000;       // maximum size of the map in the report
+constexpr std::size_t most_shown_cells = 40'000;  // maximum size of the map shown to observers
 
 /// Returns one line per scan: number, time (s), x, y (m), heading (rad).
 std::string track_csv(const LaserLog& log, const std::vector<Pose2>& poses) {

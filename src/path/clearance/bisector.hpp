@@ -26,11 +26,11 @@ struct Bisector {
   enum class Kind { edges, corners, parabola };
 
   Kind kind = Kind::edges;
-  Vec2 origin;         ///< where u is 0: on the line, or on the edge below the corner
+  Vec2 origin;         ///< point with u = 0: on the line, or on the edge below the corner
   Vec2 along;          ///< unit vector of growing u
   Vec2 across;         ///< parabola: from the edge towards the corner
-  double apart = 0.0;  ///< h or d; of edges c0
-  double slope = 0.0;  ///< of edges k
+  double apart = 0.0;  ///< h or d; c0 for two edges
+  double slope = 0.0;  ///< k for two edges
   double u0 = 0.0;
   double u1 = 0.0;
 

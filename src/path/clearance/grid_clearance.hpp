@@ -17,7 +17,7 @@ struct GridClearance {
   static constexpr int most_side = 16'383;  ///< cells, so that squares of half cells fit
 
   const GridMap* ground = nullptr;
-  std::size_t stride = 0;              ///< of a row of the lattice
+  std::size_t stride = 0;              ///< length of a row of the lattice
   std::vector<std::uint32_t> squared;  ///< half cells, by place()
   std::uint32_t widest_squared = 0;    ///< the largest of them
 

@@ -13,8 +13,8 @@ namespace outrider {
 namespace {
 
 constexpr double most_weight_m = 1e6;
-constexpr double legs_keep = 0.999;      // of the clearance of the way
-constexpr double most_exposure = 0.125;  // between points of the way
+constexpr double legs_keep = 0.999;      // fraction of the clearance that legs keep
+constexpr double most_exposure = 0.125;  // largest exposure between points of the path
 constexpr double least_apart_m = 1e-9;
 constexpr int most_halvings = 40;
 

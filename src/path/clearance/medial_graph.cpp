@@ -124,7 +124,7 @@ struct AxisPolicy {
 
   const MedialGraph& graph;
   const Labels<double>& labels;
-  double least_m;  ///< of the parts that are taken
+  double least_m;  ///< least clearance of the parts used
 
   [[nodiscard]] std::size_t states() const { return graph.nodes.size(); }
   [[nodiscard]] State start() const { return graph.start.joint; }

@@ -9,7 +9,7 @@ namespace jump {
 namespace {
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the map
+  std::shared_ptr<const GridMap> ground;  ///< ground of the map
   Map map;
   Frontier frontier;
 };
@@ -18,7 +18,7 @@ struct Memory {
 struct Side {
   const std::uint64_t* line;  // through the present cell
   std::ptrdiff_t step;        // to the line of the next cell
-  std::int32_t position;      // of the first bit of the windows
+  std::int32_t position;      // position of the first bit of the windows
   std::uint64_t blocked, ahead, ends_behind = 0, ends_here, ends_ahead;
 
   Side(const Map& map, unsigned d, Cell c, bool up)

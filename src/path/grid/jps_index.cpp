@@ -76,7 +76,7 @@ Vertices walk_back(const GridMap& ground, unsigned move, const Vertices& causes,
                    std::vector<Distances>& distances) {
   Vertices turned;
   const std::ptrdiff_t step = step_of(ground, move);
-  const auto correct = [&](std::size_t v) {  // whether it was wrong
+  const auto correct = [&](std::size_t v) {  // returns true if it was wrong
     const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
     const bool legal = ((ground.moves[v] >> move) & 1U) != 0;
     const std::int16_t was = distances[v][move];

@@ -17,11 +17,11 @@ struct Node {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   Cell cell;
-  std::uint32_t parent = none;  ///< of the start: itself
+  std::uint32_t parent = none;  ///< for the start: itself
   Octile g;
   double length = 0.0;         ///< value of g
-  std::uint8_t direction = 0;  ///< of arrival
-  std::uint8_t sides = 0;      ///< on which a turn is forced
+  std::uint8_t direction = 0;  ///< direction of arrival
+  std::uint8_t sides = 0;      ///< sides on which a turn is forced
   bool closed = false;
 };
 

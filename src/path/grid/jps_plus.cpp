@@ -11,7 +11,7 @@ namespace jump {
 namespace {
 
 struct IndexedMemory {
-  std::shared_ptr<const GridMap> ground;  ///< of the distances
+  std::shared_ptr<const GridMap> ground;  ///< ground of the distances
   std::vector<Distances> distances;
   Frontier frontier;
 };

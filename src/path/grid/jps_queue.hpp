@@ -13,7 +13,7 @@
 namespace outrider::jump {
 
 struct Entry {
-  std::uint64_t f_bits = 0;  ///< of f as a double, which is not negative: ordered as f is
+  std::uint64_t f_bits = 0;  ///< bits of f >= 0 as a double; they have the order of f
   std::uint64_t tie = 0;     ///< 38 bits of g, complemented, over 26 bits of the node
 
   [[nodiscard]] double f() const { return std::bit_cast<double>(f_bits); }

@@ -17,10 +17,10 @@ struct Index {
   HubTrees trees;
   std::vector<TileRow> rows;
   std::uint64_t work = 0;          ///< work of building it, in expansions of polyanya
-  std::uint64_t work_of_mesh = 0;  ///< of the mesh of polyanya
+  std::uint64_t work_of_mesh = 0;  ///< work of building the mesh of polyanya
 };
 
-constexpr std::size_t most_turns = 65535;  // that an entry of a list can name
+constexpr std::size_t most_turns = 65535;  // limit of the turn index in a list entry
 
 // Work in expansions of polyanya, from measured times; a side is one of the mesh that polyanya makes first.
 constexpr std::uint64_t looks_an_expansion = 16, expansions_a_node = 4, expansions_a_side = 2;
@@ -58,14 +58,14 @@ std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_by
 }
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the index
+  std::shared_ptr<const GridMap> ground;  ///< ground of the index
   std::int64_t index_mib = 0;
   std::unique_ptr<const Index> index;    ///< none when it would be too large
-  std::shared_ptr<const GridMap> asked;  ///< the last one; as `ground` but for a few cells
-  bool changed = false;                  ///< a few differ
-  bool searched = false;                 ///< by polyanya, which has made a mesh of it
+  std::shared_ptr<const GridMap> asked;  ///< ground of the last query; differs from `ground` in few cells
+  bool changed = false;                  ///< some cells differ
+  bool searched = false;                 ///< polyanya has been used and has built its mesh
   std::vector<CellBox> freed;            ///< blocked in `ground`, free in `asked`
-  std::uint64_t spent = 0;               ///< by polyanya on changed grounds, in expansions
+  std::uint64_t spent = 0;               ///< work of polyanya on changed grounds, in expansions
   std::vector<Cell> way;
 
   void renew(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {

@@ -40,7 +40,7 @@ struct TileRow {
   struct Tile {
     std::uint32_t entries = 0, turns = 0;  ///< first of each
   };
-  std::vector<Tile> tiles;  ///< from the left, one more at the end; none when the row was not made
+  std::vector<Tile> tiles;  ///< from the left, one more at the end; empty if the row was not built
   std::vector<Entry> entries;
   std::vector<Cell> turns;
   std::uint64_t work = 0;  ///< work of building it: labels and turns visited

@@ -196,7 +196,7 @@ class Change {
   NavigationMesh& mesh_;
   const GridMap& ground_;
   const std::vector<Cell>& changed_;
-  std::uint32_t block_;  // of all sides that are new
+  std::uint32_t block_;  // block of all new sides
   std::vector<std::uint32_t> taken_;
   std::size_t sides_taken_ = 0;
   std::vector<Rim> rim_;

@@ -15,7 +15,7 @@ namespace outrider {
 /// Convex polygons, one after another, counter-clockwise.
 struct ConvexPolygons {
   struct Side {
-    std::uint32_t corner;   ///< from which it leads to that of the next side
+    std::uint32_t corner;   ///< start of the side; it ends at the start of the next side
     std::uint32_t behind;   ///< the same side of the polygon behind it, or no_side
     std::uint32_t polygon;  ///< to which it belongs
   };

@@ -26,7 +26,7 @@ using polyanya_search::turned;
 constexpr std::size_t sides_an_expansion = 16;
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the mesh
+  std::shared_ptr<const GridMap> ground;  ///< ground of the mesh
   NavigationMesh mesh;
   std::size_t most_sides = 0;         ///< number of sides above which a changed mesh is rebuilt
   std::size_t spent = 0;              ///< expansions since the mesh has had its core

@@ -36,7 +36,7 @@ struct Label {
   double time_s = 0.0;
   double heading_rad = 0.0;
   std::uint32_t node = 0;
-  std::uint32_t next_settled = no_label;  // of the same node
+  std::uint32_t next_settled = no_label;  // next settled label of the same node
 };
 
 struct Best {
@@ -182,7 +182,7 @@ class Search {
   const RouteQuery& query_;
   RouteTree& tree_;
   std::vector<Best> best_;
-  std::vector<std::uint32_t> settled_;  // of each node, the newest settled label
+  std::vector<std::uint32_t> settled_;  // by node: the newest settled label
   std::vector<Label> labels_;
   std::vector<Waiting> queue_;
   double horizon_s_ = inf;

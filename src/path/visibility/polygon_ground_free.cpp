@@ -112,7 +112,7 @@ void add_arcs(PolygonGround& ground, Vec2 before, Vec2 corner, Vec2 after, std::
     const bool known = std::any_of(ground.arcs.begin(), ground.arcs.end(), [&](const FreeArc& arc) {
       return arc.centre == corner && std::abs(wrap_angle(arc.from_rad - low)) < 1e-12;
     });
-    if (known) continue;  // of another polygon with the same corner
+    if (known) continue;  // belongs to another polygon with the same corner
     ground.arcs.push_back(
         {corner, low, part.high - part.low, direction(low), direction(0.5 * (low + high)), direction(high)});
   }

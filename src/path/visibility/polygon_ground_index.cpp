@@ -103,7 +103,7 @@ bool PolygonGround::point_free(Vec2 p) const {
 
 bool PolygonGround::solid(Vec2 p) const {
   if (!bounds.contains(p)) return true;
-  int turns = 0;  // how often the polygons go round p: the boundary -1, each obstacle 1
+  int turns = 0;  // winding number around p: boundary -1, each obstacle 1
   for (const std::uint32_t e : index.rows[static_cast<std::size_t>(row_of(index, p.y))]) {
     const Segment& edge = edges[e];
     const bool up = edge.b.y > p.y;

@@ -12,7 +12,7 @@ struct WayLeg {
   Node round = 0;        ///< the arc left; not used for the first leg
   double entered = 0.0;  ///< progress on it, rad
   double left = 0.0;
-  Vec2 to;  ///< where the leg ends
+  Vec2 to;  ///< end of the leg
 };
 
 Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& fare,

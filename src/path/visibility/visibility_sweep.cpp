@@ -7,7 +7,7 @@ namespace outrider {
 namespace {
 
 constexpr double margin_turn = 1e-7;   // blocking this near the end of a piece is left to the exact test
-constexpr double margin_ratio = 1e-6;  // and so is what lies this near the end of the leg
+constexpr double margin_ratio = 1e-6;  // and so is a piece this near the end of the leg
 constexpr double beside_m = 1e-6;      // pieces this near a point hide nothing that is told by headings
 constexpr double no_span = 1e-12;
 constexpr double full_turn = 4.0;
