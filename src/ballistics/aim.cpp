@@ -11,9 +11,9 @@ namespace {
 
 constexpr double close_m = 1e-6;
 constexpr int most_steps = 20;
-constexpr double hopeless = 2.0;  // times the gun's speed: a search that comes there is given up
+constexpr double hopeless = 2.0;  // times the maximum speed of the gun: a search that reaches it is abandoned
 
-/// The place and the velocity through the air of a ball, with their changes by speed, yaw and pitch.
+/// The position of a ball and its velocity through the air, with their derivatives by speed, yaw and pitch.
 struct State {
   std::array<Vec3, 4> place;
   std::array<Vec3, 4> u;
@@ -27,7 +27,7 @@ Change moved(const Change& from, double h, const Change& rate) {
   return to;
 }
 
-/// How the velocity through the air changes: the law, and its derivative along the changes.
+/// Returns the rate of change of the velocity through the air (the law) and of its derivatives.
 Change rate_of(const Change& u, const Air& air, double gravity) {
   const double speed = norm(u[0]);
   const double k = -air.drag_per_m * speed;
@@ -39,7 +39,8 @@ Change rate_of(const Change& u, const Air& air, double gravity) {
   return rate;
 }
 
-/// Places are relative to the wind, so the velocity through the air is their rate.
+/// Makes one step. Positions are relative to the wind, so the velocity through the air is their rate of
+/// change.
 State runge_kutta(const State& state, const Air& air, double gravity, double h) {
   const Change& u1 = state.u;
   const Change a1 = rate_of(u1, air, gravity);
@@ -56,7 +57,7 @@ State runge_kutta(const State& state, const Air& air, double gravity, double h) 
   return {sum(state.place, u1, u2, u3, u4), sum(u1, a1, a2, a3, a4)};
 }
 
-/// The ball as it leaves.
+/// Returns the state at the muzzle.
 State start(const ShotRules& rules, const Platform& from, const Shot& shot) {
   const Flight flight = launch(rules.gun, from.position, rules.floor_z_m, shot, rules.gravity_mps2);
   const Vec2 along = direction(shot.yaw_rad);
@@ -75,7 +76,7 @@ State start(const ShotRules& rules, const Platform& from, const Shot& shot) {
        {-v * s * along.x, -v * s * along.y, v * c}}};
 }
 
-/// The parabola from a robot at rest, or the fastest straight shot where there is none.
+/// Returns the parabola of a robot at rest, or the fastest straight shot if there is none.
 Aimed first_guess(const ShotRules& rules, const Platform& from, double pitch, Vec3 point) {
   const Vec2 sight = xy(point) - from.position;
   const Vec2 tip = muzzle(rules.gun, pitch);
@@ -87,7 +88,7 @@ Aimed first_guess(const ShotRules& rules, const Platform& from, double pitch, Ve
   return {{heading_of(sight), pitch, capped}, s / (capped * std::cos(pitch)), {}};
 }
 
-/// x with x.x a + x.y b + x.z c = r; nothing when the three lie in a plane.
+/// Solves x.x a + x.y b + x.z c = r; returns nothing if a, b and c are coplanar.
 std::optional<Vec3> solve(Vec3 a, Vec3 b, Vec3 c, Vec3 r) {
   const double volume = dot(a, cross(b, c));
   if (volume == 0.0 || !std::isfinite(volume)) return std::nullopt;
@@ -120,7 +121,7 @@ std::optional<Aimed> aim_through(const ShotRules& rules, const Platform& from, d
     }
     const auto change = solve(aimed.at.by_speed, aimed.at.by_yaw, aimed.at.velocity_mps, off);
     if (!change) return std::nullopt;
-    // No step more than doubles or halves, nor turns by more than half a radian.
+    // A step changes a value by at most a factor of 2, and the yaw by at most 0.5 rad.
     const auto bounded = [](double value, double by) { return value + std::clamp(by, -0.5 * value, value); };
     aimed.shot.speed_mps = bounded(aimed.shot.speed_mps, change->x);
     if (aimed.shot.speed_mps > hopeless * rules.gun.muzzle_speed_mps) return std::nullopt;
@@ -136,7 +137,7 @@ double error_ratio(const ShotRules& rules, const Target& target, const Aimed& ai
   const Vec2 along = 1.0 / norm(velocity) * velocity;
   const double slope = at.velocity_mps.z / norm(velocity);
   const Outline half = outline(target, direction(target.yaw_rad), along);
-  // In the upright plane across the way of the ball.
+  // In the vertical plane across the path of the ball.
   const auto vertical = [&](Vec3 change) { return std::abs(change.z - slope * dot(along, xy(change))); };
   const auto lateral = [&](Vec3 change) { return std::abs(cross(along, xy(change))); };
   const double speed_error = rules.errors.speed_ratio * aimed.shot.speed_mps;

@@ -12,7 +12,7 @@ constexpr double first_step_s = 0.01;
 constexpr double longest_step_s = 10.0;
 constexpr std::size_t pieces_a_block = 6;
 
-/// Where in [low, high] something that holds at first ceases to.
+/// Returns the point in [low, high] at which a predicate that holds at first ceases to hold.
 template <class Predicate>
 double last_while(double low, double high, const Predicate& holds) {
   for (int i = 0; i < 60; ++i) {
@@ -26,7 +26,7 @@ bool overlap(const Box3& a, const Box3& b) {
   return a.ground().overlaps(b.ground()) && a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-/// A step of the velocity u through the air: the cubic with the values and the slopes of both ends.
+/// A step of the velocity u through the air: the cubic with the values and the slopes at both ends.
 struct Step {
   double length_s;
   Vec3 u0, a0, u1, a1;
@@ -47,10 +47,10 @@ Step step_from(const Air& air, double gravity, Vec3 u, Vec3 a, double h) {
   return {h, u, a, u1, f(u1)};
 }
 
-/// No smaller than |u' - f(u)| anywhere in the step. With the law N(u) = -c |u| u, |DN| <= 2 c |u|,
-/// |D^2 N| <= 2 c and |D^3 N| <= 3 c / |u|. At both ends u' is right; the quadratic that is right in the
-/// middle as well is off u' by what is seen there, and off f(u) by at most h^3 sqrt(3) / 216 |f(u)'''|,
-/// or h^2 / 4 |f(u)''| where the ball may stand still in the air.
+/// Returns an upper bound of |u' - f(u)| in the step. With the law N(u) = -c |u| u, |DN| <= 2 c |u|, |D^2 N|
+/// <= 2 c and |D^3 N| <= 3 c / |u|. At both ends u' is exact. The quadratic that is also exact in the middle
+/// differs from u' by the difference observed there, and from f(u) by at most h^3 sqrt(3) / 216 |f(u)'''|, or
+/// h^2 / 4 |f(u)''| if the ball may stand still in the air.
 double defect_bound(const Air& air, double gravity, const Step& step) {
   const double h = step.length_s;
   const double slope = step.most_slope();
@@ -133,7 +133,7 @@ AirTrack::AirTrack(const Air& air, Vec3 muzzle, Vec3 velocity_mps, double gravit
   wrap();
 }
 
-/// Between two states h apart a path is off the chord by at most (most acceleration) h^2 / 8.
+/// Between two states h apart, a path differs from the chord by at most (most acceleration) h^2 / 8.
 void AirTrack::wrap() {
   for (std::size_t first = 0; first + 1 < pieces_.size(); first += pieces_a_block) {
     const std::size_t last = std::min(first + pieces_a_block, pieces_.size() - 1);
@@ -166,7 +166,7 @@ Vec3 AirTrack::velocity(double time_s) const {
 }
 
 double AirTrack::top_s() const {
-  // It rises, if at all, before it falls: at the top it is accelerated downwards.
+  // If it rises at all, it does so before it falls: at the top it is accelerated downwards.
   return last_while(0.0, end_s(), [this](double t) { return velocity(t).z > 0.0; });
 }
 

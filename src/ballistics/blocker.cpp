@@ -6,7 +6,7 @@
 namespace outrider {
 namespace {
 
-constexpr double chord_rad = radians(46.0);  // of the polygons that stand for arcs
+constexpr double chord_rad = radians(46.0);  // angle of each chord that replaces an arc
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 bool is_upright_prism(const Solid& solid) {
@@ -15,7 +15,7 @@ bool is_upright_prism(const Solid& solid) {
                      std::holds_alternative<CylinderShape>(solid.shape));
 }
 
-/// Convex pieces with distances of their own: a mesh falls into its triangles.
+/// Returns the convex pieces of a solid; a mesh is split into its triangles.
 std::vector<Solid> convex_pieces(const Solid& solid) {
   const auto* mesh = std::get_if<MeshShape>(&solid.shape);
   if (mesh == nullptr) return {solid};

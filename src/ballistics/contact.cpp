@@ -9,7 +9,7 @@ namespace {
 
 constexpr double clearance_tolerance_m = 1e-4;
 
-/// A part of [from, until] outside of which the flight is not inside the box grown by `by`.
+/// Returns a part of [from, until] outside of which the flight is not in the box grown by `by`.
 std::optional<Interval> passage(const Flight& flight, const Box3& box, double by, double from, double until) {
   if (flight.in_air) {
     const Vec3 reach{by, by, by};
@@ -34,7 +34,7 @@ std::optional<Interval> passage(const Flight& flight, const Box3& box, double by
   return Interval{from, until};
 }
 
-/// Longest time in which a ball of that speed and at most that acceleration surely travels less than
+/// Returns the longest time in which a ball of that speed and at most that acceleration cannot travel
 /// `distance`.
 double safe_step(double distance, double speed, double acceleration) {
   return 2.0 * distance / (speed + std::sqrt(speed * speed + 2.0 * acceleration * distance));

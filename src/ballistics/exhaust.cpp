@@ -38,7 +38,7 @@ class Exhaustion {
   bool try_place(std::size_t cell, Vec2 position, const std::vector<const Blocker*>& near) {
     if (!clear_of(rules_, target_, position)) return true;
     ++visits_;
-    near_ = near;  // what stopped the flights from the places before first
+    near_ = near;  // blockers that stopped flights from earlier places come first
     std::stable_sort(near_.begin(), near_.end(), [this](const Blocker* a, const Blocker* b) {
       return stopped_last_[index(a)] > stopped_last_[index(b)];
     });
@@ -66,7 +66,7 @@ class Exhaustion {
     if (const std::size_t count = sight_.passes(lattice_[pitch], aim_z_)) open_.push_back({pitch, 0, count});
   }
 
-  /// The flights at all pitches lie in one plane; true at the first hit.
+  /// Tries all pitches on level ground, where all flights lie in one plane; returns true at the first hit.
   bool try_level(std::size_t cell, Vec2 position, Vec2 aim, bool& in_range) {
     sight_.look(position, aim, near_);
     lattice_ = level_;
@@ -77,7 +77,7 @@ class Exhaustion {
     return decide_one_by_one(cell);
   }
 
-  /// Each pitch has a plane of its own.
+  /// Tries all pitches on a slope, where each pitch has a plane of its own; returns true at the first hit.
   bool try_leaning(std::size_t cell, const Stance& stance, Vec2 position, Vec2 aim, bool& in_range) {
     for (std::size_t i = 0; i < level_.size(); ++i) {
       const auto line = line_of_fire(rules_, stance, position, aim, level_[i].pitch_rad);
@@ -99,7 +99,7 @@ class Exhaustion {
     stopped_last_[index(&blocker)] = visits_;
   }
 
-  /// Window by window, the flights that are seen in what it forbids.
+  /// Decides, window by window, the flights that enter a forbidden rectangle.
   void decide_together() {
     for (std::size_t w = 0; !open_.empty(); ++w) {
       Window* const window = sight_.window(w);
@@ -115,7 +115,8 @@ class Exhaustion {
     }
   }
 
-  /// What is left, from the lowest aim and the flattest pitch on; true at the first hit.
+  /// Decides the remaining flights, from the lowest aim and the flattest pitch on; returns true at the first
+  /// hit.
   bool decide_one_by_one(std::size_t cell) {
     for (std::size_t z = 0; !open_.empty() && z < aim_z_.size(); ++z) {
       for (const Open& open : open_) {

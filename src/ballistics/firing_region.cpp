@@ -22,17 +22,17 @@ struct Choice {
   std::uint8_t pitch = FiringRegion::no_shot;
   float error_ratio = std::numeric_limits<float>::infinity();
   bool in_range = false;
-  const Blocker* blocker = nullptr;  ///< of the flattest arc
+  const Blocker* blocker = nullptr;  ///< blocker of the flattest arc
 };
 
-/// Where the robot is, and what may stand on the way.
+/// A place of the robot, and the blockers that may be in the way.
 struct Post {
   Stance stance;
   Vec2 position;
   const std::vector<const Blocker*>& near;
 };
 
-/// Turns to the target's centre at one pitch of the gun; the elevation of the flights there.
+/// Sets the sight to the target's centre at one pitch of the gun; returns the elevation of the flights there.
 std::optional<Elevation> look(const ShotRules& rules, Sight& sight, const Post& from, Vec2 aim,
                               double pitch) {
   const auto line = line_of_fire(rules, from.stance, from.position, aim, pitch);
@@ -44,7 +44,7 @@ std::optional<Elevation> look(const ShotRules& rules, Sight& sight, const Post& 
 Choice choose(const ShotRules& rules, Sight& sight, const std::vector<Elevation>& lattice, const Post& from,
               Vec3 aim) {
   Choice choice;
-  Window* last = nullptr;  // what stopped one arc often stops the next
+  Window* last = nullptr;  // the window that stopped one arc often stops the next
   if (from.stance.level()) sight.look(from.position, xy(aim), from.near);
   for (std::size_t i = 0; i < lattice.size(); ++i) {
     std::optional<Elevation> leaning;

@@ -15,12 +15,13 @@ constexpr double coarse = 5e-5;  // accuracy of a track: 1 mm after 1.5 s
 constexpr double good_error_ratio = 0.7;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// Between which distances from the yaw axis flights at full speed come to a height, by pitch and bearing. A
-/// slower one falls short of these, so it gets there closer than the farthest and, where the height is above
-/// the muzzle, farther than the nearest. Between bearings the wider is taken, and some more.
+/// The distances from the yaw axis between which flights at full speed reach a height, by pitch and bearing.
+/// A slower flight has a shorter range: it reaches the height closer than the farthest distance and, if the
+/// height is above the muzzle, farther away than the nearest. Between bearings, the wider interval is used,
+/// with a margin.
 class Reach {
  public:
-  /// Without some of the pitches once the token is raised.
+  /// Omits some of the pitches once the token is stopped.
   Reach(const ShotRules& rules, const std::vector<double>& pitches, const Target& target, double height_m,
         const std::stop_token& stop = {}) {
     for (const double pitch : pitches) {
@@ -76,7 +77,7 @@ class Reach {
       if (!a || !b) continue;
       const Interval range{0.98 * std::min(norm(a->first), norm(b->first)) - 0.02,
                            1.02 * std::max(norm(a->second), norm(b->second)) + 0.02};
-      // Where the wind turns them, two neighbours may end up in other sectors, or sectors apart.
+      // The wind may deflect two neighbours into other sectors, or sectors that are not adjacent.
       const std::size_t last = (sector(b->second) + 1) % sectors;
       for (std::size_t k = (sector(a->second) + sectors - 1) % sectors;; k = (k + 1) % sectors) {
         ring[k] = {std::min(ring[k].low, range.low), std::max(ring[k].high, range.high)};
@@ -89,7 +90,7 @@ class Reach {
   std::vector<Ring> rings_;  ///< by pitch
 };
 
-/// Flies at one target from place to place.
+/// Simulates flights at one target from place to place.
 class Range {
  public:
   Range(const ShotRules& rules, const FlightSpace& space, const Target& target)
@@ -99,7 +100,7 @@ class Range {
         target_(target),
         box_(solid_of(target)) {}
 
-  /// The shot through an aim point, from the guess of the last answer kept there.
+  /// Returns the shot through an aim point. `last` is the previous result; it is used as guess and updated.
   std::optional<Aimed> aim(Vec2 position, std::size_t pitch, Vec3 point, std::optional<Aimed>& last) const {
     const Platform from{position, {}};
     auto found = last ? aim_through(rules_, from, pitches[pitch], point, &*last) : std::nullopt;
@@ -108,7 +109,7 @@ class Range {
     return found;
   }
 
-  /// The solid that stops a shot before the target; nothing when it hits.
+  /// Returns the solid that stops a shot before the target; nothing if the shot hits.
   std::optional<std::size_t> stopped_by(Vec2 position, const Shot& shot) {
     const Flight flight = launch(rules_, {position, {}}, target_, shot, coarse);
     const double radius = rules_.gun.ball_radius_m;
@@ -133,7 +134,7 @@ class Range {
   const Target& target_;
   Solid box_;
   std::size_t last_stop_ =
-      std::numeric_limits<std::size_t>::max();  ///< what stopped one often stops the next
+      std::numeric_limits<std::size_t>::max();  ///< the solid that stopped one shot often stops the next
 };
 
 class ExhaustionInAir {
@@ -150,7 +151,7 @@ class ExhaustionInAir {
     longest_ += 0.5 * std::hypot(target.size.x, target.size.y);
   }
 
-  /// False at the first hit.
+  /// Tries a place; returns false at the first hit.
   bool try_place(std::size_t cell, Vec2 position) {
     if (distance(xy(target_.base), position) > longest_ || !clear_of(rules_, target_, position)) return true;
     const std::uint64_t before = result.flights;
@@ -169,7 +170,7 @@ class ExhaustionInAir {
   Exhausted result;
 
  private:
-  /// The first shot that hits, of those through that point at that height.
+  /// Returns the first shot that hits, of those through that point at that height.
   std::optional<Shot> try_aim(Vec2 position, Vec2 aim, std::size_t z) {
     for (std::size_t i = 0; i < last_.size(); ++i) {
       if (!reaches_[z].holds(i, aim - position)) continue;

@@ -1,8 +1,8 @@
-// What firing_region.hpp and sight.hpp promise, where flights are no parabolas.
+// The functions of firing_region.hpp and sight.hpp in air, where flights are no parabolas.
 //
-// Flights leave the upright plane of the barrel, so nothing is cut or shared: each is aimed (aim.hpp) and
-// flown to within 1 mm. What saves time: how far a flight at full speed gets is known beforehand, by pitch
-// and bearing, and the place next to one is a good guess of its aim.
+// Flights leave the vertical plane of the barrel, so the shortcuts for parabolas do not apply: each shot is
+// aimed (aim.hpp) and simulated to within 1 mm. Two facts save time: the range of flights at full speed is
+// precomputed by pitch and bearing, and the shot from a neighbouring place is a good guess.
 #pragma once
 
 #include "outrider/ballistics/firing_region.hpp"

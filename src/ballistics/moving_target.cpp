@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_rounds = 300;
 
-/// The first touch while the target goes straight, between `from_s` and `until_s` of the flight.
+/// Returns the first contact while the target moves straight, between `from_s` and `until_s` of the flight.
 std::optional<double> touch_on_piece(const Flight& flight, double ball_radius_m, const Target& target,
                                      const Walk& walk, double fired_s, double from_s, double until_s) {
   const double span = until_s - from_s;
@@ -39,14 +39,14 @@ std::optional<double> touch(const Flight& flight, double ball_radius_m, const Ta
   return touch_on_piece(flight, ball_radius_m, target, walk, fired_s, from_s, until_s);
 }
 
-/// The shot at a pitch that meets the walk, with the time from now until it does.
+/// A shot at a pitch that meets the walk, with the time from now until it does.
 struct Meeting {
   Shot shot;
   double aiming_s = 0.0;
   double flight_s = 0.0;
 };
 
-/// A shot at a pitch through a place at the height of the target's centre, and how long it flies there.
+/// Returns the shot at a pitch through a place at the height of the target's centre, with its flight time.
 std::optional<Aimed> shot_through(const ShotRules& rules, const Target& target, Vec2 place, Vec2 position,
                                   double pitch_rad, const std::optional<Aimed>& last) {
   const double height_m = target.centre().z;

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double forgiving = 0.7;  // largest error_ratio of a shot chosen for its time
 constexpr double fine_pitch_rad = radians(0.5);
-constexpr std::size_t most_rated = 4;         // of these the hit rate is found when none survives
-constexpr std::size_t most_off_centre = 200;  // candidates flown beside a shot at the centre that may miss
-constexpr std::size_t most_flown = 48;  // shots that fly but forgive too little before the first is taken
+constexpr std::size_t most_rated = 4;         // number of shots whose hit rate is computed if none survives
+constexpr std::size_t most_off_centre = 200;  // candidates simulated if a shot at the centre keeps the margin
+constexpr std::size_t most_flown = 48;        // shots that keep the margin only, before the search stops
 
 struct Candidate {
   Shot shot;
   double error_ratio;
-  double time_s;  ///< to raise the barrel and to fly
+  double time_s;  ///< time to pitch the barrel plus flight time
 };
 
 bool better(const Candidate& a, const Candidate& b) {
@@ -35,16 +35,16 @@ bool better(const Candidate& a, const Candidate& b) {
 
 /// A point on a target, seen from the gun.
 struct Aim {
-  Vec2 sight;             ///< from the yaw axis
+  Vec2 sight;             ///< vector from the yaw axis
   double height_m = 0.0;  ///< above the floor
-  double off_centre;      ///< part of the half width and half height that it is away from the centre
+  double off_centre;      ///< distance from the centre, relative to half the width and height
 };
 
 Aim centre_aim(const ShotRules& rules, const Target& target, Vec2 position) {
   return {xy(target.base) - position, target.centre().z - rules.floor_z_m, 0.0};
 }
 
-/// A few points around the centre.
+/// Returns a few aim points around the centre.
 std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2 position) {
   const Aim centre = centre_aim(rules, target, position);
   const Vec2 aside = 1.0 / norm(centre.sight) * perpendicular(centre.sight);
@@ -61,7 +61,7 @@ std::vector<Aim> central_aims(const ShotRules& rules, const Target& target, Vec2
   return aims;
 }
 
-/// All points that exhaust() tries.
+/// Returns all aim points of exhaust().
 std::vector<Aim> all_aims(const ShotRules& rules, const Target& target, Vec2 position) {
   const Vec2 sight = xy(target.base) - position;
   const double half_across = outline(target, direction(target.yaw_rad), 1.0 / norm(sight) * sight).across_m;
@@ -77,7 +77,7 @@ std::vector<Aim> all_aims(const ShotRules& rules, const Target& target, Vec2 pos
   return aims;
 }
 
-/// The shot at a pitch that passes the aim point.
+/// Returns the shot at a pitch that passes the aim point.
 std::optional<Candidate> candidate(const ShotRules& rules, const Target& target, Vec2 position, double pitch,
                                    const Aim& aim) {
   const double range = norm(aim.sight);
@@ -88,7 +88,7 @@ std::optional<Candidate> candidate(const ShotRules& rules, const Target& target,
   return Candidate{shot, error_ratio(rules, target, position, shot), flight};
 }
 
-/// The same on a slope.
+/// Does the same on a slope.
 std::optional<Candidate> candidate_leaning(const ShotRules& rules, const Stance& stance, const Target& target,
                                            Vec2 position, double pitch, const Aim& aim) {
   const auto line = line_of_fire(rules, stance, position, position + aim.sight, pitch);
@@ -106,7 +106,7 @@ std::optional<Candidate> candidate_leaning(const ShotRules& rules, const Stance&
       s / forward};
 }
 
-/// The same in air; `last` is the one at the pitch before.
+/// Does the same in air; `last` is the shot at the previous pitch.
 std::optional<Candidate> candidate_in_air(const ShotRules& rules, const Target& target, Vec2 position,
                                           double pitch, const Aim& aim, std::optional<Aimed>& last) {
   const Vec2 ground = position + aim.sight;
@@ -116,7 +116,7 @@ std::optional<Candidate> candidate_in_air(const ShotRules& rules, const Target& 
   return Candidate{last->shot, error_ratio(rules, target, *last), last->flight_s};
 }
 
-/// Every shot at one of the pitches that passes one of the aim points, the best first.
+/// Returns every shot at one of the pitches that passes one of the aim points, the best first.
 std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, Vec2 position,
                                   double pitch_rad, const std::vector<Aim>& aims) {
   const auto pitches = pitch_lattice(rules);
@@ -138,7 +138,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
   return result;
 }
 
-/// Whether the shot hits with errors of these parts of the largest.
+/// Returns true if the shot hits with errors that are these fractions of the largest errors.
 bool hits_with_errors(const ShotRules& rules, const FlightSpace& space, const Target& target, Vec2 position,
                       const Shot& shot, double yaw_part, double pitch_part, double speed_part) {
   Shot off = off_by(stance_at(rules, position), shot, yaw_part * rules.errors.gun_rad,
@@ -171,7 +171,7 @@ double hit_rate(const ShotRules& rules, const FlightSpace& space, const Target& 
   return hits / 27.0;
 }
 
-/// The flight flown exactly: nothing when it misses or does not keep the margin.
+/// Simulates the flight exactly; returns nothing if it misses or does not keep the margin.
 std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                  Vec2 position, const Candidate& candidate) {
   const Flight flight = launch(rules, {position, {}}, target, candidate.shot);
@@ -189,7 +189,8 @@ std::optional<PlannedShot> flown(const ShotRules& rules, const FlightSpace& spac
                      0.0};
 }
 
-/// The first that survives all extreme errors; else, of the first few that fly, the one that hits most.
+/// Returns the first shot that survives all extreme errors; otherwise, of the first few that keep the margin,
+/// the one with the highest hit rate.
 std::optional<PlannedShot> first_to_fly(const ShotRules& rules, const FlightSpace& space,
                                         const Target& target, Vec2 position,
                                         const std::vector<Candidate>& shots, std::size_t most_tried) {

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// Corners of the target's footprint with its sides moved out by `by_m`.
+/// Returns the corners of the target's footprint with its sides moved outwards by `by_m`.
 std::vector<Vec2> ground_box(const Target& target, double by_m) {
   const Vec2 x = (0.5 * target.size.x + by_m) * direction(target.yaw_rad);
   const Vec2 y = (0.5 * target.size.y + by_m) * perpendicular(direction(target.yaw_rad));
@@ -147,7 +147,7 @@ bool Sight::stops(Window& window, const Arc& arc) {
   return touches(window, arc, from, to);
 }
 
-/// Whether the arc comes between two heights over the part of an interval that lies before the target.
+/// Returns true if the arc comes between two heights within the part of an interval before the target.
 bool Sight::enters(const Arc& arc, Interval over, double low_m, double high_m) const {
   over.low = std::max(over.low, arc.start_m());
   over.high = std::min(over.high, touch_m_ - contact_tolerance_m);
@@ -156,7 +156,7 @@ bool Sight::enters(const Arc& arc, Interval over, double low_m, double high_m) c
   return std::min(arc.z(over.low), arc.z(over.high)) <= high_m && arc.highest(over.low, over.high) >= low_m;
 }
 
-/// Decided along the flight, by exact distances.
+/// Decides along the flight, by exact distances.
 bool Sight::touches(const Window& window, const Arc& arc, double from_m, double to_m) const {
   const double ball = rules_.gun.ball_radius_m;
   const double forward = arc.forward_mps(rules_.gravity_mps2);
@@ -166,7 +166,7 @@ bool Sight::touches(const Window& window, const Arc& arc, double from_m, double 
       {tip.x, tip.y, arc.height_m}, {ahead.x, ahead.y, forward * arc.at->tangent}, rules_.gravity_mps2};
   const auto time = [&](double distance_m) { return (distance_m - arc.start_m()) / forward; };
   const Solid& piece = window.blocker->piece;
-  const double open_s = time(std::min(to_m, touch_m_));  // until then the target is out of the question
+  const double open_s = time(std::min(to_m, touch_m_));  // before this time the ball cannot touch the target
   if (outrider::touches(flight, ball + rules_.margin_m, piece, time(from_m), open_s)) return true;
   if (to_m <= touch_m_) return false;
   const auto touch =

@@ -14,8 +14,8 @@ Vec3 barrel(const GunAngles& angles) {
   return {c * std::cos(angles.yaw_rad), c * std::sin(angles.yaw_rad), std::sin(angles.pitch_rad)};
 }
 
-/// The direction of the yaw, in the frame of the ground, with which a barrel of that pitch lies in the
-/// upright plane through `along` and points that way.
+/// Returns the yaw direction, in the frame of the ground, for which a barrel of that pitch lies in the
+/// vertical plane through `along` and points that way.
 std::optional<Vec2> yaw_towards(const Rotation& ground, Vec2 along, double tangent) {
   // across . (cos p cos y, cos p sin y, sin p) = 0
   const Vec3 across = ground.unrotate({-along.y, along.x, 0.0});

@@ -15,7 +15,7 @@ struct Cone {
   bool everywhere = false;
   std::array<std::array<double, 3>, 3> sides{};
 
-  /// The x at which a row of height y enters and leaves the cone.
+  /// Returns the interval of x in which a row of height y is inside the cone.
   [[nodiscard]] Interval row(double y) const {
     Interval x{-inf, inf};
     if (everywhere) return x;
@@ -68,12 +68,12 @@ struct Span {
   const Blocker* blocker;
 };
 
-/// The column, with its fraction, whose centre is at x; just off the grid for what lies beyond it.
+/// Returns the fractional column whose centre is at x, clamped to just outside the grid.
 double column(const GridFrame& frame, double x) {
   return std::clamp((x - frame.origin.x) / frame.resolution_m - 0.5, -1.0, static_cast<double>(frame.width));
 }
 
-/// Where a row crosses the cones, in cells of the grid, by the first of them.
+/// Returns the spans of a row inside the cones, in cells of the grid, sorted by their first cell.
 std::vector<Span> spans_of_row(const std::vector<Blocker>& all, const std::vector<Cone>& cones, double y,
                                const GridFrame& frame) {
   std::vector<Span> spans;
@@ -89,12 +89,12 @@ std::vector<Span> spans_of_row(const std::vector<Blocker>& all, const std::vecto
   return spans;
 }
 
-/// Passes along a row from cell to cell and keeps the list of blockers whose span holds the present one.
+/// Moves along a row from cell to cell and keeps the list of blockers whose span contains the present cell.
 class RowSweep {
  public:
   explicit RowSweep(std::vector<Span> spans) : spans_(std::move(spans)) {}
 
-  /// The blockers at column x; x grows from call to call.
+  /// Returns the blockers at column x; x must increase from call to call.
   const std::vector<const Blocker*>& at(int x) {
     bool changed = std::erase_if(active_, [x](const Span& span) { return span.last < x; }) > 0;
     for (; next_ < spans_.size() && spans_[next_].first <= x; ++next_) {

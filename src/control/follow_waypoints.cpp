@@ -25,7 +25,7 @@ bool is_passed(const Follower& follower, const std::vector<Waypoint>& waypoints,
          dot(position - goal, goal - follower.from.position) > 0.0;
 }
 
-/// The turn that is left to a waypoint's heading, rad.
+/// Returns the remaining turn to a waypoint's heading, rad.
 double heading_error(const Follower& follower, const Waypoint& goal, double heading_rad) {
   const double error = wrap_angle(goal.pose.heading_rad - heading_rad);
   const double written = goal.pose.heading_rad - follower.from.heading_rad;
@@ -46,7 +46,7 @@ Vec2 place_command(Follower& follower, Vec2 error, bool stop, const FollowOption
   return step(follower.place, gains, error, {options.speed_mps, floor}, period_s);
 }
 
-/// A velocity in the world as a twist of the robot.
+/// Converts a velocity in the world to a twist of the robot.
 Twist2 in_body(Vec2 velocity_mps, double turn_radps, double heading_rad) {
   const Vec2 ahead = direction(heading_rad);
   return {dot(velocity_mps, ahead), cross(ahead, velocity_mps), turn_radps};

@@ -20,8 +20,8 @@ void NormalEquations::add(const Vector& row, double right) {
   ++rows_;
 }
 
-/// In the eigenvectors of P A^T A P, with the projection P on vectors of mean 0, the equations fall apart
-/// into one for each direction; directions of a zero eigenvalue are not determined.
+/// In the basis of eigenvectors of P A^T A P, with the projection P on vectors of mean 0, the equations
+/// separate into one for each direction. Directions with eigenvalue zero are not determined.
 NormalEquations::Solution NormalEquations::solve_with_mean_zero() const {
   const Eigen::Index n = right_.size();
   const Matrix projection = Matrix::Identity(n, n) - Matrix::Constant(n, n, 1.0 / static_cast<double>(n));

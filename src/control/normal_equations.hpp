@@ -24,8 +24,8 @@ class NormalEquations {
     Vector x;
     Vector deviations;  ///< standard deviations of x
   };
-  /// The least-squares x among those of mean 0. A component that no row determines is 0 and has an infinite
-  /// deviation.
+  /// Returns the least-squares x among those of mean 0. A component that no row determines is 0 and has an
+  /// infinite deviation.
   [[nodiscard]] Solution solve_with_mean_zero() const;
 
  private:

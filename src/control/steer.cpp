@@ -11,7 +11,7 @@ namespace {
 
 constexpr double there_m = 0.01;
 
-/// The point of the path at that arc length.
+/// Returns the point of the path at that arc length.
 Vec2 point_at(const std::vector<Vec2>& points, double along_m) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double leg = distance(points[i - 1], points[i]);
@@ -21,7 +21,7 @@ Vec2 point_at(const std::vector<Vec2>& points, double along_m) {
   return points.back();
 }
 
-/// The farthest point within the lookahead to which the robot can go straight.
+/// Returns the farthest point within the lookahead to which the robot can drive straight.
 Vec2 aim(const PathProgress& path, Vec2 position, const Nearby& nearby, const RobotModel& robot,
          const SteerOptions& options) {
   constexpr int tries = 8;
@@ -33,7 +33,7 @@ Vec2 aim(const PathProgress& path, Vec2 position, const Nearby& nearby, const Ro
   return point_at(path.points, path.along_m + options.lookahead_m / tries);
 }
 
-/// The twist towards a point, without regard to obstacles.
+/// Returns the twist towards a point, ignoring obstacles.
 Twist2 towards(Vec2 point, double left_m, const Pose2& pose, const RobotModel& robot,
                const SteerOptions& options) {
   const Vec2 way = point - pose.position;
@@ -53,7 +53,7 @@ Twist2 towards(Vec2 point, double left_m, const Pose2& pose, const RobotModel& r
 
 double approach(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
-/// The least clearance on the simulated way of a command.
+/// Returns the least clearance along the simulated motion of a command.
 double predicted_clearance(const Pose2& pose, const Twist2& now, const Twist2& command, const Nearby& nearby,
                            const RobotModel& robot, double duration_s) {
   constexpr double step_s = 0.05;

@@ -13,7 +13,7 @@ namespace outrider {
 namespace {
 
 constexpr double relative = 1e-9;
-constexpr double quadrature = 0.01;  // of an exposure
+constexpr double quadrature = 0.01;  // relative error of an exposure
 
 /// A point in half cells: the cell c covers [2 c, 2 c + 2], so centres and corners are whole numbers.
 struct Half {
@@ -31,7 +31,7 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
   return q * b == a || (a < 0) == (b < 0) ? q : q - 1;
 }
 
-/// Whether the closed leg meets the cell: its closed square (cells), or its open one (corners).
+/// Returns true if the closed leg meets the cell: its closed square (cells) or its open square (corners).
 bool meets(Half a, Half b, Cell c, GridModel model) {
   const std::int64_t x0 = 2 * std::int64_t{c.x}, y0 = 2 * std::int64_t{c.y};
   const auto [low_x, high_x] = std::minmax({a.x, b.x});
@@ -47,7 +47,7 @@ bool meets(Half a, Half b, Cell c, GridModel model) {
   return low_x < x0 + 2 && high_x > x0 && low_y < y0 + 2 && high_y > y0 && least < 0 && most > 0;
 }
 
-/// Whether the leg meets no blocked cell: row by row, the columns that the leg has in that row.
+/// Returns true if the leg meets no blocked cell. Visits, row by row, the columns of the leg in that row.
 bool clear_of_cells(const GridMap& ground, Half a, Half b) {
   if (a.y > b.y) std::swap(a, b);
   for (std::int64_t row = floor_divide(a.y - 1, 2); row <= floor_divide(b.y, 2); ++row) {
@@ -74,8 +74,8 @@ bool is_pinch(const GridMap& ground, Cell v) {
   return ne == sw && nw == se && ne != nw;
 }
 
-/// Corners: no unit of a leg along a lattice line runs between two blocked cells, and no lattice
-/// point strictly between the ends is a pinch.
+/// For the model `corners`, returns true if no unit of a leg along a lattice line runs between two blocked
+/// cells, and no lattice point strictly between the ends is a pinch.
 bool clear_of_borders(const GridMap& ground, Cell a, Cell b) {
   const int count = std::gcd(b.x - a.x, b.y - a.y);
   const Cell step{(b.x - a.x) / count, (b.y - a.y) / count};
@@ -95,7 +95,7 @@ bool legal(const GridMap& ground, Cell a, Cell b) {
   return ground.model == GridModel::cells || clear_of_borders(ground, a, b);
 }
 
-/// Whether a path may stand on v; only its ends may be pinches.
+/// Returns true if v is a legal vertex of a path. Only the ends may be pinches.
 bool stands(const GridMap& ground, Cell v, bool is_end) {
   if (ground.model == GridModel::cells) return !ground.blocked(v);
   const bool touches_free = !ground.blocked({v.x, v.y}) || !ground.blocked({v.x - 1, v.y}) ||
@@ -103,7 +103,7 @@ bool stands(const GridMap& ground, Cell v, bool is_end) {
   return touches_free && (is_end || !is_pinch(ground, v));
 }
 
-/// Whether v is the vertex of p: p lies within half a cell of it along both axes.
+/// Returns true if v is the vertex of p: p lies within half a cell of it along both axes.
 bool stands_for(const GridMap& ground, Cell v, Vec2 p) {
   const Vec2 apart = ground.point(v) - p;
   const double most = ground.frame.resolution_m * (0.5 + 1e-6);
@@ -114,10 +114,10 @@ tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move
 
 struct Turning {
   double sum_rad = 0.0;
-  double rounding_rad = 0.0;  ///< what rounded ends of short pieces may add or take
+  double rounding_rad = 0.0;  ///< error caused by the rounded ends of short pieces
 };
 
-/// All turns of the path: in place between its pieces, before the first of them, and along arcs.
+/// Sums the turns of the path: in place before the first piece and between pieces, and along arcs.
 Turning turning_of(const Plan& plan) {
   std::vector<PathPiece> pieces = plan.pieces;
   for (std::size_t i = 1; plan.pieces.empty() && i < plan.waypoints.size(); ++i) {
@@ -140,7 +140,7 @@ Turning turning_of(const Plan& plan) {
   return turning;
 }
 
-/// The exposure that the weights prices, within the error that the planners state.
+/// Checks that the exposure counted in the cost is within the error that the planners state.
 Status check_exposure(const Plan& plan, const Problem& problem) {
   if (plan.weights.per_exposure_m == 0.0) return {};
   const Safety truth = safety_of(plan, problem);

@@ -36,7 +36,7 @@ Outcome<GridFrame> frame_of(const PolygonGround& ground, const GridOptions& opti
   return GridFrame{ground.bounds.low, resolution, static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// Blocks the cells that come nearer to the edge than the radius.
+/// Blocks the cells that are nearer to the edge than the radius.
 void block_beside(Grid<std::uint8_t>& blocked, const Segment& edge, double radius_m) {
   const GridFrame& frame = blocked.frame;
   Box2 box;

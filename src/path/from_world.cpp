@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-/// Whether some point of the closed square is nearer to the obstacle than the radius, or lies in its
+/// Returns true if some point of the closed square is nearer to the obstacle than the radius, or lies in its
 /// core (which alone decides when both radii are 0). Exact.
 bool too_near(const Box2& square, const RoundedPolygon& obstacle, double radius_m) {
   if (std::any_of(obstacle.core.begin(), obstacle.core.end(), [&](Vec2 p) { return square.contains(p); })) {
@@ -45,7 +45,7 @@ void block_near(Grid<std::uint8_t>& blocked, const RoundedPolygon& obstacle, dou
   }
 }
 
-/// Blocks the cells that reach out of the box in which the centre must stay.
+/// Blocks the cells that are not entirely inside the box in which the centre must stay.
 void block_outside(Grid<std::uint8_t>& blocked, const Box2& box) {
   constexpr double touch_m = 1e-9;
   const Box2 inside = box.grown(touch_m);

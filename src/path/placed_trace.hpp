@@ -1,5 +1,5 @@
-// The trace of a search on polygons, whose states are numbers of its own: each gets a place, and a number
-// that no other search of the same question has.
+// The trace of a search on polygons, whose states are numbers of its own. Each state gets a place, and a
+// number that no other search of the same query uses.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace outrider {
 
 class PlacedTrace {
  public:
-  /// Before the search begins. Null: nothing is traced, and nothing done.
+  /// Construct it before the search begins. If `trace` is null, nothing is traced.
   explicit PlacedTrace(Trace* trace);
 
-  /// Once it has ended: where the states are that it recorded.
+  /// Call it after the search, with the places of the recorded states.
   template <class PlaceOf>
   void report(PlaceOf place_of) const {
     if (trace_ == nullptr) return;
@@ -25,7 +25,8 @@ class PlacedTrace {
   }
 
  private:
-  /// Numbers the states anew, from the count of places on; those they had before, in the new order.
+  /// Renumbers the states, from the number of known places on, and returns their old numbers in the new
+  /// order.
   [[nodiscard]] std::vector<std::uint32_t> renumber() const;
 
   Trace* trace_;

@@ -11,15 +11,15 @@ namespace outrider {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double share = 1.0 / 64.0;  // of the clearance that one step goes
-constexpr double contact = 1e-6;      // of a cell or a metre: nearer counts as touching
+constexpr double share = 1.0 / 64.0;  // length of a step relative to the clearance
+constexpr double contact = 1e-6;      // a distance below this (cell or metre) counts as touching
 
 double to_square(Vec2 p, Cell c) {
   const Vec2 nearest{std::clamp(p.x, double(c.x), c.x + 1.0), std::clamp(p.y, double(c.y), c.y + 1.0)};
   return distance(p, nearest);
 }
 
-/// To the nearest blocked cell, cells: ring by ring of cells about that of p.
+/// Returns the distance to the nearest blocked cell, cells. Visits the cells around that of p ring by ring.
 double clearance_on_grid(const GridMap& ground, Vec2 p) {
   const Cell home{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))};
   double least = infinite;
@@ -47,7 +47,7 @@ double to_square(const Segment& leg, Cell c) {
   return least;
 }
 
-/// The least clearance along a leg in cells, no more than `least`.
+/// Returns the least clearance along a leg in cells, at most `least`.
 double clearance_on_grid(const GridMap& ground, const Segment& leg, double least) {
   const auto cell = [](double t) { return static_cast<int>(std::floor(t)); };
   const auto [low_x, high_x] = std::minmax(leg.a.x, leg.b.x);

@@ -12,8 +12,8 @@
 namespace outrider {
 namespace {
 
-/// The plan along a way: it waits in the first of its cheapest cells, and ends where it meets the target,
-/// be that earlier than meant.
+/// Returns the plan along a path. It waits in the first of its cheapest cells, and ends where it meets the
+/// target, even if that is earlier than intended.
 PursuitPlan plan_of(const PursuitProblem& problem, const PursuitField& field,
                     const std::vector<CellIndex>& cells, int second) {
   const auto cheapest = std::min_element(
@@ -34,19 +34,19 @@ PursuitPlan plan_of(const PursuitProblem& problem, const PursuitField& field,
   return plan;
 }
 
-constexpr std::size_t most_relaxations = 12;  // that are tried
+constexpr std::size_t most_relaxations = 12;  // maximum number tried
 constexpr std::size_t kept_relaxations = 4;
-constexpr std::uint64_t label_work_per_cell = 8;             // before the layers take over
-constexpr std::int64_t most_total = std::int64_t{1} << 61U;  // prices that lead beyond it are not asked for
+constexpr std::uint64_t label_work_per_cell = 8;             // after this work the layered search takes over
+constexpr std::int64_t most_total = std::int64_t{1} << 61U;  // prices with larger totals are not used
 
-/// What a way costs in parts, as a line over the price of a second that it has left (or lacks).
+/// The relaxed cost of a path as a linear function of the price of a second that it has left (or lacks).
 struct Line {
   std::int64_t cost = 0;
   std::int64_t slack_s = 0;
   [[nodiscard]] std::int64_t at(std::int64_t price) const { return cost + price * slack_s; }
 };
 
-/// The price, rounded down, where the line that rises meets the one that falls from below it.
+/// Returns the price, rounded down, at which the rising line meets the falling one.
 std::int64_t crossing(const Line& rising, const Line& falling) {
   const std::int64_t apart = rising.cost - falling.cost, run = rising.slack_s - falling.slack_s;
   return -(apart / run) - (apart % run > 0 ? 1 : 0);
@@ -62,7 +62,7 @@ struct AnytimePursuit::Search {
   Status begin();
   Status improve(BudgetMeter& meter);
 
-  /// A piece of work of the present stage, and of each stage. False: the budget ended first.
+  /// Does a part of the work of the present stage, or of each stage. Returns false if the budget ended first.
   bool work(BudgetMeter& meter);
   bool flood(BudgetMeter& meter);
   bool relax(BudgetMeter& meter);
@@ -86,7 +86,7 @@ struct AnytimePursuit::Search {
   std::unique_ptr<PursuitField> field;
   std::unique_ptr<Reach> reach;
   std::unique_ptr<Relaxation> running;
-  std::vector<std::unique_ptr<Relaxation>> relaxations;  // that have run
+  std::vector<std::unique_ptr<Relaxation>> relaxations;  // relaxations that have run
   Line in_time, too_late;                                // the latest relaxed ways of either kind
   std::unique_ptr<LabelSearch> labels;
   std::unique_ptr<LayeredSearch> layers;
@@ -109,7 +109,7 @@ Line AnytimePursuit::Search::line_of(const std::vector<CellIndex>& cells, int se
   return line;
 }
 
-/// Finds the earliest catch, then all others that may be cheaper.
+/// Finds the earliest catch, then all other seconds in which a catch may be cheaper.
 bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
   if (!reach->next_catch(meter)) return false;
   if (reach->catches.empty()) return true;
@@ -134,8 +134,8 @@ bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
   return true;
 }
 
-/// Evaluates the concave, piecewise linear dual at the price where the lines of the best way in time and
-/// of the best way too late meet, until neither is beaten.
+/// Maximises the concave, piecewise linear dual function: evaluates it at the price where the lines of the
+/// best path in time and of the best late path meet, until neither improves.
 bool AnytimePursuit::Search::relax(BudgetMeter& meter) {
   if (!running->run(meter)) return false;
   const std::int64_t parts = running->bound(field->start, 0);
@@ -161,7 +161,7 @@ void AnytimePursuit::Search::relax_at(std::int64_t price) {
   running = std::make_unique<Relaxation>(*field, reach->cells, reach->catches, price);
 }
 
-/// Keeps the undemanding relaxation, which is right where time is no matter, and those that bound best.
+/// Keeps the relaxation that is exact if time does not matter, and those with the best bounds.
 void AnytimePursuit::Search::search_in_time() {
   stage = Stage::labels;
   std::sort(relaxations.begin() + 1, relaxations.end(), [&](const auto& a, const auto& b) {
@@ -173,7 +173,7 @@ void AnytimePursuit::Search::search_in_time() {
       std::make_unique<LabelSearch>(*field, relaxations, best->cost, label_work_per_cell * reach->size());
 }
 
-/// Goes over to the layers when the labels multiply.
+/// Switches to the layered search if there are too many labels.
 bool AnytimePursuit::Search::search_labels(BudgetMeter& meter) {
   const std::optional<TimedWay> way = labels->next_better(meter);
   counters.labels = labels->labels();

@@ -1,7 +1,8 @@
-// PursuitField: a pursuit problem laid out for floods and searches.
+// PursuitField: a pursuit problem in the memory layout for floods and searches.
 //
-// Cells are numbered row by row with a border of one closed cell on each side, so a neighbour is an
-// addition away. Seconds count from the start: second 0 is start_s. Made in O(cells + seconds log).
+// Cells are numbered row by row, with a border of one closed cell on each side, so the index of a neighbour
+// is one addition away. Seconds count from the start: second 0 is start_s. Construction takes O(cells +
+// seconds log).
 #pragma once
 
 #include <array>
@@ -17,14 +18,14 @@ using CellIndex = std::uint32_t;
 
 inline constexpr std::uint64_t unreachable = std::numeric_limits<std::uint64_t>::max();
 
-/// One bit a cell; a run of three neighbours is read at once.
+/// A set of cells with one bit per cell; a run of three neighbours is read at once.
 class CellSet {
  public:
   explicit CellSet(std::size_t cells = 0) : bytes_(cells / 8 + 4, 0) {}
   void add(CellIndex i) { bytes_[i / 8] = static_cast<std::uint8_t>(bytes_[i / 8] | (1U << i % 8)); }
   void remove(CellIndex i) { bytes_[i / 8] = static_cast<std::uint8_t>(bytes_[i / 8] & ~(1U << i % 8)); }
   [[nodiscard]] bool has(CellIndex i) const { return (bytes_[i / 8] >> i % 8 & 1U) != 0; }
-  /// Bits 0, 1, 2 stand for i, i + 1, i + 2.
+  /// Returns three bits, for i, i + 1 and i + 2.
   [[nodiscard]] unsigned three(CellIndex i) const {
     const unsigned two = bytes_[i / 8] | static_cast<unsigned>(bytes_[i / 8 + 1]) << 8U;
     return two >> i % 8 & 7U;
@@ -41,10 +42,10 @@ struct PursuitField {
   CellIndex start = 0;
   int last_s = 0;                    ///< last second of the target, from the start
   std::uint32_t cheapest = 0;        ///< cost of the cheapest free cell
-  std::vector<std::uint32_t> costs;  ///< of free cells; border and walls are not read
+  std::vector<std::uint32_t> costs;  ///< costs of free cells; border and walls are not read
   CellSet free;
   std::vector<CellIndex> target;  ///< at second 0, 1, ... from the start
-  CellSet visited;                ///< cells that are the target's in some second from 1 on
+  CellSet visited;                ///< cells in which the target is in some second from 1 on
 
   [[nodiscard]] CellIndex index(Cell c) const {
     return static_cast<CellIndex>(c.y + 1) * stride + static_cast<CellIndex>(c.x + 1);
@@ -53,9 +54,9 @@ struct PursuitField {
     return {static_cast<int>(i % stride) - 1, static_cast<int>(i / stride) - 1};
   }
   [[nodiscard]] std::size_t size() const { return costs.size(); }
-  /// The first second from `second` on, but not 0, in which the target is there; -1 for none.
+  /// Returns the first second from `second` on, except 0, in which the target is there; -1 if there is none.
   [[nodiscard]] int next_visit(CellIndex i, int second) const;
-  /// What the eight steps add to an index, in the order of CellSet windows.
+  /// Returns the index offsets of the eight steps, in the order of CellSet windows.
   [[nodiscard]] std::array<CellIndex, 8> steps() const {
     return {0U - stride - 1, 0U - stride, 0U - stride + 1, 0U - 1U, 1, stride - 1, stride, stride + 1};
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
-/// A* over cells; one search after the other uses the same memory.
+/// A* over cells; consecutive searches use the same memory.
 class SpaceSearch {
  public:
   SpaceSearch(const PursuitProblem& problem, BudgetMeter& meter)
@@ -24,8 +24,8 @@ class SpaceSearch {
     for (const std::uint32_t cost : problem.costs->cells) least_ = std::min(least_, cost);
   }
 
-  /// Cells from the start to the goal that minimise cost + penalty x steps; empty when there is no way.
-  /// Nothing when the budget ends.
+  /// Returns the cells from the start to the goal that minimise cost + penalty x steps; an empty list if
+  /// there is no path; nothing if the budget ends.
   std::optional<std::vector<Cell>> way(Cell goal, std::uint64_t penalty) {
     for (const std::size_t i : touched_) paid_[i] = never;
     touched_.clear();
@@ -80,7 +80,7 @@ class SpaceSearch {
   std::vector<std::size_t> touched_;
 };
 
-/// The plan along the cells, one a second, until the robot first meets the target.
+/// Returns the plan along the cells, one per second, until the robot first meets the target.
 PursuitPlan plan_until_catch(const PursuitProblem& problem, const std::vector<Cell>& way) {
   PursuitPlan plan;
   plan.path.push_back(way.front());

@@ -1,15 +1,16 @@
-// LabelSearch: A* over ways through space with their clock, the part of a pursuit that proves.
+// LabelSearch: A* over paths in space with their durations; this is the part of a pursuit search that proves
+// optimality.
 //
-// A label is a way from the start to a cell: what its steps cost (g), how many seconds they take (t) and
-// the cheapest cell on it (m). Waiting is left out, for all the waiting of a way may be done in its
-// cheapest cell: a robot that has come to a cell by a label can be there at second s >= t for
-// g + (s - t) m. So of two labels in a cell, the one with
+// A label is a path from the start to a cell: the cost of its steps (g), their number of seconds (t) and the
+// cheapest cell on it (m). Labels contain no waiting, because all waiting of a path may be done in its
+// cheapest cell: a robot that follows a label can be in the cell at second s >= t for g + (s - t) m. So of
+// two labels in a cell, the one with
 //     t1 <= t2,  m1 <= m2  and  g1 + (t2 - t1) m1 <= g2
-// does whatever the other can for no more, and the other is dropped. Labels are taken up by the
-// least total that the relaxations allow, and dropped when that is not below the best catch. When the
-// queue is empty the best catch is the cheapest there is. Where the labels of a cell grow many the search
-// gives up after a stated amount of work. Memory: 40 bytes a label, 4 a cell.
-// Source: label setting for constrained shortest paths, Desrochers and Soumis (1988); A* on labels,
+// dominates the other, which is dropped. Labels are expanded in the order of the least total that the
+// relaxations permit, and dropped if it is not below the best catch. When the queue is empty, the best catch
+// is optimal. If the labels of a cell become too many, the search gives up after a stated amount of work.
+// Memory: 40 bytes per label, 4 per cell.
+// Sources: label setting for constrained shortest paths, Desrochers and Soumis (1988); A* on labels,
 // Hernandez et al., Simple and efficient bi-objective search algorithms via fast dominance checks (2023).
 #pragma once
 
@@ -26,20 +27,20 @@ namespace outrider {
 
 class LabelSearch {
  public:
-  /// `relaxations` have run and outlive the search; catches of `best` and more are of no interest. Work is
-  /// counted in labels compared, and eight for each label taken up.
+  /// `relaxations` must have run and must outlive the search; catches that cost `best` or more are ignored.
+  /// One unit of work is one comparison of labels; expanding a label counts as eight.
   LabelSearch(const PursuitField& field, Relaxations relaxations, std::uint64_t best,
               std::uint64_t most_work);
 
-  /// Searches on to a catch cheaper than the best. Nothing when the queue is exhausted, when the search
-  /// gave up, or when the budget ended.
+  /// Continues the search to a catch cheaper than the best. Returns nothing if the queue is exhausted, the
+  /// search gave up, or the budget ended.
   std::optional<TimedWay> next_better(BudgetMeter& meter);
 
   [[nodiscard]] bool exhausted() const { return queue_.empty(); }
   [[nodiscard]] bool gave_up() const {
     return !queue_.empty() && (work_ >= most_work_ || labels_.size() >= most_labels);
   }
-  /// No catch costs less, but for those already returned.
+  /// Returns a lower bound of the cost of all catches, except those already returned.
   [[nodiscard]] std::uint64_t lower_bound();
   [[nodiscard]] std::uint64_t labels() const { return labels_.size(); }
 
@@ -68,7 +69,7 @@ class LabelSearch {
   std::uint64_t most_work_;
   std::uint64_t work_ = 0;
   std::vector<PursuitLabel> labels_;
-  std::vector<std::uint32_t> first_;  // of each cell
+  std::vector<std::uint32_t> first_;  // first label of each cell
   RadixQueue<Ties::newest_first> queue_;
   std::optional<TimedWay> better_;
 };

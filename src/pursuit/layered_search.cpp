@@ -6,7 +6,8 @@
 namespace outrider {
 namespace {
 
-/// Where a state came from: the neighbours of a cell, itself and those after it, in order of index.
+/// Returns the possible sources of a state: the neighbours of a cell and the cell itself, in the order of
+/// indices.
 std::array<CellIndex, 9> sources_of(CellIndex stride) {
   return {0U - stride - 1, 0U - stride, 0U - stride + 1, 0U - 1U, 0U, 1U, stride - 1, stride, stride + 1};
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int never = std::numeric_limits<int>::max();
 
-/// Least steps from the robot to each cell, row by row without a border.
+/// Returns the least number of steps from the robot to each cell, row by row without a border.
 std::vector<int> steps_to_cells(const PursuitProblem& problem, const PursuitField& field) {
   const GridFrame& frame = problem.costs->frame;
   std::vector<int> steps(frame.size(), never);
@@ -32,7 +32,8 @@ std::vector<int> steps_to_cells(const PursuitProblem& problem, const PursuitFiel
   return steps;
 }
 
-/// Replaces each of `count` values, `step` apart, by the least of those at most `radius` places away.
+/// Replaces each of `count` values, `step` apart in memory, by the least value at most `radius` positions
+/// away.
 void spread_least(int* values, int count, std::size_t step, int radius) {
   std::deque<std::pair<int, int>> falling;  // (place, value): candidates, the least in front
   for (int i = 0; i < count + radius; ++i) {
@@ -48,7 +49,8 @@ void spread_least(int* values, int count, std::size_t step, int radius) {
   }
 }
 
-/// The first second from 1 on in which the robot can be within `radius` cells of the target; -1 for none.
+/// Returns the first second from 1 on in which the robot can be within `radius` cells of the target; -1 if
+/// there is none.
 int first_within(const PursuitProblem& problem, std::vector<int> steps, int radius) {
   const GridFrame& frame = problem.costs->frame;
   const auto width = static_cast<std::size_t>(frame.width);

@@ -22,7 +22,7 @@ void for_each_step(const PursuitProblem& problem, Cell cell, Visit visit) {
   }
 }
 
-/// Least cost from every cell to any cell of the target, whatever the second (Dijkstra, backward).
+/// Returns the least cost from every cell to any cell of the target in any second (backward Dijkstra).
 std::vector<std::uint64_t> costs_to_go(const PursuitProblem& problem) {
   const CostGrid& costs = *problem.costs;
   std::vector<std::uint64_t> to_go(costs.cells.size(), never);
@@ -55,12 +55,12 @@ struct State {
   std::uint32_t from = 0;  ///< index of the state before
 };
 
-/// Which seconds of each cell have been taken up; memory only for the cells met.
+/// The set of expanded (cell, second) states; uses memory only for cells that were reached.
 class Closed {
  public:
   Closed(std::size_t cells, std::size_t seconds) : seconds_(seconds), bits_(cells) {}
 
-  /// True the first time.
+  /// Closes a state; returns true the first time.
   bool close(std::size_t cell, int second) {
     auto& bits = bits_[cell];
     if (bits.empty()) bits.resize(seconds_);

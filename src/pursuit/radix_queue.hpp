@@ -1,8 +1,9 @@
-// RadixQueue: a priority queue of whole numbers for keys that never fall below the last one taken.
+// RadixQueue: a monotone priority queue of integers: no key may be below the last one removed.
 //
-// Bucket b > 0 holds the keys whose highest bit that differs from the last key taken is bit b - 1; bucket
-// 0 holds those equal to it. Each entry moves to a lower bucket at most 64 times, in practice as often as
-// the spread of the costs has bits. Among equal keys the oldest or the newest entry leaves first.
+// Bucket b > 0 holds the keys whose highest bit that differs from the last key removed is bit b - 1; bucket 0
+// holds the keys equal to it. Each entry moves to a lower bucket at most 64 times; in practice, about as
+// often as the range of the costs has bits. Among equal keys, the oldest or the newest entry is removed
+// first.
 // Source: Ahuja, Mehlhorn, Orlin and Tarjan, Faster algorithms for the shortest path problem (1990).
 #pragma once
 
@@ -30,12 +31,12 @@ class RadixQueue {
   }
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
-  /// The least key; the queue is not empty.
+  /// Returns the least key; the queue must not be empty.
   std::uint64_t least() {
     refill();
     return last_;
   }
-  /// Takes an entry with the least key; the queue is not empty.
+  /// Removes an entry with the least key; the queue must not be empty.
   RadixEntry pop() {
     refill();
     --size_;

@@ -1,7 +1,8 @@
-// Reach: in how many seconds the robot can be in each cell, layer by layer, and so when it can catch.
+// Reach: the least number of seconds in which the robot can be in each cell, layer by layer, and the seconds
+// of possible catches.
 //
-// The flood goes no farther than seconds in which a catch may still be cheaper than one already known.
-// O(cells reached + seconds).
+// The flood goes no farther than the seconds in which a catch may still be cheaper than a known one. O(cells
+// reached + seconds).
 #pragma once
 
 #include <cstdint>
@@ -16,19 +17,19 @@ class Reach {
  public:
   explicit Reach(const PursuitField& field);
 
-  /// Floods on until the next second in which the target can be caught, or to the end. False: the
-  /// budget ended first.
+  /// Continues the flood until the next second in which the target can be caught, or to the end. Returns
+  /// false if the budget ended first.
   bool next_catch(BudgetMeter& meter);
 
-  /// Seconds in which the target can be caught, in order.
+  /// The seconds in which the target can be caught, in order.
   std::vector<int> catches;
   bool complete = false;  ///< no second after the last of `catches` allows one
 
-  CellSet cells;               ///< those reached
+  CellSet cells;               ///< reached cells
   std::uint32_t cheapest = 0;  ///< the least cost among them
 
   [[nodiscard]] std::uint64_t size() const { return size_; }  ///< cells reached
-  /// A way to a reached cell with the least number of steps, from the start.
+  /// Returns a path from the start to a reached cell with the least number of steps.
   [[nodiscard]] std::vector<CellIndex> path_to(CellIndex cell) const;
 
  private:
@@ -38,9 +39,9 @@ class Reach {
   CellSet open_;                    // free and not reached
   std::vector<std::uint8_t> mark_;  // 1 + steps modulo 255; 0 where not reached
   std::vector<CellIndex> frontier_, next_;
-  std::size_t done_ = 0;  // cells of the frontier that have been taken up
+  std::size_t done_ = 0;  // number of expanded cells of the frontier
   std::uint64_t size_ = 1;
-  int second_ = 0;  // of the frontier
+  int second_ = 0;  // second of the frontier
 };
 
 }  // namespace outrider

@@ -20,7 +20,7 @@ class Follower {
     for (const std::uint32_t cost : problem.costs->cells) least_ = std::min(least_, cost);
   }
 
-  /// The cell to go to from here, towards the goal; nothing when the budget ends.
+  /// Returns the next cell from here towards the goal; nothing if the budget ends.
   std::optional<Cell> move(Cell here, Cell goal) {
     const GridFrame& frame = problem_.costs->frame;
     std::map<std::size_t, Seen> seen{{frame.index(here), {}}};
@@ -75,7 +75,7 @@ class Follower {
     }
   }
 
-  /// Straight to the goal over the cheapest cells there are.
+  /// Returns the cost of the straight path to the goal if every cell had the least cost of the map.
   [[nodiscard]] std::uint64_t straight(Cell cell, Cell goal) const {
     const auto moves = std::max(std::abs(cell.x - goal.x), std::abs(cell.y - goal.y));
     return std::uint64_t{std::max(1U, least_)} * static_cast<std::uint64_t>(moves);

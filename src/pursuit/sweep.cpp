@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
-/// Least cost of being in each cell in one second, with a border of cells in which nobody is.
+/// The least cost of being in each cell in one second, with a border of cells that are never occupied.
 struct Layer {
   std::size_t stride;
   std::vector<std::uint64_t> cost;
@@ -21,7 +21,7 @@ struct Layer {
   }
 };
 
-/// One row of the next second: `left` is the layer of what is paid on leaving each cell.
+/// Computes one row of the next second; `left` is the layer of the costs paid on leaving each cell.
 void sweep_row(const PursuitProblem& problem, const Layer& left, Layer& next, int y) {
   for (int x = 0; x < problem.costs->frame.width; ++x) {
     const Cell c{x, y};

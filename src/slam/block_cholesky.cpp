@@ -51,8 +51,8 @@ void BlockCholesky::append(std::uint32_t node) {
   index_.push_back(0);
 }
 
-/// The rows of a column: those of the matrix and those of its children in the elimination tree. All marked
-/// places to the left are done.
+/// Computes the rows of a column: those of the matrix and those of its children in the elimination tree. All
+/// marked places to the left must be done.
 void BlockCholesky::analyse_column(const BlockMatrix& matrix, std::uint32_t place) {
   Column& column = columns_[place];
   const auto parent = [&](std::uint32_t child) {

@@ -18,7 +18,7 @@
 
 namespace outrider {
 
-/// The symmetric matrix: a block for each node, and one for each pair of nodes that an edge joins.
+/// The symmetric matrix: one block for each node, and one for each pair of nodes joined by an edge.
 class BlockMatrix {
  public:
   struct Neighbour {
@@ -28,14 +28,14 @@ class BlockMatrix {
 
   [[nodiscard]] std::size_t size() const { return diagonals_.size(); }
   void add_node();
-  /// Returns the number of the pair; adds the pair if it is new.
+  /// Returns the index of the pair; adds the pair if it is new.
   std::uint32_t pair(std::uint32_t a, std::uint32_t b);
 
   Eigen::Matrix3d& diagonal(std::uint32_t node) { return diagonals_[node]; }
   [[nodiscard]] const Eigen::Matrix3d& diagonal(std::uint32_t node) const { return diagonals_[node]; }
-  /// The block in the row of the smaller node and the column of the larger.
+  /// Returns the block in the row of the smaller node and the column of the larger.
   Eigen::Matrix3d& upper_block(std::uint32_t pair) { return blocks_[pair]; }
-  /// The block in that row and column.
+  /// Returns the block in that row and column.
   [[nodiscard]] Eigen::Matrix3d block(std::uint32_t row, const Neighbour& column) const {
     const Eigen::Matrix3d& upper = blocks_[column.pair];
     if (row < column.node) return upper;
@@ -49,8 +49,8 @@ class BlockMatrix {
   std::vector<std::vector<Neighbour>> neighbours_;
 };
 
-/// The nodes in an order of little fill: approximate minimum degree. The nodes of `last`, each of them once,
-/// come last.
+/// Returns the nodes in an order of little fill, by approximate minimum degree. The nodes of `last`, which
+/// must be distinct, come last.
 std::vector<std::uint32_t> least_fill_order(const BlockMatrix& matrix,
                                             std::span<const std::uint32_t> last = {});
 
@@ -58,39 +58,39 @@ class BlockCholesky {
  public:
   /// Sets the order of elimination and discards the factor; analyse() and factor() of all nodes follow.
   void begin(std::vector<std::uint32_t> order);
-  /// A new node, eliminated after all others.
+  /// Appends a new node, which is eliminated after all others.
   void append(std::uint32_t node);
 
   /// Updates the structure of L after these nodes changed; returns the places to factor again, ascending.
   std::vector<std::uint32_t> analyse(const BlockMatrix& matrix, std::span<const std::uint32_t> changed);
   /// Factors the columns at these places; returns false if the matrix is not positive definite.
   bool factor(const BlockMatrix& matrix, std::span<const std::uint32_t> places);
-  /// The same for all nodes.
+  /// Does the same for all nodes.
   void analyse_all(const BlockMatrix& matrix);
   bool factor_all(const BlockMatrix& matrix);
 
-  /// x with A x = b, both by node.
+  /// Returns x with A x = b; both are by node.
   [[nodiscard]] std::vector<Eigen::Vector3d> solve(std::span<const Eigen::Vector3d> b) const;
-  /// The columns of the inverse that belong to a node: three solutions, as blocks by node.
+  /// Returns the columns of the inverse that belong to a node: three solutions, as blocks by node.
   [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_columns(std::uint32_t node) const;
-  /// The diagonal block of the inverse for a node. Visits the columns of L that depend on it, so it is cheap
-  /// for nodes late in the order.
+  /// Returns the diagonal block of the inverse for a node. Visits the columns of L that depend on it, so it
+  /// is cheap for nodes late in the order.
   [[nodiscard]] Eigen::Matrix3d inverse_diagonal(std::uint32_t node) const;
-  /// The diagonal blocks of the inverse, by node (Takahashi, Fagan and Chen, 1973); costs about
-  /// as much as a factorisation.
+  /// Returns the diagonal blocks of the inverse, by node (Takahashi, Fagan and Chen, 1973); costs about as
+  /// much as a factorisation.
   [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonals() const;
-  /// The number of blocks of L below its diagonal.
+  /// Returns the number of blocks of L below its diagonal.
   [[nodiscard]] std::size_t fill() const;
 
  private:
   struct BlockAddress {
-    std::uint32_t place = 0;  ///< of the column
-    std::uint32_t index = 0;  ///< in its rows
+    std::uint32_t place = 0;  ///< place of the column
+    std::uint32_t index = 0;  ///< index in its rows
   };
   struct Column {
     std::vector<std::uint32_t> rows;  ///< places below, ascending
     std::vector<Eigen::Matrix3d> blocks;
-    Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  ///< of the triangle on the diagonal
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();  ///< inverse of the triangle on the diagonal
     std::vector<BlockAddress> row;  ///< the columns to the left that reach this row, ascending
     std::vector<std::uint32_t> children;
   };
@@ -99,11 +99,11 @@ class BlockCholesky {
   bool factor_column(const BlockMatrix& matrix, std::uint32_t place);
 
   std::vector<std::uint32_t> order_;  ///< node at each place
-  std::vector<std::uint32_t> place_;  ///< of each node
+  std::vector<std::uint32_t> place_;  ///< place of each node
   std::vector<Column> columns_;       ///< by place
-  std::vector<std::uint8_t> marked_;  ///< by place: to be done again
-  std::vector<std::uint64_t> seen_;   ///< by place: the last structure that has it
-  std::vector<std::uint32_t> index_;  ///< by place: its index in the rows of the column in work
+  std::vector<std::uint8_t> marked_;  ///< by place: must be computed again
+  std::vector<std::uint64_t> seen_;   ///< by place: the last structure that contains it
+  std::vector<std::uint32_t> index_;  ///< by place: its index in the rows of the present column
   std::uint64_t stamp_ = 0;
 };
 

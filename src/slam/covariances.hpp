@@ -8,8 +8,8 @@
 
 namespace outrider {
 
-/// Returns true if all is finite and the two halves are equal up to rounding relative to the diagonal, which
-/// is what remains when a diagonal matrix is rotated.
+/// Returns true if the matrix is finite and symmetric up to rounding errors relative to the diagonal, such as
+/// remain after the rotation of a diagonal matrix.
 template <int N>
 bool is_symmetric(const Eigen::Matrix<double, N, N>& a) {
   constexpr double rounding = 1e-9;
@@ -22,7 +22,7 @@ bool is_symmetric(const Eigen::Matrix<double, N, N>& a) {
   return true;
 }
 
-/// The derivative of compose(a_T_b, b_T_c) by b_T_c: rotates x and y of a vector (x, y, heading).
+/// Returns the derivative of compose(a_T_b, b_T_c) by b_T_c: rotates x and y of a vector (x, y, heading).
 inline Eigen::Matrix3d rotation_by(double heading_rad) {
   const Vec2 x = direction(heading_rad);
   Eigen::Matrix3d result;
@@ -30,8 +30,8 @@ inline Eigen::Matrix3d rotation_by(double heading_rad) {
   return result;
 }
 
-/// The derivative of compose(a_T_b, b_T_c) by a_T_b; `arm` is the position of c relative to b along the axes
-/// of a.
+/// Returns the derivative of compose(a_T_b, b_T_c) by a_T_b; `arm` is the position of c relative to b along
+/// the axes of a.
 inline Eigen::Matrix3d lever_of(Vec2 arm) {
   Eigen::Matrix3d result;
   result << 1.0, 0.0, -arm.y, 0.0, 1.0, arm.x, 0.0, 0.0, 1.0;

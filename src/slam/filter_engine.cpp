@@ -86,7 +86,7 @@ class FilterEngine : public SlamEngine {
     return {mean_(at(landmark)), mean_(at(landmark) + 1)};
   }
 
-  /// Smith, Self and Cheeseman: x' = x (+) u, with the Jacobians by x and by u.
+  /// Predicts x' = x (+) u (Smith, Self and Cheeseman), with the Jacobians by x and by u.
   void predict(const LogStep& step) {
     const Pose2 before = pose();
     const Vec2 moved = rotated(before.heading_rad, step.odometry.position);
@@ -125,8 +125,8 @@ class FilterEngine : public SlamEngine {
     return e.innovation.dot(s.llt().solve(e.innovation)) <= squared_gate(options_.gate, 2);
   }
 
-  /// The sightings of landmarks in the map; counts those refused. Those of no landmark are left for
-  /// add_new().
+  /// Returns the sightings of landmarks in the map, and counts those refused. Sightings of other landmarks
+  /// are left for add_new().
   std::vector<Pairing> associate(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     std::vector<Pairing> pairings =
         options_.unknown_ids ? associate_jointly(sightings) : associate_by_id(sightings);
@@ -190,7 +190,8 @@ class FilterEngine : public SlamEngine {
     }
     return pairings;
   }
-  /// Without ids, refuses sightings that fit no landmark but lie near one: they are no new landmarks either.
+  /// Without ids, refuses sightings that fit no landmark but lie near one, because they are not new
+  /// landmarks.
   void refuse_near_the_map(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     const Eigen::Matrix3d p = pose_covariance();
     const double slack = options_.patience_distance_m + 3.0 * std::sqrt(p(0, 0) + p(1, 1));
@@ -263,7 +264,7 @@ class FilterEngine : public SlamEngine {
       outcome.added.push_back(ready->id);
     }
   }
-  /// l = p + R z: its covariance with the state follows from the Jacobians by pose and by z.
+  /// Adds a landmark l = p + R z. Its covariance with the state follows from the Jacobians by pose and by z.
   void add(const LandmarkSighting& sighting, std::int64_t id) {
     const Pose2 from = pose();
     const Vec2 arm = rotated(from.heading_rad, sighting.position);
@@ -290,7 +291,7 @@ class FilterEngine : public SlamEngine {
   std::vector<LandmarkRecord> records_;
   Memory memory_;
   std::vector<Pose2> trajectory_;
-  std::vector<bool> fresh_;  ///< by sighting of the step: of no landmark in the map
+  std::vector<bool> fresh_;  ///< by sighting of the step: it matches no landmark of the map
 };
 
 }  // namespace

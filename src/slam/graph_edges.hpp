@@ -36,12 +36,12 @@ class GraphEquations {
  public:
   GraphEquations(const PoseGraph& graph, std::uint32_t fixed);
 
-  /// Sets all to zero, with ones on the diagonal where a node has fewer than three unknowns.
+  /// Resets all equations to zero, with ones on the diagonal if a node has fewer than three unknowns.
   void clear(int of_a_pose = 3, int of_a_point = 2);
   void add(std::size_t edge, const LinearEdge& linear);
   /// Solves for the steps, by node, with `damping` added to the diagonal; empty if H is singular.
   std::vector<Eigen::Vector3d> solve(double damping);
-  /// The decrease of the cost that the linear model predicts for steps of solve().
+  /// Returns the decrease of the cost that the linear model predicts for steps of solve().
   [[nodiscard]] double predicted_decrease(const std::vector<Eigen::Vector3d>& step) const;
   /// Factors H and returns the diagonal blocks of its inverse; empty if H is singular.
   std::vector<Eigen::Matrix3d> covariances();

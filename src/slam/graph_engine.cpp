@@ -102,7 +102,8 @@ class GraphEngine : public SlamEngine {
     return static_cast<std::size_t>(found - landmarks_.begin());
   }
 
-  /// Computes the covariance of the prediction only if that of the sighting does not explain the residual.
+  /// Tests a sighting. Computes the covariance of the prediction only if that of the sighting does not
+  /// explain the residual.
   [[nodiscard]] bool compatible(const LandmarkSighting& sighting, const Landmark& landmark) {
     const GraphEdge edge{EdgeKind::point, 0, 1, {sighting.position, 0.0}};
     const Eigen::Vector3d r = residual(edge, graph_.estimate(poses_.back()), graph_.estimate(landmark.node));
@@ -159,7 +160,7 @@ class GraphEngine : public SlamEngine {
     });
   }
 
-  /// Adds the candidates with enough sightings, and all their sightings from the poses of that time.
+  /// Adds the candidates with enough sightings, with all their sightings from the earlier poses.
   void add_new(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
     for (const LandmarkSighting& sighting : sightings) {
       if (find(*sighting.id) != landmarks_.size()) continue;
@@ -180,7 +181,7 @@ class GraphEngine : public SlamEngine {
   Memory memory_;
   std::vector<Landmark> landmarks_;
   std::vector<std::uint32_t> poses_;  ///< node of each step; the first is the start
-  bool has_present_pose_ = false;     ///< the factor
+  bool has_present_pose_ = false;     ///< the factor contains the present pose
 };
 
 }  // namespace

@@ -124,7 +124,7 @@ void GrowingGraph::reorder(std::uint32_t last) {
   factor_.factor_all(matrix_);
 }
 
-/// Restores the rest from nodes, edges and order; returns false if they are inconsistent.
+/// Restores all other data from nodes, edges and order; returns false if they are inconsistent.
 bool GrowingGraph::rebuild() {
   std::vector<std::uint32_t> sorted = order_;
   std::sort(sorted.begin(), sorted.end());

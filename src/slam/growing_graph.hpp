@@ -18,7 +18,7 @@ class GrowingGraph {
  public:
   GrowingGraph(std::string kernel, double kernel_width);
 
-  /// Returns the number of the new node. The first node is fixed.
+  /// Adds a node and returns its index. The first node is fixed.
   std::uint32_t add_node(const Pose2& guess, bool is_point);
   /// Adds an edge by its covariance; zeros on its diagonal become 1e-12.
   void add_edge(EdgeKind kind, std::uint32_t from, std::uint32_t to, const Pose2& measured,
@@ -35,7 +35,7 @@ class GrowingGraph {
   [[nodiscard]] bool is_point(std::uint32_t node) const {
     return node < nodes_.size() && nodes_[node].is_point != 0;
   }
-  /// Returns true if all of them are poses.
+  /// Returns true if all nodes of the list are poses.
   [[nodiscard]] bool is_pose(const std::vector<std::uint32_t>& nodes) const {
     return std::all_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
       return node < nodes_.size() && nodes_[node].is_point == 0;
@@ -43,7 +43,7 @@ class GrowingGraph {
   }
   [[nodiscard]] Eigen::Matrix3d covariance(std::uint32_t node) const;
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances() const;
-  /// The covariance of a point in the frame of a pose, by the linear equations.
+  /// Returns the covariance of a point in the frame of a pose, by the linear equations.
   [[nodiscard]] Eigen::Matrix2d relative_covariance(std::uint32_t pose, std::uint32_t point) const;
 
   template <class Archive>

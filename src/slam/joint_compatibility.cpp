@@ -8,14 +8,14 @@
 namespace outrider {
 namespace {
 
-/// Rows of the Cholesky factor of the chosen pairs' covariance, grown and shrunk with the choice, and the
+/// The Cholesky factor of the covariance of the chosen pairs, extended and shortened with the choice, and the
 /// innovations divided by it: their squared norm is the joint distance.
 class Joint {
  public:
   Joint(const std::vector<PossiblePair>& pairs, const Eigen::MatrixXd& covariance)
       : pairs_(pairs), covariance_(covariance) {}
 
-  /// False, and nothing is added, when the covariance is not positive definite.
+  /// Adds a pair. Returns false, and adds nothing, if the covariance is not positive definite.
   bool push(std::size_t pair) {
     const std::size_t before = rows_.size();
     for (std::size_t k = 0; k < 2; ++k) {
@@ -113,7 +113,7 @@ std::vector<std::size_t> joint_compatibility(const std::vector<PossiblePair>& pa
   return search.best;
 }
 
-/// For 2k dimensions the share beyond x is e^(-x/2) times the sum of (x/2)^i / i! for i < k.
+/// For 2k dimensions the probability beyond x is e^(-x/2) times the sum of (x/2)^i / i! for i < k.
 double squared_gate(double share, std::size_t numbers) {
   if (numbers == 0) return 0.0;
   if (share >= 1.0) return std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const P
   const Eigen::LLT<Eigen::Matrix3d> factor(information);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   if (factor.info() == Eigen::Success) covariance = factor.solve(Eigen::Matrix3d::Identity());
-  constexpr double lever_m = 2.0;  // a turn moves points at this distance
+  constexpr double lever_m = 2.0;  // distance at which a rotation is converted to a displacement
   const double variance = covariance(0, 0) + covariance(1, 1) + lever_m * lever_m * covariance(2, 2);
   links_.resize(keyframes.size());
   links_[from].push_back({to, variance});
@@ -30,7 +30,7 @@ void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const P
   propagate_covariance(from, to, covariance);
 }
 
-/// The covariance of `to` by way of `from`, where it is smaller than the one known.
+/// Propagates the covariance of `from` to `to`, and keeps it if it is smaller than the known one.
 void KeyframeGraph::propagate_covariance(std::uint32_t from, std::uint32_t to,
                                          const Eigen::Matrix3d& covariance) {
   const Vec2 arm = keyframes[to].pose.position - keyframes[from].pose.position;

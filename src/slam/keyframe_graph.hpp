@@ -1,4 +1,4 @@
-// The keyframes that a laser map is drawn from, and the pose graph that joins them.
+// The keyframes of a laser map, and the pose graph that joins them.
 #pragma once
 
 #include "graph_edges.hpp"
@@ -9,7 +9,7 @@ namespace outrider {
 
 struct Keyframe {
   Pose2 pose;  ///< world_T_robot
-  /// Of the pose, along the most certain constraint: an upper bound.
+  /// Covariance of the pose, propagated along the most certain constraints: an upper bound.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double way_m = 0.0;  ///< distance driven up to here
   LaserScan scan;
@@ -29,14 +29,14 @@ class KeyframeGraph {
                       const Eigen::Matrix3d& information);
   /// Removes the last constraint and restores the poses to `before`.
   void remove_last_constraint(const std::vector<Pose2>& before);
-  /// r^T W r of the last constraint at the present poses.
+  /// Returns r^T W r of the last constraint at the present poses.
   [[nodiscard]] double chi2() const;
-  /// Moves the poses to the least squares of all constraints; the first stays. Returns false, and changes
-  /// nothing, if there is no solution.
+  /// Moves the poses to the least-squares solution of all constraints; the first stays. Returns false, and
+  /// changes nothing, if there is no solution.
   bool optimise();
   [[nodiscard]] std::vector<Pose2> poses() const;
-  /// By keyframe, the variance of its position (m^2) relative to `keyframe`, summed along the most certain
-  /// chain of constraints; infinite beyond `bound`.
+  /// Returns, by keyframe, the variance of its position (m^2) relative to `keyframe`, summed along the most
+  /// certain chain of constraints; infinite beyond `bound`.
   [[nodiscard]] std::vector<double> variances_from(std::uint32_t keyframe, double bound) const;
 
  private:
@@ -48,7 +48,7 @@ class KeyframeGraph {
 
   std::vector<GraphEdge> edges_;
   std::vector<std::vector<Link>> links_;  ///< by keyframe
-  /// Of the keyframe that the last constraint leads to, before it was added.
+  /// Covariance of the keyframe at which the last constraint ends, before the constraint was added.
   Eigen::Matrix3d covariance_before_ = Eigen::Matrix3d::Zero();
 };
 

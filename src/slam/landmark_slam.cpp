@@ -41,7 +41,7 @@ Status check_options(const LandmarkSlamOptions& options) {
   return {};
 }
 
-/// Of the options, as they stand in a state.
+/// The options as they are stored in a state.
 struct KeptOptions {
   LandmarkSlamOptions& o;
   template <class Archive>

@@ -9,21 +9,21 @@ namespace {
 
 constexpr double try_every_m = 0.8;
 constexpr std::uint32_t query_keyframes = 6;  // the last scans, taken together
-constexpr std::uint32_t visit_keyframes = 8;  // to both sides of the nearest of an earlier visit
+constexpr std::uint32_t visit_keyframes = 8;  // to both sides of the nearest keyframe of an earlier visit
 constexpr std::size_t most_points = 600;
 constexpr std::size_t most_candidates = 4;
-constexpr double near_variance = 0.01;  // m^2; what is known as well needs no search
-constexpr double sensed_m = 4.0;        // visits nearer than this see the same
+constexpr double near_variance = 0.01;  // m^2; a relative pose known this well needs no search
+constexpr double sensed_m = 4.0;        // visits nearer than this see the same surroundings
 
 constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double least_score = 0.5;
 constexpr double least_share = 0.7;
-constexpr double most_rival = 0.85;  // of the score, at a place apart
+constexpr double most_rival = 0.85;  // maximum score at another place, relative to the best
 constexpr double apart_m = 0.8;
 
-/// The surface points of the last keyframes together, in the frame of the last one.
+/// Returns the surface points of the last keyframes together, in the frame of the last one.
 Surface last_surface(const KeyframeGraph& graph) {
   Surface result;
   const std::size_t count = graph.keyframes.size();
@@ -37,8 +37,8 @@ Surface last_surface(const KeyframeGraph& graph) {
   return result;
 }
 
-/// The nearest keyframe of each earlier visit that may be at the same place; at most `most_candidates`, the
-/// nearest ones.
+/// Returns the nearest keyframe of each earlier visit that may be at the same place; at most
+/// `most_candidates`, the nearest ones.
 std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncertain_m) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   const std::vector<double> known = graph.variances_from(last, near_variance);
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncerta
   return result;
 }
 
-/// The surfaces of the keyframes around `scan`, from the same visit.
+/// Returns the surfaces of the keyframes around `scan`, from the same visit.
 SurfaceMap map_of_visit(const KeyframeGraph& graph, std::uint32_t scan) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   std::vector<SurfaceMap::Part> parts;
@@ -100,7 +100,7 @@ std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface
   if (!found) return std::nullopt;
   if (map.may_be_elsewhere(surface, window, most_rival * found->score, found->pose.position, apart_m))
     return std::nullopt;
-  constexpr double loose = 100.0;  // 1/m^2: what ten centimetres would say
+  constexpr double loose = 100.0;  // 1/m^2: a standard deviation of ten centimetres
   const Fit fit = map.refine(surface, found->pose, {found->pose, loose * Eigen::Matrix3d::Identity()});
   return fit.share >= least_share ? std::optional(fit) : std::nullopt;
 }
@@ -115,7 +115,7 @@ bool LoopSearch::close(KeyframeGraph& graph, double reach_sd) {
   const Surface query = thinned(last_surface(graph), most_points);
   bool any = false;
   for (const std::uint32_t scan : candidates(graph, reach_m)) {
-    const Pose2 here = graph.keyframes.back().pose;  // relaxing moves it
+    const Pose2 here = graph.keyframes.back().pose;  // optimisation moves it
     const auto fit =
         recognise_place(map_of_visit(graph, scan), query, {here, reach_m, turn_rad, reach_m, turn_rad});
     if (!fit || !is_plausible(graph.keyframes.back(), fit->pose, reach_sd) || !close_loop(graph, scan, *fit))

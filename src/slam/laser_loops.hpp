@@ -13,13 +13,13 @@
 
 namespace outrider {
 
-/// The pose of a surface on a map; nothing unless most points lie on the map's surfaces and no other pose in
-/// the window scores nearly as well.
+/// Returns the pose of a surface on a map; nothing unless most points lie on surfaces of the map and no other
+/// pose in the window scores nearly as well.
 std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
 
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< keyframes: the earlier, the later
-  double tried_at_m = 0.0;                                      ///< way driven at the last search
+  double tried_at_m = 0.0;                                      ///< distance driven at the last search
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose.

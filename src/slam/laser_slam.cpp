@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t recent_keyframes = 10;
 constexpr int recent_group = 0;
 constexpr int earlier_group = 1;
-constexpr double most_correction_m = 3.0;  // beyond, matching is no correction but a search for the place
+constexpr double most_correction_m = 3.0;  // above this, matching is a search for the place
 
 bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
@@ -139,7 +139,7 @@ LaserSlam::LaserSlam(LaserSlam&&) noexcept = default;
 LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
 LaserSlam::~LaserSlam() = default;
 
-/// The search window: centred at the pose of the odometry, three standard deviations to each side.
+/// Returns the search window: centred at the pose of the odometry, three standard deviations to each side.
 MatchWindow LaserSlam::State::window() const {
   constexpr double sds = 3.0;
   constexpr MotionNoise least{0.05, 0.02};
@@ -184,7 +184,7 @@ bool LaserSlam::State::is_keyframe_due() const {
 
 /// Adds a keyframe with a constraint to the one before, and to an earlier visit if it was matched with one.
 void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit) {
-  constexpr MotionNoise lost{0.3, 0.3};  // whatever odometry says of itself
+  constexpr MotionNoise lost{0.3, 0.3};  // regardless of the stated odometry noise
   constexpr MotionNoise loose{0.1, 0.1};
   constexpr double least_share = 0.5;
   const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
@@ -208,7 +208,8 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, cons
   }
 }
 
-/// Keyframes of earlier visits that are near and whose pose relative to the last keyframe is well known.
+/// Returns keyframes of earlier visits that are near and whose pose relative to the last keyframe is well
+/// known.
 std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
   constexpr std::uint32_t earlier = 2 * recent_keyframes;
   constexpr std::size_t most_keyframes = 16;
@@ -245,7 +246,7 @@ void LaserSlam::State::build_local_map() {
   near.emplace(parts);
 }
 
-/// Returns true if no keyframe, and nothing 2 m away from it, has moved by a cell since it was drawn.
+/// Returns true if no keyframe, and no point 2 m away from it, has moved by a cell since it was drawn.
 bool LaserSlam::State::stands_as_drawn() const {
   constexpr double lever_m = 2.0;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -274,7 +275,7 @@ void LaserSlam::State::add_track_point() {
   }
 }
 
-/// Moves by odometry, corrected for its known systematic errors.
+/// Moves the robot by odometry, corrected for its known systematic errors.
 void LaserSlam::State::move(const Pose2& motion) {
   bias.count(motion);
   pose = wrap_heading(compose(pose, options.learn_odometry ? bias.corrected(motion) : motion));
@@ -293,8 +294,8 @@ void LaserSlam::State::learn(const Fit& fit) {
 }
 
 /// Corrects the pose with a scan, and makes the scan a keyframe if one is due. A robot that may be in several
-/// places and is recognised in none is lost: the scan becomes the first keyframe of a new part of the map,
-/// with which alone the next scans are matched; odometry is all that joins it to the part before.
+/// places and is recognised in none is lost: the scan becomes the first keyframe of a new part of the map.
+/// Only this part is used to match the next scans, and only odometry joins it to the part before.
 void LaserSlam::State::take_scan(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
   if (blind && near) build_local_map();
   const MatchWindow about = window();
@@ -363,7 +364,7 @@ Eigen::Matrix3d LaserSlam::pose_covariance() const {
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
 std::vector<LaserLoop> LaserSlam::closed_loops() const {
-  std::vector<std::size_t> pose_of;  // by kept scan: the first pose that hangs on it is its own
+  std::vector<std::size_t> pose_of;  // by keyframe: the first pose attached to it is its own
   for (std::size_t i = 0; i < state_->track.size(); ++i) {
     if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keyframes.size() + i);
   }

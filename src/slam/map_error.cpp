@@ -15,7 +15,8 @@ Vec2 mean(const std::vector<Vec2>& points) {
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
-/// For each place the nearest landmark within reach that no earlier place has, or nobody.
+/// Returns for each place the nearest landmark within reach that is not assigned to an earlier place, or
+/// nobody.
 std::vector<std::size_t> partners(const LandmarkMap& map, const std::vector<Vec2>& places,
                                   const Pose2& motion, double reach_m) {
   std::vector<std::size_t> result;

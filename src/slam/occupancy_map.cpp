@@ -10,7 +10,7 @@ namespace outrider {
 namespace {
 
 constexpr double odds_unit = 1.0 / 1024.0;
-constexpr double most_odds = 15.0;  // the sum of two fits 16 bits
+constexpr double most_odds = 15.0;  // so that the sum of two fits 16 bits
 constexpr int block_cells = 128;
 constexpr double most_cells = 1e8;
 
@@ -23,11 +23,11 @@ struct Beam {
   bool hits = false;
 };
 
-/// The beams with a reading, on the lattice; nothing when one leaves it.
+/// The beams with a reading, on the lattice; not usable if one leaves it.
 struct Beams {
   LatticePoint start;
   std::vector<Beam> all;
-  Cell low, high;  ///< of the cells they cross
+  Cell low, high;  ///< bounds of the cells they cross
   bool usable = false;
 };
 
@@ -80,7 +80,7 @@ double OccupancyMap::log_odds(Cell cell) const {
   return occupancy_.contains(cell) ? odds_unit * odds_[frame().index(cell)] : 0.0;
 }
 
-/// Makes room for cells of the lattice. False where that would be too much.
+/// Enlarges the map to contain the cells. Returns false if it would become too large.
 bool OccupancyMap::cover(Cell low, Cell high, bool& grown) {
   const GridFrame old = frame();
   Cell from{block_below(low.x), block_below(low.y)};
@@ -106,8 +106,8 @@ bool OccupancyMap::cover(Cell low, Cell high, bool& grown) {
   return true;
 }
 
-/// Adds the changes to the odds of a run of cells, sixteen at a time without a branch, and notes the cells
-/// that became something else.
+/// Adds the changes to the odds of a run of cells, sixteen at a time without a branch, and records the cells
+/// whose occupancy changed.
 void OccupancyMap::apply(std::size_t begin, std::size_t end, std::vector<std::size_t>& changed) {
   constexpr std::size_t lanes = 16;
   const std::int16_t most = quantised(options_.most_odds);

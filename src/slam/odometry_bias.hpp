@@ -19,7 +19,7 @@ class OdometryBias {
   /// Returns a motion by odometry, in the frame of the robot before it, with the estimated errors removed.
   [[nodiscard]] Pose2 corrected(const Pose2& motion) const;
 
-  /// Adds a motion by odometry.
+  /// Accumulates a motion by odometry.
   void count(const Pose2& motion);
   /// Updates the estimate with a matched pose in the world and its covariance. The variances are those of the
   /// random odometry error since the last matched pose.
@@ -31,7 +31,7 @@ class OdometryBias {
   struct Seen {
     Pose2 pose;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    Pose2 motion;  ///< counted since
+    Pose2 motion;  ///< motion accumulated since then
     double ahead_m = 0.0;
   };
   void weigh(const Eigen::Vector3d& by, double residual, double variance);

@@ -58,7 +58,8 @@ void linearise(const PoseGraph& graph, const std::vector<Pose2>& poses, const Po
   }
 }
 
-/// The rotations as vectors of the plane: the sum of w |z(b) - E z(a)|^2 with the first at its heading.
+/// Returns the headings of the chordal relaxation. It treats rotations as vectors of the plane and minimises
+/// the sum of w |z(b) - E z(a)|^2, with the first at its heading.
 std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first, GraphEquations& equations) {
   equations.clear(2, 0);
   const Vec2 axis = direction(graph.nodes[first].pose.heading_rad);
@@ -80,7 +81,7 @@ std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first
   return headings;
 }
 
-/// The positions, given the headings: one linear step from wherever they are.
+/// Returns the positions for given headings: one linear step from any initial positions.
 std::vector<Pose2> chordal_positions(const PoseGraph& graph, const std::vector<double>& headings,
                                      GraphEquations& equations) {
   std::vector<Pose2> poses = given_poses(graph);
@@ -138,8 +139,8 @@ std::vector<Pose2> retract_all(const PoseGraph& graph, const std::vector<Pose2>&
   return result;
 }
 
-/// Of all unknowns alike (Levenberg): in proportion to the diagonal (Marquardt), a stiff edge between two
-/// poses would hold both where they are.
+/// The damping is equal for all unknowns (Levenberg). If it were proportional to the diagonal (Marquardt), a
+/// stiff edge between two poses would prevent both from moving.
 constexpr double least_damping = 1e-3;
 constexpr double most_damping = 1e12;
 

@@ -23,7 +23,8 @@ std::string name_of(const PoseGraph& graph, const GraphEdge& edge) {
 
 Eigen::Index dimension(EdgeKind kind) { return kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1; }
 
-/// The information with ones for the numbers that the residual does not have.
+/// Returns true if the information, with ones for the missing dimensions of the residual, is positive
+/// definite.
 bool positive_definite(const GraphEdge& edge) {
   if (!is_symmetric(edge.information)) return false;
   Eigen::Matrix3d information = edge.information;
@@ -59,7 +60,7 @@ Status check_edge(const PoseGraph& graph, const GraphEdge& edge) {
 }
 
 using Reach = std::vector<std::vector<std::uint32_t>>;
-/// Edges at each node.
+/// Lists the edges at each node.
 Reach edges_at_nodes(const PoseGraph& graph) {
   Reach reach(graph.nodes.size());
   for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
@@ -69,7 +70,8 @@ Reach edges_at_nodes(const PoseGraph& graph) {
   return reach;
 }
 
-/// Where the far node of an edge stands, seen from the near one; nothing when the edge does not say.
+/// Computes the pose of the far node of an edge from the near one; returns false if the edge does not
+/// determine it.
 bool place(PoseGraph& graph, const GraphEdge& edge, std::uint32_t near) {
   if (edge.kind == EdgeKind::range) return false;
   if (near == edge.from) {

@@ -1,4 +1,5 @@
-// The interface of landmark SLAM engines, and what they share: candidates, and when a robot is lost.
+// The interface of landmark SLAM engines, and their common parts: candidates, and the detection of a lost
+// robot.
 #pragma once
 
 #include <span>
@@ -24,7 +25,7 @@ class SlamEngine {
 
 std::unique_ptr<SlamEngine> make_filter_engine(const LandmarkSlamOptions& options, const Pose2& start);
 std::unique_ptr<SlamEngine> make_graph_engine(const LandmarkSlamOptions& options, const Pose2& start);
-/// Nothing when the state is damaged.
+/// Restores an engine; returns null if the state is damaged.
 std::unique_ptr<SlamEngine> load_filter_engine(const LandmarkSlamOptions& options, StateReader& reader);
 std::unique_ptr<SlamEngine> load_graph_engine(const LandmarkSlamOptions& options, StateReader& reader);
 
@@ -32,8 +33,8 @@ std::unique_ptr<SlamEngine> load_graph_engine(const LandmarkSlamOptions& options
 struct LandmarkRecord {
   std::int64_t id = 0;
   std::int64_t sightings = 0;
-  std::int64_t refused = 0;  ///< in a row, while others were used
-  std::int64_t missed = 0;   ///< in a row, where it had to be seen
+  std::int64_t refused = 0;  ///< consecutive refusals while others were used
+  std::int64_t missed = 0;   ///< consecutive misses where it should have been seen
 
   template <class Archive>
   void exchange(Archive& archive) {
@@ -43,9 +44,9 @@ struct LandmarkRecord {
 
 /// A landmark that is not in the map yet.
 struct Candidate {
-  std::int64_t id = -1;             ///< -1 where ids are unknown
-  Vec2 position;                    ///< in the world, where it was sighted last
-  std::vector<std::int64_t> steps;  ///< of its sightings
+  std::int64_t id = -1;             ///< -1 if ids are unknown
+  Vec2 position;                    ///< last sighted position in the world
+  std::vector<std::int64_t> steps;  ///< steps of its sightings
   std::vector<LandmarkSighting> sightings;
 
   template <class Archive>
@@ -54,17 +55,17 @@ struct Candidate {
   }
 };
 
-/// The candidates, and the count of steps in which nothing fitted.
+/// The candidates, and the number of steps in which nothing fitted.
 struct Memory {
   std::vector<Candidate> candidates;
-  std::int64_t step = 0;  ///< the number of the present one; the first is 1
+  std::int64_t step = 0;  ///< number of the present step; the first is 1
   std::int64_t misfits = 0;
-  std::int64_t next_id = 0;  ///< for landmarks without
+  std::int64_t next_id = 0;  ///< id of the next landmark without one
 
   [[nodiscard]] bool lost(const LandmarkSlamOptions& options) const { return misfits >= options.lost_after; }
 
-  /// Adds a sighting to the candidate it belongs to, or to a new one; the candidate once it has patience
-  /// enough, which is forgotten then.
+  /// Adds a sighting to its candidate, or to a new one. If the candidate then has enough sightings, removes
+  /// and returns it.
   std::optional<Candidate> remember(const LandmarkSighting& sighting, Vec2 world,
                                     const LandmarkSlamOptions& options);
 
@@ -74,10 +75,10 @@ struct Memory {
   }
 };
 
-/// Counts steps in a row in which no sighting of the map fitted.
+/// Counts consecutive steps in which no sighting of the map fitted.
 void note_fit(Memory& memory, const StepOutcome& outcome);
 
-/// Returns true if a landmark at that place of the robot's frame is well within range and field of view.
+/// Returns true if a landmark at that position in the robot frame is well within range and field of view.
 bool has_to_be_seen(Vec2 in_robot_frame, const LandmarkSlamOptions& options);
 
 }  // namespace outrider

@@ -15,7 +15,7 @@ constexpr double breadth_m = 0.12;
 struct End {
   Vec2 position;  ///< in the frame of the laser
   double range_m = 0.0;
-  bool joined = false;  ///< with the next
+  bool joined = false;  ///< on one surface with the next
 };
 
 /// Returns true if the ends a and b of neighbouring beams lie on one surface.
@@ -52,7 +52,7 @@ std::vector<End> ends_of(const LaserScan& scan, double reach_m) {
   return ends;
 }
 
-/// The normal of the line through the joined ends within `breadth_m` to both sides.
+/// Returns the normal of the line through the joined ends within `breadth_m` to both sides.
 Vec2 normal_at(const std::vector<End>& ends, std::size_t i) {
   std::size_t low = i, high = i;
   while (low > 0 && ends[low - 1].joined && distance(ends[low].position, ends[i].position) < breadth_m) --low;

@@ -18,11 +18,11 @@ constexpr int levels = 6;
 constexpr int low_margin = (1 << (levels - 1)) + splat_cells + 1;  // a window of the top level is empty there
 constexpr int high_margin = splat_cells + 1;
 
-constexpr double bucket_m = 0.15;    // and how far a point looks for its surface
+constexpr double bucket_m = 0.15;    // also the distance within which a point searches its surface
 constexpr double merged_m = 0.04;    // elements nearer than this become one
 constexpr double same_side = 0.5;    // cosine between normals of one surface
-constexpr double robust_m = 0.05;    // from here on a distance weighs less (Cauchy)
-constexpr double point_sd_m = 0.06;  // of a distance, with what neighbours have in common
+constexpr double robust_m = 0.05;    // distance from which the weight decreases (Cauchy)
+constexpr double point_sd_m = 0.06;  // of a distance, including the correlation of neighbours
 constexpr std::size_t most_refined = 240;
 
 using Kernel = std::array<std::uint8_t, (2 * splat_cells + 1) * (2 * splat_cells + 1)>;
@@ -41,7 +41,7 @@ const Kernel& kernel() {
   return values;
 }
 
-/// A frame whose cells lie on the lattice of the world.
+/// Returns a frame whose cells lie on the lattice of the world.
 GridFrame frame_about(const Box2& box, double side_m, int low, int high) {
   const auto cell = [&](double x) { return static_cast<int>(std::floor(x / side_m)); };
   const int x = cell(box.low.x) - low, y = cell(box.low.y) - low;
@@ -124,7 +124,7 @@ void SurfaceMap::build_pyramid() {
   }
 }
 
-/// Joins the point with an element that it belongs to, or makes one of it.
+/// Merges the point with an element on the same surface, or makes a new element.
 void SurfaceMap::add(const SurfacePoint& point, int group) {
   std::int32_t& head = first_[bucket_frame_.index(bucket_frame_.cell_at(point.position))];
   for (std::int32_t i = head; i >= 0; i = elements_[static_cast<std::size_t>(i)].next) {
@@ -141,7 +141,7 @@ void SurfaceMap::add(const SurfacePoint& point, int group) {
   head = static_cast<std::int32_t>(elements_.size() - 1);
 }
 
-/// The surface about a point that faces the same way: the weighted mean of the lines nearby.
+/// Returns the surface around a point that faces the same way: the weighted mean of the lines nearby.
 std::optional<SurfaceMap::Line> SurfaceMap::line_at(Vec2 position, Vec2 normal, int group) const {
   constexpr double squared_reach = bucket_m * bucket_m;
   const Cell bucket = bucket_frame_.cell_at(position);

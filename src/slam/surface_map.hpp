@@ -1,18 +1,18 @@
-// SurfaceMap: a local map of the surfaces in a few scans, to match another scan with.
+// SurfaceMap: a local map of the surfaces in a few scans, used to match another scan.
 //
-// It has two representations. The likelihood field is a grid of the closeness to the next surface, 255 on it
-// and 0 from 15 cm on, with a pyramid of maxima over it for the bounds of the search. The lines are for the
-// refinement: the surface about a point is the weighted mean of the lines through the map points nearby that
-// face the same way.
+// It has two representations. The likelihood field is a grid of the closeness to the nearest surface, 255 on
+// a surface and 0 from 15 cm on, with a pyramid of maxima that provides the bounds of the search. The lines
+// are for the refinement: the surface around a point is the weighted mean of the lines through the map points
+// nearby that face the same way.
 //
-// find() is branch and bound, complete within its window at a resolution of one cell, and of the turn that
-// moves the farthest point by one cell. It visits at most 4 million blocks of poses, about a second of work,
-// and gives up on a window that holds more. refine() is Gauss-Newton on the
-// distances to the lines, with a robust weight. Sources: Olson, M3RSM: many-to-many multi-resolution scan
-// matching, ICRA 2015, 5815-5821 (the pyramid); Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D
-// LIDAR SLAM, ICRA 2016, 1271-1278 (the search); Censi, An ICP variant using a point-to-line metric, ICRA
-// 2008, 19-25; Kolluri, Provably good moving least squares, ACM Trans. Algorithms 4 (2008) 18 (the surface).
-// Thread rule: const members may be called concurrently.
+// find() is branch and bound. It is complete within its window at a resolution of one cell, and of the
+// rotation that moves the farthest point by one cell. It visits at most 4 million blocks of poses, about a
+// second of work, and gives up on a larger window. refine() is Gauss-Newton on the distances to the lines,
+// with a robust weight. Thread rule: const members may be called concurrently.
+// Sources: Olson, M3RSM: many-to-many multi-resolution scan matching, ICRA 2015, 5815-5821 (the pyramid);
+// Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016, 1271-1278 (the search);
+// Censi, An ICP variant using a point-to-line metric, ICRA 2008, 19-25; Kolluri, Provably good moving least
+// squares, ACM Trans. Algorithms 4 (2008) 18 (the surface).
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ namespace outrider {
 /// A normal prior of a pose in the world.
 struct PosePrior {
   Pose2 mean;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of x, y, heading; zero for no prior
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< information of x, y, heading; zero: no prior
 };
 
 /// The poses to search: a square of half side `reach_m` about the centre, rotated by up to `turn_rad`.
@@ -37,7 +37,7 @@ struct MatchWindow {
   Pose2 centre;
   double reach_m = 0.0;
   double turn_rad = 0.0;
-  double position_sd_m = 1e9;  ///< of the prior: poses off the centre score less
+  double position_sd_m = 1e9;  ///< of the prior: poses away from the centre score less
   double heading_sd_rad = 1e9;
 };
 
@@ -48,13 +48,13 @@ struct FoundPose {
 
 struct Fit {
   Pose2 pose;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone
-  double share = 0.0;                                     ///< of the points that lie on a surface
-  double rms_m = 0.0;                                     ///< of the distances of those
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< information of the points without the prior
+  double share = 0.0;                                     ///< fraction of the points that lie on a surface
+  double rms_m = 0.0;                                     ///< root mean square distance of these points
 };
 
-/// The robust sum of squares that refine() makes less, about a pose: the gradient with the lines held, and
-/// the Gauss-Newton part of the second derivative.
+/// The gradient of the robust sum of squares that refine() minimises, at a pose and for fixed lines, and the
+/// Gauss-Newton approximation of its second derivative.
 struct MatchEquations {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -68,18 +68,18 @@ class SurfaceMap {
   struct Part {
     const Surface* surface = nullptr;
     Pose2 pose;     ///< world_T_surface
-    int group = 0;  ///< refine() can be told to look at one alone
+    int group = 0;  ///< refine() can be restricted to one group
   };
   static constexpr int all_groups = -1;
 
   explicit SurfaceMap(std::span<const Part> parts);
 
-  /// The pose with the highest score above `least`; nothing when there is none, or more poses in the window
-  /// than are searched.
+  /// Returns the pose with the highest score above `least`; nothing if there is none, or if the window has
+  /// too many poses to search.
   [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window,
                                               double least) const;
   /// Returns true if some pose farther than `apart_m` from `except` scores above `least`, or if the window
-  /// holds too many poses to tell.
+  /// has too many poses to decide.
   [[nodiscard]] bool may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
                                       Vec2 except, double apart_m) const;
   [[nodiscard]] Fit refine(const Surface& surface, const Pose2& start, const PosePrior& prior,

@@ -8,27 +8,28 @@
 namespace outrider {
 namespace {
 
-/// What a deviation from the centre by one standard deviation costs, twice: a wrong pose scores tenths less.
+/// Twice the cost of a deviation from the centre by one standard deviation. The scores of wrong poses are
+/// lower by tenths.
 constexpr double cost_of_deviation = 0.01;
 constexpr std::size_t most_points = 180;
 constexpr double most_reach_cells = 1 << 29;
-constexpr std::int64_t most_blocks = 4'000'000;  // whose scores are bounded, from 180 cells each
+constexpr std::int64_t most_blocks = 4'000'000;  // searched at most, from 180 cells each
 
-/// All poses turned alike whose cells lie from `offset` on, 2^level to each side.
+/// All poses of equal heading whose cells lie from `offset` on, 2^level to each side.
 struct Block {
   int angle = 0;
   Cell offset;
   double bound = 0.0;
 };
 
-/// Offsets of one angle, from the lowest block to the highest.
+/// The offsets of one angle, from the lowest block to the highest.
 struct Range {
   int low = 0;
   int high = -1;
   [[nodiscard]] std::int64_t blocks(int side) const { return low > high ? 0 : (high - low) / side + 1; }
 };
 
-/// The better first; ties by place.
+/// Orders blocks: the better first; ties by place.
 bool better(const Block& a, const Block& b) {
   if (a.bound != b.bound) return a.bound > b.bound;
   return std::tuple(a.angle, a.offset.y, a.offset.x) < std::tuple(b.angle, b.offset.y, b.offset.x);
@@ -59,7 +60,7 @@ class Search {
     }
   }
 
-  /// False when the window holds more than is searched.
+  /// Runs the search; returns false if the window has too many poses.
   bool run() {
     if (cells_.front().empty()) return true;
     int level = 0;
@@ -86,7 +87,8 @@ class Search {
   [[nodiscard]] std::optional<FoundPose> best() const { return found_ ? std::optional(best_) : std::nullopt; }
 
  private:
-  /// The blocks of the window in which some of the cells lie within the field: elsewhere the score is zero.
+  /// Returns the blocks of the window in which some of the cells lie within the field; elsewhere the score is
+  /// zero.
   [[nodiscard]] std::pair<Range, Range> meeting(const std::vector<Cell>& cells, int side) const {
     const GridFrame& frame = levels_.front().frame;
     const auto [left, right] = std::ranges::minmax(cells, {}, &Cell::x);
@@ -167,7 +169,7 @@ class Search {
   int reach_ = 0;  ///< cells
   int turns_ = 0;  ///< steps to each side
   double step_rad_ = 0.0;
-  std::vector<std::vector<Cell>> cells_;  ///< of the points at the centre, by angle
+  std::vector<std::vector<Cell>> cells_;  ///< cells of the points for the pose at the centre, by angle
 };
 
 }  // namespace

@@ -1,11 +1,13 @@
-// Firing regions: for every place where the robot may stand, whether it can hit a target from there.
+// Firing regions: the places from which a robot can hit a target.
 //
-// Decided for every place of a grid, over the pitches of a lattice and aim points on the target, each
-// with the one speed that passes the aim point: does the ball, with the margin around it, reach the
-// target before it touches anything? Exact up to the contact tolerance (contact.hpp).
+// The decision is made for every place of a grid, over a lattice of pitches and over aim points on the
+// target. Pitch and aim point determine the speed. A shot counts if the ball, with the margin around it,
+// reaches the target before it touches anything else. Results are exact up to the contact tolerance
+// (contact.hpp).
 //
-// How it is fast: places learn their few blockers from a sweep of shadows along grid rows (blocker.hpp);
-// a blocker is a rectangle in the plane of the flight until that is not enough (sight.hpp).
+// The search is fast for two reasons. A sweep along the grid rows finds the few blockers of each place
+// (blocker.hpp). And a blocker is approximated by a rectangle in the plane of the flight unless that is too
+// coarse (sight.hpp).
 #pragma once
 
 #include <cstdint>
@@ -18,45 +20,47 @@
 
 namespace outrider {
 
-/// The pitches tried, rad, ascending: from the lowest to the highest in equal steps of at most
-/// `pitch_step_rad`, but no more than 255 of them.
+/// Returns the pitches that are tried, rad, ascending: from the lowest to the highest in equal steps of at
+/// most `pitch_step_rad`, but at most 255 pitches.
 std::vector<double> pitch_lattice(const ShotRules& rules);
 
+/// The places from which a target can be hit, with one shot for each.
 struct FiringRegion {
   static constexpr std::uint8_t no_shot = 255;
 
-  std::vector<std::uint8_t> pitch;        ///< by cell: index on the pitch lattice, or no_shot
-  std::vector<float> error_ratio;         ///< by cell: of that shot (shot.hpp); infinite without one
-  std::size_t places = 0;                 ///< standable cells
-  std::size_t in_range = 0;               ///< of these, within reach if nothing stood in the way
-  std::size_t hits = 0;                   ///< of these, with a shot
-  std::vector<std::uint32_t> blocked_by;  ///< by solid: places where it stops the flattest shot
+  std::vector<std::uint8_t> pitch;  ///< by cell: index in the pitch lattice, or no_shot
+  std::vector<float> error_ratio;   ///< by cell: error_ratio() of that shot (shot.hpp); infinite if none
+  std::size_t places = 0;           ///< number of standable cells
+  std::size_t in_range = 0;         ///< number of these within range, ignoring obstacles
+  std::size_t hits = 0;             ///< number of these with a shot
+  std::vector<std::uint32_t> blocked_by;  ///< by solid: number of places at which it stops the flattest shot
 };
 
-/// All places, clear of the target, from which a shot at the target's centre hits; the flattest with a
-/// error_ratio of at most 0.7, else the one with the least error_ratio. `standable` is 1 where the robot may
-/// stand, by cell. Once `stop` is raised no more places are tried, and the region is of no use. O(places in
-/// reach x blockers in the line of sight); thread-safe for const arguments.
+/// Finds all places that keep the standoff distance from which a shot at its centre hits. The shot is
+/// the flattest one with an error_ratio of at most 0.7, otherwise the one with the least error_ratio.
+/// `standable` is 1 in cells where the robot may stand. If `stop` is requested, no more places are tried, and
+/// the result must not be used. O(places in range x blockers in the line of sight); thread-safe for const
+/// arguments.
 FiringRegion firing_region(const ShotRules& rules, const FlightSpace& space, const Target& target,
                            const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                            const std::stop_token& stop = {});
 
-/// What was tried before a target is called unreachable.
+/// The shots that were tried before a target is called unreachable.
 struct Exhausted {
-  std::size_t places = 0;     ///< standable cells within reach
-  std::uint64_t flights = 0;  ///< decided; none is a hit with the margin, but for the one of `found`
+  std::size_t places = 0;     ///< number of standable cells within range
+  std::uint64_t flights = 0;  ///< flights decided; none hits with the margin, except that of `found`
   std::vector<std::uint64_t>
-      blocked_by;                    ///< by solid: flights that it stops; one that several stop counts once
-  std::optional<std::size_t> found;  ///< a cell with a hit, where the search ended
-  Shot shot;                         ///< from there
+      blocked_by;  ///< by solid: number of flights stopped; a flight stopped by several solids counts once
+  std::optional<std::size_t> found;  ///< the cell with a hit at which the search ended
+  Shot shot;                         ///< the hit from that cell
 };
 
-/// As firing_region, with aim points at most `aim_step_m` apart: across the outline that the target shows
-/// to each place (sight.hpp, aim_points) and over its height; stops at the first hit. Without a hit it is
-/// the proof, at this resolution, that there is none. The flights over one place, bearing and pitch stand
-/// above one another, so a blocker settles a whole run of them at once; the rest is decided one by one.
-/// Once `stop` is raised the search ends, and proves nothing.
-/// O(places in reach x pitches x bearings), times the heights at worst.
+/// Searches a shot like firing_region(), but with aim points at most `aim_step_m` apart: across the outline
+/// of the target seen from each place (sight.hpp, aim_points()) and over its height. Stops at the first hit.
+/// Without a hit, the result proves at this resolution that there is none. The flights of one place, bearing
+/// and pitch lie above one another, so a blocker decides a whole range of them at once; the rest is decided
+/// one by one. If `stop` is requested, the search ends and proves nothing. O(places in range x pitches x
+/// bearings), times the number of heights at worst.
 Exhausted exhaust(const ShotRules& rules, const FlightSpace& space, const Target& target,
                   const GridFrame& frame, const std::vector<std::uint8_t>& standable,
                   const std::stop_token& stop = {});

@@ -61,6 +61,7 @@ struct GunAngles {
   double pitch_rad = 0.0;  ///< between the barrel and the tangent plane
 };
 
+/// A shot with its predicted result.
 struct PlannedShot {
   Shot shot;
   GunAngles gun;             ///< joint angles for the shot (stance.hpp); on level ground, those of the shot
@@ -78,16 +79,14 @@ struct PlannedShot {
 /// Returns the soonest robust shot from `position`, or nothing if no shot keeps the margin.
 ///
 /// The search has three stages.
-/// 1. Shots at the centre of the target, with pitches every half degree. Shots with an error_ratio of at most
-/// 0.7 come
-///    first, sorted by the time to pitch the barrel from `pitch_rad` plus the flight time; then the others,
-///    sorted by error_ratio. Each is simulated exactly, and the first that keeps the margin and hits under
-///    all extreme errors is returned.
-/// 2. After 48 shots that keep the margin only, 19 aim points around the centre are tried in the same way (at
-/// most 200
-///    shots, if a shot at the centre keeps the margin). If none is robust, the result is the shot with the
-///    highest hit rate among the first four of either stage.
-/// 3. If no shot keeps the margin, the pitches and aim points of exhaust() (firing_region.hpp) are tried.
+///  1. Shots at the centre of the target, with pitches every half degree. Shots with an error_ratio of at
+///     most 0.7 come first, sorted by the time to pitch the barrel from `pitch_rad` plus the flight time;
+///     then the others, sorted by error_ratio. Each is simulated exactly, and the first that keeps the margin
+///     and hits under all extreme errors is returned.
+///  2. After 48 shots that keep the margin only, 19 aim points around the centre are tried in the same way
+///     (at most 200 shots, if a shot at the centre keeps the margin). If none is robust, the result is the
+///     shot with the highest hit rate among the first four of either stage.
+///  3. If no shot keeps the margin, the pitches and aim points of exhaust() (firing_region.hpp) are tried.
 std::optional<PlannedShot> best_shot(const ShotRules& rules, const FlightSpace& space, const Target& target,
                                      Vec2 position, double pitch_rad);
 

@@ -14,6 +14,7 @@
 
 namespace outrider {
 
+/// Obstacles around a place.
 class Nearby {
  public:
   Nearby() = default;
@@ -29,7 +30,7 @@ class Nearby {
 
  private:
   std::vector<Vec2> centres_;
-  double half_m_ = 0.0;  // of a cell's side
+  double half_m_ = 0.0;  // half the side of a square
 };
 
 }  // namespace outrider

@@ -17,21 +17,23 @@
 
 namespace outrider {
 
+/// Gains of a controller.
 struct PidGains {
   double proportional = 0.4;  ///< 1/s
   double integral = 0.01;     ///< 1/s^2
-  double derivative = 0.03;   ///< without a unit
+  double derivative = 0.03;   ///< without unit
 };
 std::vector<Option> describe(PidGains& gains);
 
-/// Lengths of a command, in its unit.
+/// Limits of the length of a command, in its unit.
 struct PidRange {
-  double most = 1.0;
-  double least = 0.0;  ///< a zero command stays zero
+  double most = 1.0;   ///< longest command
+  double least = 0.0;  ///< shortest command that is not zero; a zero command stays zero
 };
 
+/// The state of a controller.
 struct Pid {
-  Vec2 integral;             ///< of the error over time
+  Vec2 integral;             ///< integral of the error over time
   std::optional<Vec2> last;  ///< the last error; none before the first step
 };
 

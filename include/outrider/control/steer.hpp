@@ -22,27 +22,28 @@
 
 namespace outrider {
 
+/// Options of steer().
 struct SteerOptions {
-  double lookahead_m = 0.5;
-  double gap_m = 0.02;        ///< between the robot and an obstacle, where it takes a short cut
-  double least_gap_m = 0.01;  ///< between the robot and an obstacle, anywhere
-  double pivot_rad = radians(70.0);
-  double settle_s = 0.25;  ///< in which a small error of the heading is turned away
-  double foresight_s = 0.5;
+  double lookahead_m = 0.5;          ///< largest distance to the point of the path that the robot aims at
+  double gap_m = 0.02;               ///< clearance of the robot on a short cut
+  double least_gap_m = 0.01;         ///< least clearance anywhere
+  double pivot_rad = radians(70.0);  ///< heading error above which the robot turns in place
+  double settle_s = 0.25;            ///< time in which a small heading error is corrected
+  double foresight_s = 0.5;          ///< time for which a command is simulated
 };
 std::vector<Option> describe(SteerOptions& options);
 
-/// A path, and how far the robot has come along it.
+/// A path and the progress of the robot along it.
 struct PathProgress {
-  std::vector<Vec2> points;  ///< at least one
+  std::vector<Vec2> points;  ///< at least one point
   double along_m = 0.0;      ///< arc length already driven; never decreases
 };
 
-/// Updates `along_m` to the point of the path nearest to the robot, searched from the last one a little way
-/// on.
+/// Updates `along_m` to the point of the path nearest to the robot. Searches from the last such point a short
+/// distance ahead.
 void advance_along(PathProgress& path, Vec2 position);
 
-/// The length of the rest of the path, m.
+/// Returns the length of the rest of the path, m.
 double remaining_m(const PathProgress& path);
 
 /// Computes the next command for a robot at `pose` that moves with `now`. The robot stops within 1 cm of the

@@ -22,7 +22,7 @@ enum class PathClass {
   any_curve,      ///< all paths that the disk can drive on the ground
 };
 
-/// What a planner minimises: the cost of its plans.
+/// The quantity that a planner minimises, which is the cost of its plans.
 enum class Measure {
   length,  ///< length, m
   time,    ///< driving time, s
@@ -31,7 +31,7 @@ enum class Measure {
 /// Returns the unit of a measure: "m", "s" or "m eq".
 std::string_view unit_of(Measure measure);
 
-/// What a planner reports to a Trace while it works.
+/// The events that a planner reports to a Trace while it works.
 enum class TraceKind {
   search,  ///< each expansion, and each state when it first enters the queue
   tree,    ///< each point that it connects to the start, with its parent; there is no queue
@@ -45,7 +45,7 @@ struct Guarantee {
   PathClass among = PathClass::any_direction;  ///< class of its paths and of its lower bound
   double most_ratio = 1.0;    ///< cost <= most_ratio * least cost of the class; infinite: no guarantee
   std::string_view sentence;  ///< the guarantee in words
-  Measure measure = Measure::length;  ///< what it minimises
+  Measure measure = Measure::length;  ///< quantity that it minimises
 };
 
 /// A planner with its own set of options.
@@ -69,12 +69,12 @@ struct PathPlanner {
   std::string_view name;
   std::string_view sentence;                     ///< one sentence that says what the planner does
   std::string_view paper;                        ///< source of the algorithm
-  Guarantee guarantee;                           ///< with the default options
+  Guarantee guarantee;                           ///< guarantee with the default options
   std::function<ConfiguredPlanner()> configure;  ///< makes a planner with default options
   std::vector<GridModel> models = {GridModel::cells, GridModel::corners};  ///< accepted grid models
   bool index = false;                   ///< builds an index at the first query on a ground and reuses it
   bool polygons = false;                ///< accepts polygons as ground
-  TraceKind tells = TraceKind::search;  ///< what it reports to a Trace
+  TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
 
   /// Returns true if the planner accepts grids of that model; it refuses others with bad_input.
   [[nodiscard]] bool takes(GridModel model) const {

@@ -25,7 +25,7 @@
 
 namespace outrider {
 
-/// The search.
+/// An anytime search for the cheapest catch.
 class AnytimePursuit {
  public:
   /// Never fails. The first improve() refuses an invalid problem.

@@ -12,7 +12,7 @@
 
 namespace outrider {
 
-/// What a planner guarantees with its default options.
+/// The guarantees of a planner with its default options.
 struct PursuitGuarantee {
   bool complete = true;       ///< finds a catch whenever there is one, or proves that there is none
   bool optimal = true;        ///< the catch is the cheapest, with lower_bound = cost
@@ -21,11 +21,11 @@ struct PursuitGuarantee {
 
 /// A planner with an instance of its options, which `plan` reads at each call.
 struct ConfiguredPursuitPlanner {
-  std::vector<Option> options;  ///< by name
+  std::vector<Option> options;  ///< options by name
   std::function<Outcome<PursuitPlan>(const PursuitProblem&, const Budget&, Workspace&)> plan;
 };
 
-/// A row of the catalogue.
+/// A planner in the catalogue.
 struct PursuitPlanner {
   std::string_view name;
   std::string_view sentence;
@@ -37,7 +37,7 @@ struct PursuitPlanner {
 /// Returns all planners in display order.
 const std::vector<PursuitPlanner>& pursuit_planners();
 
-/// Fault: bad_input with the nearest known name.
+/// Returns the planner of that name. Fault: bad_input, with the nearest known name.
 Outcome<PursuitPlanner> find_pursuit_planner(std::string_view name);
 
 }  // namespace outrider

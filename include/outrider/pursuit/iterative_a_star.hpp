@@ -1,13 +1,13 @@
-// Iterative A* with penalties and backward goals: a reference method, kept for comparison.
+// Iterative A* with penalties and backward goals: a reference method for comparison.
 //
-// Goals are cells of the target taken backward from the end of its trajectory. Towards each, A* in space
-// alone minimises cost + penalty x steps; a path that arrives late is searched again with a ten
-// times larger penalty, until it is in time or even the fewest steps are late. A robot that is early waits at
-// the goal. The answer is the cheapest catch of all goals.
+// Goals are cells of the target, taken backward from the end of its trajectory. For each goal, A* in space
+// alone minimises cost + penalty x steps. If the path arrives too late, the search is repeated with a ten
+// times larger penalty, until the path is in time or even the path with the fewest steps is late. A robot
+// that arrives early waits at the goal. The result is the cheapest catch over all goals.
 //
-// Not complete (only `goals` seconds of the trajectory are tried) and not optimal (it waits only at the
-// goal, and penalties skip ways between two of them). lower_bound is 0: nothing is proven.
-// O(goals log(penalties) cells log cells).
+// Not complete (it tries only `goals` seconds of the trajectory) and not optimal (it waits only at the goal,
+// and it misses paths between two penalties). lower_bound is 0: nothing is proven. O(goals log(penalties)
+// cells log cells).
 // Source: the method of the reference report on map 1-9 (CMU 16-782), from its description.
 #pragma once
 
@@ -24,7 +24,7 @@ struct IterativeAStarOptions {
 };
 std::vector<Option> describe(IterativeAStarOptions& options);
 
-/// Plans a catch. Faults: those of check(problem); budget_exhausted when no goal was reached in time, or the
+/// Plans a catch. Faults: those of check(problem); budget_exhausted if no goal was reached in time or the
 /// budget ended.
 Outcome<PursuitPlan> iterative_a_star(const PursuitProblem& problem, const IterativeAStarOptions& options,
                                       const Budget& budget, Workspace& workspace);

@@ -10,16 +10,16 @@ namespace outrider {
 
 /// Reasons why there is no catch.
 enum class MissReason {
-  too_few_seconds,  ///< the target is gone before the first second that counts
-  always_on_walls,  ///< the target is on walls in every second that counts
+  too_few_seconds,  ///< the trajectory ends before the first second in which a catch counts
+  always_on_walls,  ///< the target is on walls in every second in which a catch counts
   cut_off,          ///< the robot can reach none of the cells that the target visits
   too_late,         ///< the robot reaches cells of the target, but only after it has left them
 };
 std::string_view to_string(MissReason reason);
 
-/// Why there is no catch, in numbers.
+/// The reason why there is no catch, with numbers.
 struct Miss {
-  MissReason reason = MissReason::too_late;  ///< the first that applies
+  MissReason reason = MissReason::too_late;  ///< the first reason that applies
   std::optional<int>
       late_by_s;           ///< smallest delay at any cell of the target; empty if the robot reaches none
   Cell late_at;            ///< the cell of that delay
@@ -29,8 +29,8 @@ struct Miss {
   std::string sentence;    ///< the explanation for a person
 };
 
-/// Returns why there is no catch, or nothing if there is one. The problem must pass check(problem).
-/// O(cells log(side) + seconds).
+/// Returns the reason why there is no catch, or nothing if there is one. The problem must pass
+/// check(problem). O(cells log(side) + seconds).
 std::optional<Miss> why_no_catch(const PursuitProblem& problem);
 
 }  // namespace outrider

@@ -1,10 +1,10 @@
-// Multi-goal A* in (x, y, t): a reference method, kept for comparison.
+// Multi-goal A* in (x, y, t): a reference method for comparison.
 //
-// Every (cell of the target, second) is a goal; states are (cell, second); the bound is the least cost from
-// a cell to any cell of the target, found backward in space. Optimal and complete where it ends, but it
-// looks at a cell again in every second, so time and memory grow with cells x seconds: on large maps, or
-// where waiting is cheap, it runs out of memory. The states it may hold are bounded by an option.
-// O(states log states) time; 20 bytes a state and a bit for each second of each cell met.
+// States are (cell, second), and every state at which the target is in the cell is a goal. The heuristic is
+// the least cost from a cell to any cell of the target, found by a backward search in space. Optimal and
+// complete if it terminates. A cell is expanded again in every second, so time and memory grow with cells x
+// seconds: on large maps, or where waiting is cheap, it runs out of memory. An option limits the number of
+// states. O(states log states) time; 20 bytes per state, and one bit per second for each cell reached.
 // Source: Hart, Nilsson and Raphael, A formal basis for the heuristic determination of minimum cost paths,
 // 1968, on the time-expanded graph.
 #pragma once
@@ -22,8 +22,8 @@ struct MultiGoalAStarOptions {
 };
 std::vector<Option> describe(MultiGoalAStarOptions& options);
 
-/// Plans the cheapest catch. Faults: those of check(problem); no_path when all reachable states were
-/// expanded; budget_exhausted when the budget ended or the states are too many.
+/// Plans the cheapest catch. Faults: those of check(problem); no_path if all reachable states were expanded
+/// without a catch; budget_exhausted if the budget ended or there are too many states.
 Outcome<PursuitPlan> multi_goal_a_star(const PursuitProblem& problem, const MultiGoalAStarOptions& options,
                                        const Budget& budget, Workspace& workspace);
 

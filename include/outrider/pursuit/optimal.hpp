@@ -1,16 +1,18 @@
-// The catch of least total cost, with its proof: lower_bound = cost, and the earliest catch there is.
+// The catch of least total cost, with a proof (lower_bound = cost), and the earliest possible catch.
 //
-// Complete and optimal, in whole numbers. In turn, and only as far as the proof needs:
-//   1. A flood of steps from the robot: the earliest catch, a first way, the cells that matter.
-//   2. Dijkstra floods from the target that forget the clock but price it: each bounds what any catch
-//      costs from any cell and second on, and proposes a way. The price of a second is the multiplier
-//      of the constraint that a way has no more steps than seconds; it is raised to the best bound.
-//   3. A* over labels (cost, seconds, cheapest cell so far). Waiting is left out, because all of it may
-//      be done in the cheapest cell of a way; a label that comes earlier and pays its wait dominates.
-//   4. Where labels multiply, second by second over the cells that the bounds leave.
-// Steps 1 and 2 are O(cells log(largest cost)) a flood, at most 13 floods; step 4 is never more than the
-// sweep of every cell in every second. Memory: 13 bytes a cell for each of 13 bounds at worst, 20 a cell
-// besides, 40 a label, and about sqrt(seconds) layers of step 4.
+// Complete and optimal, in integers. The search has four stages and stops as soon as the proof is complete:
+//   1. A flood of steps from the robot finds the earliest catch, a first path, and the cells that matter.
+//   2. Dijkstra floods from the target ignore the clock but put a price on each second. Each yields a lower
+//      bound of the cost of any catch from any cell and second, and a candidate path. The price of a second
+//      is the Lagrange multiplier of the constraint that a path has no more steps than seconds; it is chosen
+//      to maximise the bound.
+//   3. A* expands labels (cost, seconds, cheapest cell so far). Labels contain no waiting, because all
+//      waiting can be done in the cheapest cell of a path. A label dominates a later one if it is no dearer
+//      after waiting until then and its cheapest cell is no dearer.
+//   4. If there are too many labels, a search second by second covers the cells that the bounds leave.
+// Stages 1 and 2 take O(cells log(largest cost)) per flood, with at most 13 floods; stage 4 never takes more
+// than the sweep of every cell in every second. Memory: 13 bytes per cell for each of 13 bounds at worst, 20
+// more per cell, 40 per label, and about sqrt(seconds) layers of stage 4.
 // Sources: Handler and Zang, A dual algorithm for the constrained shortest path problem (1980); Desrochers
 // and Soumis, A generalized permanent labelling algorithm for the shortest path problem with time windows
 // (1988).

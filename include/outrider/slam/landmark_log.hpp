@@ -1,4 +1,4 @@
-// Logs of odometry and sightings of landmarks.
+// Landmark logs: odometry and sightings of landmarks.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,36 +13,39 @@
 
 namespace outrider {
 
+/// One measured landmark position.
 struct LandmarkSighting {
-  std::optional<std::int64_t> id;                        ///< of the landmark, where it can be told apart
-  Vec2 position;                                         ///< in the robot's frame, m
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< of the position, m^2
+  std::optional<std::int64_t> id;                        ///< id of the landmark, if it can be identified
+  Vec2 position;                                         ///< position in the robot frame, m
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< covariance of the position, m^2
   friend bool operator==(const LandmarkSighting&, const LandmarkSighting&) = default;
 };
 
-/// A sighting at a range and bearing that are off by these standard deviations.
+/// Returns a sighting from a range and a bearing with these standard deviations.
 LandmarkSighting sighted(std::optional<std::int64_t> id, double range_m, double bearing_rad,
                          double range_sd_m, double bearing_sd_rad);
 
+/// One motion and the sightings at its end.
 struct LogStep {
   double time_s = 0.0;
-  Pose2 odometry;                                        ///< of the robot in its frame at the step before
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the odometry in that frame: m^2, m rad, rad^2
-  std::vector<LandmarkSighting> sightings;               ///< at the end of the motion
+  Pose2 odometry;                                        ///< previous_T_robot by odometry
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< covariance of the odometry, in m^2, m rad, rad^2
+  std::vector<LandmarkSighting> sightings;               ///< sightings at the end of the motion
   friend bool operator==(const LogStep&, const LogStep&) = default;
 };
 
-/// Refuses numbers that are not finite and covariances that are not positive definite (all zeros in odometry
-/// are taken as exact).
+/// Checks a step. Faults: numbers that are not finite, and covariances that are not positive definite. An
+/// odometry covariance of all zeros is valid and means exact odometry.
 Status check(const LogStep& step);
 
+/// A complete log.
 struct LandmarkLog {
-  Pose2 start;              ///< world_T_robot before the first step, held as exact
-  bool told_apart = false;  ///< whoever made the log vouches for the ids: no gate, no patience is needed
-  bool timed = false;       ///< its steps have times; else they are numbered
+  Pose2 start;              ///< world_T_robot before the first step, taken as exact
+  bool told_apart = false;  ///< the ids are reliable: neither gate nor patience is needed
+  bool timed = false;       ///< the steps have times; otherwise they are numbered
   std::vector<LogStep> steps;
   std::map<std::int64_t, Vec2>
-      true_landmarks;  ///< where known; their world may be another than that of `start`
+      true_landmarks;  ///< true positions, if known; their frame may differ from that of `start`
 };
 
 }  // namespace outrider

@@ -1,25 +1,26 @@
 // Simultaneous localisation and mapping with landmarks: one interface, three engines.
 //
-//   kalman  the linear filter: headings are those of the odometry, so only positions are estimated and the
-//           equations are linear (Kalman 1960). For comparison.
-//   ekf     the extended Kalman filter over robot and landmarks with the full Jacobians (Smith, Self and
-//           Cheeseman 1990). Landmarks without ids are told apart by joint compatibility.
-//   graph   sparse least squares over all poses and landmarks, each step an incremental update of a block
-//           Cholesky factorisation; what moved far from where it was linearised is linearised again (Kaess et
-//           al., iSAM2, IJRR 31 (2012) 216-235). Takes known ids only. Robust kernels; covariances on demand.
+//   kalman  is the linear Kalman filter: headings are those of the odometry, so only positions are estimated
+//           and the equations are linear (Kalman 1960). For comparison.
+//   ekf     is the extended Kalman filter over robot and landmarks with the full Jacobians (Smith, Self and
+//           Cheeseman 1990). Landmarks without ids are associated by joint compatibility.
+//   graph   is sparse least squares over all poses and landmarks. Each step is an incremental update of a
+//           block Cholesky factorisation; nodes that moved far from their linearisation point are linearised
+//           again (Kaess et al., iSAM2, IJRR 31 (2012) 216-235). Accepts only known ids. Supports robust
+//           kernels, and covariances on demand.
 //
-// Map management: a landmark enters the map after `patience` sightings at about one place, which keeps false
-// detections out. A sighting outside the gate is refused. A landmark whose sightings are refused `patience` +
-// 2 times while others are used has moved: it is removed and can enter again. If the range of the sensor is
-// given, a landmark is removed after `misses` steps in which it should have been seen and was not. If all
-// sightings of the map are refused for `lost_after` steps, the robot is lost: the map is frozen until
-// sightings fit again.
+// Map management: a landmark enters the map after `patience` sightings at about the same place, so false
+// detections stay out. A sighting outside the gate is refused. If the sightings of a landmark are refused
+// `patience` + 2 times while others are used, the landmark has moved: it is removed and can enter again. If
+// the range of the sensor is given, a landmark is removed after `misses` steps in which it should have been
+// seen and was not. If all sightings of the map are refused for `lost_after` steps, the robot is lost: the
+// map is frozen until sightings fit again.
 //
 // Frames: poses are world_T_robot; covariances are of (x, y, heading) in the world. The first pose is exact.
 // Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, the part of the elimination tree
-// above what changed.
-// Same steps and options, same bytes; state() and load() continue as if there had been no stop.
-// Errors: bad_input for a step that check() refuses; the state is untouched then. Thread rule: one at a time.
+// above the changes. Equal steps and options give byte-identical results, and a run continued with state()
+// and load() equals an uninterrupted one. Faults: bad_input for a step that check() refuses; the state then
+// stays unchanged. Thread rule: one call at a time.
 #pragma once
 
 #include <memory>
@@ -54,8 +55,8 @@ std::vector<Option> describe(LandmarkSlamOptions& options);
 
 /// An estimated landmark.
 struct LandmarkEstimate {
-  std::int64_t id = 0;  ///< as sighted; numbered from 0 in order of finding where ids are unknown
-  Vec2 position;        ///< in the world, m
+  std::int64_t id = 0;  ///< id as sighted; if ids are unknown, numbered from 0 in the order of discovery
+  Vec2 position;        ///< position in the world, m
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< m^2
   std::int64_t sightings = 0;
   friend bool operator==(const LandmarkEstimate&, const LandmarkEstimate&) = default;
@@ -74,6 +75,7 @@ struct StepOutcome {
 
 class SlamEngine;
 
+/// Landmark SLAM with one of the engines.
 class LandmarkSlam {
  public:
   /// Begins at the start pose, which is exact. Fault: bad_input for invalid options.

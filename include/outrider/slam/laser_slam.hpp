@@ -71,32 +71,33 @@ struct LaserLoop {
   friend bool operator==(const LaserLoop&, const LaserLoop&) = default;
 };
 
+/// Laser SLAM as described above.
 class LaserSlam {
  public:
-  /// Refuses options out of range and a start that is not finite.
+  /// Begins at a start pose. Fault: bad_input for options out of range and for a start that is not finite.
   static Outcome<LaserSlam> begin(const LaserSlamOptions& options, const Pose2& start);
 
   LaserSlam(LaserSlam&&) noexcept;
   LaserSlam& operator=(LaserSlam&&) noexcept;
   ~LaserSlam();
 
-  /// Advances by one step. `motion` is the pose of the robot in its frame at the step before, by odometry.
-  /// Refuses a motion that is not finite; ignores a scan that cannot be used.
+  /// Advances by one step. `motion` is previous_T_robot by odometry. Fault: bad_input for a motion that is
+  /// not finite. A scan that cannot be used is ignored.
   Outcome<LaserSlamStep> advance(const Pose2& motion, const LaserScan& scan);
 
   /// Optimises the graph of all constraints and redraws the map.
   void settle();
 
   [[nodiscard]] const Pose2& pose() const;
-  /// The covariance of the last keyframe given the start, of (x, y, heading) in the world: an upper bound,
-  /// along the most certain constraints. Zero with `trust_odometry`.
+  /// Returns the covariance of the last keyframe relative to the start, of (x, y, heading) in the world. It
+  /// is an upper bound, propagated along the most certain constraints; zero with `trust_odometry`.
   [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
   [[nodiscard]] const OccupancyMap& map() const;
-  /// The start and the pose after each step, as known now.
+  /// Returns the start and the pose after each step, as presently estimated.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
-  /// The number of loops closed so far.
+  /// Returns the number of loops closed so far.
   [[nodiscard]] std::size_t loops() const;
-  /// The loops in the order of closing.
+  /// Returns the loops in the order in which they were closed.
   [[nodiscard]] std::vector<LaserLoop> closed_loops() const;
 
  private:

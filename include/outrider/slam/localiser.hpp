@@ -1,27 +1,32 @@
 // Localisation on a known map of landmarks: an extended Kalman filter over the pose alone.
 //
-// The map never changes. A sighting is weighted by its own covariance and that of the landmark. Sightings
-// outside the gate are refused; the robot is lost once nothing fitted for `lost_after` steps. Sightings
-// without ids go to the nearest landmark by Mahalanobis distance. Errors: bad_input for a step or a start
-// that check() refuses. Thread rule: one at a time.
+// The map never changes. A sighting is weighted by its own covariance and that of the landmark. A sighting
+// outside the gate is refused. The robot is lost after `lost_after` steps in a row in which all sightings
+// were refused; steps without sightings do not count. Sightings without ids are associated with the nearest
+// landmark by Mahalanobis distance. Fault: bad_input for a step or a start that check() refuses, and for an
+// empty map. Thread rule: one call at a time.
 #pragma once
 
 #include "outrider/slam/landmark_slam.hpp"
 
 namespace outrider {
 
+/// Options of localisation.
 struct LocaliserOptions {
-  double gate = 0.9999;
-  std::int64_t lost_after = 10;
+  double gate = 0.9999;          ///< probability that a correct sighting passes the gate
+  std::int64_t lost_after = 10;  ///< steps without a matching sighting until the robot is lost
 };
 
+/// A robot on a known map.
 class Localiser {
  public:
-  /// `covariance` of the start: x, y, heading in the world; zeros when it is exact.
+  /// Begins at a start pose. `covariance` is that of the start (x, y, heading in the world); zeros mean that
+  /// the start is exact.
   static Outcome<Localiser> begin(LandmarkMap map, const LocaliserOptions& options, const Pose2& start,
                                   const Eigen::Matrix3d& covariance);
 
-  /// `added` and `removed` stay empty.
+  /// Processes the odometry and the sightings of a step. In the result, `added` and `removed` are always
+  /// empty.
   Outcome<StepOutcome> advance(const LogStep& step);
 
   [[nodiscard]] const LandmarkMap& map() const { return map_; }

@@ -23,7 +23,7 @@ constexpr double step_s = 0.1;  // graphs have no times
 constexpr std::size_t most_waypoints = 4000;
 constexpr std::size_t most_events = 300;
 
-/// Loops: edges between poses that do not follow each other.
+/// Makes the picture; loops are edges between poses that are not consecutive.
 SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution,
                        const std::vector<Eigen::Matrix3d>& covariances) {
   SlamPicture picture;
@@ -41,7 +41,7 @@ SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution
   return picture;
 }
 
-/// Places of the points, or of the poses, and where they are in truth.
+/// Estimated positions of the points, or of the poses, and their true positions.
 struct Compared {
   std::vector<Vec2> estimate;
   std::vector<Vec2> truth;
@@ -57,20 +57,20 @@ Compared compared(const GraphInput& input, const std::vector<Pose2>& poses, bool
   return places;
 }
 
-/// What an error is taken of, and whether the estimate is first moved onto the truth as a rigid whole.
+/// The kind of an error: its subject, and the alignment of the estimate.
 struct ErrorKind {
-  bool points = false;  ///< of the landmarks; else of the poses
+  bool points = false;  ///< error of the landmarks; otherwise of the poses
   bool aligned = true;
 };
 
-/// Root mean squared error of the landmarks or of the poses.
+/// Returns the root mean square error of the landmarks or of the poses.
 std::optional<double> aligned_error(const GraphInput& input, const std::vector<Pose2>& poses,
                                     ErrorKind kind) {
   const auto [estimate, truth] = compared(input, poses, kind.points);
   return rms_distance(estimate, truth, kind.aligned ? rigid_alignment(estimate, truth) : Pose2{});
 }
 
-/// Ways of robots through a graph: poses that follow each other, each joined to the next by an edge.
+/// Paths of robots through a graph: consecutive poses, each joined to the next by an edge.
 class Ways {
  public:
   explicit Ways(const PoseGraph& graph) : graph_(graph), step_of_(graph.nodes.size(), 0) {
@@ -89,17 +89,17 @@ class Ways {
   }
 
   [[nodiscard]] const std::vector<std::vector<NodeIndex>>& all() const { return all_; }
-  /// The first of the longest.
+  /// Returns the first of the longest paths.
   [[nodiscard]] const std::vector<NodeIndex>& main() const {
     return *std::ranges::max_element(all_, {}, &std::vector<NodeIndex>::size);
   }
-  /// When a pose was reached; every robot starts at 0.
+  /// Returns the time at which a pose was reached; every robot starts at 0.
   [[nodiscard]] double time_s(NodeIndex node) const { return step_s * static_cast<double>(step_of_[node]); }
   [[nodiscard]] bool follow(NodeIndex a, NodeIndex b) const {
     const auto [first, second] = std::minmax(a, b);
     return step_of_[second] == step_of_[first] + 1 && next_to(first, second);
   }
-  /// The motion from a pose of a way to the next, as measured.
+  /// Returns the measured motion from a pose of a path to the next.
   [[nodiscard]] Pose2 motion(NodeIndex from, NodeIndex to) const {
     const GraphEdge& edge = graph_.edges[edge_between_.at({from, to})];
     return edge.from == from ? edge.measured : wrap_heading(inverse(edge.measured));
@@ -114,12 +114,12 @@ class Ways {
   }
 
   const PoseGraph& graph_;
-  std::vector<std::size_t> step_of_;  ///< by node: its place on its way
+  std::vector<std::size_t> step_of_;  ///< by node: its position in its path
   std::map<std::pair<NodeIndex, NodeIndex>, std::size_t> edge_between_;
   std::vector<std::vector<NodeIndex>> all_;
 };
 
-/// The number in a name such as L12 or 12; else that of the node.
+/// Returns the number in a name such as L12 or 12; otherwise that of the node.
 std::int64_t id_of(const PoseGraph& graph, NodeIndex node) {
   const std::string& name = graph.nodes[node].name;
   const std::size_t digits = name.find_first_of("0123456789");
@@ -182,7 +182,7 @@ void add_loops(Report& report, const Solved& solved, const Ways& ways) {
   for (const ReportLoop& loop : loops) report.events.push_back({loop.time_s, "loop", "a loop is closed"});
 }
 
-/// The ways of several robots, in steps of equal time.
+/// Adds the paths of several robots, in steps of equal time.
 void add_paths(Report& report, const Solved& solved, const Ways& ways) {
   if (ways.all().size() < 2) return;
   for (const std::vector<NodeIndex>& way : ways.all()) {
@@ -197,7 +197,8 @@ void add_paths(Report& report, const Solved& solved, const Ways& ways) {
   }
 }
 
-/// The longest way is the track; a graph is solved at once, so that its beliefs are the settled poses.
+/// Makes the report. The longest path is the track. A graph is solved at once, so the believed poses are the
+/// final poses.
 Report report_of(const SlamScenario& scenario, const Solved& solved) {
   Report report = opened(scenario);
   const Ways ways(solved.input.graph);

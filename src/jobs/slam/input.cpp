@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The words of the first line that has some and is no comment.
+/// Returns the words of the first line that has some and is not a comment.
 std::vector<std::string> first_tokens(std::string_view text) {
   std::vector<std::string> words;
   bool comment = false;
@@ -35,7 +35,7 @@ std::vector<std::string> first_tokens(std::string_view text) {
   return words;
 }
 
-/// The file of that name beside another, plain or with ".gz"; empty when there is none.
+/// Returns the file of that name beside another, plain or with ".gz"; empty if there is none.
 std::string beside(const std::string& path, const std::string& name) {
   for (const char* ending : {"", ".gz"}) {
     const fs::path found = fs::path(path).parent_path() / (name + ending);

@@ -17,9 +17,9 @@ struct GraphInput {
 
 using SlamInput = std::variant<GraphInput, LandmarkLog, LaserLog>;
 
-/// A g2o or PyFG graph, or a landmark log: a Freiburg log with the map `truth` or "world.dat" beside it; an
-/// MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks beside it; a chain; a
-/// laser log of CARMEN.
+/// Loads a file of one of these kinds: a g2o or PyFG graph; a Freiburg log, with the map `truth` or
+/// "world.dat" beside it; an MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks
+/// beside it; a chain; a laser log of CARMEN.
 Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
                                    const CarmenOptions& carmen);
 

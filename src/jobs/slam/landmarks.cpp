@@ -19,7 +19,7 @@
 namespace outrider {
 namespace {
 
-constexpr double reach_m = 0.5;  // of a true place, to a landmark whose id means nothing
+constexpr double reach_m = 0.5;  // largest distance between a true place and a landmark with a meaningless id
 
 std::vector<Vec2> places(const std::vector<Pose2>& poses) {
   std::vector<Vec2> result;
@@ -36,7 +36,7 @@ std::string landmarks_csv(const LandmarkMap& map) {
   return text;
 }
 
-/// The true places in the frame of the map.
+/// Returns the true places in the frame of the map.
 std::map<std::int64_t, Vec2> truth_in_map(const LandmarkLog& log, const MapError& error) {
   std::map<std::int64_t, Vec2> result;
   if (error.landmarks == 0) return result;
@@ -57,7 +57,7 @@ double way_of(const LandmarkLog& log) {
   return way_m;
 }
 
-/// Records the report while the log is mapped, and shows it to the observer.
+/// Records the report during mapping and shows it to the observer.
 class Recorder {
  public:
   Recorder(const SlamScenario& scenario, const LandmarkLog& log, RunObserver* observer)
@@ -86,7 +86,7 @@ class Recorder {
     if (observer_ != nullptr && observer_->wants()) show(slam);
   }
 
-  /// The report as it stands once all is settled. Of landmarks that go by their ids, `truth` has true places.
+  /// Returns the final report. If landmarks are identified by id, `truth` has true places.
   Report settled(const LandmarkSlam& slam, const LandmarkMap& map, const std::map<std::int64_t, Vec2>& truth,
                  bool by_id) {
     if (observer_ != nullptr) show(slam);
@@ -95,7 +95,7 @@ class Recorder {
       if (by_id && truth.contains(landmark.id)) landmark.truth = truth.at(landmark.id);
       if (!by_id) landmark.truth = nearest(truth, landmark.position);
     }
-    std::vector<Pose2> poses = slam.trajectory();  // with those of a run before, and where this one began
+    std::vector<Pose2> poses = slam.trajectory();  // also those of an earlier run, and the start
     poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(log_.steps.size()));
     record_.settle(poses, {});
     return std::move(report_);
@@ -161,7 +161,7 @@ Outcome<LandmarkSlam> begin(const SlamJob& job, const LandmarkSlamOptions& optio
   return begun;
 }
 
-/// A robot that replays the log, without the ids where they are not to be used.
+/// Returns a robot that replays the log, without the ids if they must not be used.
 RecordedRobot replay_of(const LandmarkLog& log, bool unknown_ids) {
   std::vector<Observation> records;
   for (const LogStep& step : log.steps) {
@@ -176,7 +176,7 @@ RecordedRobot replay_of(const LandmarkLog& log, bool unknown_ids) {
   return RecordedRobot(std::move(records));
 }
 
-/// Maps the log; of one that is stopped the steps that were mapped are left.
+/// Maps the log. If the run is stopped, only the mapped steps remain in the log.
 Outcome<LandmarkMission> run_log(const SlamJob& job, const LandmarkSlamOptions& options, LandmarkLog& log,
                                  Recorder& recorder, const RunWatch& watch) {
   auto begun = begin(job, options, log.start);
@@ -212,7 +212,7 @@ LandmarkSlamOptions options_of(const SlamJob& job, const LandmarkLog& log) {
   return options;
 }
 
-/// A truth with two ids exchanged is set right.
+/// Corrects a truth in which two ids are exchanged.
 std::string undo_exchange(LandmarkLog& log, const LandmarkMap& map) {
   const auto exchanged = exchanged_ids(map, log.true_landmarks);
   if (!exchanged) return {};

@@ -14,10 +14,10 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_cells = 150'000;       // of the map in the report
-constexpr std::size_t most_shown_cells = 40'000;  // of the map that observers see
+constexpr std::size_t most_cells = 150'000;       // maximum size of the map in the report
+constexpr std::size_t most_shown_cells = 40'000;  // maximum size of the map shown to observers
 
-/// A scan a line: number, time (s), x, y (m), heading (rad).
+/// Returns one line per scan: number, time (s), x, y (m), heading (rad).
 std::string track_csv(const LaserLog& log, const std::vector<Pose2>& poses) {
   std::string text = "step,time,x,y,heading\n";
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
@@ -40,7 +40,7 @@ double way_of(const LaserLog& log) {
   return way_m;
 }
 
-/// Records the report while the log is mapped, and shows it to the observer.
+/// Records the report during mapping and shows it to the observer.
 class Recorder {
  public:
   Recorder(const SlamScenario& scenario, const LaserLog& log, RunObserver* observer)
@@ -65,7 +65,7 @@ class Recorder {
     if (observer_ != nullptr && observer_->wants()) show(slam);
   }
 
-  /// The report as it stands once all is settled.
+  /// Returns the final report.
   Report settled(const LaserRun& run) {
     if (observer_ != nullptr) show(run.slam);
     std::vector<Pose2> poses = run.slam.trajectory();

@@ -13,7 +13,7 @@ namespace {
 constexpr double size_px = 900.0;
 constexpr double legend_px = 34.0;
 
-/// The runs of cells of a kind, row by row from the top, as one path in units of cells.
+/// Returns the runs of cells of a kind, row by row from the top, as one path in units of cells.
 std::string runs(const Grid<std::uint8_t>& map, std::uint8_t kind) {
   std::string d;
   for (int y = map.frame.height - 1, row = 0; y >= 0; --y, ++row) {

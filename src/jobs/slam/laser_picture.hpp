@@ -1,4 +1,4 @@
-// An occupancy map with the track of the robot on it, drawn.
+// A picture of an occupancy map with the track of the robot.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace outrider {
 
-/// The smallest part of a map that has all known cells; one cell where there is none.
+/// Returns the smallest part of a map that contains all known cells; one cell if there are none.
 Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy);
 
-/// SVG: occupied and free cells, the track, and a reference of the same frame where there is one.
+/// Returns an SVG with occupied and free cells, the track, and a reference in the same frame if there is one.
 std::string to_svg(const Grid<std::uint8_t>& occupancy, const std::vector<Vec2>& track,
                    const std::vector<Vec2>& reference);
 

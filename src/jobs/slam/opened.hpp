@@ -13,20 +13,20 @@
 
 namespace outrider {
 
-/// Maps what was recorded. Each reports the numbers that docs/jobs/slam.md lists.
+/// Map a recording. Each reports the numbers that docs/jobs/slam.md lists.
 Outcome<Run> solve_graph(const SlamJob& job, GraphInput input, const RunWatch& watch);
 Outcome<Run> map_landmark_log(const SlamJob& job, LandmarkLog log, const RunWatch& watch);
 Outcome<Run> map_laser_log(const SlamJob& job, const LaserLog& log, const RunWatch& watch);
 
-/// A report of the job before anything has happened.
+/// Returns the initial report of the job.
 Report opened(const SlamScenario& scenario);
 
 using Metrics = std::vector<std::pair<std::string, double>>;
 
-/// The value, or NaN.
+/// Returns the value, or NaN if there is none.
 double known(const std::optional<double>& value);
 
-/// Puts the metrics before those that the report has; fills its bounds.
+/// Inserts the metrics before those of the report, and computes its bounds.
 void conclude(Report& report, Metrics metrics);
 
 }  // namespace outrider

@@ -15,7 +15,7 @@ constexpr double size_px = 860.0;
 constexpr double margin_px = 24.0;
 constexpr double legend_px = 34.0;
 
-/// World to picture: metres to pixels, y down.
+/// The transform from world to picture: metres to pixels, y down.
 struct View {
   Vec2 low;
   Vec2 high;
@@ -55,7 +55,7 @@ std::string lines(const View& view, const std::vector<std::vector<Vec2>>& tracks
   return d.empty() ? d : fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind, d);
 }
 
-/// The ellipse that holds 95 %, or a dot where it is smaller than one.
+/// Returns the 95 % ellipse, or a dot if it is smaller than one.
 std::string ellipse(const View& view, const LandmarkEstimate& landmark) {
   constexpr double share_95 = 5.991464547;  // of chi squared with 2 degrees of freedom
   const Eigen::Matrix2d& c = landmark.covariance;

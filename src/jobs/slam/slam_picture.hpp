@@ -1,4 +1,4 @@
-// A map of landmarks or a pose graph, drawn.
+// A picture of a map of landmarks or of a pose graph.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace outrider {
 
 struct SlamPicture {
   std::vector<std::vector<Vec2>> driven;    ///< estimated tracks
-  std::vector<std::vector<Vec2>> odometry;  ///< what odometry alone makes of them
-  std::vector<std::vector<Vec2>> loops;     ///< edges that join poses which do not follow each other
-  LandmarkMap landmarks;                    ///< with the ellipses that hold 95 %
+  std::vector<std::vector<Vec2>> odometry;  ///< the same tracks by odometry alone
+  std::vector<std::vector<Vec2>> loops;     ///< edges between poses that are not consecutive
+  LandmarkMap landmarks;                    ///< drawn with 95 % ellipses
   std::vector<Vec2> truth;                  ///< places of landmarks, in the frame of the estimate
 };
 
-/// SVG, of itself, on a light and a dark ground.
+/// Returns a self-contained SVG for light and dark backgrounds.
 std::string to_svg(const SlamPicture& picture);
 
 }  // namespace outrider

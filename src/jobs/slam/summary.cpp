@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-/// A line of a metric, where it is known.
+/// Returns a line with a metric, if it is known.
 std::string line(const Report& report, const char* name, const char* word, const char* sentence) {
   const double value = metric(report, name);
   if (!std::isfinite(value)) return {};

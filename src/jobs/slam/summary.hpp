@@ -1,4 +1,4 @@
-// A mapping from a log in words for people, from its report alone.
+// A summary of a mapping run in words, made from its report alone.
 #pragma once
 
 #include <string>

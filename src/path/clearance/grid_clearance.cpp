@@ -13,7 +13,7 @@ constexpr double far = 16.0;       // cells
 
 Vec2 centre(Cell v) { return {v.x + 0.5, v.y + 0.5}; }
 
-/// From x to the cell [column, column + 1].
+/// Returns the distance from x to the interval [column, column + 1].
 double apart(double x, int column) { return std::max({0.0, column - x, x - column - 1.0}); }
 
 /// The nearest blocked cell of one row, from the column at `inner` outwards on one side.

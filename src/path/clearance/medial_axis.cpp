@@ -13,8 +13,8 @@ namespace outrider {
 namespace {
 
 constexpr double most_weight_m = 1e6;
-constexpr double legs_keep = 0.999;      // of the clearance of the way
-constexpr double most_exposure = 0.125;  // between points of the way
+constexpr double legs_keep = 0.999;      // fraction of the clearance that legs keep
+constexpr double most_exposure = 0.125;  // largest exposure between points of the path
 constexpr double least_apart_m = 1e-9;
 constexpr int most_halvings = 40;
 
@@ -31,7 +31,7 @@ Status check_options(const MedialAxisOptions& options) {
   return {};
 }
 
-/// A way as points so close that legs between neighbours keep its clearance, with the cost up to each.
+/// A path as points so close that legs between neighbours keep its clearance, with the cost up to each point.
 struct PointsOfWay {
   const PolygonGround& ground;
   double weight_m;
@@ -69,7 +69,8 @@ PointsOfWay points_of(const std::vector<Bisector>& way, const PolygonGround& gro
   return fine;
 }
 
-/// Clearance grows by no more than one walks, and ends at the widest place: no path costs less.
+/// Returns a lower bound of the cost of any path: clearance grows by at most the distance moved, and is
+/// limited by that of the widest place.
 double least_cost(const MedialGraph& graph, Vec2 start, Vec2 goal, double weight_m) {
   const double length = distance(start, goal);
   const double from = graph.start.leg.apart, to = graph.goal.leg.apart;

@@ -10,15 +10,15 @@
 namespace outrider {
 namespace {
 
-constexpr double rounded = 1e-3;  // of the clearance, by which a computed place may miss the axis
+constexpr double rounded = 1e-3;  // most distance of a computed point from the axis / its clearance
 
-/// The axis of the ground last asked about.
+/// The axis of the ground of the last query.
 struct AxisMemory {
   std::shared_ptr<const PolygonGround> made_for;
   VoronoiEdges axis;
 };
 
-/// The nearest point of an edge, and whether it is one of its ends.
+/// The nearest point of an edge; tells if it is an end of the edge.
 struct Foot {
   Vec2 point;
   bool at_end = false;
@@ -32,8 +32,9 @@ Foot foot_on(const Segment& edge, Vec2 p) {
   return {edge.a + share * along, false};
 }
 
-/// How far from p along the unit vector `away`, in which the clearance grows from `near` by what one walks,
-/// the corner is as near; infinite where it never is.
+/// Returns the distance from p along the unit vector `away` at which the corner is as near as the present
+/// nearest feature, whose distance is `near` at p and grows by the distance moved. Infinite if that never
+/// happens.
 double until_corner(Vec2 p, Vec2 away, double near, Vec2 corner) {
   const Vec2 from = p - corner;
   const double gain = near - dot(away, from);
@@ -41,7 +42,7 @@ double until_corner(Vec2 p, Vec2 away, double near, Vec2 corner) {
   return gain > 1e-12 * near ? std::max(0.0, left) / (2.0 * gain) : std::numeric_limits<double>::infinity();
 }
 
-/// The same for the inner points of an edge.
+/// Does the same for the inner points of an edge.
 double until_edge(Vec2 p, Vec2 away, double near, const Segment& edge) {
   constexpr double never = std::numeric_limits<double>::infinity();
   Vec2 normal = (1.0 / distance(edge.a, edge.b)) * perpendicular(edge.b - edge.a);
@@ -52,7 +53,7 @@ double until_edge(Vec2 p, Vec2 away, double near, const Segment& edge) {
   return foot_on(edge, p + walk * away).at_end ? never : walk;
 }
 
-/// From p away from what is nearest, until something else is as near.
+/// Moves from p straight away from the nearest feature until another one is equally near.
 Bisector retraction(const PolygonGround& ground, Vec2 p) {
   const auto nearest =
       std::min_element(ground.edges.begin(), ground.edges.end(),
@@ -78,8 +79,7 @@ Bisector retraction(const PolygonGround& ground, Vec2 p) {
   return leg;
 }
 
-/// Makes a node of p, on the edge of the axis next to it, which is cut in two; on none that is not within the
-/// distance given.
+/// Makes p a node by splitting the nearest edge of the axis, unless that is farther than `within`.
 std::uint32_t cut_at(MedialGraph& graph, Vec2 p, double within) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -118,13 +118,13 @@ void list_incident(MedialGraph& graph) {
   }
 }
 
-/// What both searches share.
+/// The common part of both searches.
 struct AxisPolicy {
   using Cost = double;
 
   const MedialGraph& graph;
   const Labels<double>& labels;
-  double least_m;  ///< of the parts that are taken
+  double least_m;  ///< least clearance of the parts used
 
   [[nodiscard]] std::size_t states() const { return graph.nodes.size(); }
   [[nodiscard]] State start() const { return graph.start.joint; }
@@ -143,7 +143,7 @@ struct AxisPolicy {
   }
 };
 
-/// Of least loss, which is by how much the least clearance falls short of the widest place.
+/// Minimises the loss, the amount by which the least clearance is below that of the widest place.
 struct WidestPolicy : AxisPolicy {
   [[nodiscard]] static double estimate(State /*s*/) { return 0.0; }
 
@@ -172,7 +172,7 @@ struct ExposurePolicy : AxisPolicy {
   }
 };
 
-/// The part that the search took between two neighbours, in that direction.
+/// Returns the part of the axis that the search took between two neighbours, in that direction.
 template <class Value>
 Bisector taken(const MedialGraph& graph, State from, State to, double least_m, Value value) {
   Bisector best;

@@ -19,10 +19,11 @@ namespace {
 
 constexpr double most_weight_m = 1e6;
 
-/// On the lattice of half cells: where a move begins, its middle, where it ends.
+/// Lattice indices of the start, the middle and the end of a move.
 using Places = std::array<std::size_t, 3>;
 
-/// What both searches share: states and moves, with the clearance at a move's ends and middle.
+/// The common part of both searches: states and moves, with the clearance at the ends and the middle of a
+/// move.
 struct MovesPolicy {
   using Cost = double;
 
@@ -39,7 +40,8 @@ struct MovesPolicy {
   [[nodiscard]] static double priority(double g, double h) { return g + h; }
   static void settle(State /*s*/) {}
 
-  /// visit(v, the vertex that a legal move leads to, its three places) for each that is not closed.
+  /// Calls visit(v, vertex at the end of the move, its three places) for each legal move to a vertex that is
+  /// not closed.
   template <class Visit>
   void for_each_move(State s, Visit visit) {
     const Cell v = ground.at(s);
@@ -59,7 +61,7 @@ struct MovesPolicy {
   }
 };
 
-/// Of least loss, which is by how much the least clearance falls short of the widest place of the grid.
+/// Minimises the loss, the amount by which the least clearance is below that of the widest place of the grid.
 struct WidestPolicy : MovesPolicy {
   [[nodiscard]] static double estimate(State /*s*/) { return 0.0; }
 
@@ -76,7 +78,7 @@ struct WidestPolicy : MovesPolicy {
   }
 };
 
-/// Of least length + weight * exposure, in cells, over the moves that are wide enough.
+/// Minimises length + weight * exposure, in cells, over the moves that are wide enough.
 struct ExposurePolicy : MovesPolicy {
   double weight = 0.0;          ///< cells
   double kept_squared = 0.0;    ///< half cells
@@ -101,7 +103,7 @@ struct ExposurePolicy : MovesPolicy {
   }
 };
 
-/// The clearance of the ground last asked about.
+/// The clearance of the ground of the last query.
 struct ClearanceMemory {
   std::shared_ptr<const GridMap> made_for;
   GridClearance clearance;
@@ -143,7 +145,7 @@ Outcome<GridQuery> query_of(const Problem& problem) {
   return query;
 }
 
-/// Squared, in half cells, of the points that the path passes.
+/// Returns the least squared clearance of the points on the path, in half cells.
 std::uint32_t least_squared_of(const std::vector<State>& path, const GridMap& ground,
                                const GridClearance& clearance) {
   std::uint32_t least = clearance.squared[clearance.place(ground.at(path.front()))];
@@ -155,7 +157,7 @@ std::uint32_t least_squared_of(const std::vector<State>& path, const GridMap& gr
   return least;
 }
 
-/// The path with straight legs, in any direction, in place of runs of moves that cost as much at least.
+/// Replaces runs of moves by straight legs in any direction that cost no more.
 std::vector<State> straight_legs(const std::vector<State>& path, const ExposurePolicy& policy,
                                  PlanCounters& counters) {
   const auto does = [&](std::size_t i, std::size_t j) {
@@ -172,7 +174,7 @@ std::vector<State> straight_legs(const std::vector<State>& path, const ExposureP
   return kept;
 }
 
-/// The plan along those vertices, with what it costs.
+/// Returns the plan along those vertices, with its cost.
 Plan plan_of(const Problem& problem, const std::vector<Cell>& vertices, const GridClearance& clearance,
              double weight_m, double least_along_moves, const PlanCounters& counters) {
   Plan plan = plan_along(problem, vertices, 0.0, 0.0, counters);

@@ -1,4 +1,4 @@
-// Few legs in place of a fine path: which of its points to keep.
+// Straightening: selects the points of a fine path that a few straight legs may join.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,10 @@
 
 namespace outrider {
 
-/// The points, counted from 0, that legs may join, first and last among them; one point is itself.
-/// `does(i, j)` says whether the leg from point i may go straight to j > i + 1; the next point always will.
-/// From each the far end is tried, then half the way, and so on; what does, is stretched by bisection.
+/// Returns the indices of the selected points, including the first and the last; a path of one point stays
+/// unchanged. `does(i, j)` returns true if a straight leg may go from point i to j > i + 1; a leg to the next
+/// point is always allowed. From each point the function tries the last point, then half the distance, and so
+/// on; it then extends the successful leg by bisection.
 template <class Does>
 std::vector<std::size_t> straightened(std::size_t points, Does does) {
   std::vector<std::size_t> kept{0};

@@ -35,7 +35,7 @@ struct Lattice {
 using Point = Lattice::Point;
 using Edge = std::pair<Point, Point>;  // the lesser end first
 
-/// Twice the signed area of a, b, c: below 2^62, exact.
+/// Returns twice the signed area of a, b, c: below 2^62, exact.
 std::int64_t turn(Point a, Point b, Point c) {
   return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
          (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
@@ -47,7 +47,7 @@ bool boxes_meet(const Edge& s, const Edge& t) {
   return s.first.x <= t.second.x && t.first.x <= s.second.x && s_low <= t_high && t_low <= s_high;
 }
 
-/// Where the edges must be cut: at an end of one that lies on the other, or where they cross.
+/// Finds the points at which the edges must be cut: an end of one that lies on the other, or their crossing.
 void cut(const Edge& s, const Edge& t, std::vector<Point>& of_s, std::vector<Point>& of_t) {
   const std::int64_t t_first = turn(s.first, s.second, t.first), t_second = turn(s.first, s.second, t.second);
   const std::int64_t s_first = turn(t.first, t.second, s.first), s_second = turn(t.first, t.second, s.second);
@@ -70,7 +70,7 @@ void cut(const Edge& s, const Edge& t, std::vector<Point>& of_s, std::vector<Poi
   of_t.push_back(p);
 }
 
-/// The parts of an edge between cuts, which lie along it from its lesser end on.
+/// Adds the parts of an edge between its cuts, in order from its lesser end.
 void add_parts(const Edge& edge, std::vector<Point>& cuts, std::vector<Edge>& parts) {
   const auto along = [&](Point p) {
     return (static_cast<double>(p.x) - edge.first.x) * (static_cast<double>(edge.second.x) - edge.first.x) +
@@ -90,7 +90,7 @@ void sort_once(std::vector<Edge>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-/// Cuts edges at each other; false when there was nothing to cut.
+/// Cuts edges at each other; returns false if there was nothing to cut.
 bool cut_once(std::vector<Edge>& edges) {
   std::vector<std::vector<Point>> cuts(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -106,7 +106,7 @@ bool cut_once(std::vector<Edge>& edges) {
   return true;
 }
 
-/// All edges of the ground, cut so that they meet at ends alone.
+/// Returns all edges of the ground, cut so that they meet only at ends.
 std::vector<Edge> edges_of(const PolygonGround& ground, const Lattice& lattice) {
   std::vector<Edge> edges;
   for (const Segment& s : ground.edges) {
@@ -122,7 +122,7 @@ std::vector<Edge> edges_of(const PolygonGround& ground, const Lattice& lattice) 
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-/// The corner or the edge that a cell of the diagram belongs to.
+/// Returns the corner or the edge to which a cell of the diagram belongs.
 Feature feature_of(const Diagram::cell_type& cell, const std::vector<Edge>& edges, const Lattice& lattice) {
   const Edge& edge = edges[cell.source_index()];
   const Vec2 a = lattice.world(edge.first), b = lattice.world(edge.second);
@@ -131,7 +131,7 @@ Feature feature_of(const Diagram::cell_type& cell, const std::vector<Edge>& edge
   return first ? Feature{a, a} : Feature{b, b};
 }
 
-/// Whether some of it is free for the disk, or nearly so.
+/// Returns true if some part of it is free for the disk, or nearly so.
 bool is_free(const VoronoiEdge& edge, const PolygonGround& ground) {
   const Bisector& b = edge.bisector;
   const bool wide = std::max(b.clearance(b.u0), b.clearance(b.u1)) >= 0.999 * ground.radius_m;

@@ -1,10 +1,10 @@
-// The generalised Voronoi diagram of polygon ground: where two features are equally near.
+// The generalised Voronoi diagram of polygon ground: the points at which two features are equally near.
 //
-// Edges are cut where they cross or touch, with corners on a lattice of 2^30 steps across the map, by
-// rounding the crossings to it until none is left (iterated snap rounding, Halperin and Packer 2002); then
-// Boost.Polygon finds the diagram, with exact predicates in whole numbers. So the diagram is that of polygons
-// whose corners are off by at most `step_m`; an edge that was cut may bend there by a step, and have a branch
-// of the diagram that leads straight away from the bend. O(n^2) pairs of edges, and O(n log n).
+// Edges are cut where they cross or touch. Corners lie on a lattice of 2^30 steps across the map, and
+// crossings are rounded to it until none is left (iterated snap rounding, Halperin and Packer 2002).
+// Boost.Polygon then computes the diagram with exact integer predicates. So the result is the diagram of
+// polygons whose corners are off by at most `step_m`; an edge that was cut may bend there by a step, and the
+// diagram may have a branch that leads straight away from the bend. O(n^2) pairs of edges, and O(n log n).
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ struct VoronoiEdge {
   Bisector bisector;
 };
 
-/// What lies on free ground.
+/// The part of the diagram on free ground.
 struct VoronoiEdges {
-  double step_m = 0.0;  ///< of the lattice
+  double step_m = 0.0;  ///< step of the lattice
   std::vector<Vec2> nodes;
   std::vector<VoronoiEdge> edges;
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int longest_side = 32766;  // with the border still within squared_clearance()
 
-/// The occupied cells and all eight around each, in a grid with a border of one occupied cell.
+/// Returns the occupied cells and the eight cells around each, in a grid with a border of one occupied cell.
 Grid<std::uint8_t> grown_by_a_cell(const Grid<std::uint8_t>& occupied) {
   GridFrame frame = occupied.frame;
   frame.width += 2;

@@ -1,4 +1,4 @@
-// How what was made for one grid follows the next one.
+// Updates of what was computed for one grid to the next grid.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace outrider {
 
-/// Calls `make()` for a first or a very different ground, `change(cells)` when few cells differ from those
-/// of the ground it was made for, and nothing when it is the same one. `made_for` is kept alive, because it
-/// is what the next ground is compared with: so any ground can follow any other, whoever made it.
+/// Calls `make()` for a first or very different ground, `change(cells)` if few cells differ from the ground
+/// for which the object was made, and nothing if the ground is the same. `made_for` keeps that ground alive,
+/// because the next ground is compared with it; so any ground can follow any other.
 template <class Make, class Change>
 void follow(std::shared_ptr<const GridMap>& made_for, const std::shared_ptr<const GridMap>& now, Make make,
             Change change) {

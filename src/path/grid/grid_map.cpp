@@ -9,7 +9,8 @@
 namespace outrider {
 namespace {
 
-/// The legal moves from a vertex: `free(dx, dy)` says whether the cell at that offset from v is free.
+/// Returns the legal moves from a vertex. `free(dx, dy)` returns true if the cell at that offset from v is
+/// free.
 template <class Free>
 std::uint8_t moves_between_centres(Free free) {
   unsigned mask = 0;
@@ -34,7 +35,7 @@ bool pinched(Free free) {
   return free(0, 0) == free(-1, -1) && free(-1, 0) == free(0, -1) && free(0, 0) != free(-1, 0);
 }
 
-/// Moves and marks of a vertex, by the cells around it.
+/// Sets the moves and marks of a vertex from the cells around it.
 void set_vertex(GridMap& ground, Cell v) {
   const std::uint32_t at = ground.index(v);
   const auto free = [&](int dx, int dy) {
@@ -48,7 +49,7 @@ void set_vertex(GridMap& ground, Cell v) {
   ground.marks[at] = static_cast<std::uint8_t>(mark);
 }
 
-/// The vertices from `low` to `high`, as far as the grid has them.
+/// Sets the vertices from `low` to `high` that are in the grid.
 void set_vertices(GridMap& ground, Cell low, Cell high) {
   const int more = ground.model == GridModel::corners ? 1 : 0;
   const Cell last{std::min(high.x, ground.frame.width - 1 + more),

@@ -9,16 +9,16 @@ namespace jump {
 namespace {
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the map
+  std::shared_ptr<const GridMap> ground;  ///< ground of the map
   Map map;
   Frontier frontier;
 };
 
-/// The lines along one of the two straight directions of a diagonal run: three windows move with it.
+/// The lines along one of the two straight directions of a diagonal run, with three moving windows of bits.
 struct Side {
   const std::uint64_t* line;  // through the present cell
   std::ptrdiff_t step;        // to the line of the next cell
-  std::int32_t position;      // of the first bit of the windows
+  std::int32_t position;      // position of the first bit of the windows
   std::uint64_t blocked, ahead, ends_behind = 0, ends_here, ends_ahead;
 
   Side(const Map& map, unsigned d, Cell c, bool up)
@@ -38,16 +38,16 @@ struct Side {
     ahead = window(line + step, position);
     ends_ahead = ends(ahead);
   }
-  /// True when the diagonal step to bit i of the next line meets a blocked cell.
+  /// Returns true if the diagonal step to bit i of the next line meets a blocked cell.
   [[nodiscard]] bool bars(unsigned i) const {
     return (((blocked >> i) & 1U) | ((ahead >> (i - 1)) & 3U)) != 0;
   }
-  /// Where the run straight on from bit i stops in the windows; 0 when it does not.
+  /// Finds where the straight run from bit i stops within the windows; 0 if it does not.
   [[nodiscard]] std::uint64_t stop(unsigned i) const {
     const std::uint64_t stops = (ends_behind | ends_ahead | blocked) & (~std::uint64_t{1} << i);
     return stops & (~stops + 1);
   }
-  /// The sides on which a turn is forced at a stop.
+  /// Returns the sides on which a turn is forced at a stop.
   [[nodiscard]] unsigned sides(std::uint64_t stop) const {
     const unsigned behind = step > 0 ? lower : higher;
     return ((ends_behind & stop) != 0 ? behind : 0U) |
@@ -80,7 +80,7 @@ class Expansion {
   }
 
  private:
-  /// The straight run from a cell; `ahead` cells of it are known to be free and without a turn.
+  /// Follows the straight run from a cell; `ahead` cells of it are known to be free and without a turn.
   void run(Cell c, unsigned d, std::int32_t ahead = 0) {
     const std::int32_t p = map_.position(d, c);
     const Stop stop = scan(map_.line(d, c), map_.lines[d].stride, p + ahead);
@@ -94,7 +94,7 @@ class Expansion {
     if (stop.sides != 0) frontier_.reach(id_, map_.cell(d, c, stop.position), d, stop.sides);
   }
 
-  /// The straight run from a cell of a diagonal, of which bit i of the windows stands for the cell.
+  /// Follows the straight run from a cell of a diagonal; bit i of the windows is that cell.
   void run(const Side& side, unsigned i, Cell c, unsigned d) {
     const std::uint64_t stop = side.stop(i);
     if ((stop & side.blocked) != 0) return;

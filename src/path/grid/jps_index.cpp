@@ -9,18 +9,19 @@ namespace {
 
 constexpr unsigned opposite(unsigned direction) { return (direction + 2) & 3U; }
 
-/// From the distance of the next cell on the way, and whether the run stops there.
+/// Returns the distance of a cell from that of the next cell on the run; `stops` tells if the run stops
+/// there.
 std::int16_t longer(bool stops, std::int16_t next) {
   if (stops) return 1;
   return static_cast<std::int16_t>(next > 0 ? next + 1 : next - 1);
 }
 
-/// The straight moves of a diagonal one.
+/// Returns the two straight components of a diagonal move.
 constexpr std::array<unsigned, 2> parts_of(unsigned diagonal) {
   return {diagonal == 4 || diagonal == 7 ? east : west, diagonal < 6 ? north : south};
 }
 
-/// Whether a run that arrives at v by that move has come to its end.
+/// Returns true if a run that arrives at v by that move ends there.
 bool stops_at(const GridMap& ground, const std::vector<Distances>& distances, unsigned move, std::size_t v) {
   if (move < 4) return forced_sides(ground.moves[v], move) != 0;
   const auto [h, up] = parts_of(move);
@@ -31,7 +32,7 @@ std::ptrdiff_t step_of(const GridMap& ground, unsigned move) {
   return grid_moves[move].y * static_cast<std::ptrdiff_t>(ground.stride) + grid_moves[move].x;
 }
 
-/// Fills the distance of one move for all cells, from the far end of each run on.
+/// Computes the distances of one move for all cells, starting at the far end of each run.
 void fill(const GridMap& ground, unsigned move, std::vector<Distances>& distances) {
   const Cell d = grid_moves[move];
   const int width = ground.frame.width, height = ground.frame.height;
@@ -54,7 +55,7 @@ void sort_once(Vertices& vertices) {
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 }
 
-/// The vertices whose moves depend on the cells.
+/// Returns the vertices whose moves depend on the cells.
 Vertices vertices_around(const GridMap& ground, const std::vector<Cell>& cells) {
   Vertices around;
   for (const Cell c : cells) {
@@ -68,13 +69,14 @@ Vertices vertices_around(const GridMap& ground, const std::vector<Cell>& cells) 
   return around;
 }
 
-/// Corrects the distances of one move. They may be wrong at `causes` and at the vertex before each, and
-/// from there back as long as one changes. Says where a run that led to a turn no longer does, or now does.
+/// Corrects the distances of one move. They may be wrong at `causes` and at the vertex before each, and from
+/// there backwards as long as values change. Returns the vertices at which a run starts or ceases to lead to
+/// a turn.
 Vertices walk_back(const GridMap& ground, unsigned move, const Vertices& causes,
                    std::vector<Distances>& distances) {
   Vertices turned;
   const std::ptrdiff_t step = step_of(ground, move);
-  const auto correct = [&](std::size_t v) {  // whether it was wrong
+  const auto correct = [&](std::size_t v) {  // returns true if it was wrong
     const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(v) + step);
     const bool legal = ((ground.moves[v] >> move) & 1U) != 0;
     const std::int16_t was = distances[v][move];

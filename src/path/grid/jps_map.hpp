@@ -1,9 +1,9 @@
 // A grid as bits, for jump point search.
 //
-// Four copies, one for each straight direction, so that every straight move runs along a line of bits
-// towards the higher ones: rows to the east, rows backwards to the west, columns to the north, columns
-// backwards to the south. Cells are counted from the border around the grid, which is blocked; so
-// are all bits after it. Half a byte a cell.
+// There are four copies, one for each straight direction, so that every straight move runs along a line of
+// bits towards the higher ones: rows to the east, reversed rows to the west, columns to the north, reversed
+// columns to the south. Cells are counted from the border around the grid. The border is blocked, and so are
+// all bits after it. Half a byte per cell.
 #pragma once
 
 #include <array>
@@ -30,23 +30,24 @@ constexpr Direction side_of(unsigned d, unsigned side) {
 
 struct Lines {
   std::vector<std::uint64_t> bits;  ///< 1 where blocked
-  std::ptrdiff_t stride = 0;        ///< words of a line
+  std::ptrdiff_t stride = 0;        ///< length of a line in words
 };
 
-/// Where a run along a line ends, and the sides on which a turn is forced there.
+/// The cell at which a run along a line ends, and the sides on which a turn is forced there.
 struct Stop {
   std::int32_t position = 0;
   std::uint8_t sides = 0;  ///< 0: the cell is blocked
 };
 
-/// 64 bits of a line from a position on.
+/// Returns 64 bits of a line from a position on.
 inline std::uint64_t window(const std::uint64_t* line, std::int32_t position) {
   const std::uint64_t* word = line + (position >> 6);
   const auto shift = static_cast<unsigned>(position & 63);
   return (word[0] >> shift) | ((word[1] << 1U) << (63U - shift));
 }
 
-/// The cells beside which a blocked stretch of this line has just ended: a turn to it is forced there.
+/// Returns the cells beside which a blocked stretch of this line has just ended: a turn towards this line is
+/// forced there.
 inline std::uint64_t ends(std::uint64_t blocked) { return (blocked << 1U) & ~blocked; }
 
 struct Map {
@@ -61,7 +62,7 @@ struct Map {
     if (d < west) return horizontal(d) ? c.x : c.y;
     return horizontal(d) ? width - 1 - c.x : height - 1 - c.y;
   }
-  /// The cell at a position of the line through c.
+  /// Returns the cell at a position of the line through c.
   [[nodiscard]] Cell cell(unsigned d, Cell c, std::int32_t p) const {
     if (d == east) return {p, c.y};
     if (d == north) return {c.x, p};
@@ -69,13 +70,13 @@ struct Map {
   }
 };
 
-/// O(cells).
+/// Makes the map of a ground. O(cells).
 Map map_of(const GridMap& ground);
 
-/// Writes the changed cells of the ground down again. O(changed).
+/// Updates the changed cells of the ground. O(changed).
 void rewrite(Map& map, const GridMap& ground, const std::vector<Cell>& changed);
 
-/// The first cell behind `position` that is blocked or at which a turn is forced. O(cells / 64).
+/// Returns the first cell after `position` that is blocked or at which a turn is forced. O(cells / 64).
 inline Stop scan(const std::uint64_t* line, std::ptrdiff_t stride, std::int32_t position) {
   for (;; position += 63) {
     const std::uint64_t low = ends(window(line - stride, position));

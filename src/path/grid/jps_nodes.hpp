@@ -1,7 +1,7 @@
-// The jump points that a search has met, numbered as they are met, and found by their cell.
+// The jump points that a search has reached, numbered in the order of discovery and found by their cell.
 //
-// A table of open addresses, as large as the search needs and not as the grid, so that a short search
-// stays in the nearest cache. Its order shows in no result. O(1) expected.
+// A hash table with open addressing, whose size depends on the search instead of the grid, so that a short
+// search stays in the nearest cache. Its order does not affect results. O(1) expected.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,11 @@ struct JumpNode {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   Cell cell;
-  std::uint32_t parent = none;  ///< of the start: itself
+  std::uint32_t parent = none;  ///< for the start: itself
   Octile g;
   double length = 0.0;         ///< value of g
-  std::uint8_t direction = 0;  ///< of arrival
-  std::uint8_t sides = 0;      ///< on which a turn is forced
+  std::uint8_t direction = 0;  ///< direction of arrival
+  std::uint8_t sides = 0;      ///< sides on which a turn is forced
   bool closed = false;
 };
 
@@ -34,7 +34,7 @@ class Nodes {
   JumpNode& operator[](std::uint32_t id) { return nodes_[id]; }
   const JumpNode& operator[](std::uint32_t id) const { return nodes_[id]; }
 
-  /// The node of a cell; a new one has no parent.
+  /// Returns the node of a cell; a new one has no parent.
   std::uint32_t find_or_add(Cell c) {
     std::size_t slot = slot_of(c);
     for (; slots_[slot] != JumpNode::none; slot = (slot + 1) & (slots_.size() - 1)) {

@@ -11,7 +11,7 @@ namespace jump {
 namespace {
 
 struct IndexedMemory {
-  std::shared_ptr<const GridMap> ground;  ///< of the distances
+  std::shared_ptr<const GridMap> ground;  ///< ground of the distances
   std::vector<Distances> distances;
   Frontier frontier;
 };
@@ -44,7 +44,8 @@ class IndexedExpansion {
   }
 
  private:
-  /// The goal when it lies on the straight run from c, else where the run stops at a turn.
+  /// Reaches the goal if it lies on the straight run from the cell, otherwise the cell at which the run stops
+  /// at a turn.
   void run(unsigned d) {
     const int length = distances_[at_][d];
     if (!run_to_goal(from_, d, length) && length > 0) reach(from_, d, length);

@@ -1,7 +1,7 @@
-// The open list of jump point search: a heap of four children, and the first entry kept outside of it.
+// The open list of jump point search: a heap with four children per node, and the first entry outside of it.
 //
-// An expansion often finds the very node that is to be expanded next; that one never enters the heap.
-// Order: least f, then largest g (to 1/4096 cell), then the node met first.
+// An expansion often finds the node that is expanded next; that node never enters the heap. Order: least f,
+// then largest g (to 1/4096 cell), then the node discovered first.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace outrider::jump {
 
 struct QueueEntry {
-  std::uint64_t f_bits = 0;  ///< of f as a double, which is not negative: ordered as f is
+  std::uint64_t f_bits = 0;  ///< bits of f >= 0 as a double; they have the order of f
   std::uint64_t tie = 0;     ///< 38 bits of g, complemented, over 26 bits of the node
 
   [[nodiscard]] double f() const { return std::bit_cast<double>(f_bits); }
@@ -25,7 +25,7 @@ inline QueueEntry entry(double f, double g, std::uint32_t node) {
   return {std::bit_cast<std::uint64_t>(f), ((most - static_cast<std::uint64_t>(g * 4096.0)) << 26U) | node};
 }
 
-/// Without a branch, which no processor could foresee.
+/// Compares without a branch, because a processor could not predict it.
 inline bool before(const QueueEntry& a, const QueueEntry& b) {
   return ((a.f_bits < b.f_bits) | ((a.f_bits == b.f_bits) & (a.tie < b.tie))) != 0;
 }
@@ -46,7 +46,7 @@ class Queue {
     }
     rise(added);
   }
-  /// Takes the first entry out; false when there is none.
+  /// Removes the first entry; returns false if there is none.
   bool pop(QueueEntry& first) {
     if (has_first_) {
       first = first_;
@@ -75,7 +75,7 @@ class Queue {
     }
     heap_[hole] = added;
   }
-  /// Puts an entry in the place of the first.
+  /// Replaces the first entry.
   void sink(const QueueEntry& last) {
     std::size_t hole = 0;
     for (;;) {

@@ -1,7 +1,7 @@
-// What jump point search shares with its indexed form: the jump points reached, and which is next.
+// The common part of jump point search with and without an index: the reached jump points and their queue.
 //
-// Between a jump point and its parent the way runs along one diagonal and then straight, so its length
-// is the octile distance of the two.
+// Between a jump point and its parent the path runs along one diagonal and then straight, so its length is
+// the octile distance of the two.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct Frontier {
   Nodes nodes;
   Queue queue;
   Cell goal;          ///< counted from the border, as all cells here
-  double most = 0.0;  ///< cost of the best way to the goal so far
+  double most = 0.0;  ///< cost of the best path to the goal so far
   std::uint64_t generated = 0;
   const GridMap* ground = nullptr;
   Trace* trace = nullptr;
@@ -29,7 +29,7 @@ struct Frontier {
 
   void begin(const GridQuery& query, Trace* told);
 
-  /// The first node that is not closed yet; false when there is none.
+  /// Removes the first node that is not closed yet; returns false if there is none.
   bool pop(QueueEntry& first) {
     while (queue.pop(first)) {
       if (!nodes[first.node()].closed) return true;
@@ -37,7 +37,7 @@ struct Frontier {
     return false;
   }
 
-  /// A way from a node to c, where it arrives in that direction.
+  /// Reaches c from a node, arriving in that direction.
   void reach(std::uint32_t from, Cell c, unsigned direction, unsigned sides) {
     ++generated;
     const std::uint32_t id = nodes.find_or_add(c);
@@ -56,10 +56,10 @@ struct Frontier {
   }
 };
 
-/// The plan that ends at a node.
+/// Returns the plan that ends at a node.
 Plan plan_to(std::uint32_t last, const Frontier& frontier, const Problem& problem, std::uint64_t expansions);
 
-/// The search: `expand(node)` reaches for the next jump points.
+/// Runs the search; `expand(node)` reaches the next jump points.
 template <class Expand>
 Outcome<Plan> search(const Problem& problem, const GridQuery& query, Frontier& frontier, const Budget& budget,
                      Trace* trace, Expand expand) {

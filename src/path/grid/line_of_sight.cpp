@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint8_t blocked_bit = GridMap::blocked_bit;
 
-/// From centre to centre: every cell on the way, and both beside a corner that is passed exactly.
+/// Tests a leg between centres: every cell on it, and both cells beside a corner that it passes exactly.
 bool visible_between_centres(const GridMap& ground, Cell from, Cell to) {
   const std::int64_t dx = std::abs(to.x - from.x), dy = std::abs(to.y - from.y);
   const std::ptrdiff_t step_x = to.x > from.x ? 1 : -1;
@@ -33,7 +33,8 @@ bool visible_between_centres(const GridMap& ground, Cell from, Cell to) {
   return (seen & blocked_bit) == 0;
 }
 
-/// Along a line of the lattice: each side of a cell on it needs a free cell, and no pinch between.
+/// Tests a leg along a lattice line: each unit needs a free cell on one side, and there is no pinch between
+/// the ends.
 bool visible_along_border(const GridMap& ground, Cell from, std::ptrdiff_t step, std::ptrdiff_t beside,
                           int count, bool upwards) {
   const std::uint8_t* vertex = ground.marks.data() + ground.index(from);
@@ -45,7 +46,8 @@ bool visible_along_border(const GridMap& ground, Cell from, std::ptrdiff_t step,
   return true;
 }
 
-/// From corner to corner off the lattice lines: every cell that is crossed, and no pinch between.
+/// Tests a leg between corners that is not along a lattice line: every cell that it crosses, and no pinch
+/// between the ends.
 bool visible_between_corners(const GridMap& ground, Cell from, Cell to) {
   const std::int64_t dx = std::abs(to.x - from.x), dy = std::abs(to.y - from.y);
   const bool right = to.x > from.x, up = to.y > from.y;

@@ -22,7 +22,7 @@ struct Octile {
   friend bool operator<(Octile a, Octile b) { return a.value() < b.value(); }
 };
 
-/// The least length between two vertices where nothing stands in the way.
+/// Returns the length of a shortest path between two vertices without obstacles.
 inline Octile octile_distance(Cell a, Cell b) {
   const int dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
   return {std::abs(dx - dy), std::min(dx, dy)};

@@ -47,7 +47,7 @@ struct OctilePolicy {
   }
 };
 
-/// Without an estimate; done when all that is wanted is closed.
+/// Searches without a heuristic until all wanted states are closed.
 struct ManyGoalsPolicy : OctilePolicy {
   std::vector<std::uint8_t>& wanted;  // by state
   std::size_t waiting;
@@ -56,7 +56,7 @@ struct ManyGoalsPolicy : OctilePolicy {
   [[nodiscard]] bool is_goal(State s) { return wanted[s] != 0 && --waiting == 0; }
 };
 
-/// Kept between queries, all 0.
+/// Memory kept between queries; all values are 0.
 struct WantedMemory {
   std::vector<std::uint8_t> of_state;
 };

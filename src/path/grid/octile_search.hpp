@@ -7,11 +7,12 @@
 
 namespace outrider {
 
-/// Weight 0 is Dijkstra, 1 is A*, more is weighted A*. The lower bound is cost / max(1, weight).
+/// Plans a path. Weight 0 is Dijkstra, 1 is A*, more is weighted A*. The lower bound is cost / max(1,
+/// weight).
 Outcome<Plan> octile_search(const Problem& problem, double weight, const Budget& budget,
                             Workspace& workspace);
 
-/// From the start of the problem to each of the goals, in one search of weight 0.
+/// Plans from the start of the problem to each of the goals, in one search of weight 0.
 std::vector<Outcome<Plan>> octile_search_many(const Problem& problem, const std::vector<Vec2>& goals,
                                               const Budget& budget, Workspace& workspace);
 

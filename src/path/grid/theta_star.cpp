@@ -16,7 +16,7 @@ double straight_distance(Cell a, Cell b) {
   return std::sqrt(dx * dx + dy * dy);  // the sum is exact
 }
 
-/// What both forms share; costs in cells.
+/// The common part of both forms; costs are in cells.
 struct FreeDirectionPolicy {
   using Cost = double;
 
@@ -38,11 +38,11 @@ struct FreeDirectionPolicy {
     ++counters.line_of_sight_checks;
     return visible(ground, a, b);
   }
-  /// A path may go on from s: everywhere but at a pinch other than the start.
+  /// Returns true if a path may continue from s: everywhere except at a pinch other than the start.
   [[nodiscard]] bool passable(State s) const {
     return (ground.marks[s] & GridMap::pinch_bit) == 0 || s == first;
   }
-  /// visit(neighbour's state, its vertex, length of the move) for every legal move from s.
+  /// Calls visit(neighbour's state, its vertex, length of the move) for every legal move from s.
   template <class Visit>
   void for_each_move(State s, Visit visit) {
     const Cell v = ground.at(s);
@@ -75,7 +75,7 @@ struct ThetaPolicy : FreeDirectionPolicy {
 };
 
 struct LazyThetaPolicy : FreeDirectionPolicy {
-  /// Keeps the parent if it is seen; else takes the closed neighbour with the shortest way to s.
+  /// Keeps the parent if it is visible; otherwise takes the closed neighbour with the shortest path to s.
   void settle(State s) {
     const State parent = labels.parent(s);
     if (parent == s || sees(ground.at(parent), ground.at(s))) return;

@@ -16,24 +16,25 @@ struct Index {
   std::vector<Cell> turns;
   HubTrees trees;
   std::vector<TileRow> rows;
-  std::uint64_t work = 0;          ///< of its making, in expansions of polyanya
-  std::uint64_t work_of_mesh = 0;  ///< of the mesh of polyanya
+  std::uint64_t work = 0;          ///< work of building it, in expansions of polyanya
+  std::uint64_t work_of_mesh = 0;  ///< work of building the mesh of polyanya
 };
 
-constexpr std::size_t most_turns = 65535;  // that an entry of a list can name
+constexpr std::size_t most_turns = 65535;  // limit of the turn index in a list entry
 
 // Work in expansions of polyanya, from measured times; a side is one of the mesh that polyanya makes first.
 constexpr std::uint64_t looks_an_expansion = 16, expansions_a_node = 4, expansions_a_side = 2;
 
-/// About as many expansions as take the time of the index: of its graph and trees by their nodes, of its
-/// lists by what they looked at.
+/// Returns the number of expansions of polyanya that take about as long as building the index: graph and
+/// trees by their nodes, lists by the entries visited.
 std::uint64_t work_of(const Index& index) {
   std::uint64_t looks = 0;
   for (const TileRow& row : index.rows) looks += row.work;
   return expansions_a_node * index.trees.nodes.size() + looks / looks_an_expansion;
 }
 
-/// Nothing when its hubs do not fit into half of `most_bytes`, or when `stop` asks for it.
+/// Builds the index. Returns nothing if its hubs do not fit into half of `most_bytes`, or if `stop` is
+/// requested.
 std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_bytes,
                                       const std::stop_token& stop) {
   constexpr std::size_t of_a_node =
@@ -57,14 +58,14 @@ std::unique_ptr<const Index> index_of(const GridMap& ground, std::size_t most_by
 }
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the index
+  std::shared_ptr<const GridMap> ground;  ///< ground of the index
   std::int64_t index_mib = 0;
   std::unique_ptr<const Index> index;    ///< none when it would be too large
-  std::shared_ptr<const GridMap> asked;  ///< the last one; as `ground` but for a few cells
-  bool changed = false;                  ///< a few differ
-  bool searched = false;                 ///< by polyanya, which has made a mesh of it
+  std::shared_ptr<const GridMap> asked;  ///< ground of the last query; differs from `ground` in few cells
+  bool changed = false;                  ///< some cells differ
+  bool searched = false;                 ///< polyanya has been used and has built its mesh
   std::vector<CellBox> freed;            ///< blocked in `ground`, free in `asked`
-  std::uint64_t spent = 0;               ///< by polyanya on changed grounds, in expansions
+  std::uint64_t spent = 0;               ///< work of polyanya on changed grounds, in expansions
   std::vector<Cell> way;
 
   void renew(const std::shared_ptr<const GridMap>& now, std::int64_t mib, const std::stop_token& stop) {
@@ -74,7 +75,7 @@ struct Memory {
     make(now, mib, stop);
   }
 
-  /// False when too many cells differ.
+  /// Compares the grounds; returns false if too many cells differ.
   bool compare(const std::shared_ptr<const GridMap>& now) {
     const auto cells = cells_changed(*ground, *now, now->frame.size() / 32);
     if (!cells) return false;
@@ -103,7 +104,7 @@ struct Memory {
   [[nodiscard]] bool lists(Cell corner) const { return !row_of(corner).tiles.empty(); }
 };
 
-/// The list of a tile as one of its corners reads it.
+/// The list of a tile, read by one of its corners.
 struct Reading {
   Reading(const TileList& list, Cell of)
       : next(list.entries.data()),
@@ -112,7 +113,7 @@ struct Reading {
         corner(of),
         bit(corner_bit(of)) {}
   [[nodiscard]] bool mine() const { return (next->corners & bit) != 0; }
-  /// To the hub, cells.
+  /// Returns the distance to the hub, cells.
   [[nodiscard]] double distance() const {
     return length_between(corner, turns[next->turn]) + static_cast<double>(next->beyond);
   }
@@ -130,7 +131,7 @@ double length_of(const std::vector<Cell>& way) {
   return length;
 }
 
-/// Where the two halves of a way meet: nodes of the same hub.
+/// The point at which the two halves of a path meet: nodes of the same hub.
 struct Meeting {
   double length = std::numeric_limits<double>::infinity();
   std::uint32_t start_node = 0, goal_node = 0;
@@ -141,7 +142,7 @@ class Query {
   Query(Memory& memory, Cell start, Cell goal)
       : memory_(memory), nodes_(memory.index->trees.nodes), start_(start), goal_(goal) {}
 
-  /// The shortest way that turns, with both ends; false when there is none.
+  /// Finds the shortest path that turns, including both ends; returns false if there is none.
   bool find_way() {
     const Meeting meeting = best_meeting();
     if (!(meeting.length < std::numeric_limits<double>::infinity())) return false;
@@ -167,7 +168,8 @@ class Query {
     return meeting;
   }
 
-  /// Distances in the lists are rounded: those that come near the least are reckoned anew.
+  /// Finds the best meeting. Distances in the lists are rounded, so those close to the least are computed
+  /// again.
   Meeting best_meeting() {
     constexpr double rounding = 1.0 + 4.0 * std::numeric_limits<float>::epsilon();
     Reading from(memory_.row_of(start_).at(start_.x), start_);
@@ -198,7 +200,7 @@ class Query {
 
 enum class Answer { way, no_path, unknown };
 
-/// What the index proves on the ground that is asked about; the way in memory.way.
+/// Answers a query as far as the index proves an answer on the present ground; the path is in memory.way.
 Answer look_up(Memory& memory, Cell start, Cell goal) {
   std::vector<Cell>& way = memory.way;
   way.assign(1, start);
@@ -216,7 +218,7 @@ Answer look_up(Memory& memory, Cell start, Cell goal) {
   return shortest && legal_way(*memory.asked, way) ? Answer::way : Answer::unknown;
 }
 
-/// By polyanya; on a changed ground its work counts towards the next index.
+/// Answers by polyanya; on a changed ground its work counts towards the next index.
 Outcome<Plan> search_instead(const Problem& problem, const Budget& budget, Workspace& workspace,
                              Memory& memory) {
   auto plan = polyanya(problem, {}, budget, workspace);

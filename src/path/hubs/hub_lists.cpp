@@ -18,9 +18,9 @@ class ListMaker {
  public:
   ListMaker(const GridMap& ground, const NavigationMesh& mesh, const HubTrees& trees);
   void add(Cell corner);
-  /// Of the corners added since the last list; valid until the next one.
+  /// Returns the list of the corners added since the last list; it is valid until the next one.
   TileList list();
-  /// Labels and turns looked at so far.
+  /// Returns the number of labels and turns visited so far.
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
@@ -87,7 +87,7 @@ void ListMaker::gather(Cell corner) {
   }
 }
 
-/// An earlier hub lies on a way as short: for neighbours it is mostly the same one.
+/// Returns true if an earlier hub lies on a path as short. Neighbouring corners mostly share this hub.
 bool ListMaker::known(std::uint32_t hub) {
   const double enough = ways_[hub].distance * (1.0 + equal_within);
   const auto shortens = [&](const HubTrees::HubLabel& label) {

@@ -45,7 +45,7 @@ class Growth {
     open_.emplace(distance, turn);
   }
 
-  /// An earlier hub tells that distance.
+  /// Returns true if an earlier hub yields that distance.
   [[nodiscard]] bool known(std::uint32_t turn, double distance) const {
     const double enough = distance * (1.0 + equal_within);
     for (const HubTrees::HubLabel& label : trees_.labels[turn]) {
@@ -72,7 +72,7 @@ class Growth {
   std::priority_queue<HubEntry, std::vector<HubEntry>, std::greater<>> open_;
 };
 
-/// In fans, for those who come to a turn.
+/// Adds the departures, sorted into fans for paths that arrive at a turn.
 void add_departures(HubTrees& trees, const NavigationMesh& mesh) {
   trees.departures.resize(trees.labels.size());
   parallel_for(trees.labels.size(), [&](std::size_t turn) {

@@ -1,11 +1,13 @@
-// Hub labels of the turns: trees of shortest paths round each hub, pruned where earlier hubs tell the
+// Hub labels of the turns: trees of shortest paths around each hub, pruned where earlier hubs yield the
 // distance.
 //
-// Every turn is a hub, the most important first. The label of a turn names the trees that it is in; any two
-// joined turns share one whose hub lies on a shortest path between them. A node knows the next one towards
-// its hub, so that paths are had by following nodes. Thread rule: read only once made. Sources: Abraham,
-// Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths (2012); Akiba, Iwata and
-// Yoshida, Fast exact shortest-path distance queries on large networks by pruned landmark labeling (2013).
+// Every turn is a hub; the most important hubs come first. The label of a turn lists the trees that contain
+// it. Any two connected turns share a tree whose hub lies on a shortest path between them. A node stores the
+// next node towards its hub, so a path is found by following nodes. Thread rule: read-only after
+// construction.
+// Sources: Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths (2012);
+// Akiba, Iwata and Yoshida, Fast exact shortest-path distance queries on large networks by pruned landmark
+// labeling (2013).
 #pragma once
 
 #include <optional>
@@ -14,8 +16,8 @@
 
 namespace outrider::hub_labelling {
 
-/// A way that is longer by less than this, relative, is as good: it spares hubs that differ by rounding
-/// alone.
+/// A path that is longer by less than this (relative) counts as equally good; this avoids hubs that differ
+/// only by rounding.
 inline constexpr double equal_within = 1e-13;
 
 struct HubTrees {
@@ -29,7 +31,7 @@ struct HubTrees {
     std::uint32_t node = 0;
     double distance = 0.0;
   };
-  /// The same with the way to the next turn; that of the hub itself, {0, 0}, on both sides.
+  /// A label with the leg to the next turn; that of the hub itself is {0, 0}, on both sides.
   struct Departure {
     Cell way;
     HubLabel label;
@@ -40,7 +42,7 @@ struct HubTrees {
   std::vector<Fan<Departure>> departures;     ///< by turn
   std::vector<std::uint32_t> hubs;            ///< turn, by rank
 
-  /// Forgets what only the making of lists needs.
+  /// Discards what is needed only to build lists.
   void keep_paths_alone() {
     nodes.shrink_to_fit();
     labels = {};
@@ -48,8 +50,8 @@ struct HubTrees {
   }
 };
 
-/// Nothing when there would be more than `most_nodes`, or when `stop` asks for it. O(nodes * (edges of a turn
-/// + label of a turn)).
+/// Builds the trees. Returns nothing if there would be more than `most_nodes`, or if `stop` is requested.
+/// O(nodes * (edges of a turn + label of a turn)).
 std::optional<HubTrees> hub_trees(const NavigationMesh& mesh, const TurnGraph& graph,
                                   std::vector<std::uint32_t> order, std::size_t most_nodes,
                                   const std::stop_token& stop);

@@ -1,11 +1,11 @@
-// Which turns a corner of a grid sees, of those at which a taut path from it may bend.
+// Finds the turns that a corner of a grid sees and at which a taut path from it may bend.
 //
-// A straight way touches the blocked cell at a turn, and may bend round it there, when it does not enter the
-// quadrant of that cell nor come out of it; every leg of a shortest path between two turns does so at both.
-// The walk goes from polygon to polygon of the mesh, each with the cone in which the corner sees it. Cones
-// are bounded by corners and decided in whole numbers, so what is seen is exact. A turn straight behind
-// another is left out: the first is on the way. O(sides of the polygons seen). Thread rule: one instance for
-// each thread.
+// A straight leg touches the blocked cell at a turn, and may bend around it there, if it neither enters nor
+// leaves through the quadrant of that cell. Every leg of a shortest path between two turns satisfies this at
+// both. The search walks from polygon to polygon of the mesh, each with the cone in which the corner sees it.
+// Cones are bounded by corners and compared in integers, so visibility is exact. A turn straight behind
+// another one is omitted, because the first is on the path. O(sides of the polygons seen). Thread rule: one
+// instance per thread.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class TautSight {
  public:
   TautSight(const GridMap& ground, const NavigationMesh& mesh) : ground_(ground), mesh_(mesh) {}
 
-  /// Of mesh.turns, in increasing order, without the corner itself.
+  /// Returns the visible turns as indices of mesh.turns, ascending, without the corner itself.
   const std::vector<std::uint32_t>& from(Cell corner);
 
  private:

@@ -1,8 +1,8 @@
-// The turns of a mesh as a graph: joined where a leg of a shortest path may run between them.
+// The turns of a mesh as a graph: two turns are joined if a leg of a shortest path may run between them.
 //
-// Two turns are joined when they see each other, with none between, and the line touches the blocked cells of
-// both. The rows do not depend on one another: those of the turns that see a changed cell, and of no others,
-// would have to be made anew. Thread rule: read only once made.
+// Two turns are joined if they see each other, with none between, and the line touches the blocked cells of
+// both. The rows are independent of each other: after a change, only the rows of turns that see a changed
+// cell would have to be rebuilt. Thread rule: read-only after construction.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ struct TurnGraph {
   [[nodiscard]] std::size_t degree(std::uint32_t turn) const {
     return edges[turn].level.size() + edges[turn].upright.size();
   }
-  /// visit() each edge by which a taut path may leave a turn; {0, 0} came from nowhere.
+  /// Calls visit() for each edge by which a taut path that came along `came` may leave a turn; {0, 0} means
+  /// from nowhere.
   template <class Visit>
   void onward(std::uint32_t turn, Cell came, Visit visit) const {
     if (came != Cell{}) return edges[turn].onward(windings[turn], came, visit);
@@ -36,16 +37,17 @@ struct TurnGraph {
   }
 };
 
-/// Length of a leg, cells.
+/// Returns the length of a leg, cells.
 double length_between(Cell a, Cell b);
 
-/// Nothing when there would be more than `most_edges`, or when `stop` asks for it. O(sides seen from all
-/// turns), in parallel.
+/// Builds the graph. Returns nothing if there would be more than `most_edges`, or if `stop` is requested.
+/// O(sides seen from all turns), in parallel.
 std::optional<TurnGraph> turn_graph(const GridMap& ground, const NavigationMesh& mesh, std::size_t most_edges,
                                     const std::stop_token& stop);
 
-/// The turns, those that lie on most shortest paths first, judged by a sample of trees of shortest paths.
-/// O(samples * (edges + turns log turns)), in parallel. Cut short when `stop` asks for it.
+/// Returns the turns ordered by the number of shortest paths through them, most first, estimated from a
+/// sample of trees of shortest paths. O(samples * (edges + turns log turns)), in parallel. Ends early if
+/// `stop` is requested.
 /// Source: Delling, Goldberg, Pajor and Werneck, Robust distance queries on massive networks (2014).
 std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop_token& stop);
 

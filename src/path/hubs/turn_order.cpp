@@ -53,7 +53,7 @@ Tree tree_from(const TurnGraph& graph, std::uint32_t root) {
   return tree;
 }
 
-/// Takes the subtree of a turn out, and its paths from the counts of all that lie on them.
+/// Removes the subtree of a turn, and its paths from the counts of all turns on them.
 void take_out(Tree& tree, std::uint32_t turn, std::vector<std::uint64_t>& paths,
               std::vector<std::uint32_t>& stack) {
   const std::uint32_t lost = tree.below[turn];
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> by_importance(const TurnGraph& graph, const std::stop
   for (const Tree& tree : trees) {
     for (std::size_t turn = 0; turn < count; ++turn) paths[turn] += tree.below[turn];
   }
-  // The most paths first, then the most edges; what was counted before others were taken is counted again.
+  // Most paths first, then most edges. An entry counted before other turns were removed is counted again.
   using HubEntry = std::tuple<std::uint64_t, std::size_t, std::uint32_t>;
   const auto entry = [&](std::uint32_t turn) { return HubEntry{paths[turn], graph.degree(turn), ~turn}; };
   std::priority_queue<HubEntry> open;

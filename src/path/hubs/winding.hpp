@@ -1,9 +1,9 @@
-// How a taut path winds round the blocked cell at a turn.
+// Winding: the way in which a taut path bends around the blocked cell at a turn.
 //
-// The blocked cell fills one quadrant. A taut path comes in one of the two neighbouring quadrants of
-// directions and goes on in the same, between its direction and the border of the cell; straight on counts.
-// So of the ways that leave a turn on one side, in order from the border, a path that comes takes its choice
-// of the first few.
+// The blocked cell fills one quadrant. A taut path arrives in one of the two neighbouring quadrants of
+// directions and continues in the same one, between its direction and the border of the cell; straight on is
+// allowed. So if the legs that leave a turn on one side are sorted by angle from the border, an arriving path
+// may continue along the first few of them.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ class Winding {
   explicit Winding(std::uint32_t quadrant = 0)
       : x_((quadrant & 1U) != 0 ? 1 : -1), y_((quadrant & 2U) != 0 ? 1 : -1) {}
 
-  /// Of a way through the turn, to it or from it; neither when it enters the blocked cell or comes out of it.
+  /// Returns the side of a leg to or from the turn; `neither` if it enters or leaves the blocked cell.
   [[nodiscard]] Side side(Cell way) const {
     const int x = x_ * way.x, y = y_ * way.y;
     if (x <= 0 && y >= 0) return Side::upright;
     return x >= 0 && y <= 0 ? Side::level : Side::neither;
   }
-  /// > 0 when b, on the same side, lies farther from the border than a. Exact.
+  /// Returns a value > 0 if b, on the same side, lies farther from the border than a. Exact.
   [[nodiscard]] std::int64_t farther(Side side, Cell a, Cell b) const {
     const std::int64_t left = x_ * y_ * (std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x);
     return side == Side::upright ? left : -left;
@@ -38,7 +38,7 @@ class Winding {
   int x_, y_;
 };
 
-/// By turn.
+/// Returns the windings of all turns.
 inline std::vector<Winding> windings_of(const NavigationMesh& mesh) {
   std::vector<Winding> windings(mesh.turns.size());
   for (const NavigationMesh::Side& side : mesh.sides) {
@@ -47,12 +47,12 @@ inline std::vector<Winding> windings_of(const NavigationMesh& mesh) {
   return windings;
 }
 
-/// Things that leave a turn, each with its `way`: on both sides, in order from the border.
+/// Items that leave a turn, each with its leg `way`: on both sides, in order from the border.
 template <class Leaving>
 struct Fan {
   std::vector<Leaving> level, upright;
 
-  /// `thing` belongs to `side`.
+  /// Adds an item to a side.
   void add(Winding::Side side, const Leaving& thing) {
     (side == Winding::Side::level ? level : upright).push_back(thing);
   }
@@ -65,7 +65,7 @@ struct Fan {
     sort_one(Winding::Side::level, level);
     sort_one(Winding::Side::upright, upright);
   }
-  /// visit() each to which a taut path that comes that way may go on.
+  /// Calls visit() for each item to which a taut path that arrives along `came` may continue.
   template <class Visit>
   void onward(const Winding& winding, Cell came, Visit visit) const {
     const Winding::Side side = winding.side(came);

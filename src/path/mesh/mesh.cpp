@@ -19,7 +19,8 @@ std::size_t bytes(const std::vector<T>& v) {
 
 void NavigationMesh::polygons_at(Cell corner, Cell free_cell, const GridFrame& frame,
                                  std::vector<std::uint32_t>& found) const {
-  // In half cells, from the centre of the cell to its corner: the way touches no corner but its last.
+  // In half cells, from the centre of the cell to its corner. This segment touches no lattice corner but its
+  // last point.
   const std::int64_t from_x = 2 * free_cell.x + 1, from_y = 2 * free_cell.y + 1;
   const std::int64_t to_x = 2 * corner.x, to_y = 2 * corner.y;
   const auto left_of = [](Cell a, Cell b, std::int64_t x, std::int64_t y) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::no_turn;
 
-/// The quadrant of the only blocked cell around a corner, or none.
+/// Returns the quadrant of the only blocked cell around a corner, or none.
 std::uint32_t only_blocked(const GridMap& ground, Cell v) {
   std::uint32_t only = none;
   for (unsigned q = 0; q < 4; ++q) {
@@ -20,8 +20,8 @@ std::uint32_t only_blocked(const GridMap& ground, Cell v) {
   return only;
 }
 
-/// Gives the cells whose centres lie in a polygon to it: row by row between its left and right border. Those
-/// of other cells are half a cell away from there.
+/// Assigns to a polygon the cells whose centres lie in it, row by row between its left and right border.
+/// Centres of other cells are at least half a cell away from the border.
 class CellsOf {
  public:
   CellsOf(NavigationMesh& mesh, const GridFrame& frame) : mesh_(mesh), frame_(frame) {}
@@ -60,7 +60,7 @@ class CellsOf {
   std::vector<double> left_, right_;  // by row, from the lowest of the polygon
 };
 
-/// Names the turns of the sides from `begin` on, and adds their polygons to those around them.
+/// Sets the turns of the sides from `begin` on, and adds their polygons to those around them.
 void add_turns(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                const ConvexPolygons& polygons, std::uint32_t begin, std::uint32_t polygons_before,
                const std::vector<std::uint32_t>& known) {

@@ -6,9 +6,9 @@
 
 namespace outrider {
 
-/// `corners` are those that the polygons name, by row, then by column. Turns that the mesh has at some of
-/// them keep their names, from `known`, and the polygons around them. Sides without a polygon behind them are
-/// left so, and blocks are left to the caller. O(sides + turns + cells held).
+/// Adds polygons. `corners` are the corners that the polygons refer to, by row, then by column. Turns of the
+/// mesh at these corners keep their indices (from `known`) and the polygons around them. Sides without a
+/// polygon behind them stay so, and the caller must update the blocks. O(sides + turns + cells held).
 void add_polygons(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& corners,
                   const ConvexPolygons& polygons, const std::vector<std::uint32_t>& known = {});
 

@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::uint32_t none = NavigationMesh::none;
 
-/// Depth-first search without recursion. A block is closed when the search returns over the side by
-/// which it came in; its sides lie on a stack of their own until then.
+/// Depth-first search without recursion. A block is complete when the search returns over the side by which
+/// it entered the block; until then the sides of the block are on a separate stack.
 class BlockSearch {
  public:
   explicit BlockSearch(NavigationMesh& mesh)
@@ -28,7 +28,7 @@ class BlockSearch {
     }
   }
   [[nodiscard]] bool reached(std::uint32_t polygon) const { return order_[polygon] != none; }
-  /// The polygons in the order in which they were reached.
+  /// Returns the polygons in the order in which they were reached.
   [[nodiscard]] const std::vector<std::uint32_t>& reached() const { return reached_; }
 
  private:

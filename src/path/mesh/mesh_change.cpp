@@ -13,7 +13,7 @@ constexpr std::uint32_t none = NavigationMesh::none, no_turn = NavigationMesh::n
 
 bool earlier(Cell a, Cell b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-/// A side and a cell, both with their borders, have a point in common.
+/// Returns true if a side and a cell, both closed, have a point in common.
 bool touches(Cell a, Cell b, Cell cell) {
   if (std::max(a.x, b.x) < cell.x || std::min(a.x, b.x) > cell.x + 1) return false;
   if (std::max(a.y, b.y) < cell.y || std::min(a.y, b.y) > cell.y + 1) return false;
@@ -23,7 +23,8 @@ bool touches(Cell a, Cell b, Cell cell) {
   return least <= 0 && most >= 0;
 }
 
-/// Of the four cells around a corner, the one on this side of a way that leaves it along the lattice.
+/// Returns the one of the four cells around a corner that is on this side of a lattice direction from the
+/// corner.
 Cell left_of(Cell v, Cell way) { return {v.x + (way.x - way.y - 1) / 2, v.y + (way.x + way.y - 1) / 2}; }
 Cell right_of(Cell v, Cell way) { return {v.x + (way.x + way.y - 1) / 2, v.y + (way.y - way.x - 1) / 2}; }
 
@@ -48,11 +49,11 @@ class Change {
   }
 
  private:
-  /// A side between a polygon that is taken out and one that stays.
+  /// A side between a removed polygon and one that stays.
   struct Rim {
-    Cell from, to;          ///< the former on the left
-    std::uint32_t polygon;  ///< the latter
-    std::uint32_t side;     ///< as that one has it
+    Cell from, to;          ///< the removed polygon is on the left
+    std::uint32_t polygon;  ///< the polygon that stays
+    std::uint32_t side;     ///< index of the side in that polygon
     friend bool operator<(const Rim& a, const Rim& b) {
       return a.from == b.from ? earlier(a.to, b.to) : earlier(a.from, b.from);
     }
@@ -61,12 +62,12 @@ class Change {
   [[nodiscard]] Cell end_of(std::uint32_t polygon, std::uint32_t s) const {
     return mesh_.sides[s + 1 == mesh_.first[polygon + 1] ? mesh_.first[polygon] : s + 1].at;
   }
-  /// In the mesh as it was.
+  /// Returns the polygon of a cell in the old mesh.
   [[nodiscard]] std::uint32_t polygon_of(Cell cell) const {
     return ground_.frame.contains(cell) ? mesh_.polygon_of[ground_.frame.index(cell)] : none;
   }
 
-  /// All polygons that touch a changed cell: those at its corners, and those that cross it.
+  /// Removes all polygons that touch a changed cell: those at its corners, and those that cross it.
   void take_out() {
     std::vector<Cell> corners;
     for (const Cell c : changed_) {
@@ -108,7 +109,7 @@ class Change {
     sides_taken_ += mesh_.first[polygon + 1] - mesh_.first[polygon];
   }
 
-  /// The border of a polygon that is taken out, as far as it is still one.
+  /// Keeps the part of the border of a removed polygon that remains a border.
   void keep_border(std::uint32_t polygon) {
     for (std::uint32_t s = mesh_.first[polygon]; s < mesh_.first[polygon + 1]; ++s) {
       const NavigationMesh::Side& side = mesh_.sides[s];
@@ -123,7 +124,7 @@ class Change {
     }
   }
 
-  /// Walls at a changed cell that were none before.
+  /// Adds the new walls at a changed cell.
   void add_walls(Cell cell) {
     const bool blocked = ground_.blocked(cell);
     if (blocked) mesh_.polygon_of[ground_.frame.index(cell)] = none;
@@ -139,7 +140,7 @@ class Change {
     }
   }
 
-  /// Walls run between corners of obstacles: the one that begins here.
+  /// Adds the wall that begins at this corner. Walls run between corners of obstacles.
   void add_wall(Cell v, Cell way) {
     if (!corner(v) || ground_.blocked(left_of(v, way)) || !ground_.blocked(right_of(v, way))) return;
     Cell end{v.x + way.x, v.y + way.y};
@@ -152,7 +153,8 @@ class Change {
     return (ne != nw || se != sw) && (ne != se || nw != sw);
   }
 
-  /// By corner, the turn that the mesh has there; around all turns of what is taken out stays what stays.
+  /// Returns the existing turn at each corner. The turns of removed polygons keep only the polygons that
+  /// stay.
   std::vector<std::uint32_t> turns_at(const std::vector<Cell>& corners) {
     std::vector<std::uint32_t> turns(corners.size(), no_turn);
     for (const std::uint32_t p : taken_) {
@@ -172,7 +174,7 @@ class Change {
     return turns;
   }
 
-  /// Joins a new polygon to those around it that stayed.
+  /// Links a new polygon with its neighbours that stayed.
   void link(std::uint32_t polygon) {
     for (std::uint32_t s = mesh_.first[polygon]; s < mesh_.first[polygon + 1]; ++s) {
       NavigationMesh::Side& side = mesh_.sides[s];
@@ -194,7 +196,7 @@ class Change {
   NavigationMesh& mesh_;
   const GridMap& ground_;
   const std::vector<Cell>& changed_;
-  std::uint32_t block_;  // of all sides that are new
+  std::uint32_t block_;  // block of all new sides
   std::vector<std::uint32_t> taken_;
   std::size_t sides_taken_ = 0;
   std::vector<Rim> rim_;

@@ -1,22 +1,22 @@
-// A mesh follows a change of its ground where the ground has changed, and nowhere else.
+// Updates a mesh after a change of its ground, only where the ground has changed.
 //
-// The polygons that touch a changed cell, its border counted, are taken out. What they held, less the cells
-// that are blocked now and more those that are free now, is cut into triangles (mesh_sweep.hpp), and these
-// are joined to polygons as in a mesh made anew. The border to the polygons that stay is left as it is: a
-// corner that comes or goes is one of a changed cell, so all polygons at it are taken out. What comes stands
-// at the end; what goes leaves a gap. The blocks that had a side here become part of the core (mesh.hpp).
+// The polygons that touch a changed cell (including its border) are removed. Their area, minus the cells that
+// are blocked now and plus those that are free now, is cut into triangles (mesh_sweep.hpp), which are merged
+// into polygons as in a new mesh. The border to the remaining polygons stays unchanged: a corner that appears
+// or disappears is a corner of a changed cell, so all polygons at it are removed. New polygons are appended;
+// removed ones leave gaps. The blocks that had a side here become part of the core (mesh.hpp).
 //
-// The polygons are as good as others, but not those of a mesh made anew, because what is joined ends
-// at the border. O(k log k + cells of the new polygons) for k corners of what is taken out.
+// The mesh is valid, but its polygons differ from those of a new mesh, because merging stops at the border.
+// O(k log k + cells of the new polygons) for k corners of the removed area.
 #pragma once
 
 #include "outrider/path/mesh/mesh.hpp"
 
 namespace outrider {
 
-/// `ground` is that of the mesh but for the cells `changed`, given by row, then by column. False, the mesh
-/// being of no use any more, when with the gaps there would be more than `most_sides`: then it is time to
-/// make it anew.
+/// Updates the mesh to `ground`, which differs from its ground in the cells `changed`, given by row, then by
+/// column. Returns false if sides and gaps would exceed `most_sides`; the mesh is then unusable and must be
+/// rebuilt.
 bool change_mesh(NavigationMesh& mesh, const GridMap& ground, const std::vector<Cell>& changed,
                  std::size_t most_sides);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t none = ConvexPolygons::no_side;
 
-/// Sides of triangles, three by three, linked to the cycles of what they are joined to.
+/// Sides of triangles, three by three, linked into cycles that become the merged polygons.
 struct Sides {
   explicit Sides(const Triangulation& cut)
       : corners(cut.corners),
@@ -34,7 +34,7 @@ struct Sides {
     }
   }
 
-  /// Each side between two triangles once.
+  /// Returns each side between two triangles once.
   [[nodiscard]] std::vector<std::uint32_t> inner() const {
     std::vector<std::uint32_t> all;
     for (std::uint32_t h = 0; h < twin.size(); ++h) {
@@ -57,7 +57,7 @@ struct Sides {
     const Cell a = along(in), b = along(out);
     return std::int64_t{a.x} * b.y >= std::int64_t{a.y} * b.x;
   }
-  /// Takes the side away when the two polygons make a convex one.
+  /// Removes the side if the two polygons together are convex.
   void join_over(std::uint32_t h) {
     const std::uint32_t g = twin[h];
     if (!convex(before[h], next[g]) || !convex(before[g], next[h])) return;
@@ -65,8 +65,8 @@ struct Sides {
     link(before[g], next[h]);
     corner[h] = corner[g] = none;
   }
-  /// Replaces the side between two triangles by the other diagonal when the circle through one holds
-  /// the far corner of the other.
+  /// Replaces the side between two triangles by the other diagonal if the circumcircle of one contains the
+  /// far corner of the other.
   bool flip(std::uint32_t h) {
     const std::uint32_t g = twin[h];
     const std::uint32_t h1 = next[h], h2 = next[h1], g1 = next[g], g2 = next[g1];
@@ -87,7 +87,8 @@ struct Sides {
   std::vector<std::uint32_t> corner, next, before, twin;  // corner: none when taken away
 };
 
-/// Bounded, should rounding ever make it go in circles: any triangles will do.
+/// Flips sides until the triangulation is Delaunay. The number of flips is bounded in case rounding causes a
+/// cycle; any triangulation is valid.
 void flip_to_delaunay(Sides& sides) {
   std::vector<std::uint32_t> doubtful = sides.inner();
   for (std::size_t left = 64 * doubtful.size(); left > 0 && !doubtful.empty(); --left) {

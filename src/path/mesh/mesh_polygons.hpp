@@ -1,10 +1,10 @@
-// Joins triangles to convex polygons.
+// Merges triangles into convex polygons.
 //
-// First the sides between the triangles are flipped until they are Delaunay's, as far as the obstacles
-// allow. Then they are taken away, longest first, where that leaves a convex polygon. What stays are few
-// long views over open ground, and small polygons in the nooks of walls, where few paths lead.
-// O(n log n), and the flips, of which there are O(n) in practice.
-// Sources: flips, Lawson, Software for C1 surface interpolation (1977); joining, Hertel and Mehlhorn, Fast
+// First the sides between the triangles are flipped until they are Delaunay, as far as the obstacles allow.
+// Then sides are removed, longest first, where that leaves a convex polygon. The result has few long polygons
+// in open ground, and small polygons in the corners of walls, where few paths lead. O(n log n), plus the
+// flips, of which there are O(n) in practice.
+// Sources: flips, Lawson, Software for C1 surface interpolation (1977); merging, Hertel and Mehlhorn, Fast
 // triangulation of simple polygons (1983).
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace outrider {
 
-/// Polygon after polygon, counter-clockwise.
+/// Convex polygons, one after another, counter-clockwise.
 struct ConvexPolygons {
   struct Side {
-    std::uint32_t corner;   ///< from which it leads to that of the next side
+    std::uint32_t corner;   ///< start of the side; it ends at the start of the next side
     std::uint32_t behind;   ///< the same side of the polygon behind it, or no_side
     std::uint32_t polygon;  ///< to which it belongs
   };

@@ -46,7 +46,7 @@ class Sweep {
   struct Side {
     std::uint32_t low, high;  ///< corners, in the order in which they are passed
   };
-  /// Of the line, inside the region.
+  /// A part of the sweep line inside the region.
   struct Interval {
     Side left, right;
     Chain chain;
@@ -57,12 +57,13 @@ class Sweep {
     const auto found = std::lower_bound(cut_.corners.begin(), cut_.corners.end(), corner, earlier);
     return static_cast<std::uint32_t>(found - cut_.corners.begin());
   }
-  /// > 0 when the corner lies to the left of the side, 0 when the side ends there.
+  /// Returns a value > 0 if the corner lies to the left of the side, 0 if the side ends there.
   [[nodiscard]] std::int64_t left_of(const Side& side, std::uint32_t v) const {
     return turned(at(side.low), at(side.high), at(v));
   }
 
-  /// Cuts off what a corner sees from the right end of the chain, and becomes that end.
+  /// Cuts off the triangles that a corner sees from the right end of the chain; the corner becomes the new
+  /// end.
   void cut_from_right(Chain& chain, std::uint32_t v) {
     for (; chain.size() >= 2; chain.pop_back()) {
       const std::uint32_t a = chain[chain.size() - 2], b = chain.back();
@@ -79,7 +80,8 @@ class Sweep {
     chain.insert(chain.begin(), v);
   }
 
-  /// A corner: the sides that end there give way to those that rise from it, which stand from left to right.
+  /// Processes a corner: the sides that end there are replaced by those that rise from it, ordered from left
+  /// to right.
   void pass(std::uint32_t v, std::span<const Side> rising) {
     const auto first = std::partition_point(intervals_.begin(), intervals_.end(),
                                             [&](const Interval& i) { return left_of(i.right, v) < 0; });

@@ -21,8 +21,9 @@ std::int64_t squared(Cell a, Cell b) {
   return x * x + y * y;
 }
 
-/// visit(x) for each x from 0 to `last` at which marked(x) is set, given for eight of them as the lowest bits
-/// of eight bytes. Most bytes of a row are like their neighbours, so most eights are passed at once.
+/// Calls visit(x) for each x from 0 to `last` at which marked(x) is set. `marked` yields eight values at
+/// once, in the lowest bits of eight bytes. Most bytes of a row equal their neighbours, so most groups of
+/// eight are skipped at once.
 template <class Marked, class Visit>
 void each_marked(int last, Marked marked, Visit visit) {
   for (int x = 0; x <= last; x += 8) {
@@ -35,7 +36,7 @@ void each_marked(int last, Marked marked, Visit visit) {
     }
   }
 }
-/// Eight marks, as far as there are so many.
+/// Returns eight marks, or as many as there are.
 std::uint64_t eight_marks(const GridMap& ground, std::size_t from) {
   std::uint64_t eight = 0;
   if (from + sizeof eight <= ground.marks.size()) {
@@ -107,7 +108,7 @@ class Cutter {
   }
 
  private:
-  /// Neighbouring corners on a line, from the first to the last.
+  /// Consecutive corners on a line, from the first to the last.
   struct Range {
     std::uint32_t first, last;
   };
@@ -136,7 +137,7 @@ class Cutter {
     }
   }
 
-  /// The slab on top of another one at the same wall.
+  /// Returns the slab above another one at the same wall.
   [[nodiscard]] const Slab& above(const Slab& s, bool left) const {
     return *std::lower_bound(slabs_.begin(), slabs_.end(), s, [left](const Slab& p, const Slab& of) {
       if (p.y0 != of.y1) return p.y0 < of.y1;
@@ -144,7 +145,7 @@ class Cutter {
     });
   }
 
-  /// Between the wall that begins beside the slab and the strips along it.
+  /// Cuts the area between the wall that begins beside the slab and the strips along it.
   void cut_mountain(const Slab& begin, bool left) {
     chain_.assign(1, left ? low(begin).first : low(begin).last);
     for (const Slab* slab = &begin;; slab = &above(*slab, left)) {

@@ -1,9 +1,9 @@
 // Cuts the free space of a grid into triangles whose corners are those of the obstacles.
 //
-// The free space is taken apart into slabs, rectangles of equal runs of cells in neighbouring rows. The
-// corners on the lower and upper border of a slab are joined to a strip of triangles. What is left
-// between the strips and a wall is a polygon with one long side and a chain that only rises, and is cut
-// from the bottom to the top. No corners are added. O(cells).
+// The free space is divided into slabs, rectangles of equal runs of cells in neighbouring rows. The corners
+// on the lower and upper border of a slab are joined to a strip of triangles. Each remaining part, between
+// the strips and a wall, is a polygon with one long side and a monotone chain, and is cut from bottom to top.
+// No corners are added. O(cells).
 // Source: monotone mountains, Fournier and Montuno, Triangulating simple polygons and equivalent problems
 // (1984).
 #pragma once

@@ -22,13 +22,13 @@ using polyanya_search::Frontier;
 using polyanya_search::MeshNode;
 using polyanya_search::turned;
 
-/// Of which the blocks are found in the time of one expansion, measured.
+/// Number of sides whose blocks are found in the time of one expansion (measured).
 constexpr std::size_t sides_an_expansion = 16;
 
 struct Memory {
-  std::shared_ptr<const GridMap> ground;  ///< of the mesh
+  std::shared_ptr<const GridMap> ground;  ///< ground of the mesh
   NavigationMesh mesh;
-  std::size_t most_sides = 0;         ///< with which a mesh that has changed is made anew
+  std::size_t most_sides = 0;         ///< number of sides above which a changed mesh is rebuilt
   std::size_t spent = 0;              ///< expansions since the mesh has had its core
   Labels<double> roots;               ///< by turn; the start last
   std::vector<std::uint32_t> active;  ///< by block: the last query that crossed it
@@ -49,7 +49,8 @@ struct Memory {
     begin_query();
   }
 
-  /// At each expansion on a mesh with a core: finds its blocks when all of them have taken as long as that.
+  /// Called at each expansion on a mesh with a core. Recomputes the blocks once the expansions have taken as
+  /// long as that.
   bool found_blocks() {
     if (mesh.core.empty() || ++spent <= mesh.sides.size() / sides_an_expansion) return false;
     find_blocks(mesh);
@@ -85,7 +86,7 @@ class Search {
     frontier_.begin();
   }
 
-  /// The turns of the shortest path, with both ends.
+  /// Returns the turns of the shortest path, including both ends.
   Outcome<std::vector<Cell>> run(BudgetMeter& meter) {
     if (join_ends()) {
       if (trace_ != nullptr) open(start_);
@@ -121,7 +122,7 @@ class Search {
     return way;
   }
 
-  /// The polygons around a corner, and one of each set that hangs together there: two at a pinch.
+  /// Finds the polygons around a corner, and returns one of each connected set: two at a pinch.
   std::array<std::uint32_t, 2> polygons_around(Cell v, std::vector<std::uint32_t>& found) const {
     found.clear();
     std::array<std::uint32_t, 2> sets{none, none};
@@ -135,7 +136,7 @@ class Search {
     return sets;
   }
 
-  /// Activates the block towards the root, and goes there; not from the root, nor into the core.
+  /// Activates the block towards the root and moves there, except at the root or into the core.
   bool climb(std::uint32_t& polygon) {
     const std::uint32_t block = mesh_.up[polygon];
     if (block == none || mesh_.top[block] == none) return false;
@@ -143,7 +144,8 @@ class Search {
     polygon = mesh_.top[block];
     return true;
   }
-  /// Activates the blocks between two polygons; false when nothing joins them. Two in the core may be apart.
+  /// Activates the blocks between two polygons; returns false if nothing joins them. (Two polygons in the
+  /// core may be unconnected.)
   bool join(std::uint32_t a, std::uint32_t b) {
     while (a != b && climb(mesh_.depth[a] >= mesh_.depth[b] ? a : b)) {
     }
@@ -165,7 +167,7 @@ class Search {
     return joined;
   }
 
-  /// For the trace, which knows a node by the corner that it looks from.
+  /// Reports a node to the trace, which identifies it by its root.
   void open(Cell root) {
     if (opened_.insert(ground_.index(root)).second) trace_->open(ground_.index(root));
   }
@@ -174,7 +176,7 @@ class Search {
     frontier_.add(node, f);
   }
 
-  /// The goal lies in a polygon that the root looks into, and in the cone.
+  /// Returns true if the goal lies in the polygon that the root looks into, and in the cone.
   [[nodiscard]] bool sees_goal(const MeshNode& node) const {
     if (node.side != none && !holds_goal(node.polygon)) return false;
     const bool everywhere = node.side == none && node.root == first_;
@@ -220,8 +222,8 @@ class Search {
     }
   }
 
-  /// Over the sides of a polygon from `first` up to `last`, which follow each other to the left as the
-  /// root sees them, as far as they lie in the cone.
+  /// Expands over the sides of a polygon from `first` up to `last`, which follow each other to the left as
+  /// seen from the root, as far as they lie in the cone.
   void look_over(const MeshNode& node, Arrow right, Arrow left, std::uint32_t polygon, std::uint32_t first,
                  std::uint32_t last) {
     const std::uint32_t begin = mesh_.first[polygon], end = mesh_.first[polygon + 1];
@@ -240,7 +242,7 @@ class Search {
           const std::int64_t to_left = turned(to, left);
           if (side.turn != no_turn && from_right >= 0) turn(node, side, from);
           if (next.turn != no_turn && to_left >= 0) turn(node, next, to);
-          // An end may lie opposite to the far edge of the cone: then the other edge tells.
+          // An end may lie opposite to the far edge of the cone; then the other edge decides.
           if ((from_left > 0 || from_right < 0) && (to_right > 0 || to_left < 0)) {
             go_through(node, side, from, to, from_right >= 0 ? from : right, to_left >= 0 ? to : left);
           }
@@ -251,7 +253,7 @@ class Search {
     }
   }
 
-  /// From a corner into a polygon at it, as far as it lies in the cone.
+  /// Expands from a corner into a polygon at it, as far as it lies in the cone.
   void look_into(const MeshNode& node, const NavigationMesh::Wedge& wedge) {
     const std::uint32_t begin = mesh_.first[wedge.polygon], end = mesh_.first[wedge.polygon + 1];
     const std::uint32_t next = wedge.side + 1 == end ? begin : wedge.side + 1;
@@ -270,7 +272,7 @@ class Search {
     look_over(node, from_inside ? from : node.right, to_inside ? to : node.left, wedge.polygon, next, last);
   }
 
-  /// From the start over all sides of a polygon that holds it.
+  /// Expands from the start over all sides of a polygon that contains it.
   void look_everywhere(const MeshNode& node, std::uint32_t polygon) {
     const std::uint32_t begin = mesh_.first[polygon], end = mesh_.first[polygon + 1];
     for (std::uint32_t s = begin; s < end; ++s) {
@@ -292,8 +294,8 @@ class Search {
         node.g + through(node, from, to, right, left));
   }
 
-  /// The least length from the root to the goal through that part of a side which lies in the cone, the
-  /// goal mirrored in the side when it lies on this side of it.
+  /// Returns the least length from the root to the goal through the part of a side that lies in the cone; a
+  /// goal on the near side is mirrored in the side.
   [[nodiscard]] double through(const MeshNode& node, Arrow from, Arrow to, Arrow right, Arrow left) const {
     const double side_x = to.x - from.x, side_y = to.y - from.y;
     const auto beyond = [&](double x, double y) { return x * side_y - y * side_x; };  // the root: 0
@@ -317,8 +319,8 @@ class Search {
     return length(bend_x, bend_y) + length(x - bend_x, y - bend_y);
   }
 
-  /// The root's path turns at a corner that it sees, if it can wind around the blocked cell there: then
-  /// it goes on between its own direction and the border of that cell.
+  /// Turns the path of the root at a corner that it sees, if the path can wind around the blocked cell there.
+  /// It then continues between its own direction and the border of that cell.
   void turn(const MeshNode& node, const Side& side, Arrow came) {
     const std::int32_t sign_x = (side.blocked & 1U) != 0 ? 1 : -1, sign_y = (side.blocked & 2U) != 0 ? 1 : -1;
     const std::int32_t x = sign_x * came.x, y = sign_y * came.y;  // > 0 towards the blocked cell

@@ -1,6 +1,6 @@
-// The open nodes of Polyanya: least f first, then largest g, then the youngest.
+// The open nodes of Polyanya: least f first, then largest g, then the newest.
 //
-// The best one may be held in hand, past the heap: a node is often followed by its own successor.
+// The best node may be kept outside the heap, because a node is often followed by its own successor.
 #pragma once
 
 #include <algorithm>
@@ -12,22 +12,22 @@
 
 namespace outrider::polyanya_search {
 
-/// A place or a direction, relative to a root.
+/// A position or a direction, relative to a root.
 struct Arrow {
   std::int32_t x = 0, y = 0;
 };
-/// > 0 when b points to the left of a. Exact.
+/// Returns a value > 0 if b points to the left of a. Exact.
 inline std::int64_t turned(Arrow a, Arrow b) { return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x; }
 
-/// What a root sees through a side of a polygon: the cone from `right` to `left`, both of which belong
-/// to it. Without a side it is yet to look around from the root itself.
+/// The view of a root through a side of a polygon: the cone from `right` to `left`, both included. Without a
+/// side, the root has not been expanded yet.
 struct MeshNode {
-  double g = 0.0;  ///< to the root
+  double g = 0.0;  ///< length to the root
   Cell at;         ///< the root
   Arrow right, left;
-  std::uint32_t root = 0;     ///< of mesh.turns; the last one is the start
-  std::uint32_t polygon = 0;  ///< beyond the side
-  std::uint32_t side = 0;     ///< as that polygon has it
+  std::uint32_t root = 0;     ///< index in mesh.turns; the last one is the start
+  std::uint32_t polygon = 0;  ///< polygon behind the side
+  std::uint32_t side = 0;     ///< index of the side in that polygon
 };
 
 class Frontier {
@@ -53,7 +53,7 @@ class Frontier {
     }
   }
 
-  /// Takes the first node out; false when there is none.
+  /// Removes the first node; returns false if there is none.
   bool pop(MeshNode& node, double& f) {
     if (!held_ && heap_.empty()) return false;
     if (!held_) {
@@ -79,8 +79,7 @@ class Frontier {
     const std::uint64_t far = ~std::bit_cast<std::uint32_t>(static_cast<float>(g));  // g >= 0
     return {f, far << 32U | static_cast<std::uint32_t>(~nodes_.size())};
   }
-  static bool before(const FrontierEntry& a,
-                     const FrontierEntry& b) {  // without a branch, which could not be foretold
+  static bool before(const FrontierEntry& a, const FrontierEntry& b) {  // without a branch, which could not be predicted
     const auto less = static_cast<unsigned>(a.f < b.f), equal = static_cast<unsigned>(a.f == b.f);
     return (less | (equal & static_cast<unsigned>(a.rank < b.rank))) != 0;
   }

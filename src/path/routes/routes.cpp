@@ -80,7 +80,7 @@ Status check_request(const CollisionMap& ground, const RobotModel& robot, const 
 
 double opposite(double heading_rad) { return wrap_angle(heading_rad + pi); }
 
-/// The way to a target of a search as points, both ends included.
+/// Returns the path to a target of a search as points, including both ends.
 std::vector<Vec2> points_of(const RouteTree& tree, const std::vector<Vec2>& nodes, Vec2 start,
                             std::uint32_t target, Vec2 goal) {
   std::vector<Vec2> points = {start};

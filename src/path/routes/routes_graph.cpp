@@ -29,7 +29,7 @@ SightLines lines_of(const CollisionMap& ground, const Rows& rows, const std::vec
   return result;
 }
 
-/// For each point of `from`, the points to[k], k >= first_to(i), that it sees.
+/// Finds, for each point of `from`, the points to[k], k >= first_to(i), that it sees.
 template <class FirstTo>
 Outcome<Rows> visible(const CollisionMap& ground, double radius_m, const std::vector<Vec2>& from,
                       const std::vector<Vec2>& to, FirstTo first_to, Budget& budget) {

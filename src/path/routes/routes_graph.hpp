@@ -1,4 +1,4 @@
-// The visibility graph of routes.hpp: nodes, and who sees whom.
+// The visibility graph of routes.hpp: its nodes and their lines of sight.
 #pragma once
 
 #include <cstdint>
@@ -28,22 +28,23 @@ struct SightLines {
   }
 };
 
-/// The free corners around the obstacles, then the free ones of `extra`; no two in one place.
+/// Returns the free corners around the obstacles, then the free nodes of `extra`; no two are at the same
+/// place.
 std::vector<Vec2> route_nodes(const CollisionMap& ground, double radius_m, double arc_step_rad,
                               const std::vector<Vec2>& extra);
 
-/// Points nearer to each other than this are one place: no leg joins them.
+/// Points nearer to each other than this are the same place: no leg joins them.
 inline constexpr double same_place_m = 1e-9;
 
-/// Which points of `to` each point of `from` sees; O(from x to) exact tests, in parallel.
+/// Finds the points of `to` that each point of `from` sees; O(from x to) exact tests, in parallel.
 Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
                                 const std::vector<Vec2>& from, const std::vector<Vec2>& to, Budget& budget);
 
-/// Who sees whom among `points`.
+/// Finds all pairs of `points` that see each other.
 Outcome<SightLines> sight_lines(const CollisionMap& ground, const RobotModel& robot,
                                 const std::vector<Vec2>& points, Budget& budget);
 
-/// The same lines from their other ends.
+/// Returns the same lines in the opposite direction.
 SightLines reversed(const SightLines& lines, const std::vector<Vec2>& from, const std::vector<Vec2>& to);
 
 }  // namespace outrider::routes

@@ -1,4 +1,4 @@
-// One budget for work that runs in parallel, with the same verdict for any number of threads.
+// A shared budget for parallel work, whose outcome does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace outrider::routes {
 
-/// Calls work(i, meter) -> bool for i = 0 ... count - 1, each with a meter of its own on what remains
-/// of the budget, block by block; false means that the meter refused. What was spent is taken from
-/// `remaining` in the order of i.
+/// Calls work(i, meter) -> bool for i = 0 ... count - 1, block by block, each with its own meter on the
+/// remaining budget; false means that the meter refused. The expansions spent are subtracted from `remaining`
+/// in the order of i.
 template <class Work>
 Status in_parallel(std::size_t count, Budget& remaining, Work work) {
   constexpr std::size_t block = 64;

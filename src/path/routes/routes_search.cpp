@@ -12,7 +12,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// duration() of a turn between two headings, with its straight part ready.
+/// Computes duration() of a turn between two headings, with its constant part precomputed.
 class TurnTime {
  public:
   explicit TurnTime(const Limits& limits)
@@ -36,13 +36,13 @@ struct RouteLabel {
   double time_s = 0.0;
   double heading_rad = 0.0;
   std::uint32_t node = 0;
-  std::uint32_t next_settled = no_label;  // of the same node
+  std::uint32_t next_settled = no_label;  // next settled label of the same node
 };
 
 struct Best {
   double time_s = inf;
   double heading_rad = 0.0;
-  double hopeless_s = inf;  // time_s and a half turn: no later label can be of use
+  double hopeless_s = inf;  // time_s plus a half turn: later labels are useless
 };
 
 struct Waiting {
@@ -112,7 +112,7 @@ class Search {
     std::push_heap(queue_.begin(), queue_.end());
   }
 
-  /// False when a settled label of the same node is as good after turning.
+  /// Settles a label; returns false if a settled label of the same node is as good after turning.
   bool settle(std::uint32_t index) {
     RouteLabel& label = labels_[index];
     for (std::uint32_t k = settled_[label.node]; k != no_label; k = labels_[k].next_settled) {
@@ -138,7 +138,7 @@ class Search {
     }
   }
 
-  /// No label after the last arrival still to be improved is of use.
+  /// Updates the time after which no label can improve any arrival.
   void look_ahead() {
     horizon_s_ = 0.0;
     for (std::uint32_t k = query_.first_target; k < query_.targets; ++k) {
@@ -182,7 +182,7 @@ class Search {
   const RouteQuery& query_;
   RouteTree& tree_;
   std::vector<Best> best_;
-  std::vector<std::uint32_t> settled_;  // of each node, the newest settled label
+  std::vector<std::uint32_t> settled_;  // by node: the newest settled label
   std::vector<RouteLabel> labels_;
   std::vector<Waiting> queue_;
   double horizon_s_ = inf;

@@ -17,7 +17,7 @@ struct Step {
   std::uint32_t before = no_label;
 };
 
-/// What a search knows of one target.
+/// The result of a search for one target.
 struct Arrival {
   Drive drive;
   std::uint32_t last = no_label;  ///< the step before the last leg; no_label for a direct leg
@@ -29,18 +29,19 @@ struct RouteTree {
 };
 
 struct RouteQuery {
-  std::span<const SightLine> nodes;   ///< what the start sees of the nodes
-  std::span<const SightLine> direct;  ///< and of the targets
-  std::optional<double> heading_rad;  ///< given: the first turn is counted
-  std::uint32_t first_target = 0;     ///< those before it are not asked for
-  std::uint32_t targets = 0;          ///< how many there are
+  std::span<const SightLine> nodes;   ///< lines of sight from the start to nodes
+  std::span<const SightLine> direct;  ///< lines of sight from the start to targets
+  std::optional<double> heading_rad;  ///< if set, the first turn is counted
+  std::uint32_t first_target = 0;     ///< earlier targets are ignored
+  std::uint32_t targets = 0;          ///< number of targets
 };
 
-/// `node_lines`: node to node; `target_lines`: node to target. False when the meter refused.
+/// Runs the search. `node_lines` lead from node to node, `target_lines` from node to target. Returns false if
+/// the meter refused.
 bool search_routes(const RobotModel& robot, const SightLines& node_lines, const SightLines& target_lines,
                    const RouteQuery& query, BudgetMeter& meter, RouteTree& tree);
 
-/// The nodes of the way to a target, in the order of driving.
+/// Returns the nodes of the path to a target, in the order of driving.
 std::vector<std::uint32_t> nodes_to(const RouteTree& tree, std::uint32_t target);
 
 }  // namespace outrider::routes

@@ -19,7 +19,8 @@ namespace og = ompl::geometric;
 
 constexpr std::int64_t most_iterations = 1'000'000;
 
-/// PRM* of OMPL grows and searches by the clock, in two threads; this one grows, then searches.
+/// PRM* without timing: OMPL grows and searches by the clock in two threads; this class first grows, then
+/// searches.
 struct PrmStar : og::PRMstar {
   PrmStar(const ob::SpaceInformationPtr& plane, std::uint64_t /*seed*/) : PRMstar(plane) {}
   ob::PlannerStatus solve(const ob::PlannerTerminationCondition& ended) override {
@@ -33,7 +34,7 @@ struct PrmStar : og::PRMstar {
   }
 };
 
-/// Draws for itself when to try the goal.
+/// RRT* that decides by its own random draws when to try the goal.
 struct RrtStar : og::RRTstar {
   RrtStar(const ob::SpaceInformationPtr& plane, std::uint64_t seed) : RRTstar(plane) {
     rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed & 0xffffffffU));

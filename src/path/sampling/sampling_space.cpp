@@ -22,7 +22,7 @@ struct FreePoint : ob::StateValidityChecker {
   bool isValid(const ob::State* state) const override { return ground.point_free(point_of(state)); }
 };
 
-/// OMPL asks only about motions that begin at a valid state.
+/// Tests motions. OMPL only tests motions that begin at a valid state.
 struct FreeMotion : ob::MotionValidator {
   const PolygonGround& ground;
   Met* met;

@@ -32,7 +32,7 @@ std::vector<TreeNode> nodes_of(const ob::PlannerData& data) {
   return nodes;
 }
 
-/// Dijkstra's algorithm from the nodes that stand at the start.
+/// Runs Dijkstra's algorithm from the nodes at the start.
 void find_ways(std::vector<TreeNode>& nodes, Vec2 start) {
   std::set<std::pair<double, unsigned>> open;
   for (unsigned i = 0; i < nodes.size(); ++i) {

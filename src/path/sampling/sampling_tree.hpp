@@ -1,4 +1,4 @@
-// What a sampling planner has in the end, as a trace.
+// The final tree of a sampling planner as a trace.
 #pragma once
 
 #include <ompl/base/Planner.h>
@@ -8,8 +8,8 @@
 
 namespace outrider {
 
-/// The points that are joined to the start, in the order in which they were met, with their parents on the
-/// shortest ways along the planner's graph. O(n log n) for n legs of it.
+/// Reports the points that are joined to the start, in the order in which they first occurred, with their
+/// parents on the shortest paths along the graph of the planner. O(n log n) for its n legs.
 void trace_tree(const ompl::base::Planner& planner, const Problem& problem, const Met& met, Trace& trace);
 
 }  // namespace outrider

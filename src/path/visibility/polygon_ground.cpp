@@ -21,7 +21,7 @@ double twice_area(const std::vector<Vec2>& polygon) {
   return sum;
 }
 
-/// Without corners that repeat the one before.
+/// Returns the corners without consecutive duplicates.
 std::vector<Vec2> distinct(std::vector<Vec2> corners) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
@@ -75,7 +75,7 @@ Status check_count(const std::vector<Vec2>& boundary, const std::vector<std::vec
                   count, most_polygon_corners));
 }
 
-/// The first fault of any polygon, or of the numbers.
+/// Returns the first fault of any polygon, or of the numbers.
 Status check_all(const std::vector<Vec2>& boundary, const std::vector<std::vector<Vec2>>& obstacles,
                  double radius_m) {
   const bool good_radius = radius_m >= least_polygon_radius_m && radius_m <= most_polygon_radius_m;
@@ -97,7 +97,7 @@ Box2 box_of(const std::vector<Vec2>& polygon) {
   return box;
 }
 
-/// The ground of polygons that are known to be good; `before` may be null.
+/// Makes the ground of polygons that have passed the checks; `before` may be null.
 PolygonGround ground_of(const std::vector<Vec2>& boundary, const std::vector<std::vector<Vec2>>& obstacles,
                         double radius_m, const GroundBefore* before) {
   PolygonGround ground;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 
-/// Whether the arc passes the direction of v from its centre.
+/// Returns true if the arc contains the direction v from its centre.
 bool passes(const PathPiece& arc, Vec2 v) {
   const Vec2 begin = arc.from - arc.centre;
   double angle = std::atan2(cross(begin, v), dot(begin, v));
@@ -30,7 +30,8 @@ double distance_to(const PathPiece& piece, Vec2 p) {
   return std::min(ends, std::abs(distance(p, piece.centre) - distance(piece.centre, piece.from)));
 }
 
-/// Between an arc and an edge: at an end of one of them, where they cross, or along the edge's normal.
+/// Returns the distance between an arc and an edge. It is attained at an end of one of them, at a crossing,
+/// or along the normal of the edge.
 double distance_to_arc(const PathPiece& arc, const Segment& edge) {
   double least = std::min(
       {distance(arc.from, edge), distance(arc.to, edge), distance_to(arc, edge.a), distance_to(arc, edge.b)});
@@ -58,7 +59,7 @@ double clearance(const PathPiece& piece, const PolygonGround& ground) {
   return least;
 }
 
-/// How often the polygon goes round p: the sum of the angles that its edges span.
+/// Returns true if the polygon winds around p, by the sum of the angles that its edges span.
 bool goes_round(const std::vector<Vec2>& polygon, Vec2 p) {
   double sum = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

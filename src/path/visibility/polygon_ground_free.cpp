@@ -10,15 +10,16 @@
 namespace outrider {
 namespace {
 
-constexpr double touching = 1e-9;  // relative to the radius: lines and circles so near are cut as if they met
+constexpr double touching = 1e-9;  // relative to the radius: closer curves count as crossing
 
-/// A stretch of free parameters of a curve.
+/// An interval of free parameters of a curve.
 struct Part {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// The free parts of [0, end], given where the freedom of `at(parameter)` may change.
+/// Returns the free parts of [0, end], given the parameters at which the freedom of `at(parameter)` may
+/// change.
 template <class At>
 std::vector<Part> free_parts(const PolygonGround& ground, std::vector<double>& cuts, double end, At at) {
   cuts.push_back(0.0);
@@ -39,7 +40,7 @@ std::vector<Part> free_parts(const PolygonGround& ground, std::vector<double>& c
   return parts;
 }
 
-/// Edges that come within the radius of the box's points, each once.
+/// Finds the edges within the radius of any point of the box, each once.
 void edges_near(const PolygonGround& ground, const Box2& box, std::vector<std::uint32_t>& found) {
   found.clear();
   const EdgeIndex& index = ground.index;
@@ -53,7 +54,8 @@ void edges_near(const PolygonGround& ground, const Box2& box, std::vector<std::u
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-/// Angles from `from` at which the circle about a corner meets the bounds of what the edge forbids.
+/// The angles, from `from`, at which the circle around a corner crosses the border of the region that an edge
+/// forbids.
 struct CircleCuts {
   Vec2 centre;
   double radius_m;
@@ -110,13 +112,13 @@ void add_arcs(PolygonGround& ground, Vec2 before, Vec2 corner, Vec2 after, std::
     const bool known = std::any_of(ground.arcs.begin(), ground.arcs.end(), [&](const FreeArc& arc) {
       return arc.centre == corner && std::abs(wrap_angle(arc.from_rad - low)) < 1e-12;
     });
-    if (known) continue;  // of another polygon with the same corner
+    if (known) continue;  // belongs to another polygon with the same corner
     ground.arcs.push_back(
         {corner, low, part.high - part.low, direction(low), direction(0.5 * (low + high)), direction(high)});
   }
 }
 
-/// Lengths along a line at which it meets the bounds of what the edge forbids.
+/// The lengths along a line at which it crosses the border of the region that an edge forbids.
 struct LineCuts {
   Vec2 from;
   Vec2 along;

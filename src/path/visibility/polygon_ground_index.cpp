@@ -17,7 +17,7 @@ int row_of(const EdgeIndex& index, double y) {
       std::clamp(std::floor((y - index.origin.y) / index.cell_m), 0.0, index.height - 1.0));
 }
 
-/// visit(cell, edge) for every cell that the edge comes within the reach of.
+/// Calls visit(cell, edge) for every cell within reach of the edge.
 template <class Visit>
 void for_each_entry(const PolygonGround& ground, const EdgeIndex& index, Visit visit) {
   const double reach = ground.radius_m * (1.0 + 1e-6) + 2.0 * contact_m + index.cell_m * 0.70711;
@@ -38,7 +38,7 @@ void for_each_entry(const PolygonGround& ground, const EdgeIndex& index, Visit v
   }
 }
 
-/// Whether the disk's centre, moving along s, stays clear of the edge.
+/// Returns true if the disk's centre, moving along s, stays clear of the edge.
 bool clear_of(const Segment& edge, const Segment& s, Vec2 along, double length, double least) {
   const Vec2 a = edge.a - s.a, b = edge.b - s.a;
   const double ay = cross(along, a), by = cross(along, b);
@@ -103,7 +103,7 @@ bool PolygonGround::point_free(Vec2 p) const {
 
 bool PolygonGround::solid(Vec2 p) const {
   if (!bounds.contains(p)) return true;
-  int turns = 0;  // how often the polygons go round p: the boundary -1, each obstacle 1
+  int turns = 0;  // winding number around p: boundary -1, each obstacle 1
   for (const std::uint32_t e : index.rows[static_cast<std::size_t>(row_of(index, p.y))]) {
     const Segment& edge = edges[e];
     const bool up = edge.b.y > p.y;

@@ -7,7 +7,7 @@
 namespace outrider {
 namespace {
 
-/// hi + lo is the exact result, hi its rounding.
+/// An exact result hi + lo, where hi is its rounded value.
 struct Exact {
   double hi = 0.0;
   double lo = 0.0;

@@ -14,7 +14,7 @@ struct ImplicitMemory : TangentGraph {};
 using Departures = void (*)(const PolygonGround&, const Place&, Node, std::vector<Departure>&,
                             std::uint64_t&);
 
-/// Each pair once; the way back runs round the same arcs in the other direction.
+/// Builds the graph from each pair once; the reverse leg touches the same arcs in the opposite direction.
 Status build(TangentGraph& graph, Departures find, BudgetMeter& meter) {
   const PolygonGround& ground = *graph.ground;
   const auto nodes = static_cast<Node>(graph.first.size());

@@ -11,7 +11,7 @@
 
 namespace outrider {
 
-/// The legs by the node that they leave; a node may wait to be looked at.
+/// The legs by their first node; the legs of a node may be still unknown.
 struct TangentGraph {
   static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 
@@ -23,15 +23,15 @@ struct TangentGraph {
 
   void begin(const std::shared_ptr<const PolygonGround>& on);
   void look_round(Node node);
-  /// All legs at once, a row for each node; sorts each by where its legs lead.
+  /// Sets all legs, one row per node, and sorts each row by the nodes to which its legs lead.
   void take(std::vector<std::vector<Departure>> rows);
 };
 
-/// How the graph comes to be: by a sweep round each arc, by pairs, or by a sweep when it is asked for.
+/// The construction of the graph: by a sweep around each arc, by pairs, or by a sweep when a node is needed.
 enum class TangentForm { swept, paired, implicit };
 
-/// The graph of this ground, kept in the workspace from the last query when that was on it too. Wall time
-/// and cancellation are heeded; building counts no expansions.
+/// Returns the graph of this ground. The workspace keeps it for later queries on the same ground. Observes
+/// wall time and cancellation; building counts no expansions.
 Outcome<TangentGraph*> tangent_graph(const std::shared_ptr<const PolygonGround>& ground, TangentForm form,
                                      const Budget& budget, Workspace& workspace);
 

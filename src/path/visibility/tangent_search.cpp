@@ -13,16 +13,16 @@ namespace outrider {
 namespace {
 
 constexpr double slack_rad = 1e-9;
-constexpr double no_bearing_m = 1e-9;  // nearer to a goal no direction leads to it
+constexpr double no_bearing_m = 1e-9;  // closer to a goal than this, its direction is undefined
 
-/// The last leg to a goal from the node that it stands under.
+/// The last leg to a goal, listed under the node that it leaves.
 struct LastLeg {
   std::uint32_t goal = 0;
   double leaves = 0.0;
   double length = 0.0;
 };
 
-/// How the start and the goals see the arcs. Both find the same legs.
+/// Finds the legs between a point (start or goal) and the arcs. Both forms find the same legs.
 void look(const PolygonGround& ground, TangentForm form, Vec2 p, std::vector<Departure>& found,
           std::uint64_t& tests) {
   if (form == TangentForm::paired) {
@@ -32,9 +32,10 @@ void look(const PolygonGround& ground, TangentForm form, Vec2 p, std::vector<Dep
   }
 }
 
-/// States are legs: 0 stands for the start, 1 to n for the n goals, then the legs from the start, then the
-/// others. The estimate is the straight distance to a single goal and the turn towards it, both at their
-/// weights: neither falls faster than a way pays for it, so it is consistent. It is 0 for several goals.
+/// States are legs: 0 stands for the start, 1 to n for the n goals, then come the legs from the start, then
+/// the others. For a single goal, the heuristic is the cost of the straight distance and of the turn towards
+/// the goal. Both decrease no faster than a path pays for them, so the heuristic is consistent. For several
+/// goals it is 0.
 struct TangentPolicy {
   using Cost = double;
 
@@ -70,17 +71,17 @@ struct TangentPolicy {
   [[nodiscard]] State first_leg() const { return static_cast<State>(1 + goals.size() + starts.size()); }
   [[nodiscard]] std::size_t states() const { return first_leg() + graph.legs.size(); }
   [[nodiscard]] static State start() { return 0; }
-  /// Whether the search is done once s is closed: it was the last of the goals.
+  /// Returns true if closing s ends the search, because s is the last of the goals.
   [[nodiscard]] bool is_goal(State s) { return s != 0 && s <= goals.size() && --waiting == 0; }
   [[nodiscard]] const Departure& leg(State s) const {
     return s < first_leg() ? starts[s - 1 - goals.size()] : graph.legs[s - first_leg()];
   }
-  /// Where a leg ends.
+  /// Returns the end of a leg.
   [[nodiscard]] Vec2 place(State s) const {
     if (s == 0) return from;
     return s <= goals.size() ? goals[s - 1] : leg(s).at;
   }
-  /// The direction of a leg where it meets its arc.
+  /// Returns the direction of a leg where it meets its arc.
   [[nodiscard]] double heading_of_leg(const Departure& leg) const {
     const Place place = place_of(ground, leg.to);
     const double begin = place.arc->from_rad + (place.side > 0.0 ? 0.0 : place.arc->width_rad);
@@ -123,8 +124,8 @@ struct TangentPolicy {
     for (State i = 0; i < starts.size(); ++i) {
       ++counters.generated;
       const double turn = weights.heading_rad ? first_turn(heading_of_leg(starts[i])) : 0.0;
-      relax(static_cast<State>(1 + goals.size() + i), 0,
-            weights.per_m * starts[i].length + weights.per_rad * turn, estimate(starts[i]));
+      relax(static_cast<State>(1 + goals.size() + i), 0, weights.per_m * starts[i].length + weights.per_rad * turn,
+            estimate(starts[i]));
     }
   }
   template <class Relax>

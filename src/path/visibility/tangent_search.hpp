@@ -1,5 +1,5 @@
-// The search that the planners on polygons share: A* over the legs of a tangent graph, or Dijkstra's
-// algorithm where there are several goals.
+// The common search of the planners on polygons: A* over the legs of a tangent graph, or Dijkstra's algorithm
+// for several goals.
 #pragma once
 
 #include "outrider/path/visibility/visibility_graph.hpp"
@@ -7,12 +7,13 @@
 
 namespace outrider {
 
-/// From the start of the problem to its goal at the least weights.
+/// Plans from the start of the problem to its goal at the least cost.
 Outcome<Plan> tangent_search(const Problem& problem, const CostWeights& weights,
                              const VisibilityOptions& options, TangentForm form, const Budget& budget,
                              Workspace& workspace);
 
-/// From the start of the problem to each of the goals, in one search; the problem's own goal is not used.
+/// Plans from the start of the problem to each of the goals, in one search; the goal of the problem is not
+/// used.
 std::vector<Outcome<Plan>> tangent_search_many(const Problem& problem, const std::vector<Vec2>& goals,
                                                const CostWeights& weights, const VisibilityOptions& options,
                                                TangentForm form, const Budget& budget, Workspace& workspace);

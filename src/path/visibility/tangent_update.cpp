@@ -14,13 +14,13 @@ constexpr std::uint32_t none = TangentGraph::unknown;
 auto key(const Segment& s) { return std::make_tuple(s.a.x, s.a.y, s.b.x, s.b.y); }
 auto key(const FreeArc& a) { return std::make_tuple(a.centre.x, a.centre.y, a.from_rad, a.width_rad); }
 
-/// Edges that come or go, and a disk that holds them.
+/// Added or removed edges, and a disk that contains them.
 struct ChangedEdges {
   std::vector<Segment> edges;
   Vec2 centre;
   double radius_m = 0.0;
 
-  /// Those of `edges_in` that are not in `but_not`.
+  /// Takes the edges of `edges_in` that are not in `but_not`.
   ChangedEdges(std::vector<Segment> edges_in, std::vector<Segment> but_not) {
     const auto by_key = [](const Segment& s, const Segment& t) { return key(s) < key(t); };
     std::sort(edges_in.begin(), edges_in.end(), by_key);
@@ -37,7 +37,7 @@ struct ChangedEdges {
     radius_m = 0.5 * norm(box.size());
   }
 
-  /// Whether a leg that keeps within `beside_m` of a line may be hindered by one of them.
+  /// Returns true if one of the edges may obstruct a leg that stays within `beside_m` of a line.
   [[nodiscard]] bool near(const Segment& line, double beside_m) const {
     return !edges.empty() && distance(centre, line) <= radius_m + beside_m;
   }
@@ -48,7 +48,7 @@ struct ChangedEdges {
   }
 };
 
-/// For each arc of `now` the same arc of `before`, where it has it; both in rising order.
+/// Returns for each arc of `now` the same arc of `before`, if there is one; both in ascending order.
 std::vector<std::uint32_t> arcs_before(const PolygonGround& before, const PolygonGround& now) {
   std::vector<std::uint32_t> by_key(before.arcs.size());
   for (std::uint32_t i = 0; i < by_key.size(); ++i) by_key[i] = i;
@@ -81,7 +81,7 @@ class Update {
     }
   }
 
-  /// The legs from a node to others not below `least`.
+  /// Returns the legs from a node to nodes not below `least`.
   [[nodiscard]] std::vector<Departure> legs_from(Node node, Node least) {
     std::vector<Departure> legs;
     const Place place = place_of(now_, node);
@@ -103,7 +103,7 @@ class Update {
   }
 
  private:
-  /// The legs that were there and still are. One that is not is not looked for again.
+  /// Keeps the old legs that are still free. A leg that is no longer free is not searched again.
   void keep(Node node, const Place& place, Node least, std::vector<Departure>& legs) {
     const Node was = 2 * before_[node / 2] + node % 2;
     const std::uint32_t end = graph_.first[was] + graph_.count[was];
@@ -123,7 +123,8 @@ class Update {
     return !leg || come_.hinder(now_, {leg->from, leg->to});
   }
   [[nodiscard]] bool beside_gone(Vec2 a, Vec2 b) const { return gone_.near({a, b}, reach()); }
-  /// A leg keeps within the radius of the line between the centres, and the disk within the radius of it.
+  /// A leg stays within the radius of the line between the centres, and the disk within the radius of the
+  /// leg.
   [[nodiscard]] double reach() const { return (2.0 + 1e-6) * now_.radius_m; }
 
   const TangentGraph& graph_;

@@ -30,7 +30,7 @@ std::vector<PathPiece> exact_pieces(const Problem& problem, const std::vector<Wa
   return pieces;
 }
 
-/// Corners of the tangents that replace an arc, in so many equal parts.
+/// Returns the corners of the tangents that replace an arc, in `parts` equal parts.
 std::vector<Vec2> tangent_corners(const PathPiece& arc, int parts) {
   const Vec2 out = arc.from - arc.centre;
   const double step = arc.turn_rad / parts;
@@ -47,7 +47,7 @@ int parts_of(const PathPiece& arc, double step) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(arc.turn_rad) / step - 1e-9)));
 }
 
-/// The arc as straight pieces that are free, or nothing.
+/// Returns the arc as collision-free straight pieces, or nothing.
 std::optional<std::vector<PathPiece>> straightened(const PolygonGround& ground, const PathPiece& arc,
                                                    double step) {
   for (int halving = 0, parts = parts_of(arc, step); halving <= most_halvings; ++halving, parts *= 2) {
@@ -74,7 +74,8 @@ void add_waypoints(Plan& plan, const PathPiece& piece, double step) {
   plan.waypoint_error_m = std::max(plan.waypoint_error_m, stretch * distance(piece.centre, piece.from));
 }
 
-/// Turns only on its arcs, as its legs are tangents; straight legs in their place turn as much.
+/// Returns the total turning. The path turns only on its arcs, because its legs are tangents; straight legs
+/// in place of an arc turn by the same angle.
 double turning_along(const std::vector<PathPiece>& pieces, const CostWeights& weights) {
   double turning = 0.0;
   for (const PathPiece& piece : pieces) turning += std::abs(piece.turn_rad);

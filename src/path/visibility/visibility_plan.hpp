@@ -1,4 +1,4 @@
-// From a chain of tangents to a Plan.
+// Converts a chain of tangents to a Plan.
 #pragma once
 
 #include "outrider/path/visibility/visibility_graph.hpp"
@@ -6,12 +6,13 @@
 
 namespace outrider {
 
-/// One leg of the way found: where it leaves the arc before, which the way entered at `entered`.
+/// One leg of the path found: the point where it leaves the previous arc, which the path entered at
+/// `entered`.
 struct WayLeg {
   Node round = 0;        ///< the arc left; not used for the first leg
   double entered = 0.0;  ///< progress on it, rad
   double left = 0.0;
-  Vec2 to;  ///< where the leg ends
+  Vec2 to;  ///< end of the leg
 };
 
 Plan plan_of(const Problem& problem, const std::vector<WayLeg>& way, const CostWeights& weights,

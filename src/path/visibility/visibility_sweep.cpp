@@ -7,12 +7,13 @@ namespace outrider {
 namespace {
 
 constexpr double margin_turn = 1e-7;   // blocking this near the end of a piece is left to the exact test
-constexpr double margin_ratio = 1e-6;  // and so is what lies this near the end of the leg
+constexpr double margin_ratio = 1e-6;  // and so is a piece this near the end of the leg
 constexpr double beside_m = 1e-6;      // pieces this near a point hide nothing that is told by headings
 constexpr double no_span = 1e-12;
 constexpr double full_turn = 4.0;
 
-/// A measure of the angle from one unit vector to another, -2 to 2, which grows with it: 1 is a right angle.
+/// Returns a number from -2 to 2 that increases with the angle from one unit vector to another; 1 is a right
+/// angle.
 double turn_between(Vec2 from, Vec2 to) {
   const double x = dot(from, to), y = cross(from, to);
   const double part = y / (std::abs(x) + std::abs(y));
@@ -20,22 +21,22 @@ double turn_between(Vec2 from, Vec2 to) {
   return y >= 0.0 ? 2.0 - part : -2.0 - part;
 }
 
-/// A part of the bounds of free space, and the candidates that it may hide.
+/// A part of the border of free space, and the candidates that it may hide.
 struct Piece {
   Segment wall;
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-/// A leg that touches both its arcs, free or not.
+/// A leg that is tangent to both its arcs, free or not.
 struct Candidate {
   double turned = 0.0;
   Node to = 0;
   Tangent leg;
 };
 
-/// A ray tangent to a place, by how far it is turned from its first heading to the left. Only the
-/// directions of candidates count, so a piece of a wall that hides none of them is left out at once.
+/// A rotating ray tangent to a place, parametrised by its rotation to the left from its first heading. Only
+/// the directions of candidates matter, so a piece of a wall that hides none of them is skipped at once.
 struct Sweep {
   const PolygonGround& ground;
   Place place;
@@ -55,7 +56,7 @@ struct Sweep {
     const double turn = turn_between(first, along);
     return all_round() && turn < 0.0 ? turn + full_turn : turn;
   }
-  /// The direction in which the ray meets a point outside the circle of the place.
+  /// Returns the direction in which the ray meets a point outside the circle of the place.
   [[nodiscard]] Vec2 towards(Vec2 p) const {
     const Vec2 v = p - place.centre;
     const double aside = place.side * place.radius_m;
@@ -63,13 +64,13 @@ struct Sweep {
     if (apart <= aside * aside) return (1.0 / norm(v)) * (place.side * perpendicular(v));
     return (1.0 / apart) * (std::sqrt(apart - aside * aside) * v + aside * perpendicular(v));
   }
-  /// How far along its way a leg meets the line of the piece.
+  /// Returns the distance along a leg at which it meets the line of the piece.
   [[nodiscard]] double met_at(const Piece& piece, const Tangent& leg) const {
     const Vec2 wall = piece.wall.b - piece.wall.a;
     const double slope = cross(leg.along, wall);
     return slope == 0.0 ? 0.0 : cross(piece.wall.a - leg.from, wall) / slope;
   }
-  /// Whether the ray meets none of what lies within `reach` of the two points.
+  /// Returns true if the ray meets nothing within `reach` of the two points.
   [[nodiscard]] bool passes_by(Vec2 a, Vec2 b, double reach) const {
     if (all_round()) return false;
     const double most = place.radius_m + reach;
@@ -78,9 +79,9 @@ struct Sweep {
     const bool left = std::min(cross(last, u), cross(last, v)) > most;
     return right | left;
   }
-  /// Of the nodes not below `least`.
+  /// Finds the candidates to nodes not below `least`.
   void find_candidates(Node least);
-  /// Turns from now on only over the candidates: what is not between them hides none.
+  /// Limits the rotation to the range of the candidates; pieces outside of it hide none.
   void narrow() {
     if (all_round()) return;
     first = legs.front().leg.along;
@@ -88,7 +89,7 @@ struct Sweep {
     for (Candidate& leg : legs) leg.turned = turned(leg.leg.along);
   }
 
-  /// Takes in a piece that the ray meets from one direction to another, less than half a turn apart.
+  /// Adds a piece that the ray meets from one direction to another, less than half a turn apart.
   void add(Vec2 from, Vec2 to, const Segment& wall) {
     if (cross(from, to) <= no_span) return;
     const double low = turned(from);
@@ -150,8 +151,8 @@ void Sweep::find_candidates(Node least) {
   });
 }
 
-/// The pieces that the ray meets now, nearest first, as it turns from candidate to candidate. They are
-/// few, and pieces do not cross, so the order in which one ray meets them is that of all.
+/// The pieces that the ray meets at present, nearest first, while it rotates from candidate to candidate.
+/// They are few, and pieces do not cross, so their order is the same along all rays.
 struct MetPieces {
   Sweep& sweep;
   std::vector<Piece> order{};
@@ -171,7 +172,7 @@ struct MetPieces {
       order.insert(std::lower_bound(order.begin(), order.end(), at, nearer), piece);
     }
   }
-  /// Whether the nearest piece plainly crosses the leg.
+  /// Returns true if the nearest piece clearly crosses the leg.
   [[nodiscard]] bool hide(const Tangent& leg) const {
     return !order.empty() &&
            sweep.met_at(order.front(), leg) < leg.length - margin_ratio * (1.0 + leg.length);

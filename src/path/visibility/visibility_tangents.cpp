@@ -24,7 +24,7 @@ std::optional<Tangent> tangent(const Place& a, const Place& b) {
   const double apart = squared_norm(v);
   const double aside = a.radius_m * a.side - b.radius_m * b.side;
   const double squared_length = apart - aside * aside;
-  // Circles that touch, or a point on a circle, have a tangent of no length between them.
+  // If circles touch, or a point lies on a circle, the tangent between them has length zero.
   if (apart == 0.0 || squared_length < -4.0 * std::max(a.radius_m, b.radius_m) * contact_m)
     return std::nullopt;
   const double length = std::sqrt(std::max(0.0, squared_length));

@@ -1,15 +1,16 @@
-// The shortest of the widest paths: as far from everything as can be, then as short as can be.
+// The shortest of the widest paths: the path keeps the largest possible clearance, and is then as short as
+// possible.
 //
-// Finds the largest clearance (distance to the nearest edge) that any path of the disk from start to goal can
-// keep, on the medial axis as in medial_axis.hpp; then the shortest path of a disk of that radius, as
-// visibility_graph.hpp does, with its legs and true arcs. `kept` takes a share of the largest clearance
-// instead, never less than the robot's radius: from 1 to 0 it runs through all best trades of clearance for
-// length, down to the shortest path. Both steps are exact; what rounding takes from the clearance is at most
-// 2^-28 of the map and a billionth.
+// The planner first finds the largest clearance (distance to the nearest edge) that any path of the disk from
+// start to goal can keep, on the medial axis as in medial_axis.hpp. It then finds the shortest path of a disk
+// of that radius as visibility_graph.hpp does, with its legs and true arcs. `kept` requires only a fraction
+// of the largest clearance, but never less than the radius of the robot: values from 1 to 0 yield all optimal
+// compromises of clearance and length, down to the shortest path. Both steps are exact. Rounding costs at
+// most 2^-28 of the map size plus a billionth of the clearance.
 //
-// Complete as medial_axis.hpp is. cost is the length; lower_bound is the cost: no path that keeps as much
-// clearance is shorter. Counters and trace are those of both searches. Memory and faults: as medial_axis.hpp.
-// Sources: O'Dunlaing and Yap (1985); Liu and Arimoto (1992).
+// Complete in the same sense as medial_axis.hpp. The cost is the length, and lower_bound is the cost: no path
+// that keeps as much clearance is shorter. Counters and trace cover both searches. Memory and faults: as in
+// medial_axis.hpp. Sources: O'Dunlaing and Yap (1985); Liu and Arimoto (1992).
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -19,11 +20,13 @@
 
 namespace outrider {
 
+/// Options of widest().
 struct WidestOptions {
-  double kept = 1.0;
+  double kept = 1.0;  ///< fraction of the largest possible clearance that the path keeps
 };
 std::vector<Option> describe(WidestOptions& options);
 
+/// Plans a path as described above.
 Outcome<Plan> widest(const Problem& problem, const WidestOptions& options, const Budget& budget,
                      Workspace& workspace);
 

@@ -1,22 +1,23 @@
-// A grid from an occupancy grid, such as a map server's, for a disk robot.
+// Makes a grid for a disk robot from an occupancy grid, such as that of a map server.
 //
-// The occupied cells are taken as full squares, and all beyond the grid as occupied. A cell is free
-// when it is not occupied and its closed square is at least the radius away from every occupied square;
-// touching is allowed. So every path on the grid, in both models, is free of collision for the disk.
-// The distances are exact: the distance between two squares is that between one centre and the
-// nearest of the nine cells around the other, so the occupied cells grown by one cell go through the exact
-// Euclidean distance transform (world/clearance.hpp). O(cells), about 16 bytes a cell for the time of the
-// call. Fault: bad_input on numbers that make no grid or a radius that is not finite or below 0.
+// Occupied cells count as full squares, and everything outside the grid as occupied. A cell is free if it is
+// not occupied and its closed square is at least the radius away from every occupied square; touching is
+// allowed. So every path on the grid, in both grid models, is collision-free for the disk. Distances are
+// exact: the distance between two squares is the distance from the centre of one to the nearest of the nine
+// cell centres in and around the other. So the occupied cells, dilated by one cell, go through the exact
+// Euclidean distance transform (world/clearance.hpp). O(cells), with about 16 temporary bytes per cell.
+// Fault: bad_input if the numbers make no grid, or for a radius that is negative or not finite.
 #pragma once
 
 #include "outrider/path/grid/grid_map.hpp"
 
 namespace outrider {
 
-/// 1 where the centre of a disk of that radius must not be. Cells other than 0 are occupied.
+/// Returns a grid with 1 in each cell where the centre of a disk of that radius must not be. Cells other than
+/// 0 are occupied.
 Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double radius_m);
 
-/// The same prepared for searching.
+/// Returns the same grid as a GridMap, for use in a Problem.
 Outcome<GridMap> grid_from_occupancy(const Grid<std::uint8_t>& occupied, double radius_m, GridModel model);
 
 }  // namespace outrider

@@ -1,27 +1,28 @@
-// Hub labels: the shortest path in any direction looked up in an index, for many queries on one grid.
+// Hub labels: looks up the shortest path in any direction in an index, for many queries on one grid.
 //
-// From each corner of the grid the index names a few hubs, turns that lie on many shortest paths, with the
-// way to each. A start and a goal that do not see each other share a hub on a shortest path between them; the
-// query merges their two lists and follows the best common hub's paths to both.
+// For each corner of the grid, the index lists a few hubs (turning points that lie on many shortest paths)
+// and the path to each. A start and a goal that do not see each other have a common hub on a shortest path
+// between them. A query merges their two lists, finds the best common hub and follows its paths to both.
 //
-// Complete; optimal among all paths in the model, to 1e-9 of the length, with lower_bound the cost. Takes the
-// model `corners` alone. The first query makes the index, which the workspace keeps; its trees and lists take
-// at most `index_mib`. Where the lists of all corners do not fit, or are too much work, those of the upper
-// rows are left out, and polyanya answers what starts or ends there; where the hubs themselves do not fit, it
-// answers all.
+// Complete. Optimal among all paths in the model, to 1e-9 of the length; lower_bound is the cost. Accepts
+// only the model `corners`. The first query builds the index, which the workspace keeps; its trees and lists
+// take at most `index_mib`. If the lists of all corners do not fit or take too much work, the lists of the
+// upper rows are omitted, and polyanya answers queries that start or end there. If the hubs themselves do not
+// fit, polyanya answers all queries.
 //
-// On a changed ground the index of the old one answers where it is proven (hub_kept.hpp): its path is still
-// free, and no shorter one can touch a cell that has become free. Else polyanya answers. Another index is
-// made when more than a cell in 32 differs, or when polyanya has spent on changed grounds what making the
-// index took, in expansions. Cost, bound and status are those of a new workspace, the cost to 1e-12 of
-// itself, where the budget lasts for polyanya's expansions; of paths that are equally long another one may be
-// found.
+// On a changed ground, the index of the old ground answers if its answer is proven (hub_kept.hpp): its path
+// is still free, and no shorter path can touch a cell that has become free. Otherwise polyanya answers. The
+// index is rebuilt if more than one cell in 32 differs, or when polyanya has used as much work on changed
+// grounds as building the index took, in expansions. Cost, bound and status equal those of a new workspace
+// (the cost to a relative 1e-12) if the budget suffices for polyanya's expansions. Of several paths of equal
+// length another one may be found.
 //
 // A query takes O(labels + legs of the path + cells on the straight line), on a changed ground also O(cells
-// on the path + boxes of freed cells). An expansion is a query, or one of polyanya's. Faults: those of
-// grid_query(); bad_input on the model `cells`; no_path (proven at this resolution); budget_exhausted;
-// cancelled. Sources: Du, Shen and Cheema, Ultrafast Euclidean shortest path computation using hub labeling
-// (2023); Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths (2012).
+// on the path + boxes of freed cells). An expansion is one query answered by the index, or one expansion of
+// polyanya. Faults: those of grid_query(); bad_input for the model `cells`; no_path (proven at this
+// resolution); budget_exhausted; cancelled.
+// Sources: Du, Shen and Cheema, Ultrafast Euclidean shortest path computation using hub labeling (2023);
+// Abraham, Delling, Goldberg and Werneck, Hierarchical hub labelings for shortest paths (2012).
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -31,11 +32,13 @@
 
 namespace outrider {
 
+/// Options of hub_labels().
 struct HubLabelsOptions {
-  std::int64_t index_mib = 512;
+  std::int64_t index_mib = 512;  ///< maximum memory of the index, MiB
 };
 std::vector<Option> describe(HubLabelsOptions& options);
 
+/// Plans a path as described above.
 Outcome<Plan> hub_labels(const Problem& problem, const HubLabelsOptions& options, const Budget& budget,
                          Workspace& workspace);
 

@@ -1,23 +1,24 @@
-// Polyanya: the shortest path in any direction, by A* over cones of sight on a navigation mesh.
+// Polyanya: finds the shortest path in any direction by A* over cones of sight on a navigation mesh.
 //
-// A node is a root, the place where the path turned last, and the cone in which it looks on through a
-// side of a polygon. Expanded, it looks over the other sides: each that lies in the cone makes a node
-// behind it, each corner of an obstacle at which the path can turn a node of which it is the root. f is the
-// length to the root and on, through the side, to the goal, mirrored in the side when it lies on this side
-// of it. Cones are bounded by corners, not by computed points, so all decisions are taken in whole numbers.
+// A node is a root (the point at which the path turned last) and the cone in which the root sees through a
+// side of a polygon. Expanding a node looks at the other sides of the polygon behind. Each side in the cone
+// yields a node behind it, and each obstacle corner at which the path can turn yields a node with that corner
+// as root. f is the length to the root plus the length from the root through the side to the goal; a goal on
+// the near side is mirrored in the side. Cones are bounded by corners instead of computed points, so all
+// decisions are exact in integers.
 //
-// Complete; optimal among all paths in the model, with lower_bound the cost. Takes the model `corners` alone.
-// The first query on a ground makes its mesh (mesh.hpp), which the workspace keeps. On a ground that differs
-// in few cells the mesh follows where they are (mesh_change.hpp); it is made anew when more than a cell in 32
-// differs, or when its sides and the gaps among them have come to half as many again. Status, cost and
-// bound are those of a new workspace, the cost to 1e-12 of itself, where the budget lasts for the expansions;
-// those, and which of equally long paths is found, depend on what the workspace has met before.
+// Complete and optimal among all paths in the model; lower_bound is the cost. Accepts only the model
+// `corners`. The first query on a ground builds its mesh (mesh.hpp), which the workspace keeps. On a ground
+// that differs in few cells, the mesh is updated where they are (mesh_change.hpp). It is rebuilt if more than
+// one cell in 32 differs, or once its sides and gaps have grown by half. Status, cost and bound equal those
+// of a new workspace (the cost to a relative 1e-12) if the budget suffices for the expansions. The number of
+// expansions, and the choice among paths of equal length, depend on earlier queries in the workspace.
 //
-// A query takes O(n log n) for the n nodes whose f is not above the optimum, and 64 bytes for each. Faults:
-// those of grid_query(); bad_input on the model `cells`; no_path (proven at this resolution);
-// budget_exhausted; cancelled. Sources: Cui, Harabor and Grastien, Compromise-free pathfinding on a
-// navigation mesh (2017); turns by the quadrant of the blocked cell, Oh and Leong, Edge N-level sparse
-// visibility graphs (2017).
+// A query takes O(n log n) time and 64 bytes per node for the n nodes whose f is at most the optimum. Faults:
+// those of grid_query(); bad_input for the model `cells`; no_path (proven at this resolution);
+// budget_exhausted; cancelled.
+// Sources: Cui, Harabor and Grastien, Compromise-free pathfinding on a navigation mesh (2017); turns by the
+// quadrant of the blocked cell, Oh and Leong, Edge N-level sparse visibility graphs (2017).
 #pragma once
 
 #include "outrider/core/budget.hpp"
@@ -27,9 +28,11 @@
 
 namespace outrider {
 
+/// The planner has no options.
 struct PolyanyaOptions {};
 std::vector<Option> describe(PolyanyaOptions& options);
 
+/// Plans a path as described above.
 Outcome<Plan> polyanya(const Problem& problem, const PolyanyaOptions& options, const Budget& budget,
                        Workspace& workspace);
 

@@ -43,44 +43,47 @@
 
 namespace outrider {
 
+/// Options of routes.
 struct RouteOptions {
-  double arc_step_rad = pi / 4;  ///< from 1 to 90 degrees
+  double arc_step_rad = pi / 4;  ///< turn per corner around a rounded obstacle, 1 to 90 degrees
 };
 
 std::vector<Option> describe(RouteOptions& options);
 
+/// A route between two places.
 struct Route {
   std::vector<Vec2> waypoints;  ///< from the start to the goal, both included
-  DriveCost cost;               ///< with the first turn
+  DriveCost cost;               ///< cost including the first turn
 };
 
 struct RouteTable;
 
-/// The answers for one ground, robot and list of stops. Immutable, cheap to copy, and safe to ask from
-/// several threads at once.
+/// The routes between a list of stops, for one ground and robot. Immutable, cheap to copy, and safe to query
+/// from several threads at once.
 class Routes {
  public:
   explicit Routes(std::shared_ptr<const RouteTable> table) : table_(std::move(table)) {}
 
-  /// O(1).
+  /// Returns the drive between two stops. O(1).
   [[nodiscard]] Drive between(std::size_t from, std::size_t to) const;
-  /// The stops included; a single point when both are one place, none without a route. O(waypoints).
+  /// Returns the waypoints between two stops, both included: one point if both stops are at the same place,
+  /// none if there is no route. O(waypoints).
   [[nodiscard]] std::vector<Vec2> waypoints(std::size_t from, std::size_t to) const;
-  /// The fastest route on the same graph between points that need not be stops, the first turn
-  /// counted. Refused with start_blocked, goal_blocked, outside_map, bad_input or no_path. About 1 ms
-  /// in a yard with some hundred corners.
+  /// Returns the fastest route on the same graph between points that need not be stops, including the first
+  /// turn. Faults: start_blocked, goal_blocked, outside_map, bad_input, no_path. Takes about 1 ms in a yard
+  /// with about a hundred corners.
   [[nodiscard]] Outcome<Route> route(const Pose2& start, Vec2 goal) const;
 
  private:
   std::shared_ptr<const RouteTable> table_;
 };
 
-/// Builds the graph over corners and `extra_nodes` (those that are not free are left out) and searches
-/// from every stop. Refused: a stop that is blocked (goal_blocked) or outside the bounds (outside_map),
-/// named by its index; a number that is not finite, more than 4096 nodes or 2048 stops (bad_input); the
-/// budget, in which a point whose lines of sight are found and a label that is settled count as one
-/// expansion each. Time O((n + s)^2) exact sight tests and O(s n^2) relaxations at worst for n nodes
-/// and s stops; memory O(n^2 + s n + s^2).
+/// Builds the graph over the corners and `extra_nodes` (those that are not free are skipped) and searches
+/// from every stop. Faults: goal_blocked for a blocked stop and outside_map for a stop outside the bounds,
+/// with its index; bad_input for numbers that are not finite, more than 4096 nodes or more than 2048 stops;
+/// those of the budget. One expansion is a point whose lines of sight are found, or a settled label. Time:
+/// O((n + s)^2) exact sight tests and O(s n^2) relaxations at worst for n nodes and s stops. Memory: O(n^2 +
+/// s n + s^2).
 Outcome<Routes> routes_between(const CollisionMap& ground, const RobotModel& robot,
                                const std::vector<Vec2>& stops, const std::vector<Vec2>& extra_nodes,
                                const RouteOptions& options, const Budget& budget);

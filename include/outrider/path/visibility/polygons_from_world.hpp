@@ -1,10 +1,11 @@
-// Polygons from the exact shapes of a world, for a disk robot.
+// Makes polygons for a disk robot from the exact shapes of a world.
 //
-// The boundary is that of the world's bounds. An obstacle with sharp corners is taken as it is; one that is
-// round (a cylinder, a sphere, a capsule) as the tangents that turn by at most 10 degrees about it, which
-// hold it and stand out by at most its radius (1 / cos(5 degrees) - 1), 0.4 % of it. So every path among
-// the polygons is free of collision in the world, and what is lost is a gap that the disk fits through by
-// less than that. O(corners^2), as PolygonGround::of(). Faults: those of PolygonGround::of().
+// The boundary is that of the world's bounds. Obstacles with sharp corners are used unchanged. A round
+// obstacle (cylinder, sphere, capsule) becomes a circumscribed polygon whose sides are tangents that turn by
+// at most 10 degrees. The polygon contains the obstacle and exceeds it by at most radius (1 / cos(5 degrees)
+// - 1), 0.4 % of the radius. So every path among the polygons is collision-free in the world; only gaps that
+// the disk fits through by less than that are lost. O(corners^2), as for PolygonGround::of(). Faults: those
+// of PolygonGround::of().
 #pragma once
 
 #include "outrider/path/visibility/polygon_ground.hpp"
@@ -12,9 +13,10 @@
 
 namespace outrider {
 
-/// The obstacle as a polygon, as above.
+/// Returns the obstacle as a polygon, as described above.
 std::vector<Vec2> outline(const RoundedPolygon& obstacle);
 
+/// Returns the ground of a world for a disk of that radius.
 Outcome<PolygonGround> polygons_from_world(const CollisionMap& ground, double radius_m);
 
 }  // namespace outrider
