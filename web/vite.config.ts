@@ -7,9 +7,7 @@ import { defineConfig } from "vitest/config";
 /** Returns the hash of a script for a Content-Security-Policy; a browser runs only the script with these bytes. */
 const hashOf = (script: string): string => `sha256-${createHash("sha256").update(script).digest("base64")}`;
 
-/**
- * Inlines the one script and the one style sheet of the bundle into its HTML, and adds the script's hash to its policy.
- */
+/** Inlines the bundle's one script and one style sheet into its HTML, and adds the script's hash to its policy. */
 function oneFile(): Plugin {
   return {
     name: "one-file",

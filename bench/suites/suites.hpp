@@ -39,7 +39,7 @@ struct PathRequest {
   std::vector<std::string> planners;  ///< empty: all that find short paths on grids
   std::size_t queries = 1000;         ///< most queries per map
   int repeat = 1;                     ///< repetitions; the shortest time counts
-  bool all_rows = false;  ///< use scenario rows even with a table of shortest lengths
+  bool all_rows = false;              ///< use scenario rows even with a table of shortest lengths
 };
 Outcome<BenchResult> measure_path(const PathRequest& request, const BenchObserver& observer);
 
