@@ -1,14 +1,14 @@
-# The verbs people need. Each installs what it misses of packages.txt (Debian 12), builds, and does its
-# one thing; `make help` lists them.
+# The everyday commands. Each installs the packages of packages.txt (Debian 12) that it needs, builds, and
+# does one thing; `make help` lists them.
 
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 INSTALL = @scripts/install-packages
 CONFIGURE = @scripts/configure
 
-# The tool alone needs no test packages: a fresh build folder leaves the tests out until they are asked for.
+# The tool alone needs no test packages, so a new build folder leaves out the tests until they are requested.
 FIRST = $(if $(wildcard build/build.ninja),,-DOUTRIDER_BUILD_TESTS=OFF)
 
-# Tests that read published data find it here and are skipped without it.
+# Tests that read published data find it here; without it they are skipped.
 ifneq ($(wildcard ../shared/data),)
 export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
@@ -23,7 +23,7 @@ MOMENTS ?= 50
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
 
-# Where npm cannot have its packages the tool has no page; the moving picture needs none.
+# If npm cannot get its packages, the tool has no page; the moving picture does not need npm.
 demo: tool-and-page  ## guard the example yard, print the summary, write a page and a picture to out/yard
 	@build/outrider run scenarios/yard/yard.yaml --out out/yard $$(grep -qs incbin build/web/page_files.cpp && echo --html)
 
@@ -54,7 +54,7 @@ asan:  ## run the test programs, costly tests in part, under the address and und
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
 
-# What uses threads: the server, and what guard, explore and the report compute in parallel.
+# Units that use threads: the server, and the parallel parts of guard, explore and the report.
 THREADED = core guard explore report server
 
 tsan:  ## run the tests of what uses threads, costly ones in part, under the thread sanitizer
@@ -113,14 +113,14 @@ lint: check-format  ## static analysis and formatting
 	@scripts/check-clang build-tidy
 	@run-clang-tidy-19 -quiet -p build-tidy -j $(JOBS) "$(CURDIR)/(src|apps)/.*" 2>/dev/null
 
-# What older lines and headers have is left to lint, which sees every file.
+# Older lines and headers are left to lint, which checks every file.
 tidy:  ## static analysis of the lines of the library and the tool that differ from the commit BASE, HEAD~1 unless given
 	$(INSTALL) build test lint
 	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
 	@[ -z "$$(scripts/changed-sources $(BASE))" ] || git diff -M -U0 $(or $(BASE),HEAD~1) -- src apps | \
 	  clang-tidy-diff-19.py -clang-tidy-binary clang-tidy-19 -p1 -path build-tidy -iregex '.*[.]cpp' -j $(JOBS) -quiet
 
-# What clang++-19 says: all but the tests, and of the tests what changed.
+# Compiles everything except the tests with clang++-19, and of the tests only the changed files.
 check-clang:
 	$(INSTALL) build test lint
 	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON

@@ -1,8 +1,8 @@
-// What a change of the map costs each planner that keeps something: a block of 3 x 3 cells, or an obstacle,
-// comes and goes by turns, and a query whose start is its goal brings the index up to date. `followed` keeps
-// the workspace, `anew` takes a new one; `ground` is the making of the ground itself. `polyanya/query` is one
-// between random places once 64 blocks have come, one by one, on the mesh that followed or one made anew.
-// Grids of MovingAI are read from $OUTRIDER_DATA/grids where that is set.
+// Measures what a map change costs each planner that keeps an index. A block of 3 x 3 cells, or an obstacle,
+// appears and disappears by turns, and a query whose start is its goal updates the index. `followed` keeps
+// the workspace, `anew` uses a new one; `ground` makes only the ground. `polyanya/query` asks for paths
+// between random places after 64 blocks have appeared one by one, on the updated mesh or on a new one. Grids
+// of MovingAI are read from $OUTRIDER_DATA/grids if that is set.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ namespace {
 constexpr int block = 3;
 constexpr std::size_t places = 32;
 
-/// Grounds of which each even one is the map itself and each odd one has one change somewhere.
+/// Holds problems: those with an even index have the original map, those with an odd index have one change.
 struct Changing {
   std::vector<Problem> problems;
   std::size_t next = 0;
@@ -31,7 +31,7 @@ struct Changing {
   const Problem& turn() { return problems[next++ % problems.size()]; }
 };
 
-/// A problem whose answer takes no search.
+/// Returns a problem whose answer needs no search.
 Problem at_rest(std::shared_ptr<const GridMap> ground) {
   Cell v;
   while (!ground->place(v)) v = v.x < ground->frame.width ? Cell{v.x + 1, v.y} : Cell{0, v.y + 1};
@@ -39,7 +39,7 @@ Problem at_rest(std::shared_ptr<const GridMap> ground) {
   return {std::move(ground), p, p};
 }
 
-/// A block of cells of which most are free, far from the first free cell.
+/// Returns a block of mostly free cells, far from the first free cell.
 CellChange some_block(Rng& rng, const GridMap& ground) {
   for (;;) {
     const auto below = [&](int n) { return static_cast<int>(rng.below(static_cast<std::uint64_t>(n))); };
@@ -68,7 +68,7 @@ Changing changing_grid(const Grid<std::uint8_t>& blocked, GridModel model) {
   return changing;
 }
 
-/// Squares and triangles, `count` of them, strewn over a square of 100 m.
+/// Returns `count` squares and triangles, scattered over a square of 100 m.
 PolygonGround strewn(int count) {
   Rng rng = Rng(4).child("obstacles");
   std::vector<std::vector<Vec2>> obstacles;
@@ -112,8 +112,8 @@ void make_anew(benchmark::State& state, const ConfiguredPlanner& planner, Changi
   }
 }
 
-/// Queries between random places on a grid to which blocks have come; the workspace has met all of them, or
-/// the last alone.
+/// Measures queries between random places on a grid to which blocks were added. The workspace has seen all
+/// blocks (`all`), or only the final map.
 void ask(benchmark::State& state, const ConfiguredPlanner& planner, const Grid<std::uint8_t>& blocked,
          bool all) {
   constexpr int blocks = 64, queries = 300;

@@ -1,6 +1,6 @@
-// The survey of a yard, with the firing regions of all its targets, on one thread; the counter tells the
-// places with a shot. The yard is the bundled one, or that of the scenario which OUTRIDER_GUARD_SCENARIO
-// names.
+// Builds the firing map of a yard with the firing regions of all its targets, on one thread; the counter
+// shows the number of places with a shot. The yard is the bundled one, or that of the scenario named by
+// OUTRIDER_GUARD_SCENARIO.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 

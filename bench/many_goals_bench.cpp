@@ -1,4 +1,4 @@
-// Many goals from one start: one search against as many single queries, on polygon maps and grids of
+// Compares one search for many goals from one start with single queries, on polygon maps and grids of
 // $OUTRIDER_DATA. Prints the table of docs/benchmarks/path.md. Each time is the shortest of several rounds.
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ double least_us(Work work) {
   return least;
 }
 
-/// A start and so many goals that the planner reaches from it.
+/// Sets a start in `problem` and returns `goals` goals that the planner reaches from it.
 std::vector<Vec2> joined_places(const ConfiguredPlanner& planner, Problem& problem, const Box2& box,
                                 std::size_t goals) {
   Rng rng = Rng(1).child("places");
@@ -39,7 +39,7 @@ std::vector<Vec2> joined_places(const ConfiguredPlanner& planner, Problem& probl
   Workspace workspace;
   std::vector<Vec2> found;
   for (int misses = 0; found.size() < goals; ++misses) {
-    if (found.empty() || misses > 1000) {  // the start may lie in a corner of its own
+    if (found.empty() || misses > 1000) {  // the start may be in a closed area
       problem.start = place();
       found.clear();
       misses = 0;
@@ -58,7 +58,7 @@ void compare(const std::string& map, const char* name, Problem problem, const Bo
     const std::vector<Vec2> goals = joined_places(planner, problem, box, count);
     Workspace workspace;
     const auto ask = [&](const ConfiguredPlanner& by) { plan_each(by, problem, goals, {}, workspace); };
-    ask(planner);  // what is built beforehand is built
+    ask(planner);  // builds the index before timing
     const double many_us = least_us([&] { ask(planner); }), single_us = least_us([&] { ask(one_by_one); });
     fmt::print("| {:<14} | {:<24} | {:>5} | {:>10.0f} | {:>10.0f} | {:>5.2f} |\n", map, name, count, many_us,
                single_us, many_us / single_us);

@@ -1,5 +1,5 @@
-// Every row of the catalogue of path planners on one generated map of 512 x 512 cells: time of a query
-// (median over the queries, in ms) and expansions a second.
+// Runs every planner of the path catalogue on one generated map of 512 x 512 cells. Measures the time of a
+// query (median over the queries, in ms) and expansions per second.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr int side = 512;
 constexpr std::size_t query_count = 24;
 
-/// Rooms without order: blocks of 1 to 24 cells over about a third of the map.
+/// Returns a random map with blocks of 1 to 24 cells on about a third of its area.
 std::shared_ptr<const GridMap> generated_map(GridModel model) {
   Rng rng = Rng(1).child("map");
   Grid<std::uint8_t> blocked(GridFrame{{}, 1.0, side, side});
@@ -29,7 +29,7 @@ std::shared_ptr<const GridMap> generated_map(GridModel model) {
   return std::make_shared<const GridMap>(*GridMap::of(blocked, model));
 }
 
-/// Queries that have an answer and lead across at least half of the map.
+/// Returns solvable queries that lead across at least half of the map.
 std::vector<Problem> long_queries(const std::shared_ptr<const GridMap>& ground) {
   Rng rng = Rng(1).child("queries");
   const ConfiguredPlanner judge = find_path_planner("a_star")->configure();

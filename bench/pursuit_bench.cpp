@@ -1,5 +1,6 @@
-// Catching a moving target on a generated map of 1825 x 2332 cells, four fifths of it walls, against the
-// plain sweep of every cell in every second: time to the first catch, to the proof, and their ratio.
+// Catches a moving target on a generated map of 1825 x 2332 cells, four fifths of them walls, and compares
+// with a plain sweep of every cell in every second: time to the first catch, time to the proof, and their
+// ratio.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -14,7 +15,7 @@ namespace {
 constexpr int width = 1825, height = 2332, seconds = 5345;
 constexpr std::uint32_t wall = 100;
 
-/// Halls joined by corridors; the floor of each hall has a cost of its own between 1 and `dearest`.
+/// Returns halls joined by corridors; the floor of each hall has its own cost between 1 and `dearest`.
 PursuitProblem generated_pursuit(std::uint32_t dearest) {
   Rng rng = Rng(1).child("pursuit");
   const auto below = [&](int count) {

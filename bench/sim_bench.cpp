@@ -1,5 +1,6 @@
-// One image of the simulated camera, 1920 x 1080: rendered where tags may be seen, searched for tags, their
-// poses and the place of the robot found. Counters: tags seen, and the error of the place in mm.
+// Measures one image of the simulated camera, 1920 x 1080: it is rendered where tags may be visible and
+// searched for tags, then their poses and the robot position are computed. Counters: detected tags, and the
+// position error in mm.
 #include <benchmark/benchmark.h>
 
 #include "outrider/core/units.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 const RobotCamera mount{Camera{}, looking_ahead({0.05, 0.0, 0.15})};
 
-/// A corner with four tags, 0.5 to 3 m from where the robot stands.
+/// Returns a corner with four tags, 0.5 to 3 m from the robot.
 TagScene corner() {
   const auto box = [](Vec3 centre, Vec3 half_size) {
     return Solid{"wall", {centre, {}}, BoxShape{half_size}};

@@ -1,5 +1,5 @@
-// Tours of generated yards: the proof for 12 goals, the search and the bound beyond. Counters: cost of
-// the tour in s, its lower bound as a part of it, and whether it was proven optimal.
+// Solves tours of generated yards: the proof for up to 12 goals, the search and the bound for more. Counters:
+// cost of the tour in s, its lower bound as a fraction of the cost, and whether it was proven optimal.
 #include <benchmark/benchmark.h>
 
 #include "../tests/unit/tour/random_tour.hpp"

@@ -1,7 +1,7 @@
-// When does a visibility graph pay? The polygon maps of $OUTRIDER_DATA/polygons and the outlines of the
-// grid den312d: what the graphs cost beforehand, what a query costs on each of them, on none and on a
-// navigation mesh, and after how many queries a graph has paid for itself. Prints the table of
-// docs/benchmarks/path.md. Each time is the shortest of several rounds.
+// Measures when a visibility graph pays off, on the polygon maps of $OUTRIDER_DATA/polygons and the outlines
+// of the grid den312d: the cost of building each graph, the cost of a query on each graph, without a graph
+// and on a navigation mesh, and the number of queries after which a graph has paid for itself. Prints the
+// table of docs/benchmarks/path.md. Each time is the shortest of several rounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct World {
   std::string name;
   PolygonMap map;
   double radius_m = 0.18;
-  double cell_m = 0.05;  ///< of the grid of the navigation mesh
+  double cell_m = 0.05;  ///< cell size of the grid for the navigation mesh
 };
 
 double twice_area(const std::vector<Vec2>& loop) {
@@ -34,13 +34,14 @@ double twice_area(const std::vector<Vec2>& loop) {
   return sum;
 }
 
-/// The corners of the loop that leaves `from` along `step`, blocked cells to the left; takes its sides away.
+/// Returns the corners of the loop that leaves `from` along `step`, with blocked cells to the left. Removes
+/// its sides from `sides`.
 std::vector<Vec2> loop_of(std::multimap<std::pair<int, int>, Cell>& sides, Cell from, Cell step) {
   std::vector<Vec2> corners;
   Cell at = from, last{};
   do {
     const auto [begin, end] = sides.equal_range({at.x, at.y});
-    // Where two loops touch, the way turns left: round the same blocked cell.
+    // Where two loops touch, turns left, around the same blocked cell.
     auto next = begin;
     for (auto side = begin; side != end; ++side) {
       if (side->second == (last == Cell{} ? step : Cell{-last.y, last.x})) next = side;
@@ -53,7 +54,7 @@ std::vector<Vec2> loop_of(std::multimap<std::pair<int, int>, Cell>& sides, Cell 
   return corners;
 }
 
-/// The outlines of the blocked cells: the longest round free ground is the boundary.
+/// Returns the outlines of the blocked cells. The outline around the largest free area is the boundary.
 PolygonMap outlines(const Grid<std::uint8_t>& grid) {
   std::multimap<std::pair<int, int>, Cell> sides;
   const auto blocked = [&](int x, int y) { return !grid.frame.contains({x, y}) || grid[{x, y}] != 0; };
@@ -90,8 +91,8 @@ double best_us(int times, const auto& work) {
 }
 
 struct Cost {
-  double before_us = 0.0;  ///< what the first query takes more than the same asked again
-  double query_us = 0.0;   ///< mean of the queries that it answers
+  double before_us = 0.0;  ///< extra time of the first query over its repetition
+  double query_us = 0.0;   ///< mean over the answered queries
 };
 
 template <class Options>
@@ -115,7 +116,7 @@ Cost cost_of(Outcome<Plan> (*planner)(const Problem&, const Options&, const Budg
   return cost;
 }
 
-/// After so many queries the graph has cost less than none.
+/// Returns the number of queries after which the graph costs less in total than no graph.
 std::string paid_after(const Cost& graph, const Cost& none) {
   if (none.query_us <= graph.query_us) return "never";
   return fmt::format("{:.0f}", std::ceil(graph.before_us / (none.query_us - graph.query_us)));
@@ -143,7 +144,7 @@ void measure(const World& world) {
       mesh.before_us, mesh.query_us);
 }
 
-/// Queries between random points that have an answer.
+/// Returns solvable queries between random points.
 std::vector<PointQuery> random_queries(const World& world, std::size_t count) {
   const auto ground = std::make_shared<const PolygonGround>(
       *PolygonGround::of(world.map.boundary, world.map.obstacles, world.radius_m));

@@ -1,8 +1,8 @@
-# How a release is hardened: an overrun of the stack or of a buffer ends the program instead of being put to use,
-# and the tables that calls go through cannot be written to. docs/reliability.md has what each costs.
+# Hardening of releases: an overrun of the stack or of a buffer ends the program instead of being exploited,
+# and the tables of function addresses are read-only. docs/reliability.md lists the cost of each measure.
 #
-# Options of our own folders, so nothing of it reaches who links the library. Debug builds and those of the
-# sanitizers have checks of their own.
+# The options apply to our own folders only, so programs that link the library are not affected. Debug and
+# sanitizer builds have their own checks.
 option(OUTRIDER_HARDEN "Compile releases with checks of stack, buffers and jumps" ON)
 
 if(OUTRIDER_HARDEN)
@@ -14,19 +14,19 @@ if(OUTRIDER_HARDEN)
       add_compile_options($<$<CONFIG:Release>:-f${flag}>)
     endif()
   endforeach()
-  # Some compilers define it already, as another number.
+  # Some compilers already define it with another value.
   add_compile_options("$<$<CONFIG:Release>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
 endif()
 
-# Checks the indices and iterators of standard containers too: for what reads files and answers requests. In the
-# loops of searches it costs more than 2 %.
+# Also checks indices and iterators of standard containers, in code that reads files and answers requests. In
+# the loops of searches this costs more than 2 %.
 function(outrider_check_containers target)
   if(OUTRIDER_HARDEN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-D_GLIBCXX_ASSERTIONS>)
   endif()
 endfunction()
 
-# The tool: all of its symbols are bound as it starts, before the tables of them become read-only.
+# Binds all symbols of the tool at startup, before their tables become read-only.
 function(outrider_harden_program target)
   if(OUTRIDER_HARDEN)
     target_link_options(${target} PRIVATE "$<$<CONFIG:Release>:LINKER:-z,relro;LINKER:-z,now>")

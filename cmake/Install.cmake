@@ -1,16 +1,16 @@
-# What `cmake --install` leaves: the headers, one static library a layer, the tool, and a package that
-# find_package(outrider) finds. A stranger links outrider::outrider, or just the layers they want:
+# Defines what `cmake --install` installs: the headers, one static library per layer, the tool, and a package
+# for find_package(outrider). Users link outrider::outrider, or only the layers they want:
 #
 #   find_package(outrider REQUIRED COMPONENTS path)    # outrider::path, and the layers it uses
 #
-# Each layer is a component with an export set of its own, so that the targets of other components, and of the
-# packages that only those need, need not exist. What a component needs is read from what its target links.
-# tests/consumer is such a stranger.
+# Each layer is a component with its own export set, so the targets of other components, and the packages that
+# only those need, need not exist. The needs of a component are read from the links of its target.
+# tests/consumer is an example user.
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY OUTRIDER_LAYERS)
 
-# The libraries of others that layers link, and what find_package() is asked for to have them.
+# Maps each third-party library that layers link to its find_package() arguments.
 set(package_of_tl::expected "tl-expected")
 set(package_of_fmt::fmt "fmt")
 set(package_of_Threads::Threads "Threads")
@@ -27,8 +27,8 @@ set(package_of_ignition-physics5::mesh "ignition-physics5 COMPONENTS mesh")
 set(package_of_ignition-physics5::sdf "ignition-physics5 COMPONENTS sdf")
 set(package_of_ignition-plugin1::loader "ignition-plugin1 COMPONENTS loader")
 
-# Sets `uses` to the layers that a target links, as components, and `needs` to what find_package() is asked for.
-# Files of libraries, and names that only the linker knows, need no package.
+# Sets `uses` to the layers that a target links, as components, and `needs` to the find_package() arguments.
+# Library files, and names that only the linker knows, need no package.
 function(outrider_read_links target uses needs)
   set(layers_used "")
   set(packages "")
@@ -53,7 +53,7 @@ endfunction()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/outrider)
 
-# The layers come from left to right, so what a layer uses has been read before it.
+# The layers are listed from left to right, so the layers that a layer uses are read before it.
 set(components "")
 set(component_facts "")
 foreach(layer IN LISTS layers)
@@ -77,11 +77,12 @@ foreach(layer IN LISTS layers)
   install(EXPORT outrider-${name} FILE outriderTargets-${name}.cmake NAMESPACE outrider:: DESTINATION ${package_dir})
 endforeach()
 
-# All layers together; it is there when find_package(outrider) is called without components.
+# All layers together, for find_package(outrider) without components.
 add_library(outrider_everything INTERFACE)
 add_library(outrider::outrider ALIAS outrider_everything)
 target_link_libraries(outrider_everything INTERFACE ${layers})
-# Within the build it sees the whole tree, and so outrider.hpp; layers see only what they may.
+# Within the build this target sees the whole include tree, and so outrider.hpp; layers see only what they
+# may.
 target_include_directories(outrider_everything INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
 set_target_properties(outrider_everything PROPERTIES EXPORT_NAME outrider)
 install(TARGETS outrider_everything EXPORT outrider-everything)

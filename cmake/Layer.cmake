@@ -1,16 +1,16 @@
-# A layer is one folder under src/ and include/outrider/, and one target outrider_<name>; that of the folder
-# jobs/guard is outrider_jobs_guard, outrider::jobs_guard.
+# A layer is one folder under src/ and include/outrider/, and one target outrider_<name>. The folder
+# jobs/guard becomes outrider_jobs_guard, outrider::jobs_guard.
 #
-# Its headers are seen by the compiler only through its own target: each layer has an include tree
-# with just its own folder in it, so a file that includes a layer it does not link to does not build.
+# The compiler sees its headers only through its own target: each layer has an include tree with only its own
+# folder, so a file that includes a layer it does not link to does not compile.
 #
 #   outrider_layer(NAME world SOURCES solid.cpp ... USES geometry core PRIVATE fmt::fmt)
 #
-# PUBLIC names the libraries of others whose headers the layer's own headers include; PRIVATE those that only its
-# source files see. Each layer is a component of the installed package, which learns from these lists what the
-# component needs (Install.cmake).
+# PUBLIC names third-party libraries that the layer's headers include; PRIVATE those that only its source
+# files include. Each layer is a component of the installed package, whose needs follow from these lists
+# (Install.cmake).
 #
-# CHECKED: its containers are checked in a release too (Harden.cmake).
+# CHECKED enables container checks in releases too (Harden.cmake).
 
 function(outrider_layer)
   cmake_parse_arguments(LAYER "CHECKED" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
@@ -54,8 +54,9 @@ function(outrider_layer)
   set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
 endfunction()
 
-# Whether nothing of a library is left to link once our source files are compiled: who uses the installed layer does
-# without it. The threads library counts as one to link, because what it adds depends on the system.
+# Sets `result` to true if a library has nothing to link after our sources are compiled, so users of the
+# installed layer do not need it. The threads library counts as linked, because its content depends on the
+# system.
 function(outrider_has_only_headers result library)
   set(${result} FALSE PARENT_SCOPE)
   if(TARGET ${library} AND NOT library STREQUAL "Threads::Threads")
@@ -68,5 +69,5 @@ function(outrider_has_only_headers result library)
 endfunction()
 
 set(OUTRIDER_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-# The same arithmetic with every compiler: no fused multiply-add behind our back.
+# Disables fused multiply-add, so that every compiler gives the same arithmetic.
 add_compile_options(-ffp-contract=off)

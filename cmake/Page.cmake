@@ -1,8 +1,8 @@
 # The page: npm builds web/ into ${PROJECT_BINARY_DIR}/web, and apps/page compiles the result into the tool.
 #
-# AUTO builds it where npm is there and can get its packages; else the tool is built without the page, the build
-# says so, and the next build tries again. Sets OUTRIDER_PAGE_SOURCE, the C++ source that holds the page or its
-# absence; with OFF it is empty.
+# AUTO builds the page if npm is installed and can get its packages. Otherwise the tool is built without the
+# page, the build says so, and the next build tries again. Sets OUTRIDER_PAGE_SOURCE to the C++ source that
+# holds the page or its absence; with OFF it is empty.
 set(OUTRIDER_WITH_PAGE AUTO CACHE STRING "The web page: AUTO (where npm is found), ON or OFF")
 
 set(OUTRIDER_PAGE_SOURCE "")

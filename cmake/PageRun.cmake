@@ -11,8 +11,9 @@ function(run result)
   set(${result} ${status} PARENT_SCOPE)
 endfunction()
 
-# npm keeps the list of what it installed; it is older than the lock file when that has changed. While it is
-# missing Ninja runs this again: what was built without the page gets it as soon as it can be had.
+# npm keeps a list of the installed packages; it is older than the lock file if that has changed. While the
+# list is missing, Ninja runs this script again, so a tool without the page gets it as soon as it can be
+# built.
 set(installed ${WEB}/node_modules/.package-lock.json)
 file(WRITE ${SOURCE}.d "${SOURCE}: ${installed}\n")
 set(missing "")

@@ -1,10 +1,10 @@
-# The headers that most files include, parsed once for all targets of a group, which share their flags:
+# Precompiles the headers that most files include, once for all targets of a group, which share their flags:
 #
 #   outrider_precompile(unit_world tests HEADERS <gtest/gtest.h> LINKS GTest::gtest)
 #
-# The first target of a group gives the flags; HEADERS and LINKS are what its group shares besides. The code
-# does not depend on it: each file includes what it uses, and builds with ccache, which keeps no file that
-# uses such headers, and with clang++ do without.
+# The first target of a group sets the flags; HEADERS and LINKS are further headers and libraries of the
+# group. The code does not depend on it: each file includes what it uses. Builds with ccache, which does not
+# cache files with precompiled headers, and builds with clang++ work without it.
 option(OUTRIDER_PCH "Parse the headers that most files include once for many files" OFF)
 
 function(outrider_precompile target group)
@@ -26,6 +26,6 @@ function(outrider_precompile target group)
     set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ${pic})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${headers})
-  # The macros that those headers were compiled with hold for every file after them.
+  # The macros used to compile the headers must hold for every file that uses them.
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 endfunction()

@@ -1,4 +1,4 @@
-// What a robot can bump into, and how far it is from it.
+// Finds the obstacles of a robot and its distance from them.
 #include <fmt/format.h>
 
 #include "outrider/world/collision_map.hpp"

@@ -1,4 +1,4 @@
-// A path around a wall by two planners of the catalogue, judged by check().
+// Plans a path around a wall with two planners of the catalogue, verified by check().
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,5 +1,4 @@
-// What is refused says why: a start inside an obstacle, a goal that nothing reaches, a name that is not
-// known.
+// Shows the reasons of refusals: a start inside an obstacle, an unreachable goal, an unknown name.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Hitting something behind a wall: the shot, its clearance, and the flight.
+// Hits a target behind a wall: the shot, its clearance, and the flight.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Serving every goal from stops of one's choice, in the least time.
+// Serves every goal from chosen stops in the least time.
 #include <fmt/format.h>
 
 #include "outrider/core/units.hpp"
@@ -14,7 +14,7 @@ int main() {
   problem.goals = 3;
   problem.heading_rad = radians(90.0);
   problem.turning = robot.turning();
-  // Goal 0 can be served from stops 1 and 3, goal 1 from 2 and 3, goal 2 from 4 only.
+  // Goal 0 can be served from stops 1 and 3, goal 1 from 2 and 3, goal 2 only from 4.
   problem.services = {{}, {{0, 0, 0, 1}}, {{1, 0, 0, 1}}, {{0, 0, 0, 1}, {1, 0, 0, 1}}, {{2, 0, 0, 1}}};
   for (const Vec2 from : stops) {
     for (const Vec2 to : stops) {

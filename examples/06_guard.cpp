@@ -1,4 +1,4 @@
-// A whole mission without a file: a yard, two cats, a plan, its execution, and the report.
+// Runs a whole mission without a file: a yard, two cats, a plan, its execution, and the report.
 #include <fmt/format.h>
 
 #include "outrider/jobs/guard/run.hpp"

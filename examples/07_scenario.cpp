@@ -1,4 +1,4 @@
-// The mission of a scenario file: read it, change options by their names, and load what it names.
+// Reads the mission of a scenario file, changes options by name, and loads the files it names.
 #include <fmt/format.h>
 
 #include "outrider/io/scenario.hpp"

@@ -1,4 +1,5 @@
-// From a MovingAI map to a path in five lines: the easy door. The same on any other map file.
+// Plans a path on a MovingAI map in five lines with the simplest interface. Any other map file works the same
+// way.
 #include <fmt/format.h>
 
 #include "outrider/outrider.hpp"

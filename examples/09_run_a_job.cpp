@@ -1,4 +1,4 @@
-// A job of a scenario file, run as `outrider run` runs it: its verdict and its metrics.
+// Runs a job of a scenario file as `outrider run` does: its verdict and its metrics.
 #include <iostream>
 
 #include "outrider/jobs/catalog.hpp"

@@ -1,5 +1,6 @@
-// A job of one's own: patrol, which visits points of a world for some rounds. The row at the end of this file
-// gives it flags, scenario keys, a schema, reports, the live view and Ctrl-C, beside the jobs of Outrider:
+// Defines a new job: patrol, which visits points of a world for some rounds. Its catalogue entry at the end
+// of this file gives it flags, scenario keys, a schema, reports, the live view and Ctrl-C, like the jobs of
+// Outrider:
 //
 //   example_10_own_job patrol --points "2,0 2,2 0,2" --rounds 2 --out out --html
 //   example_10_own_job serve scenarios
@@ -18,11 +19,11 @@
 
 namespace outrider {
 
-/// The mission: one point after the other, straight on.
+/// Visits one point after the other in straight lines.
 struct PatrolMission {
   const std::vector<Vec2>& points;
-  std::size_t visits = 0;  ///< to make
-  std::size_t sent = 0;    ///< to so many of them so far
+  std::size_t visits = 0;  ///< number of visits to make
+  std::size_t sent = 0;    ///< number of visits commanded so far
 
   std::optional<Command> step(const Observation& seen) {
     if (sent == visits) return std::nullopt;
@@ -51,7 +52,7 @@ class PatrolJob final : public JobTask {
     world_ = std::move(loaded->world);
     const CollisionMap ground = CollisionMap::of(world_, robot_.height_m);
     Vec2 from = start_.position;
-    for (std::size_t i = 0; i <= points_.size(); ++i) {  // the last way leads back to the first point
+    for (std::size_t i = 0; i <= points_.size(); ++i) {  // the last leg leads back to the first point
       const Vec2 to = points_[i % points_.size()];
       if (!ground.segment_free({from, to}, robot_.radius_m + errors_.position_m)) {
         return bad_input(fmt::format("the robot cannot drive straight from {:g},{:g} to {:g},{:g}; "
@@ -99,7 +100,7 @@ class PatrolJob final : public JobTask {
   }
 
  private:
-  /// Judged by where the robot really came, not by where it was sent.
+  /// Judges the run by where the robot really went, not by where it was sent.
   void conclude(Report& report, const SimRecord& record, std::size_t visits) const {
     std::size_t made = 0;
     for (std::size_t i = 0; i < report.paths.size(); ++i) {
@@ -123,7 +124,7 @@ class PatrolJob final : public JobTask {
   World world_;
 };
 
-/// The row.
+/// Returns the catalogue entry of the job.
 Job patrol_job() {
   return {.name = "patrol",
           .sentence = "Visit points of a world for some rounds.",

@@ -1,4 +1,4 @@
-# Runs PROGRAM and compares what it prints with the comment "// Prints:" at the end of SOURCE.
+# Runs PROGRAM and compares its output with the comment "// Prints:" at the end of SOURCE.
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
 file(READ ${SOURCE} text)
 string(FIND "${text}" "// Prints:\n" at)

@@ -1,13 +1,13 @@
-// Two pages from the same sources: the app with its assets, and (--mode viewer) one self-contained file that
-// shows the report which is put into it.
+// Builds two pages from the same sources: the app with its assets, and (--mode viewer) one self-contained file that
+// shows the report placed in it.
 import { createHash } from "node:crypto";
 import type { Plugin } from "vite";
 import { defineConfig } from "vitest/config";
 
-/** The name of a script in a Content-Security-Policy: a browser runs no other than the one with these bytes. */
+/** Returns the hash of a script for a Content-Security-Policy; a browser runs only the script with these bytes. */
 const hashOf = (script: string): string => `sha256-${createHash("sha256").update(script).digest("base64")}`;
 
-/** Puts the one script and the one style sheet of the bundle into its HTML, and the script's hash into its policy. */
+/** Inlines the bundle's one script and one style sheet into its HTML, and adds the script's hash to its policy. */
 function oneFile(): Plugin {
   return {
     name: "one-file",

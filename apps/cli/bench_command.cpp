@@ -13,7 +13,7 @@
 namespace outrider::cli {
 namespace {
 
-/// A suite that is asked for, with the values of its flags.
+/// Holds the flag values of one suite.
 template <class Request>
 struct Asked {
   Request request;
@@ -23,7 +23,7 @@ struct Asked {
 template <class Request>
 using Suite = Outcome<bench::BenchResult> (*)(const Request&, const bench::BenchObserver&);
 
-/// Runs a suite with a line of progress, then prints its rows. Returns the exit status.
+/// Runs a suite while showing a progress line, then prints its rows. Returns the exit status.
 template <class Request>
 int execute(const std::string& job, Suite<Request> suite, const Asked<Request>& asked) {
   std::optional<Progress> progress;
@@ -33,7 +33,7 @@ int execute(const std::string& job, Suite<Request> suite, const Asked<Request>& 
   observer.part = [&](double done) { progress->part(done); };
   observer.processor_s = processor_s;
   auto result = suite(asked.request, observer);
-  progress.reset();  // clears its line
+  progress.reset();  // clears the progress line
   if (!result) return print_fault(result.error(), asked.json);
   if (asked.json) {
     print({{"status", result->right ? "done" : "not_done"}, {"job", job}, {"rows", std::move(result->rows)}});
@@ -44,7 +44,7 @@ int execute(const std::string& job, Suite<Request> suite, const Asked<Request>& 
   return result->right ? job_done : job_not_done;
 }
 
-/// --json, and what the command does.
+/// Adds --json and sets the action of the command.
 template <class Request>
 void finish(Command& command, const std::string& job, Suite<Request> suite,
             const std::shared_ptr<Asked<Request>>& asked) {

@@ -61,7 +61,7 @@ struct Recorded {
   std::vector<CalibrationRun> runs;
 };
 
-/// From the file, or by driving.
+/// Returns the runs from the file, or records them by driving the simulated robot.
 Outcome<Recorded> runs_of(const CalibrateCommand& command) {
   if (command.record.empty()) {
     auto chassis = make_chassis(command.chassis, command.wheel_radius_m, command.wheel_reach_m);

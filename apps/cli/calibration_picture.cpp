@@ -12,7 +12,7 @@ namespace {
 
 constexpr double width_px = 900.0;
 constexpr double pad_px = 24.0;
-constexpr double panel_px = 250.0;  ///< height
+constexpr double panel_px = 250.0;  ///< height of one panel
 constexpr int columns = 3;
 constexpr int band_steps = 24;
 constexpr const char* run_colour = "#0a6cc4";

@@ -1,4 +1,4 @@
-// A picture of a calibration: each law with its runs.
+// Picture of a calibration: each law with its runs.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace outrider::cli {
 
-/// SVG: for each law the runs as dots, the line, its 95 % band, and a and b with their intervals; below, the
-/// gain of each wheel with its interval.
+/// Returns an SVG. For each law it shows the runs as dots, the line, its 95 % band, and a and b with their
+/// intervals. Below, it shows the gain of each wheel with its interval.
 std::string calibration_picture(const CalibrationFit& fit, const Chassis& chassis);
 
 }  // namespace outrider::cli

@@ -12,9 +12,9 @@
 namespace outrider::cli {
 namespace {
 
-constexpr std::size_t help_column = 36;  ///< where the sentences start
+constexpr std::size_t help_column = 36;  ///< column where the descriptions start
 
-/// "'outrider guard --help'".
+/// Returns, for example, "'outrider guard --help'".
 std::string help_of(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   return fmt::format("'{}{} --help'", parent == nullptr ? "" : parent->get_name() + " ", command.get_name());
@@ -32,7 +32,7 @@ Fault unknown_word(const CLI::App& command, std::string word) {
           {}};
 }
 
-/// What was wrong with words that the parser refused.
+/// Explains why the parser refused the arguments.
 Fault misunderstanding(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
@@ -178,7 +178,7 @@ const Command& Command::chosen() const {
 }
 
 Outcome<int> Command::run(std::vector<std::string> words) {
-  std::reverse(words.begin(), words.end());  // as the parser wants them
+  std::reverse(words.begin(), words.end());  // the parser takes them in reverse order
   try {
     app_->parse(words);
   } catch (const CLI::Success& success) {  // --help, --version

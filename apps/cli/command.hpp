@@ -1,4 +1,4 @@
-// A command of the tool and the words it takes: the one door to the parser of the command line.
+// A command of the tool and the arguments it takes. Only this header gives access to the command line parser.
 //
 //   Command& replay = tool.add("replay", "summarise a report, or make a page or a picture of it");
 //   replay.positional("report", &request->path, "report of a run").required().type("FILE");
@@ -7,7 +7,7 @@
 //   replay.footer("\nExample: outrider replay out/guard.json");
 //   replay.does([request](const Command& words) { return execute(*request, words); });
 //
-// Flags that stand for described options come from add_flags() (flags.hpp).
+// add_flags() (flags.hpp) adds flags for described options.
 #pragma once
 
 #include <cstdint>
@@ -26,26 +26,27 @@ class Option;
 
 namespace outrider::cli {
 
-/// Where the value of a word goes: it must outlive the command. monostate: it waits for Command::values().
+/// Points to the variable that receives the value of an argument; it must outlive the command. With
+/// monostate, the value is read later through Command::values().
 using Place = std::variant<std::monostate, int*, std::int64_t*, std::uint64_t*, double*, std::string*,
                            std::vector<std::string>*>;
 
-/// A word that a command takes, while it is being described. Each function returns the word itself.
+/// Describes an argument of a command. Each function returns the argument itself.
 class Parameter {
  public:
-  /// What stands for the value in the help: "FILE", "m", "NAME,...".
+  /// Sets the placeholder of the value in the help: "FILE", "m", "NAME,...".
   Parameter& type(const std::string& name);
-  /// The heading of the help under which it stands.
+  /// Sets the heading under which the help lists the argument.
   Parameter& group(const std::string& heading);
   Parameter& required();
-  /// Refuses numbers outside; the help names the bounds.
+  /// Refuses numbers outside the bounds; the help names the bounds.
   Parameter& between(int low, int high);
   Parameter& between(double low, double high);
-  /// One value holds several, with this between them.
+  /// Splits the value into several at this delimiter.
   Parameter& separated_by(char delimiter);
-  /// It may be given again, each time with one value; Command::values() has them all.
+  /// Allows the argument to be repeated, each time with one value; Command::values() returns all of them.
   Parameter& repeatable();
-  /// The same, and the help says how often.
+  /// Does the same, and the help states the maximum number of repetitions.
   Parameter& repeatable(int most);
 
  private:
@@ -54,56 +55,57 @@ class Parameter {
   CLI::Option* option_;
 };
 
-/// The tool, one of its commands, or a command of a command.
+/// Represents the tool, one of its commands, or a subcommand.
 class Command {
  public:
-  /// What a command does with the words it was given; returns the exit status of the tool.
+  /// Runs the command with the arguments it was given; returns the exit status of the tool.
   using Job = std::function<int(const Command&)>;
 
-  /// The tool: it takes a command, --help and --version.
+  /// Constructs the tool itself, which takes a command, --help and --version.
   Command(const std::string& name, const std::string& sentence, const std::string& version);
   ~Command();
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
-  /// A command of this one; it lives as long.
+  /// Adds a subcommand. The reference stays valid as long as this command exists.
   Command& add(const std::string& name, const std::string& sentence);
-  /// Leaves it out of the help: it is for programs.
+  /// Omits the command from the help, because only programs call it.
   Command& hidden();
-  /// Refuses to go without a command of its own.
+  /// Makes a subcommand mandatory.
   void require_command();
 
-  /// --name, which stands alone. Without a place, given() tells.
+  /// Adds --name, a flag without a value. Without `place`, query it with given().
   Parameter flag(const std::string& name, bool* place, const std::string& sentence);
   Parameter flag(const std::string& name, const std::string& sentence);
-  /// --name VALUE, where `name` starts with dashes.
+  /// Adds --name VALUE; `name` starts with dashes.
   Parameter option(const std::string& name, Place place, const std::string& sentence);
   Parameter option(const std::string& name, const std::string& sentence);
-  /// A value that goes by its place; `name` has no dashes.
+  /// Adds a positional argument; `name` has no dashes.
   Parameter positional(const std::string& name, Place place, const std::string& sentence);
-  /// A word that was added before, to say more of it.
+  /// Returns an argument that was added before, to describe it further.
   Parameter parameter(const std::string& name);
 
-  /// What the help ends with.
+  /// Sets the text at the end of the help.
   void footer(const std::string& text);
   void does(Job job);
 
-  /// Whether the word stands on the command line.
+  /// Returns true if the argument is on the command line.
   [[nodiscard]] bool given(const std::string& name) const;
-  /// All values that stand there for it, in order; a flag that stands alone has "true".
+  /// Returns all values given for the argument, in order; a flag without a value yields "true".
   [[nodiscard]] std::vector<std::string> values(const std::string& name) const;
-  /// The names of all words that stand there.
+  /// Returns the names of all arguments on the command line.
   [[nodiscard]] std::vector<std::string> all_given() const;
 
-  /// Reads the words, then does the job of the command they name. Returns the exit status, or what was
-  /// misunderstood, in one sentence with the nearest that would do. For the tool itself.
+  /// Parses the arguments, then runs the command they name. Returns the exit status. A fault states in one
+  /// sentence what was misunderstood and suggests the nearest valid argument. Call it on the tool itself
+  /// only.
   Outcome<int> run(std::vector<std::string> words);
 
  private:
   explicit Command(CLI::App& app);
   [[nodiscard]] const Command& chosen() const;
 
-  std::unique_ptr<CLI::App> tool_;  ///< of the tool, and of no other command
+  std::unique_ptr<CLI::App> tool_;  ///< set for the tool only, null for its commands
   CLI::App* app_;
   std::vector<std::unique_ptr<Command>> commands_;
   Job job_;

@@ -1,4 +1,5 @@
-// The verbs of the tool that are no job (job_command.hpp). Each adds itself to the tool.
+// The commands of the tool that are not jobs (for jobs see job_command.hpp). Each function adds one to the
+// tool.
 #pragma once
 
 #include <vector>

@@ -45,7 +45,8 @@ std::vector<OptionGroup> describe(DetectCommand& command) {
           {"", "poses", describe(command.pnp)}};
 }
 
-/// The tag's turn counter-clockwise as seen from above an upright camera; 0 when it faces the camera's plane.
+/// Returns the yaw of the tag, counter-clockwise as seen from above an upright camera; 0 if the tag faces the
+/// camera's plane.
 double yaw_rad(const Pose3& camera_T_tag) {
   const Vec3 into_tag = camera_T_tag.rotation.axes[2];
   return -std::atan2(into_tag.x, into_tag.z);
@@ -97,7 +98,7 @@ void print_table(const std::vector<TagSighting>& sightings) {
   }
 }
 
-/// The camera of the calibration file for this image.
+/// Returns the camera from the calibration file, with the size of this image.
 Outcome<Camera> camera_for(const DetectCommand& command, const CameraImage& image) {
   auto camera = load_camera(command.calibration, command.camera);
   if (!camera) return camera;

@@ -16,7 +16,7 @@ std::string sentence_case(std::string text) {
   return text;
 }
 
-/// What stands behind the flag in the help.
+/// Returns the placeholder that follows the flag in the help.
 std::string placeholder(const Option& option) {
   if (option.names_file) return "FILE";
   if (!option.unit.empty()) return option.unit;
@@ -24,7 +24,7 @@ std::string placeholder(const Option& option) {
   return std::holds_alternative<double*>(option.value) ? "NUMBER" : "COUNT";
 }
 
-/// The present value, short enough to read: pi/6 needs no 16 digits here.
+/// Returns the current value, rounded for reading: pi/6 does not need 16 digits here.
 std::string shown_value(const Option& option) {
   const std::string text = value_text(option);
   if (!std::holds_alternative<double*>(option.value)) return text;

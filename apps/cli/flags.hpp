@@ -1,4 +1,4 @@
-// Flags derived from described options: --name for the top level, --group-name for the groups.
+// Flags derived from described options: --name at the top level, --group-name within groups.
 #pragma once
 
 #include <set>
@@ -10,15 +10,15 @@
 
 namespace outrider::cli {
 
-/// "--targets-block", "--robot-radius", ...
+/// Returns the flag of an option: "--targets-block", "--robot-radius", ...
 std::string flag_of(const std::string& group, const std::string& option);
 
-/// Adds one flag for each option. What is given waits in `command` until apply_flags() reads it, so that
-/// flags can win over a file that is read in between.
+/// Adds one flag for each option. The given values wait in `command` until apply_flags() reads them, so that
+/// flags can override a file that is read in between.
 void add_flags(Command& command, const std::vector<OptionGroup>& groups);
 
-/// Assigns what was given to the options; the fault names the flag. Options that the command does not have as
-/// flags stay as they are. The keys of what was given, as "robot.radius", go to `given`.
+/// Assigns the given values to the options; a fault names the flag. Options for which the command has no flag
+/// are unchanged. Adds the keys of the assigned options, such as "robot.radius", to `given`.
 Status apply_flags(const Command& command, const std::vector<OptionGroup>& groups,
                    std::set<std::string>* given = nullptr);
 

@@ -22,9 +22,9 @@
 namespace outrider::cli {
 namespace {
 
-/// What the verb of a job takes beside the options of the job.
+/// Holds the arguments that a job command takes besides the options of the job.
 struct JobRequest {
-  std::string file;  ///< named without a flag
+  std::string file;  ///< given as a positional argument
   std::string scenario_path;
   bool live = false;
   std::int64_t threads = 0;
@@ -43,7 +43,7 @@ OptionGroup describe(JobRequest& request) {
             &request.threads}}};
 }
 
-/// Both of who may look on: a program behind OUTRIDER_LIVE, and a map on the terminal.
+/// Passes the report to both possible observers: a program behind OUTRIDER_LIVE, and a map on the terminal.
 class Observers final : public RunObserver {
  public:
   explicit Observers(bool map) {
@@ -61,7 +61,7 @@ class Observers final : public RunObserver {
   std::optional<LiveMap> map_;
 };
 
-/// Reads the scenario, then the flags, which win.
+/// Reads the scenario, then the flags, which override it.
 Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const Command& words) {
   const bool yaml = request.file.ends_with(".yaml") || request.file.ends_with(".yml");
   if (yaml && request.scenario_path.empty()) {
@@ -130,7 +130,7 @@ void add_alias(Command& verb, const std::vector<OptionGroup>& groups, std::strin
   }
 }
 
-/// The text on standard input becomes the content of the file. There may be a file of that name, or none.
+/// Makes the text on standard input the content of the file, which need not exist.
 Status supply_from_stdin(const std::string& path) {
   constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   std::string text(most_bytes + 1, '\0');
@@ -180,7 +180,7 @@ void add_run(Command& tool) {
   auto groups = std::vector<OptionGroup>{describe(request)};
   groups.front().options.push_back({"seed", "", 0, 1e15, "seed of every random number", &seed});
   add_flags(run, groups);
-  run.does([](const Command&) { return job_done; });  // expand_run() leaves no words to this one
+  run.does([](const Command&) { return job_done; });  // expand_run() has replaced `run` already
   run.footer("\nExample: outrider run scenarios/yard/yard.yaml --out out --html");
 }
 

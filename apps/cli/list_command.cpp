@@ -15,14 +15,14 @@
 namespace outrider::cli {
 namespace {
 
-/// The grids that a planner takes: "cells", "corners".
+/// Returns the grid models that a planner takes: "cells", "corners".
 std::vector<std::string> models_of(const PathPlanner& planner) {
   std::vector<std::string> names;
   for (const GridModel model : planner.models) names.emplace_back(to_string(model));
   return names;
 }
 
-/// The same, and "polygons".
+/// Returns the grid models of a planner, and "polygons" if it takes them.
 std::vector<std::string> grounds_of(const PathPlanner& planner) {
   std::vector<std::string> grounds = models_of(planner);
   if (planner.polygons) grounds.emplace_back("polygons");

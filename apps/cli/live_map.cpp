@@ -14,10 +14,10 @@
 namespace outrider::cli {
 namespace {
 
-constexpr int dots_across = 2, dots_up = 4;  // of a character
+constexpr int dots_across = 2, dots_up = 4;  // in a Braille character
 constexpr auto period = std::chrono::milliseconds(100);
 
-/// The state of a square of cells: occupied where one is, else free where one is.
+/// Returns the state of a square of cells: occupied if any cell is, else free if any cell is, else unknown.
 Occupancy state_of(const Grid<std::uint8_t>& occupancy, Cell low, int side) {
   Occupancy state = unknown_cell;
   for (int y = low.y; y < low.y + side; ++y) {
@@ -36,7 +36,7 @@ std::string utf8(unsigned code) {
           static_cast<char>(0x80U | (code & 0x3fU))};
 }
 
-/// The character whose dots are the squares from its top left one on.
+/// Returns the Braille character whose dots show the squares starting at `top_left`.
 std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side) {
   static constexpr std::array<std::array<unsigned, dots_across>, dots_up> bits = {
       {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}}};
@@ -54,7 +54,7 @@ std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side
   return is_free ? "\x1b[48;5;238m" + text + "\x1b[0m" : text;
 }
 
-/// The cells of a map in a report.
+/// Decodes the cells of a map in a report.
 Grid<std::uint8_t> occupancy_of(const ReportMap& map) {
   Grid<std::uint8_t> grid;
   grid.frame = {map.origin, map.cell_m, map.columns, map.rows};

@@ -1,4 +1,4 @@
-// The map as it is found, drawn on the terminal while the robot explores.
+// Draws the growing map on the terminal while the robot explores.
 #pragma once
 
 #include <chrono>
@@ -10,20 +10,20 @@
 
 namespace outrider::cli {
 
-/// A sign on the map.
+/// Marks a position on the map.
 struct MapSign {
   Vec2 position;
   std::string text;  ///< one character wide, colours included
 };
 
-/// The known part of a map in `rows` lines of at most `columns` characters, as large as it goes: a character
-/// is 2 x 4 dots of Braille, a dot stands for one or more square blocks of cells and is set where one of them
-/// is occupied; ground known to be free is shaded. `occupancy` holds values of Occupancy.
+/// Returns the known part of a map in `rows` lines of at most `columns` characters, as large as possible. A
+/// character has 2 x 4 Braille dots. Each dot stands for a square block of one or more cells and is set if
+/// any of them is occupied. Cells known to be free are shaded. `occupancy` holds values of Occupancy.
 std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<MapSign>& signs, int columns,
                       int rows);
 
-/// Draws over what it drew before, at most ten times a second, with a line of figures below; the last map
-/// stays. Silent where standard error is no terminal.
+/// Redraws the map in place, at most ten times a second, with a line of figures below; the last map stays.
+/// Draws nothing if standard error is not a terminal.
 class LiveMap final : public RunObserver {
  public:
   LiveMap();

@@ -1,10 +1,10 @@
-// What a mission tells of its report while it runs.
+// Streams the report of a mission while it runs.
 //
-// Programs that watch set OUTRIDER_LIVE to the number of an open descriptor (it may be that of
-// OUTRIDER_PROGRESS), and read from it a report a line, each with what is new since the line before
-// (report/growth.hpp): docs/server.md says how they are put together. At most five lines come in a second of
-// the clock on the wall, and one at the end; of a line that would be longer than 4 MiB only that is told:
-// {"omitted":"scene","bytes":5000000,"most_bytes":4194304}, or "news".
+// A watching program sets OUTRIDER_LIVE to the number of an open descriptor (which may be that of
+// OUTRIDER_PROGRESS) and reads one report per line from it. Each line holds what is new since the line before
+// (report/growth.hpp); docs/server.md says how to combine them. At most five lines are written per second of
+// wall time, and one at the end. A line longer than 4 MiB is replaced by
+// {"omitted":"scene","bytes":5000000,"most_bytes":4194304}, or with "news".
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ class LiveReport final : public RunObserver {
  public:
   LiveReport() : watcher_("OUTRIDER_LIVE") {}
 
-  /// Itself; null where nobody watches.
+  /// Returns this object; null if no program watches.
   RunObserver* observer() { return watcher_.is_there() ? this : nullptr; }
 
   bool wants() override;

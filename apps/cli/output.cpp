@@ -64,7 +64,7 @@ void print(const nlohmann::ordered_json& object) { show_text(json_text(object) +
 Status check_folder(const std::string& folder) {
   if (folder.empty()) return no_folder(folder, "its name is empty");
   std::error_code error;
-  fs::path nearest = fs::absolute(folder, error);  // of its parents, the one that exists
+  fs::path nearest = fs::absolute(folder, error);  // the nearest parent that exists
   while (!error && !fs::exists(fs::symlink_status(nearest)) && nearest.has_relative_path()) {
     nearest = nearest.parent_path();
   }

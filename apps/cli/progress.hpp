@@ -1,4 +1,4 @@
-// A line on standard error that says what long work is at, where people watch.
+// A line on standard error that shows the progress of long work, if standard error is a terminal.
 #pragma once
 
 #include <condition_variable>
@@ -11,11 +11,12 @@
 
 namespace outrider::cli {
 
-/// Shows "[###..] step, 3 s" from the first second on, and leaves nothing behind. Silent where standard
-/// error is no terminal. The steps are named before they begin. Thread rule: one thread calls.
+/// Shows "[###..] step, 3 s" after the first second, and clears the line at the end. Prints nothing if
+/// standard error is not a terminal. Name each step before it begins. Thread rule: call from one thread only.
 ///
-/// Programs that watch set OUTRIDER_PROGRESS to the number of an open descriptor, and read from it a line of
-/// JSON for each step and each hundredth of one: {"step":2,"steps":4,"name":"planning the tour","part":0.25}.
+/// A watching program sets OUTRIDER_PROGRESS to the number of an open descriptor, and reads from it one line
+/// of JSON for each step and each hundredth of a step: {"step":2,"steps":4,"name":"planning the
+/// tour","part":0.25}.
 class Progress {
  public:
   explicit Progress(int steps = 1);
@@ -23,21 +24,21 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What a run tells of itself.
+  /// Shows the step that a run reports.
   void show(const RunStep& step);
-  /// The next step begins.
+  /// Begins the next step.
   void next(const std::string& step);
-  /// That part of the present step is done, from 0 to 1.
+  /// Sets the finished part of the current step, from 0 to 1.
   void part(double done);
-  /// Clears the line, for good.
+  /// Clears the line and shows nothing further.
   void end();
 
  private:
   void watch();
-  void report() const;  // with the lock held
+  void report() const;  // call with the lock held
 
   int steps_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable ended_;
   bool over_ = false;
   int done_ = -1;

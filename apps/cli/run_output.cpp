@@ -17,11 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Something to play: a robot that moves, or a pursuit.
+/// Returns true if the report can be played: it has a moving robot, or a pursuit.
 bool plays(const Report& report) { return !report.track.empty() || report.pursuit; }
 
-/// A run without anything to play, as a file keeps it: what is printed as JSON, but for how long the machine
-/// took, which differs from run to run.
+/// Returns the file text of a run that cannot be played: the printed JSON without the machine times, which
+/// differ from run to run.
 std::string answer_text(const Run& run, const std::vector<Table>& tables) {
   Report report = run.report;
   report.machine_times.clear();
@@ -37,10 +37,10 @@ std::string answer_text(const Run& run, const std::vector<Table>& tables) {
   return json_text(object, 1) + "\n";
 }
 
-/// A run that was cancelled at once has none.
+/// Returns true if the report has content; a run that was cancelled at once has none.
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
-/// Those that its report tells of, then those of the run itself.
+/// Returns the tables of the report, then those of the run itself.
 std::vector<Table> all_tables(const Job& job, const Run& run) {
   auto tables = tables_of(job, run.report);
   tables.insert(tables.end(), run.tables.begin(), run.tables.end());

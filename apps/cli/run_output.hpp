@@ -1,4 +1,4 @@
-// A run on the terminal, as JSON and in a folder.
+// Output of a run: on the terminal, as JSON and in a folder.
 #pragma once
 
 #include <string>
@@ -11,26 +11,27 @@ namespace outrider::cli {
 
 struct RunOutput {
   bool json = false;
-  std::string folder;  ///< empty: nothing is written
-  bool html = false;   ///< a page that plays the run, too
+  std::string folder;  ///< if empty, nothing is written
+  bool html = false;   ///< also write a page that plays the run
 };
 
-/// Refuses a folder that cannot be made, a page without a folder, and one where the tool has none.
+/// Refuses a folder that cannot be created, a page without a folder, and a page if the tool was built without
+/// one.
 Status check(const RunOutput& output, bool folder_given);
 
-/// Writes the report (of a run with nothing to play, the object that is printed), its moving picture unless
-/// the job has drawn one, the page and what the job made: all of them or none. Pictures and page are made
-/// from the text of the report, so that a replay makes the same. Of a run that was cancelled before its
-/// mission began nothing is written, so that what an earlier one left stays whole.
+/// Writes the report, its moving picture unless the job has drawn one, the page, and the files of the job:
+/// all of them or none. If a run cannot be played, writes the printed object as its report. Pictures and page
+/// are made from the text of the report, so a replay makes the same. Writes nothing for a run that was
+/// cancelled before its mission began, so the files of an earlier run stay whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output);
 
-/// The tables of a report; none of one that has nothing to tell, as when it was cancelled at once.
+/// Returns the tables of a report; none if the report is empty, as after a run that was cancelled at once.
 std::vector<Table> tables_of(const Job& job, const Report& report);
 
-/// The report in words for people.
+/// Returns the report as text for people.
 std::string text_of(const Job& job, const Report& report);
 
-/// Prints warnings, and the run as JSON or for people.
+/// Prints the warnings, then the run as JSON or for people.
 void print_run(const Job& job, const Run& run, const WrittenFiles& files, bool json);
 
 }  // namespace outrider::cli

@@ -13,7 +13,7 @@
 namespace outrider::cli {
 namespace {
 
-/// How a key becomes a flag, by an example of this job.
+/// Explains how a key becomes a flag, with an example from this job.
 std::string flags_sentence(const Job& job, const std::vector<OptionGroup>& groups) {
   const Option& key = groups.front().options[1];
   std::string text = fmt::format(
@@ -30,7 +30,7 @@ std::string flags_sentence(const Job& job, const std::vector<OptionGroup>& group
   return text + ". Flags win over the file.\n";
 }
 
-/// A page of the manual. The first job needs no --job.
+/// Returns a page of the manual. The job guard is the default and needs no --job.
 std::string manual(const Job& job, const std::vector<OptionGroup>& groups) {
   const std::string command =
       job.name == "guard" ? "outrider schema" : fmt::format("outrider schema --job {}", job.name);
@@ -41,7 +41,7 @@ std::string manual(const Job& job, const std::vector<OptionGroup>& groups) {
       job.name, command, flags_sentence(job, groups), options_markdown(groups));
 }
 
-/// "cover, drive or guard".
+/// Returns, for example, "cover, drive or guard".
 std::string names_of_jobs(const std::vector<Job>& jobs) {
   std::string names;
   for (const Job& job : jobs) {
@@ -68,7 +68,7 @@ int execute(const std::vector<Job>& jobs, const std::string& form, const std::st
     text = scenario_text(groups);
   } else if (form == "markdown") {
     text = manual(*found, groups);
-    text.pop_back();  // the empty line at the end
+    text.pop_back();  // removes the empty line at the end
   } else {
     const std::string nearest = nearest_name(form.substr(0, 64), {"schema", "scenario", "markdown"});
     return print_fault({FaultCode::bad_input,

@@ -45,7 +45,7 @@ OptionGroup describe(ServeCommand& command) {
 
 constexpr std::size_t shortest_token = 16;
 
-/// The token from the flag, the file, or the variable, of which one may be given.
+/// Reads the token from the flag, the file, or the variable; refuses more than one of them.
 Status find_token(ServeCommand& command) {
   const char* variable = std::getenv("OUTRIDER_TOKEN");
   const std::string from_variable = variable == nullptr ? "" : variable;
@@ -82,7 +82,7 @@ Status check_token(const ServeCommand& command) {
   return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
 }
 
-/// This program, to run missions with.
+/// Returns the path of this program, which runs the missions.
 std::string own_path() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).string();
@@ -107,7 +107,7 @@ int execute(ServeCommand& command, const std::vector<Job>& jobs, const Command& 
   auto folder = server::Folder::open(command.folder);
   if (!folder) return print_fault(folder.error(), false);
 
-  sigset_t ends;  // of the server, for whichever thread they reach: this one waits for them
+  sigset_t ends;  // signals that end the server; this thread waits for them
   ::sigemptyset(&ends);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ends, number);
   ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);

@@ -5,7 +5,7 @@
 namespace outrider::cli {
 namespace {
 
-/// Those that stop a run, and SIGUSR2, with which the destructor wakes the thread that waits.
+/// Returns the signals that stop a run, and SIGUSR2, with which the destructor wakes the waiting thread.
 sigset_t awaited() {
   sigset_t set;
   ::sigemptyset(&set);

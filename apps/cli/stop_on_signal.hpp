@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM as a stop token: the run ends soon, and what it has done is written.
+// Ctrl-C and SIGTERM as a stop token: the run ends soon, and its results so far are written.
 #pragma once
 
 #include <stop_token>
@@ -6,8 +6,8 @@
 
 namespace outrider::cli {
 
-/// While it lives, SIGINT and SIGTERM raise the token; a second one ends the process as if nobody listened.
-/// Made before other threads are started, so that they leave these signals to it.
+/// Requests a stop on SIGINT or SIGTERM while the object exists; a second signal ends the process as by
+/// default. Construct it before starting other threads, so that they leave these signals to it.
 class StopOnSignal {
  public:
   StopOnSignal();

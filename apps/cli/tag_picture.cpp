@@ -11,7 +11,7 @@
 namespace outrider::cli {
 namespace {
 
-/// RFC 4648.
+/// Encodes bytes as base64 (RFC 4648).
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;

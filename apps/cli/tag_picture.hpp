@@ -1,4 +1,4 @@
-// A photo with the tags that were found in it.
+// Picture of a photo with the tags that were found in it.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@
 
 namespace outrider::cli {
 
-/// SVG with the image inside: outlines, ids, the lower left corner as a dot, and of each pose the axis that
-/// stands out of the tag, half as long as its side; that of a second solution is dashed.
+/// Returns an SVG with the image inside. It shows outlines, ids, the lower left corner as a dot, and for each
+/// pose the axis that points out of the tag, half as long as its side. The axis of a second solution is
+/// dashed.
 std::string tag_picture(const CameraImage& image, const Camera& camera, double size_m,
                         const std::vector<TagSighting>& sightings);
 

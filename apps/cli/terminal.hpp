@@ -1,6 +1,7 @@
-// The one way to the terminal: names of files and values reach it as text, never as commands to it.
+// The only output to the terminal: file names and values reach it as text, never as control sequences.
 //
-// Control characters and bytes that are no UTF-8 are printed as '?' (core/text.hpp); sentences are one line.
+// Control characters and bytes that are not valid UTF-8 are printed as '?' (core/text.hpp). Sentences are one
+// line.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,10 +13,10 @@
 
 namespace outrider::cli {
 
-/// Prints the text on standard output, with its ends of lines. main() tells of a failure.
+/// Prints the text on standard output, with its line breaks. run_tool() reports a failure.
 void show_text(std::string_view text);
 
-/// The same of a format and its arguments.
+/// Formats the arguments and prints the text as show_text() does.
 template <class... Arguments>
 void show(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
   show_text(fmt::format(format, std::forward<Arguments>(arguments)...));
@@ -24,7 +25,7 @@ void show(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
 /// Prints "outrider: SENTENCE" on standard error.
 void complain(std::string_view sentence);
 
-/// Prints "outrider: warning: SENTENCE" on standard error, a line for each.
+/// Prints "outrider: warning: SENTENCE" on standard error, one line per sentence.
 void warn(std::string_view sentence);
 void warn(const std::vector<std::string>& sentences);
 

@@ -20,7 +20,7 @@
 namespace outrider::cli {
 namespace {
 
-/// Whether JSON was asked for, for faults that come before the flags are read.
+/// Returns true if JSON is requested; needed for faults that come before the flags are read.
 bool wants_json(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
@@ -31,7 +31,8 @@ bool wants_json(int argc, char** argv) {
 
 int run(const std::vector<Job>& jobs, int argc, char** argv) {
   std::vector<std::string> given(argv + 1, argv + argc);
-  // From the first moment, but while a scenario is typed: nothing has begun then that could end well.
+  // Handles signals from the start, except while a scenario is read from standard input: then nothing has
+  // begun that would need a clean end.
   std::optional<StopOnSignal> stop;
   const bool listens = runs_job(jobs, given);
   if (listens && std::ranges::count(given, "--stdin") == 0) stop.emplace();
@@ -57,7 +58,7 @@ int run(const std::vector<Job>& jobs, int argc, char** argv) {
   return status ? *status : print_fault(status.error(), wants_json(argc, argv));
 }
 
-/// Runs the tool; what nobody caught is said, not dumped.
+/// Runs the tool and reports uncaught exceptions as faults.
 int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
   const bool json = wants_json(argc, argv);
   try {
@@ -70,7 +71,7 @@ int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
         {FaultCode::bad_input, "there is not enough memory; ask for less, such as a coarser resolution", {}},
         json);
   } catch (const std::exception& broken) {
-    if (std::ferror(stdout) != 0) return job_done;  // run_tool() says that nothing could be printed
+    if (std::ferror(stdout) != 0) return job_done;  // run_tool() reports the failed output
     return print_fault({FaultCode::bad_input, fmt::format("this is a bug: {}", broken.what()), {}}, json);
   }
 }
@@ -78,11 +79,10 @@ int guarded_run(const std::vector<Job>& jobs, int argc, char** argv) {
 }  // namespace
 
 int run_tool(const std::vector<Job>& jobs, int argc, char** argv) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a fault with a sentence
+  std::signal(SIGXFSZ, SIG_IGN);  // hitting the file size limit becomes a fault with a sentence
   const int status = guarded_run(jobs, argc, argv);
   if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
-  return print_fault({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}},
-                     false);
+  return print_fault({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}}, false);
 }
 
 }  // namespace outrider::cli

@@ -1,4 +1,4 @@
-// The command line of Outrider over a catalogue of jobs: main() of the tool, and of programs with jobs of
+// The command line of Outrider for a catalogue of jobs: main() of the tool, and of programs with jobs of
 // their own.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace outrider::cli {
 
-/// Does what the words say; returns the exit status: 0 done, 1 not done, 2 refused, 3 not written.
+/// Runs the command line. Returns the exit status: 0 done, 1 not done, 2 refused, 3 not written.
 int run_tool(const std::vector<Job>& jobs, int argc, char** argv);
 
 }  // namespace outrider::cli

@@ -17,7 +17,7 @@ Watcher::Watcher(const char* variable) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   if (error != std::errc{} || end != word.data() + word.size() || number <= 2) return;
   descriptor_ = number;
-  std::signal(SIGPIPE, SIG_IGN);  // who watches may go
+  std::signal(SIGPIPE, SIG_IGN);  // the watching program may exit
 }
 
 void Watcher::send(std::string line) const {

@@ -1,5 +1,5 @@
-// A program that watches the tool: it sets an environment variable to the number of an open descriptor, and
-// reads lines of JSON from there. It must go on reading: the tool waits until a line is written.
+// A program that watches the tool. It sets an environment variable to the number of an open descriptor, and
+// reads lines of JSON from it. It must keep reading, because the tool blocks until each line is written.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@ namespace outrider::cli {
 
 class Watcher {
  public:
-  /// Nobody watches where the variable is not set to a descriptor above 2.
+  /// Reads the variable. No program watches if it is not set to a descriptor above 2.
   explicit Watcher(const char* variable);
 
   [[nodiscard]] bool is_there() const { return descriptor_ >= 0; }
-  /// Writes a line, where somebody watches. Whoever has gone is told nothing.
+  /// Writes a line if a program watches. Ignores a program that has exited.
   void send(std::string line) const;
 
  private:

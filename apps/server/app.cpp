@@ -25,7 +25,7 @@ constexpr std::string_view data_policy = "default-src 'none'; frame-ancestors 'n
 
 std::size_t planning_slots() { return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 64); }
 
-/// The parts of a path, decoded one by one, so that an encoded slash stays within its part.
+/// Splits a path and decodes each part on its own, so that an encoded slash stays within its part.
 Outcome<std::vector<std::string>> parts_of(std::string_view path) {
   std::vector<std::string> parts;
   path.remove_prefix(std::min<std::size_t>(1, path.size()));
@@ -41,7 +41,7 @@ Outcome<std::vector<std::string>> parts_of(std::string_view path) {
   return parts;
 }
 
-/// What the names of the pattern stand for; nothing when the path is another.
+/// Returns the values of the names in the pattern; nothing if the path does not match.
 std::optional<std::vector<std::string>> matched(std::string_view pattern,
                                                 const std::vector<std::string>& path) {
   std::vector<std::string> found;
@@ -64,7 +64,7 @@ std::optional<std::vector<std::string>> matched(std::string_view pattern,
   return found;
 }
 
-/// The files of a request about a map.
+/// Decodes the files of a request about a map.
 Outcome<std::vector<NamedContent>> files_of(const Json& list) {
   std::vector<NamedContent> files;
   if (list.empty() || list.size() > 8) return bad_input("it takes 1 to 8 files", "files");
@@ -136,7 +136,7 @@ std::vector<Route> App::routes() {
   return routes;
 }
 
-/// Requests that are refused have a limit of their own, so that a flood of them leaves the others alone.
+/// Limits refused requests separately, so that a flood of them does not affect the others.
 std::optional<Response> App::limit_rate(bool refused) {
   if ((refused ? strangers_ : rate_).take(RateLimit::Clock::now())) return std::nullopt;
   Response response = error_response(429, "too_many", "too many requests; wait a second");
@@ -202,7 +202,7 @@ Response App::version(const Request&, const Parts&) {
   return json_response({{"name", "outrider"}, {"version", settings_.version}, {"api", 1}});
 }
 
-/// A scenario of a job that there is none of is no more than a file.
+/// Lists the files. A scenario of an unknown job is listed as an ordinary file.
 Response App::list_files(const Request&, const Parts&) {
   auto listed = folder_.list();
   for (auto& file : listed["files"]) {
@@ -246,7 +246,7 @@ Outcome<KnownMap> App::read_known_map(const Folder& folder, const std::string& p
   return read ? unpacked(*read) : Outcome<KnownMap>(tl::unexpected(read.error()));
 }
 
-/// Of files that were sent; the first that is no image is the map.
+/// Reads a map from uploaded files; the first one that is not an image is the map.
 Outcome<KnownMap> App::read_dropped_map(const std::vector<NamedContent>& files, const std::stop_token& stop) {
   auto home = TemporaryFolder::make();
   if (!home) return pass_on(home);
@@ -262,7 +262,7 @@ Outcome<KnownMap> App::read_dropped_map(const std::vector<NamedContent>& files, 
   return read_known_map(*folder, map, stop);
 }
 
-/// The map of a request in JSON: lying in the folder, sent as files, or drawn.
+/// Returns the map of a JSON request: from the folder, from uploaded files, or drawn.
 Outcome<KnownMap> App::map_of(const Json& request, const std::stop_token& stop) {
   Fields fields(request, "");
   const bool path = fields.has("path"), files = fields.has("files"), grid = fields.has("grid");
@@ -330,7 +330,7 @@ Response App::page_file(const Request& request) {
     return error_response(405, "method_not_allowed", "it takes GET", request.method.substr(0, 16));
   }
   if (settings_.files.empty()) return error_response(503, "no_page", std::string(page::missing));
-  // A path without a dot is a place in the page, which index.html shows.
+  // A path without a dot is a view of the page, which index.html shows.
   const bool place = request.path.find('.') == std::string::npos;
   const std::string path = place ? "index.html" : request.path.substr(1);
   const auto found = std::find_if(settings_.files.begin(), settings_.files.end(),

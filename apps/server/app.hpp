@@ -1,5 +1,5 @@
-// The server without sockets: a request in, a response out. docs/server.md is the manual of the interface,
-// and docs/openapi.yaml says the same to machines.
+// The server without sockets: takes a request, returns a response. docs/server.md is the manual of the
+// interface; docs/openapi.yaml describes it for machines.
 #pragma once
 
 #include <functional>
@@ -24,39 +24,41 @@ inline constexpr std::size_t largest_body_bytes = std::size_t{32} << 20U;
 
 struct AppSettings {
   std::string version;
-  std::string token;      ///< empty: loopback only, no token
-  std::vector<Job> jobs;  ///< that can be run
+  std::string token;      ///< if empty, loopback only and no token needed
+  std::vector<Job> jobs;  ///< jobs that can be run
   std::span<const page::File> files = page::files();
   RunSettings runs;
   ReadFiles read = {};  ///< reads maps and scenarios
 };
 
-/// What a request is answered with: a path with {names} for one part each, or at the end {path...} for all.
+/// Names the requests that a handler answers. A {name} in the pattern matches one part of the path; {path}
+/// matches all that follows.
 struct Route {
   std::string method;
   std::string pattern;
 };
 
-/// Thread rule: any thread may call.
+/// Answers requests. Thread rule: any thread may call.
 class App {
  public:
   App(Folder folder, AppSettings settings);
 
   Response answer(const Request& request);
-  /// The refusal of a request before its body has come, or nothing; answer() gives the same.
+  /// Returns the refusal of a request before its body has arrived, or nothing; answer() refuses it in the
+  /// same way.
   std::optional<Response> refuse(const Request& request);
-  /// The refusal of a WebSocket, or nothing.
+  /// Returns the refusal of a WebSocket, or nothing.
   std::optional<Response> refuse_socket(const Request& request);
   Live& live() { return live_; }
   Shared& shared() { return shared_; }
-  /// Cancels what runs and lets every viewer go.
+  /// Cancels all runs and closes every viewer.
   void close();
 
-  /// Of the interface, in the order of docs/server.md.
+  /// Returns the routes of the interface, in the order of docs/server.md.
   static std::vector<Route> routes();
 
  private:
-  using Parts = std::vector<std::string>;  // of the path, where the pattern has names
+  using Parts = std::vector<std::string>;  // path parts that match the names in the pattern
   using Handler = Response (App::*)(const Request&, const Parts&);
   struct Endpoint {
     const char* method;
@@ -90,8 +92,8 @@ class App {
 
   Folder folder_;
   AppSettings settings_;
-  RateLimit rate_;       // of those who may ask
-  RateLimit strangers_;  // of those who are refused: they take nothing from the others
+  RateLimit rate_;       // for accepted requests
+  RateLimit strangers_;  // for refused requests, so they do not slow the accepted ones
   Shared shared_;
   Runs runs_;
   Live live_;

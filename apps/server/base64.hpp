@@ -1,4 +1,4 @@
-// Base64 as RFC 4648 has it.
+// Base64 (RFC 4648).
 #pragma once
 
 #include <optional>
@@ -7,7 +7,8 @@
 
 namespace outrider::server {
 
-/// Nothing when the text is no base64: other letters, or a length that is no multiple of four.
+/// Decodes the text. Returns nothing if it is not base64: other characters, or a length that is not a
+/// multiple of four.
 std::optional<std::string> base64_decoded(std::string_view text);
 
 std::string base64_encoded(std::string_view bytes);

@@ -1,4 +1,5 @@
-// Memory that all connections share: whoever needs some takes it first, and is refused when none is left.
+// Memory shared by all connections: each user takes what it needs first, and is refused if too little is
+// left.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +9,13 @@
 
 namespace outrider::server {
 
-/// Thread rule: any thread may take and give back. A lease must not outlive its budget.
+/// Counts the bytes that are left. Thread rule: any thread may take and give back. A lease must not outlive
+/// its budget.
 class ByteBudget {
  public:
   explicit ByteBudget(std::size_t bytes) : left_(bytes) {}
 
-  /// So many bytes, given back with the object.
+  /// Holds a number of bytes; the destructor gives them back.
   class Lease {
    public:
     Lease() = default;
@@ -37,14 +39,14 @@ class ByteBudget {
     std::size_t bytes_ = 0;
   };
 
-  /// Nothing when fewer are left. Never waits.
+  /// Takes bytes from the budget; returns nothing if fewer are left. Never waits.
   std::optional<Lease> take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     if (bytes > left_) return std::nullopt;
     left_ -= bytes;
     return Lease(this, bytes);
   }
-  /// Adds to a lease of this budget; false when fewer are left.
+  /// Adds bytes to a lease of this budget; returns false if fewer are left.
   bool grow(Lease& lease, std::size_t bytes) {
     auto more = take(bytes);
     if (!more) return false;

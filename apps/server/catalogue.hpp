@@ -1,5 +1,4 @@
-// What the tool can do, as the page asks for it: path planners and jobs with the options that describe
-// themselves.
+// The abilities of the tool for the page: path planners and jobs, with their self-describing options.
 #pragma once
 
 #include <vector>
@@ -9,13 +8,13 @@
 
 namespace outrider::server {
 
-/// The present value in the unit of the option.
+/// Returns the current value in the unit of the option.
 Json value_json(const Option& option);
 
-/// {"name", "type", "unit", "low", "high", "default", "sentence"}; low and high of numbers only.
+/// Returns {"name", "type", "unit", "low", "high", "default", "sentence"}; low and high for numbers only.
 Json option_json(const Option& option);
 
-/// {"path_planners": [...], "jobs": [...]}, each with its options at their defaults.
+/// Returns {"path_planners": [...], "jobs": [...]}, each with its options at their defaults.
 Json catalogue_json(const std::vector<Job>& jobs);
 
 }  // namespace outrider::server

@@ -24,9 +24,9 @@ constexpr std::size_t most_errors = std::size_t{64} << 10U;
 constexpr std::size_t longest_line = std::size_t{5} << 20U;  // LiveReport writes 4 MiB at most
 constexpr int telling_descriptor = 3;
 constexpr int poll_ms = 20;
-constexpr std::chrono::seconds grace{1};  // between asking it to end and ending it
+constexpr std::chrono::seconds grace{1};  // between SIGTERM and SIGKILL
 
-/// The end of a pipe that we read; closed with the object.
+/// Owns a pipe and reads from it; the destructor closes it.
 class Reader {
  public:
   Reader() {
@@ -46,7 +46,8 @@ class Reader {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
   }
-  /// Adds what there is to `text`, and drops what is beyond `most`. False at the end.
+  /// Appends the available data to `text`, and drops what exceeds `most`. Returns false at the end of the
+  /// stream.
   bool read(std::string& text, std::size_t most) const {
     std::array<char, 65536> buffer;  // NOLINT: read() fills it
     for (;;) {
@@ -62,7 +63,8 @@ class Reader {
   std::array<int, 2> ends_{};
 };
 
-/// A file in memory with that content, to be read from its beginning; -1 when the system has no room.
+/// Holds the content in a memory file, positioned at its beginning. The descriptor is -1 if the system has no
+/// room.
 class Input {
  public:
   explicit Input(std::string_view content) : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
@@ -84,7 +86,7 @@ class Input {
   int descriptor_;
 };
 
-/// What the child is given, made before the fork, where memory may be had.
+/// Holds what the child needs. It is made before the fork, where memory may be allocated.
 struct Start {
   char* const* words;
   char* const* environment;
@@ -93,7 +95,7 @@ struct Start {
   int in, out, err, telling;
 };
 
-/// The environment with its folder and the descriptor for its progress.
+/// Returns the environment for the child, with its folder and the descriptor for its progress.
 std::vector<std::string> environment(const std::string& folder) {
   std::vector<std::string> all = {"OUTRIDER_CONFINE=" + folder};
   const std::string_view ours[] = {
@@ -114,21 +116,21 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return all;
 }
 
-/// In the child, where only calls that are safe after a fork may be made.
+/// Turns the forked child into the program. Only calls that are safe after a fork are allowed here.
 [[noreturn]] void become(const Start& start, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent || ::chdir(start.folder) != 0) ::_exit(127);  // it ended before that
+  if (::getppid() != parent || ::chdir(start.folder) != 0) ::_exit(127);  // the parent has already ended
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   const rlimit memory{start.memory_bytes, start.memory_bytes};
   if (limits_memory && start.memory_bytes > 0) ::setrlimit(RLIMIT_DATA, &memory);
-  ::setpriority(PRIO_PROCESS, 0, 5);  // the page stays quick while a mission is planned
+  ::setpriority(PRIO_PROCESS, 0, 5);  // keeps the page responsive while a mission is planned
   sigset_t all;
   ::sigemptyset(&all);
   ::sigprocmask(SIG_SETMASK, &all, nullptr);
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(number, SIG_DFL);
-  // Moved out of the way first: one of them may be the number that another is to have.
+  // Moves the descriptors to high numbers first, because one may have the number that another one needs.
   const int from[] = {::fcntl(start.in, F_DUPFD_CLOEXEC, 10), ::fcntl(start.out, F_DUPFD_CLOEXEC, 10),
                       ::fcntl(start.err, F_DUPFD_CLOEXEC, 10), ::fcntl(start.telling, F_DUPFD_CLOEXEC, 10)};
   for (int to = 0; to <= telling_descriptor; ++to) {
@@ -138,7 +140,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   ::_exit(127);
 }
 
-/// Gives the whole lines of `pending` on, and keeps the rest.
+/// Passes on the complete lines of `pending`, and keeps the rest.
 void give_lines(std::string& pending, const std::function<void(std::string_view)>& on_line) {
   std::size_t begin = 0;
   for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n', begin)) {
@@ -149,17 +151,17 @@ void give_lines(std::string& pending, const std::function<void(std::string_view)
   if (pending.size() > longest_line) pending.clear();
 }
 
-/// Asks the child to end, ends it when the grace is over, and sees it off however we leave.
+/// Asks the child to end, kills it after the grace period, and reaps it in every case.
 class Ending {
  public:
   explicit Ending(pid_t child) : child_(child) {}
   Ending(const Ending&) = delete;
   Ending& operator=(const Ending&) = delete;
   ~Ending() {
-    ::kill(-child_, SIGKILL);  // and what it may have left behind
+    ::kill(-child_, SIGKILL);  // also kills processes that it left behind
     if (!ended_) ::waitpid(child_, nullptr, 0);
   }
-  /// Whether it has ended of itself.
+  /// Returns true if the child has ended.
   bool ended(int& status) { return ended_ = ::waitpid(child_, &status, WNOHANG) == child_; }
   void ask() {
     if (!asked_) ::kill(-child_, SIGTERM);
@@ -195,7 +197,7 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
     result.errors = "the mission could not be started: the system has no room for another process";
     return result;
   }
-  ::setpgid(child, child);  // so too if the child has not come to it yet
+  ::setpgid(child, child);  // also done here, because the child may not have run yet
   for (Reader* reader : {&out, &err, &telling}) reader->close_writer();
 
   Ending ending(child);
@@ -214,7 +216,7 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
     err.read(result.errors, most_errors);
     telling.read(pending, 2 * longest_line);
     give_lines(pending, on_line);
-    if (running && !open) ::usleep(1000 * poll_ms);  // a closed pipe does not wait
+    if (running && !open) ::usleep(1000 * poll_ms);  // polling a closed pipe would not wait
   }
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;

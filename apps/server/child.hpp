@@ -1,9 +1,9 @@
-// A program run on our behalf: what it prints is collected, each line of its progress is passed on, and it
-// ends when it is told to.
+// A child process of the server. Collects its output, passes on each line of its progress, and ends it on
+// request.
 //
-// A mission is a process of its own: it can be ended at any moment, what it takes is freed, and no fault of
-// it is one of the server. It reads no file outside its folder, takes no more memory and time than it is
-// allowed, and ends with us, however we end.
+// Each mission is its own process: it can be ended at any moment, its memory is freed, and its faults do not
+// affect the server. It reads no file outside its folder, cannot exceed its memory and time limits, and ends
+// with the server, however the server ends.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace outrider::server {
 
-/// Programs of the sanitizers reserve more memory than there is, so theirs is not limited.
+/// Is false under the sanitizers, whose programs reserve more memory than there is.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool limits_memory = false;
 #else
@@ -24,24 +24,25 @@ inline constexpr bool limits_memory = true;
 
 struct ChildProgram {
   std::vector<std::string> words;  ///< the first is the program
-  std::string folder;              ///< it works here, and OUTRIDER_CONFINE names it
-  std::string input{};             ///< on its standard input
+  std::string folder;              ///< its working folder, which OUTRIDER_CONFINE names
+  std::string input{};             ///< text for its standard input
   std::chrono::seconds limit{60};
-  std::size_t memory_bytes = 0;                            ///< of its data; 0: no limit
-  std::size_t most_output_bytes = std::size_t{16} << 20U;  ///< of its standard output; the rest is dropped
+  std::size_t memory_bytes = 0;                            ///< limit of its data segment; 0: none
+  std::size_t most_output_bytes = std::size_t{16} << 20U;  ///< limit of standard output; the rest is dropped
 };
 
 struct ChildResult {
-  int status = -1;         ///< exit status; -1 when it was ended or could not be started
+  int status = -1;         ///< exit status; -1 if it was killed or could not be started
   bool cancelled = false;  ///< the stop token ended it
   bool timed_out = false;  ///< the limit ended it
-  std::string output;      ///< of its standard output
-  std::string errors;      ///< of standard error, at most 64 KiB
+  std::string output;      ///< its standard output
+  std::string errors;      ///< its standard error, at most 64 KiB
 };
 
-/// Runs the program until it ends, `stop` is raised, or the limit has passed. Each line that it writes to the
-/// descriptor that the variables OUTRIDER_PROGRESS and OUTRIDER_LIVE name is given to `on_line`, on the
-/// calling thread, which must live as long as the child. The child waits for no longer than that takes.
+/// Runs the program until it ends, `stop` is raised, or the limit has passed. Calls `on_line` for each line
+/// that the program writes to the descriptor named by the variables OUTRIDER_PROGRESS and OUTRIDER_LIVE. It
+/// is called on the calling thread, which must live as long as the child. A program that writes lines waits
+/// at most as long as `on_line` takes.
 ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
                       const std::function<void(std::string_view line)>& on_line);
 

@@ -15,14 +15,15 @@ namespace {
 constexpr int deepest = 32;
 constexpr double farthest_m = 1e6;
 
-/// The beginning of a value, as it was sent.
+/// Returns the beginning of a value as it was sent.
 std::string shown(const Json& value) {
   std::string text = text_of(value);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
   return text;
 }
 
-/// At least as many values as the text holds: each but the first follows one of these.
+/// Returns an upper bound of the number of values in the text: each value but the first follows one of these
+/// characters.
 std::size_t count_of_values(std::string_view text) {
   return 1 + static_cast<std::size_t>(std::ranges::count_if(
                  text, [](char c) { return c == ',' || c == '[' || c == '{' || c == ':'; }));

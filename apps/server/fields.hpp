@@ -1,12 +1,12 @@
-// The members of a JSON object in a request, read one by one; the first that is wrong is the fault of all.
+// Reads the members of a JSON object in a request one by one and keeps the first fault.
 //
 //   Fields fields(object, "");
 //   request.start = fields.point("start");
 //   request.trace = fields.integer("trace", 0, 100'000, 0);
 //   if (auto ok = fields.end(); !ok) return pass_on(ok);
 //
-// The fault names the place (edits[2].block), the value, and what would be right; a member that nobody asked
-// for is refused with the nearest that would do.
+// The fault names the place (edits[2].block), the value, and what would be right. A member that was never
+// read is refused, with the nearest valid name.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,12 @@ using Json = nlohmann::ordered_json;
 
 inline constexpr std::size_t most_json_values = 2'000'000;
 
-/// Refuses what is no JSON, nested more than 32 deep, or has more values. `where` names it.
+/// Parses JSON. Refuses text that is not JSON, is nested more than 32 deep, or has more than `most_values`
+/// values. The fault names `where`.
 Outcome<Json> parse_json(std::string_view text, const std::string& where,
                          std::size_t most_values = most_json_values);
 
-/// At most how many bytes parse_json() will take for it. O(length), without any.
+/// Returns an upper bound of the bytes that parse_json() needs for the text. O(length), allocates nothing.
 std::size_t memory_of_json(std::string_view text);
 
 class Fields {
@@ -45,16 +46,16 @@ class Fields {
   std::string text(std::string_view name, std::optional<std::string> otherwise = {});
   Vec2 point(std::string_view name, std::optional<Vec2> otherwise = {});
   std::vector<Vec2> polygon(std::string_view name);
-  /// Four or so whole numbers.
+  /// Returns a list of exactly `count` integers.
   std::vector<std::int64_t> integers(std::string_view name, std::size_t count);
-  /// A list, empty when it is left out; null when it is wrong.
+  /// Returns a list; an empty one if it is left out, null if it is wrong.
   const Json* list(std::string_view name);
-  /// An object, null when it is left out or wrong.
+  /// Returns an object; null if it is left out or wrong.
   const Json* object(std::string_view name);
 
-  /// Where a member stands, as in `grid.runs`.
+  /// Returns the place of a member, such as `grid.runs`.
   [[nodiscard]] std::string place(std::string_view name) const;
-  /// The first fault, or that of a member that was not asked for.
+  /// Returns the first fault, or else that of a member that was never read.
   [[nodiscard]] Status end() const;
   void refuse(std::string_view name, const std::string& sentence);
 
@@ -68,7 +69,7 @@ class Fields {
   Status status_;
 };
 
-/// A point [x, y] in m, both within 1e6; nothing otherwise.
+/// Returns a point [x, y] in m, both coordinates within 1e6; nothing otherwise.
 std::optional<Vec2> point_of(const Json& value);
 
 }  // namespace outrider::server

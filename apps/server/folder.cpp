@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_head_bytes = 300;  // of a file, before the mark of those that were saved
+constexpr std::size_t most_head_bytes = 300;  // the mark of a saved file lies within them
 
 bool good_name(std::string_view name) {
   return !name.empty() && name.size() <= 255 && name[0] != '.' && name.find('\\') == std::string_view::npos &&
@@ -39,7 +39,7 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-/// The job that a report names in its first keys; empty for other JSON.
+/// Returns the job that a report names in its first keys; empty for other JSON.
 std::string job_of_report(const std::string& head) {
   if (head.find("\"outrider_report\"") == std::string::npos) return {};
   std::size_t at = head.find("\"job\"");
@@ -53,7 +53,7 @@ bool has_key(const std::string& yaml, const std::string& key) {
   return yaml.starts_with(key + ":") || yaml.find("\n" + key + ":") != std::string::npos;
 }
 
-/// Nothing that a browser would run is ever named as such.
+/// Returns the Content-Type of a file. Never returns one that a browser would execute.
 std::string type_of(const fs::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".json" || extension == ".geojson") return "application/json";

@@ -1,10 +1,10 @@
-// The files that are served: those under one folder, and nothing that a name or a link leads out of it to.
+// The files that are served: those under one folder, and nothing that a name or a link outside of it leads
+// to.
 //
-// A path has names between slashes. Names that begin with a dot, empty ones and those with a backslash, a
-// control character or bytes that are no UTF-8 are refused before the disk is asked. Whatever is left is
-// opened beneath the folder by the kernel (open_beneath()), so that no link leads out. What files of
-// strangers name in turn is not looked at here: they are read in a confined process (reading.hpp). Thread
-// rule: any thread may ask.
+// A path consists of names between slashes. Names that begin with a dot, are empty, or contain a backslash, a
+// control character or invalid UTF-8 are refused without touching the disk. All others are opened beneath the
+// folder by the kernel (open_beneath()), so no link leads out. Files that a stranger's file names in turn are
+// not checked here: they are read in a confined process (reading.hpp). Thread rule: any thread may call.
 #pragma once
 
 #include <cstdint>
@@ -25,42 +25,43 @@ inline constexpr int deepest_folder = 8;
 inline constexpr std::size_t largest_served_bytes = std::size_t{64} << 20U;
 inline constexpr std::size_t largest_saved_bytes = std::size_t{1} << 20U;
 
-/// Stands at the beginning of every file that belongs to a saved scenario.
+/// Marks the beginning of every file that belongs to a saved scenario.
 inline constexpr std::string_view saved_here = "Saved by the page of outrider serve.";
 bool is_saved_here(std::string_view content);
 
-/// Sentences speak of a file as people named it, not of where it lies on the disk.
+/// Removes the folder from file names, so that a sentence names a file as people do and not by its place on
+/// the disk.
 std::string without_folder(std::string sentence, const std::filesystem::path& folder);
 Fault without_folder(Fault fault, const std::filesystem::path& folder);
 
 class Folder {
  public:
-  /// Refuses what is no folder. `path` may be relative.
+  /// Opens a folder; refuses anything else. `path` may be relative.
   static Outcome<Folder> open(const std::string& path);
 
   [[nodiscard]] const std::filesystem::path& root() const { return root_; }
-  /// Its last name, for people.
+  /// Returns the last name of its path, for people.
   [[nodiscard]] std::string name() const { return root_.filename().string(); }
 
-  /// Where the path of a request lies on the disk, with links resolved, for writing. Its last name need not
-  /// exist.
+  /// Returns the place on the disk of a path in a request, for writing, with links resolved. Its last name
+  /// need not exist.
   [[nodiscard]] Outcome<std::filesystem::path> resolve(std::string_view path) const;
-  /// Whether a place on the disk lies under the folder once links are resolved.
+  /// Returns true if a place on the disk lies under the folder once links are resolved.
   [[nodiscard]] bool holds(const std::filesystem::path& place) const;
 
-  /// {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}: scenario, report, map or other,
-  /// by name and first bytes. In order of their paths.
+  /// Returns {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}, sorted by path. The kind
+  /// is scenario, report, map or other, by name and first bytes.
   [[nodiscard]] nlohmann::ordered_json list() const;
-  /// The file, streamed.
+  /// Returns a response that streams the file.
   [[nodiscard]] Response read(std::string_view path) const;
-  /// The content of a file beneath the folder.
+  /// Returns the content of a file beneath the folder.
   [[nodiscard]] Outcome<std::string> text(std::string_view path, std::size_t most_bytes) const;
-  /// Writes a scenario, whole or not at all. `only_new` refuses to replace one.
+  /// Writes a scenario, completely or not at all. `only_new` refuses to replace one.
   [[nodiscard]] Response save(std::string_view path, std::string_view text, bool only_new) const;
 
-  /// Writes the files of a scenario, named as in requests and the scenario last: all or, but for a disk that
-  /// fails while they are renamed, none. Files that are there already are replaced only when they begin as
-  /// those that were saved in this way, and never through a link. `only_new` refuses to replace any.
+  /// Writes the files of a scenario, named as in requests and the scenario last: all or none, unless the disk
+  /// fails while they are renamed. Existing files are replaced only if they begin with the mark of saved
+  /// files, and never through a link. `only_new` refuses to replace any.
   [[nodiscard]] Response save_scenario(std::string_view path, const std::vector<NamedContent>& files,
                                        bool only_new) const;
 
@@ -76,7 +77,7 @@ class Folder {
   [[nodiscard]] Kind kind_of(const std::string& path) const;
 
   std::filesystem::path root_;
-  std::shared_ptr<const int> descriptor_;  // of the root; closed with the last copy
+  std::shared_ptr<const int> descriptor_;  // open root folder; closed with the last copy
 };
 
 }  // namespace outrider::server

@@ -36,7 +36,7 @@ Edit polygon_edit(Fields& fields) {
   return edit;
 }
 
-/// The cells after the edits, all of which lie on the grid.
+/// Returns the cells after the edits, all of which must lie on the grid.
 Outcome<Grid<std::uint8_t>> edited(const MapCells& map, const std::vector<Edit>& edits) {
   Grid<std::uint8_t> cells = map.occupancy;
   for (std::size_t i = 0; i < edits.size(); ++i) {
@@ -57,7 +57,7 @@ Outcome<Grid<std::uint8_t>> edited(const MapCells& map, const std::vector<Edit>&
   return cells;
 }
 
-/// The obstacles after the edits.
+/// Returns the obstacles after the edits.
 Outcome<std::vector<std::vector<Vec2>>> edited(const PolygonMap& map, const std::vector<Edit>& edits) {
   std::vector<std::vector<Vec2>> obstacles = map.obstacles;
   for (std::size_t i = 0; i < edits.size(); ++i) {
@@ -71,13 +71,13 @@ Outcome<std::vector<std::vector<Vec2>>> edited(const PolygonMap& map, const std:
           fmt::format("there is no obstacle {}; the map has {}", edit.obstacle, obstacles.size()),
           fmt::format("edits[{}]", i));
     }
-    obstacles[edit.obstacle] = edit.corners;  // none: removed
+    obstacles[edit.obstacle] = edit.corners;  // no corners: removed
   }
   std::erase_if(obstacles, [](const auto& corners) { return corners.empty(); });
   return obstacles;
 }
 
-/// Without the cells as they were read: nobody draws them here.
+/// Makes the ground from scratch, without the original cells, which are not drawn here.
 Outcome<PlanGround> made_anew(const GroundRequest& request) {
   const auto map = edited(*request.map, request.edits);
   if (!map) return tl::unexpected<Fault>(map.error());

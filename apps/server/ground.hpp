@@ -1,5 +1,5 @@
-// A known map made ready for one robot: edited, grown by the radius, prepared for searching. What was made is
-// kept, so that dragging a start or a goal makes nothing anew.
+// A known map prepared for one robot: edited, inflated by the radius, and indexed for searching. Results are
+// kept, so dragging a start or a goal recomputes nothing.
 #pragma once
 
 #include <list>
@@ -14,32 +14,32 @@
 
 namespace outrider::server {
 
-/// A change to a map, as the page drew it.
+/// Describes a change to a map, as drawn on the page.
 struct Edit {
   enum class Kind : std::uint8_t { block, free, set, remove, add };
   Kind kind = Kind::block;
-  CellChange cells;             ///< block, free: cells that become occupied or free
-  std::size_t obstacle = 0;     ///< set, remove: counted as the map was, those added after them
-  std::vector<Vec2> corners{};  ///< set, add
+  CellChange cells;             ///< for block, free: the cells that change
+  std::size_t obstacle = 0;     ///< for set, remove: index; added obstacles follow those of the map
+  std::vector<Vec2> corners{};  ///< for set, add
 };
 
-/// What a question asks of the ground.
+/// Describes the ground that a question needs.
 struct GroundRequest {
   std::shared_ptr<const KnownMap> map;
   std::vector<Edit> edits;
-  std::string edits_text;         ///< the same as JSON: a name for them
-  std::string earlier_text = {};  ///< all but the last of them; empty: there are none, or not told
-  PlanGroundOptions options;      ///< without changes: edits come before the map is grown
+  std::string edits_text;         ///< the edits as JSON, used as their name
+  std::string earlier_text = {};  ///< all but the last edit; empty if there are none or if unknown
+  PlanGroundOptions options;      ///< without changes, because edits precede inflation
 };
 
-/// Edits from their JSON form, for a map of cells or of polygons.
+/// Reads edits from JSON, for a map of cells or of polygons.
 Outcome<std::vector<Edit>> edits_from_json(const Json& list, const KnownMap& map);
 
-/// The map after the edits. Fault: bad_input on edits that leave the map.
+/// Returns the map after the edits. Fault: bad_input on edits that leave the map.
 Outcome<KnownMap> edited(const KnownMap& map, const std::vector<Edit>& edits);
 
-/// The grounds that were used last. Faults: bad_input on edits that leave the map; those of plan_ground().
-/// Thread rule: any thread may ask.
+/// Keeps the grounds that were used last. Faults: bad_input on edits that leave the map; those of
+/// plan_ground(). Thread rule: any thread may call.
 class GroundStore {
  public:
   Outcome<std::shared_ptr<const PlanGround>> get(const GroundRequest& request);
@@ -49,11 +49,12 @@ class GroundStore {
     std::string name;
     std::shared_ptr<const PlanGround> ground;
   };
-  /// An obstacle that is added last, and dragged, leaves the ground without it as it was.
+  /// Makes a ground. If the last edit adds an obstacle, builds on the kept ground without it, so dragging it
+  /// is cheap.
   Outcome<PlanGround> make(const GroundRequest& request);
 
   std::mutex mutex_;
-  std::list<CachedGround> rows_;  // newest use first
+  std::list<CachedGround> rows_;  // most recently used first
 };
 
 }  // namespace outrider::server

@@ -5,7 +5,7 @@
 namespace outrider::server {
 namespace {
 
-/// "127.0.0.1:8080" -> "127.0.0.1"; "[::1]:8080" -> "::1".
+/// Removes the port: "127.0.0.1:8080" -> "127.0.0.1"; "[::1]:8080" -> "::1".
 std::string_view without_port(std::string_view host) {
   if (host.starts_with('[')) return host.substr(1, std::min(host.find(']'), host.size()) - 1);
   return host.substr(0, host.find(':'));
@@ -16,7 +16,7 @@ bool changes_something(const Request& request) {
   return socket || (request.method != "GET" && request.method != "HEAD");
 }
 
-/// The token that the request shows: `Authorization: Bearer T`, else ?token=T.
+/// Returns the token of the request: `Authorization: Bearer T`, else ?token=T.
 std::string token_shown(const Request& request) {
   const std::string authorization = request.header("authorization");
   constexpr std::string_view scheme = "Bearer ";

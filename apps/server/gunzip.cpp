@@ -11,7 +11,7 @@ std::string gunzipped(std::string_view bytes) {
   z_stream stream{};
   constexpr int gzip_header = 16 + MAX_WBITS;
   if (inflateInit2(&stream, gzip_header) != Z_OK) throw std::runtime_error("zlib does not start");
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib only reads it
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib does not modify it
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::string text;
   std::array<char, 65536> buffer{};

@@ -1,4 +1,4 @@
-// What gzip compressed, for the rare client that does not take it so.
+// Decompression of gzip data, for the rare client that does not accept gzip.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace outrider::server {
 
-/// The bytes again. Throws std::runtime_error on bytes that gzip did not make: a bug, since they are our own.
+/// Decompresses gzip data. Throws std::runtime_error on any other bytes: a bug, since the data is our own.
 std::string gunzipped(std::string_view bytes);
 
 }  // namespace outrider::server

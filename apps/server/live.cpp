@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::size_t most_replies = 1024;
 constexpr std::int64_t most_id = 1'000'000'000'000;
-constexpr std::chrono::hours longest_wait{1};       // a newer plan, or closing, ends it sooner
+constexpr std::chrono::hours longest_wait{1};       // a newer plan request or closing ends it sooner
 constexpr std::size_t most_waiting = 1000;          // viewers
-constexpr std::size_t most_values = 200'000;        // of JSON in a message
-constexpr std::chrono::milliseconds patience{200};  // a plan that took longer makes way for a newer one
+constexpr std::size_t most_values = 200'000;        // JSON values in a message
+constexpr std::chrono::milliseconds patience{200};  // a plan that takes longer is cancelled for a newer one
 
 std::string error_text(const Fault& fault, const Json& id) {
   Json message = {{"type", "error"}};
@@ -21,7 +21,7 @@ std::string error_text(const Fault& fault, const Json& id) {
   return text_of(message);
 }
 
-/// The number that an answer to the message is to carry; null without a good one.
+/// Returns the number that the answer to the message must carry; null if the message has no valid one.
 Json id_of(const Json& message) {
   const auto id = message.find("id");
   return id != message.end() && id->is_number_unsigned() ? *id : Json();
@@ -118,14 +118,14 @@ Viewer::Work Viewer::next_work() {
   return work;
 }
 
-/// One message of the run that is watched, where there is one.
+/// Sends one message of the watched run, if there is one.
 bool Viewer::send_run(const Work& work, const std::function<bool(const std::string&)>& send) {
   if (work.run.empty()) return true;
   const auto message = runs_.next(work.run, work.from);
   if (!message || !message->text) return true;
   if (!send(*message->text)) return false;
   const std::lock_guard lock(mutex_);
-  awake_ = true;  // there may be more
+  awake_ = true;  // more messages may follow
   if (run_ == work.run && from_ == work.from) from_ = message->seq;
   return true;
 }
@@ -151,7 +151,7 @@ std::string Viewer::answer(const Json& message) {
   return text_of(answer);
 }
 
-/// An answer that nobody reads takes memory: there is only so much for all viewers.
+/// Sends the answer to a plan request. All viewers share a memory limit for answers that nobody has read.
 bool Viewer::send_plan(const Json& message, const std::function<bool(const std::string&)>& send) {
   const std::string text = answer(message);
   const auto lease = shared_.answers.take(text.size());

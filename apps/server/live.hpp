@@ -1,8 +1,8 @@
-// The live interface: what one WebSocket says, and what it is told. docs/server.md describes the messages.
+// The live interface: the messages of one WebSocket. docs/server.md describes them.
 //
-// A viewer has a thread of its own that writes; nobody else waits for it. It holds no queue of what a run
-// tells, only a place in the run's log, and of plans that are asked for while one is being made only the
-// newest: so a viewer that reads slowly, or not at all, costs its own connection and nothing more.
+// Each viewer writes on its own thread, so nothing else waits for it. It holds no queue of run messages, only
+// a position in the run's log, and only the newest plan request that waits. So a viewer that reads slowly, or
+// not at all, costs its own connection and nothing more.
 #pragma once
 
 #include <condition_variable>
@@ -23,23 +23,23 @@
 
 namespace outrider::server {
 
-/// What all who ask share. Thread rule: any thread may use it.
+/// Holds what all clients share. Thread rule: any thread may use it.
 struct Shared {
   explicit Shared(std::size_t plans_at_once) : workspaces(plans_at_once) {}
   PlanningMemory planning;
   WorkspacePool workspaces;
-  ByteBudget values{std::size_t{192} << 20U};   ///< of JSON while it is looked at
-  ByteBudget answers{std::size_t{128} << 20U};  ///< that wait to be read by somebody
+  ByteBudget values{std::size_t{192} << 20U};   ///< for JSON that is being processed
+  ByteBudget answers{std::size_t{128} << 20U};  ///< for answers that clients have not read yet
 };
 
 class Viewer {
  public:
   Viewer(Runs& runs, Shared& shared, std::string hello);
 
-  /// A message from the other end. False when the connection must end: no JSON object, or answers that nobody
-  /// fetches pile up. Never waits.
+  /// Takes a message from the client. Returns false if the connection must end, because the message is not a
+  /// JSON object or unread answers pile up. Never waits.
   bool receive(const std::string& text);
-  /// Writes until close(), or until `send` fails. On a thread of its own.
+  /// Writes until close() is called or `send` fails. Call it on its own thread.
   void serve(const std::function<bool(const std::string&)>& send);
   void wake();
   void close();
@@ -48,7 +48,7 @@ class Viewer {
   using Message = std::shared_ptr<const Json>;
   struct Work {
     std::deque<std::string> replies;
-    Message plan;  ///< the newest that is asked for; null without one
+    Message plan;  ///< the newest plan request; null if there is none
     std::string run;
     std::uint64_t from = 0;
     bool list = false;
@@ -63,7 +63,7 @@ class Viewer {
 
   Runs& runs_;
   Shared& shared_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   bool awake_ = true;
   bool closed_ = false;
@@ -77,7 +77,7 @@ class Viewer {
   std::optional<std::uint64_t> list_seen_;
 };
 
-/// All viewers. Thread rule: any thread may call.
+/// Manages all viewers. Thread rule: any thread may call.
 class Live {
  public:
   Live(Runs& runs, Shared& shared, std::string version);
@@ -86,7 +86,7 @@ class Live {
   Live& operator=(const Live&) = delete;
 
   std::shared_ptr<Viewer> open();
-  /// Ends the serving of every viewer, and of those that come.
+  /// Closes every viewer, and those that open later.
   void close();
 
  private:

@@ -39,7 +39,7 @@ Json shape_json(const KnownMap& map) {
   return {{"polygons", polygons_json(std::get<PolygonMap>(map.shape))}};
 }
 
-/// What makes a map the one that it is, as bytes.
+/// Returns the bytes that identify a map.
 std::string identity_of(const KnownMap& map) {
   const auto* cells = std::get_if<MapCells>(&map.shape);
   if (cells == nullptr) return text_of(shape_json(map));
@@ -50,14 +50,14 @@ std::string identity_of(const KnownMap& map) {
       .append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
-/// FNV-1a, 64 bits: a name for a map, no protection from anybody.
+/// Computes the 64-bit FNV-1a hash. It names a map and offers no security.
 std::string hash_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   return fmt::format("{:016x}", hash);
 }
 
-/// The cells of the runs, row by row. `fields` takes the fault.
+/// Decodes the cells from runs, row by row. Records a fault in `fields`.
 std::vector<std::uint8_t> cells_of_runs(Fields& fields, std::size_t count) {
   std::vector<std::uint8_t> cells;
   const Json* runs = fields.list("runs");
@@ -80,7 +80,7 @@ std::vector<std::uint8_t> cells_of_runs(Fields& fields, std::size_t count) {
   return cells;
 }
 
-/// The frame and the turn of a grid. `fields` takes the fault.
+/// Reads the frame and the yaw of a grid. Records a fault in `fields`.
 MapCells empty_grid(Fields& fields) {
   MapCells cells;
   GridFrame& frame = cells.occupancy.frame;
@@ -108,7 +108,7 @@ Outcome<KnownMap> unpacked_cells(const Json& packed) {
   return KnownMap{{}, {}, std::move(cells), {}};
 }
 
-/// Cells, or polygons: of a world what stands in the way.
+/// Returns cells or polygons; a world becomes the polygons that block the robot.
 Outcome<MapShape> shape_of(MapShape shape, double robot_height_m) {
   const auto* world = std::get_if<World>(&shape);
   if (world == nullptr) return shape;

@@ -1,4 +1,5 @@
-// An HTTP request and its response as values, so that all but sockets can be tested without any.
+// An HTTP request and its response as values, so that everything except the sockets can be tested without
+// sockets.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +18,19 @@ namespace outrider::server {
 
 struct Request {
   std::string method;                          ///< GET, PUT, ...
-  std::string path;                            ///< as it was sent, percent signs and all
+  std::string path;                            ///< as sent, still percent-encoded
   std::string query;                           ///< after the question mark
   std::map<std::string, std::string> headers;  ///< names in lower case
   std::string body;
-  std::stop_token stop = {};  ///< raised when whoever asked has left
+  std::stop_token stop = {};  ///< raised when the client has left
 
-  /// The header's value; empty without one. `name` is in lower case.
+  /// Returns the value of the header; empty if there is none. `name` is in lower case.
   [[nodiscard]] std::string header(const std::string& name) const;
-  /// The decoded value of a key of the query; empty without one.
+  /// Returns the decoded value of a key in the query; empty if there is none.
   [[nodiscard]] std::string parameter(std::string_view key) const;
 };
 
-/// A file that is sent from the disk as it is read, never held in memory. Closed with the object.
+/// Streams a file from the disk without holding it in memory. The destructor closes it.
 class OpenFile {
  public:
   OpenFile(int descriptor, std::uintmax_t bytes) : descriptor_(descriptor), bytes_(bytes) {}
@@ -38,7 +39,7 @@ class OpenFile {
   ~OpenFile();
 
   [[nodiscard]] std::uintmax_t bytes() const { return bytes_; }
-  /// The bytes from `offset` on, at most `most`; fewer than there should be when the file was cut meanwhile.
+  /// Returns at most `most` bytes from `offset` on; fewer than expected if the file was truncated meanwhile.
   [[nodiscard]] std::string part(std::uintmax_t offset, std::size_t most) const;
 
  private:
@@ -51,26 +52,26 @@ struct Response {
   std::string type = "application/json";
   std::string body;
   std::vector<std::pair<std::string, std::string>> headers;
-  std::shared_ptr<const OpenFile> file = nullptr;  ///< in place of the body
+  std::shared_ptr<const OpenFile> file = nullptr;  ///< if set, sent instead of the body
 };
 
-/// Resolves %41 and the like; nothing on a percent sign without two hexadecimal digits.
+/// Decodes percent-encoding such as %41. Faults on a percent sign without two hexadecimal digits.
 Outcome<std::string> percent_decoded(std::string_view text);
 
-/// Text of JSON; bytes that are no UTF-8 become U+FFFD.
+/// Returns the JSON as text; bytes that are not valid UTF-8 become U+FFFD.
 std::string text_of(const nlohmann::ordered_json& value);
 Response json_response(const nlohmann::ordered_json& value, int status = 200);
 
-/// {"error": sentence, "code", "where"}
+/// Returns {"error": sentence, "code", "where"}.
 nlohmann::ordered_json error_json(const std::string& sentence, std::string_view code,
                                   const std::string& where = {});
 Response error_response(int status, std::string_view code, const std::string& sentence,
                         const std::string& where = {});
-/// Of a fault: status 400; 503 when a budget ended, 507 when the disk failed.
+/// Returns the response for a fault: status 400; 503 if a budget is exhausted, 507 if the disk failed.
 Response error_response(const Fault& fault);
 Response not_found(const std::string& sentence, const std::string& where = {});
 
-/// The word for a status in the first line of a response.
+/// Returns the reason phrase of a status for the first line of a response.
 std::string_view reason_phrase(int status);
 
 }  // namespace outrider::server

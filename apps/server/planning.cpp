@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_legs = 20'000;
 
-/// A question on a ground that is still to be made, and what to show of its answer.
+/// Holds a question whose ground is not yet made, and what to show of the answer.
 struct Question {
   GroundRequest ground;
   PlanQuery query;
@@ -53,7 +53,7 @@ Status configure(ConfiguredPlanner& planner, const Json* options) {
   return {};
 }
 
-/// The grid that is asked for, or the first that the planner takes.
+/// Returns the requested grid model, or else the first one that the planner takes.
 Outcome<GridModel> model_of(const PathPlanner& planner, const std::string& asked) {
   if (!asked.empty()) return find_grid_model(asked);
   return planner.models.empty() ? GridModel::corners : planner.models.front();
@@ -100,7 +100,8 @@ Outcome<Question> question_from_json(const Json& request, PlanningMemory& memory
   return question;
 }
 
-/// x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue.
+/// Returns x, y, expansions, x, y, expansions, ...: where and after how many expansions a vertex was first
+/// queued.
 Json openings_json(const Trace& trace, const GridMap& grid) {
   Json list = Json::array();
   for (const Opening& opening : trace.openings) {
@@ -111,7 +112,7 @@ Json openings_json(const Trace& trace, const GridMap& grid) {
   return list;
 }
 
-/// Of a search without a grid: its states are numbers, and `places` says where they are.
+/// Returns the trace of a search without a grid: its states are numbers, and `places` holds their positions.
 Json placed_trace_json(const Trace& trace, Measure measure) {
   Json rows = Json::array(), openings = Json::array(), places = Json::array();
   for (const Expansion& e : trace.expansions) rows.push_back({e.state, e.parent, e.f, e.g, e.h});

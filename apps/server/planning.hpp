@@ -1,4 +1,4 @@
-// A question of a path planner as JSON, and its answer: the plan, judged, with what the search did.
+// A path planning question as JSON, and its answer: the plan, checked, with details of the search.
 #pragma once
 
 #include <chrono>
@@ -13,28 +13,28 @@ namespace outrider::server {
 inline constexpr std::int64_t most_traced = 100'000;
 inline constexpr std::chrono::seconds longest_planning{10};
 
-/// What questions share. Thread rule: any thread may use it.
+/// Holds what questions share. Thread rule: any thread may use it.
 struct PlanningMemory {
   MapStore maps;
   GroundStore grounds;
 };
 
-/// {"map" or "grid" or "polygons", "edits", "start", "goal", "planner", "options", "model", "radius_m",
-/// "resolution_m", "trace", "blocked", "legs"} -> the object that `outrider plan --json` prints, with one
-/// row, and "view": {"trace", "blocked", "legs"}, what of these was asked for. That there is no path, or that
-/// the start or the goal is blocked, is an answer, and its code the status of the row. Faults: bad_input on a
-/// request that is wrong; cancelled. `workspace` keeps what a planner built for the next question on the same
+/// Answers {"map" or "grid" or "polygons", "edits", "start", "goal", "planner", "options", "model",
+/// "radius_m", "resolution_m", "trace", "blocked", "legs"} with the object that `outrider plan --json`
+/// prints, with one row, and "view": {"trace", "blocked", "legs"}, as far as requested. A missing path or a
+/// blocked start or goal is a valid answer; its code is the status of the row. Faults: bad_input on an
+/// invalid request; cancelled. `workspace` keeps what a planner built for the next question on the same
 /// ground.
 Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace& workspace,
                           const std::stop_token& stop);
 
-/// A question as a scenario, and the map that it asks about with the edits in it.
+/// Holds a question as a scenario, and its map with the edits applied.
 struct QuestionScenario {
-  PlanScenario scenario;  ///< but for `map`, the name of a file
+  PlanScenario scenario;  ///< complete except for `map`, the file name
   KnownMap map;
 };
 
-/// Of the same request as answer_plan(). Fault: bad_input on one that is wrong.
+/// Converts a request of answer_plan() to a scenario. Fault: bad_input on an invalid request.
 Outcome<QuestionScenario> scenario_of_question(const Json& request, PlanningMemory& memory);
 
 }  // namespace outrider::server

@@ -41,7 +41,7 @@ Json fault_json(const Fault& fault) {
   return {{"fault", error_json(fault.sentence, to_string(fault.code), fault.where)}};
 }
 
-/// What the reader printed, or why it printed nothing.
+/// Returns what the reader printed, or the reason that it printed nothing.
 Outcome<Json> answer_of(const ChildResult& child, const ReaderSettings& settings) {
   if (child.cancelled) return fault(FaultCode::cancelled, "nobody waits for it any more");
   if (child.timed_out) {
@@ -63,7 +63,7 @@ Outcome<Json> answer_of(const ChildResult& child, const ReaderSettings& settings
                refused.value("where", ""));
 }
 
-/// So many may pass at the same time; others wait, for a while.
+/// Lets a limited number of threads pass at once; others wait, up to a time limit.
 class Turnstile {
  public:
   explicit Turnstile(int places) : places_(places) {}

@@ -1,11 +1,11 @@
-// Files of strangers are read in a process of their own, which can open nothing outside their folder and
-// takes no more memory and time than it is allowed. Scenarios name worlds, worlds include models, models name
-// meshes: none of that is parsed by the server itself.
+// Untrusted files are read in a separate process, which can open nothing outside their folder and has memory
+// and time limits. Scenarios name worlds, worlds include models, models name meshes: the server itself parses
+// none of them.
 //
-// A question and its answer are JSON. In questions, paths are relative to the folder:
-//   {"map": path}                        -> a packed map (maps.hpp)
-//   {"scenario": path}                   -> what shown_scenario() gives, its map packed
-//   {"yard": request, "save_as": path}   -> {"files": [{"path", "base64"}, ...]} of yard_files()
+// A question and its answer are JSON. Paths in questions are relative to the folder:
+//    {"map": path}                        -> a packed map (maps.hpp)
+//    {"scenario": path}                   -> the result of shown_scenario(), its map packed
+//    {"yard": request, "save_as": path}   -> {"files": [{"path", "base64"}, ...]} of yard_files()
 #pragma once
 
 #include <chrono>
@@ -18,10 +18,10 @@
 
 namespace outrider::server {
 
-/// Answers a question, in the process that may read the folder. Faults: bad_input on what is wrong.
+/// Answers a question. Call it in the process that may read the folder. Faults: bad_input on invalid input.
 Outcome<Json> answer_reading(const Json& question, const Folder& folder);
 
-/// The same from the side of the server: somebody else reads. Raising `stop` ends the reading.
+/// Answers a question on behalf of the server by asking another process. Raising `stop` ends the reading.
 using ReadFiles =
     std::function<Outcome<Json>(const Folder& folder, const Json& question, const std::stop_token& stop)>;
 
@@ -29,16 +29,16 @@ struct ReaderSettings {
   std::string tool;                                  ///< the program: `TOOL serve-reader`
   std::chrono::seconds limit{20};                    ///< for one question
   std::size_t memory_bytes = std::size_t{1} << 30U;  ///< for one question
-  int at_once = 2;                                   ///< questions; others wait
-  std::chrono::seconds longest_wait{10};             ///< of these; then they are refused
+  int at_once = 2;                                   ///< questions at once; others wait
+  std::chrono::seconds longest_wait{10};             ///< of a waiting question; then it is refused
 };
 
-/// Asks `TOOL serve-reader`, confined to the folder. Faults: those of answer_reading(); budget_exhausted when
-/// reading takes too long, too much memory, or too many others are reading; cancelled.
+/// Asks `TOOL serve-reader`, confined to the folder. Faults: those of answer_reading(); budget_exhausted if
+/// reading takes too long or too much memory, or too many others are reading; cancelled.
 ReadFiles reading_in_a_child(const ReaderSettings& settings);
 
-/// What `TOOL serve-reader` does: a question on standard input, its answer on standard output. The working
-/// folder is the folder. Returns the exit status.
+/// Runs `TOOL serve-reader`: reads a question from standard input and prints its answer. The current folder
+/// is the served folder. Returns the exit status.
 int serve_reader();
 
 }  // namespace outrider::server

@@ -18,7 +18,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
   }
 }
 
-/// The last line of what a program said in the end.
+/// Returns the last line that a program printed.
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t newline = text.rfind('\n');
@@ -26,7 +26,7 @@ std::string last_line(std::string text) {
   return text.substr(0, 500);
 }
 
-/// Parts of a list, each of at most `size`; none of what is no list.
+/// Splits a list into parts of at most `size`; returns none if the value is not a list.
 std::vector<Json> parts_of(const Json& list, std::size_t size) {
   std::vector<Json> parts;
   if (!list.is_array()) return parts;
@@ -38,13 +38,13 @@ std::vector<Json> parts_of(const Json& list, std::size_t size) {
   return parts;
 }
 
-/// Whether it is a list with something in it, and not in empty lists of it only.
+/// Returns true if the value is a list with an item that is not an empty list.
 bool has_items(const Json& value) {
   return value.is_array() && std::any_of(value.begin(), value.end(),
                                          [](const Json& item) { return !item.is_array() || !item.empty(); });
 }
 
-/// The lists of a report that have something in them, where they stand in it.
+/// Returns the non-empty lists of a report, at their places in it.
 Json growth_of(const Json& report) {
   Json growth = Json::object();
   for (const auto& [key, value] : report.items()) {

@@ -1,4 +1,4 @@
-// What a mission prints and writes, turned into what viewers are told.
+// Converts the output of a mission into messages for viewers.
 #pragma once
 
 #include <filesystem>
@@ -12,19 +12,19 @@
 
 namespace outrider::server {
 
-/// {"step", "steps", "name", "part"} from a line of progress; nothing from a line that is something else.
+/// Returns {"step", "steps", "name", "part"} from a progress line; nothing from any other line.
 std::optional<Json> progress_of(const Json& line);
 
-/// {"type": "omitted", "what", "sentence"} from a line that says that a report is too large to be told live;
-/// nothing from a line that is something else.
+/// Returns {"type": "omitted", "what", "sentence"} from a line about a report that is too large to send live;
+/// nothing from any other line.
 std::optional<Json> omitted_of(const Json& line);
 
-/// What viewers are told of a line of a report that grows (report/growth.hpp), in messages of bounded size:
-/// the scene where it begins, what has been added, the map, samples and events. None from a line that is
-/// something else.
+/// Converts a line of a growing report (report/growth.hpp) into messages of bounded size: the scene when it
+/// begins, additions, the map, samples and events. Returns none for any other line.
 std::vector<Json> messages_of(Json line);
 
-/// How a mission ended: done, not_done, refused, cancelled or failed; why; and the object that it printed.
+/// Describes how a mission ended: done, not_done, refused, cancelled or failed; the reason; and the object
+/// that it printed.
 struct Conclusion {
   std::string state;
   Fault fault{FaultCode::bad_input, {}, {}};
@@ -32,8 +32,8 @@ struct Conclusion {
 };
 Conclusion conclusion_of(const ChildResult& child);
 
-/// The fault with files named from the root. `unsaved` is the name of a scenario that was not saved, which
-/// becomes "scenario"; empty for others.
+/// Returns the fault with file names relative to the root. Replaces `unsaved`, the name of an unsaved
+/// scenario, by "scenario"; pass an empty name for others.
 Fault plain_fault(Fault fault, const std::filesystem::path& root, const std::string& unsaved);
 
 }  // namespace outrider::server

@@ -21,13 +21,13 @@ constexpr std::size_t most_messages = 50'000;
 constexpr std::size_t most_message_bytes = std::size_t{16} << 20U;
 constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
 
-/// Part of the ids of one server: the moment it began.
+/// Returns the start time of the server, which becomes part of its run ids.
 std::string moment() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
 }
 
-/// The report that a mission left, where there is one that can be served.
+/// Opens the report of a mission; null if there is none that can be served.
 std::shared_ptr<const OpenFile> open_report(const fs::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
   struct stat status{};
@@ -47,9 +47,9 @@ Response no_such_run(const std::string& id) {
 
 struct Runs::Run {
   std::string id;
-  std::string scenario;  // as people named it
-  std::string text;      // what is run
-  bool unsaved = false;  // it came with the request
+  std::string scenario;  // as the user named it
+  std::string text;      // the scenario to run
+  bool unsaved = false;  // the text came with the request
   fs::path out;
   std::string job;
   std::optional<std::int64_t> seed;
@@ -59,9 +59,9 @@ struct Runs::Run {
   Json summary;
   bool has_report = false;
   std::stop_source stop;
-  std::vector<std::shared_ptr<const std::string>> log;  // number 1 first; null: overtaken
+  std::vector<std::shared_ptr<const std::string>> log;  // starts with number 1; null: replaced by a newer one
   std::size_t log_bytes = 0;
-  std::map<std::string, std::size_t> newest;  // of the kinds that are overtaken: their place in the log
+  std::map<std::string, std::size_t> newest;  // log index of the newest progress and map
 
   [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
   [[nodiscard]] Json json() const {
@@ -137,7 +137,7 @@ void Runs::forget_old() {
   }
 }
 
-/// The text of the scenario, its name, and its job; or the refusal.
+/// Sets the text of the scenario, its name, and its job; returns the refusal if there is one.
 std::optional<Response> Runs::take_scenario(Run& run, const RunRequest& request) const {
   if (request.text) {
     const auto folder =
@@ -184,7 +184,7 @@ Response Runs::start(const RunRequest& request) {
   }
   report(run, {{"type", "state"}, {"state", "queued"}});
   const std::lock_guard lock(mutex_);
-  queue_.push_back(run);  // only now, or "running" could be told before "queued"
+  queue_.push_back(run);  // comes last, or "running" could precede "queued"
   queued_.notify_one();
   return json_response(run->json(), 202);
 }
@@ -285,7 +285,7 @@ void Runs::work(const std::stop_token& stop) {
       run = queue_.front();
       queue_.pop_front();
     }
-    // A mission that the server has no room for is no reason for the others to go.
+    // An exception in one mission must not end the others.
     try {
       carry_out(run);
     } catch (const std::exception& error) {
@@ -299,7 +299,7 @@ void Runs::work(const std::stop_token& stop) {
 void Runs::carry_out(const RunPtr& run) {
   report(run, {{"type", "state"}, {"state", "running"}});
   ChildProgram program;
-  // From the folder, so that its report is the one that `outrider run` makes there.
+  // The mission works in the folder, so its report equals that of `outrider run` there.
   program.words = {settings_.tool, "run", run->scenario, "--json", "--out", run->out.string(), "--stdin"};
   if (run->seed) program.words.insert(program.words.end(), {"--seed", std::to_string(*run->seed)});
   program.folder = folder_.root().string();
@@ -310,7 +310,7 @@ void Runs::carry_out(const RunPtr& run) {
   conclude(run, run_child(program, run->stop.get_token(), on_line));
 }
 
-/// What the mission tells of itself: its progress, or what is new in its report.
+/// Handles a line from the mission: its progress, or news of its report.
 void Runs::receive(const RunPtr& run, std::string_view line) {
   Json value = Json::parse(line, nullptr, false);
   if (auto progress = progress_of(value)) {
@@ -329,7 +329,7 @@ void Runs::receive(const RunPtr& run, std::string_view line) {
   try {
     for (Json& message : messages_of(std::move(value))) report(run, std::move(message));
   } catch (const Json::exception&) {
-    return;  // nothing that the tool writes
+    return;  // the tool writes no such line
   }
 }
 
@@ -338,7 +338,7 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   conclusion.fault = without_folder(std::move(conclusion.fault), run->out);
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
-  if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths of ours
+  if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths on the server
   const bool has_report = open_report(run->out / (run->job + ".json")) != nullptr;
   {
     const std::lock_guard lock(mutex_);
@@ -352,7 +352,7 @@ void Runs::give_up(const RunPtr& run, const char* reason) noexcept {
   try {
     end(run, "failed",
         {FaultCode::bad_input, fmt::format("the server lost this mission ({}); start it again", reason), {}});
-  } catch (...) {  // there is no room to say so either
+  } catch (...) {  // no memory even for the message
     const std::lock_guard lock(mutex_);
     run->state = "failed";
     ++states_;

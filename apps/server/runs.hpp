@@ -1,12 +1,13 @@
-// Missions that the page started: a queue, so many at once, and for each a log of what viewers are told.
+// Missions that the page started. They wait in a queue, a limited number runs at once, and each has a log of
+// messages for viewers.
 //
-// A log only grows, and a viewer keeps its place in it as a number. So a mission never waits for anybody; a
-// viewer that comes late, comes back or is slow reads on from its place, and of progress and maps that were
-// overtaken, which are not kept, it sees the newest only.
+// A log only grows, and a viewer keeps its position in it as a number. So a mission never waits for a viewer.
+// A viewer that comes late, reconnects or is slow continues from its position. Only the newest progress and
+// map messages are kept. A full log (50,000 messages or 16 MiB) takes only the final message.
 //
-// The text of a scenario is read once, when its run is asked for, and handed to the mission as it was then:
-// what happens to the file afterwards changes nothing. The mission opens other files beneath the folder only
-// (child.hpp). Thread rule: any thread may call.
+// The text of a scenario is read once, when its run is requested, and passed to the mission; later changes to
+// the file have no effect. The mission opens other files beneath the folder only (child.hpp). Thread rule:
+// any thread may call.
 #pragma once
 
 #include <atomic>
@@ -33,34 +34,34 @@ namespace outrider::server {
 
 struct RunSettings {
   std::string tool;          ///< the program: `TOOL run SCENARIO --json --out FOLDER --stdin`
-  std::size_t at_once = 2;   ///< missions that run at the same time
-  std::size_t waiting = 16;  ///< more are refused
-  std::size_t kept = 32;     ///< that ended; older ones are forgotten
+  std::size_t at_once = 2;   ///< missions that run at once
+  std::size_t waiting = 16;  ///< missions in the queue; more are refused
+  std::size_t kept = 32;     ///< ended missions; older ones are forgotten
   std::chrono::seconds limit{1800};
   std::size_t memory_bytes = std::size_t{4} << 30U;  ///< for one mission
 };
 
 struct RunRequest {
-  std::string scenario;             ///< a path under the folder; empty with `text`
-  std::optional<std::string> text;  ///< a scenario as it stands in the page
-  std::string folder;               ///< of the paths in `text`, under the folder
+  std::string scenario;             ///< path under the folder; empty with `text`
+  std::optional<std::string> text;  ///< unsaved scenario from the page
+  std::string folder;               ///< base of the paths in `text`, under the folder
   std::optional<std::int64_t> seed;
 };
 
-/// From {"scenario"} or {"text", "folder"}, and "seed".
+/// Reads a request from {"scenario"} or {"text", "folder"}, and "seed".
 Outcome<RunRequest> run_request(const Json& request);
 
 class Runs {
  public:
   /// `jobs` must outlive it.
   Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs);
-  ~Runs();  ///< cancels what is running, and waits for it
+  ~Runs();  ///< cancels all runs, and waits for them
   Runs(const Runs&) = delete;
   Runs& operator=(const Runs&) = delete;
 
-  /// Queues a mission: its state with status 202; else 400, 404, or 429 when the queue is full.
+  /// Queues a mission. Responds with its state and status 202; else 400, 404, or 429 if the queue is full.
   Response start(const RunRequest& request);
-  /// The state of one, or all of them, newest first.
+  /// Responds with the state of one run; list() returns all of them, newest first.
   Response state(const std::string& id);
   Json list();
   Response cancel(const std::string& id);
@@ -69,15 +70,14 @@ class Runs {
 
   struct Message {
     std::uint64_t seq = 0;
-    std::shared_ptr<const std::string> text;  ///< null while there is none
+    std::shared_ptr<const std::string> text;  ///< null if there is none yet
   };
-  /// The first message after the number `from`; what was overtaken is passed over. Fault: there is
-  /// no such run.
+  /// Returns the first kept message after number `from`. Fault: there is no such run.
   Outcome<Message> next(const std::string& id, std::uint64_t from);
 
-  /// Grows with every change of a state: what list() gives has changed then.
+  /// Returns a counter that grows with every change of a state, which changes list().
   [[nodiscard]] std::uint64_t state_changes() const { return states_; }
-  /// Called, without a lock held, after every change.
+  /// Sets a function to call after every change; no lock is held then.
   void on_change(std::function<void()> call);
 
  private:
@@ -92,16 +92,16 @@ class Runs {
   void receive(const RunPtr& run, std::string_view line);
   void report(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);
-  RunPtr find(const std::string& id);  // with the lock held
-  void forget_old();                   // with the lock held
+  RunPtr find(const std::string& id);  // call with the lock held
+  void forget_old();                   // call with the lock held
   void call_on_change();
 
   const Folder& folder_;
   RunSettings settings_;
   const std::vector<Job>& jobs_;
-  std::string prefix_;  // of ids, so that those of an earlier server are not taken for ours
+  std::string prefix_;  // makes ids differ from those of earlier servers
   std::optional<TemporaryFolder> home_;
-  std::mutex mutex_;  // guards what follows, and every run
+  std::mutex mutex_;  // guards the members below, and every run
   std::condition_variable_any queued_;
   std::deque<RunPtr> queue_;
   std::vector<RunPtr> runs_;

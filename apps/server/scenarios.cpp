@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The options of the planner that differ from their defaults, as the page keeps them.
+/// Returns the planner options that differ from their defaults, in the form that the page keeps.
 Json chosen_options(const PlanScenario& scenario) {
   Json options = Json::object();
   const PlanScenario usual;
@@ -67,7 +67,7 @@ Outcome<Json> shown_question(const fs::path& file, const Folder& folder) {
               {"resolution_m", scenario.grid.resolution_m}};
 }
 
-/// ROOM_map.yaml and ROOM_map.pgm, or ROOM_map.txt; the one that a scenario names last.
+/// Returns ROOM_map.yaml and ROOM_map.pgm, or ROOM_map.txt; the file that a scenario names comes last.
 Outcome<std::vector<NamedContent>> map_files(const std::string& stem, const KnownMap& map) {
   if (const auto* polygons = std::get_if<PolygonMap>(&map.shape)) {
     return std::vector<NamedContent>{
@@ -89,7 +89,7 @@ Outcome<std::vector<NamedContent>> question_files(const std::string& path, const
   auto files = map_files(path.substr(0, path.rfind('.')), asked->map);
   if (!files) return files;
   asked->scenario.map = fs::path(files->back().path).filename().string();
-  PlanScenario usual;  // but for what depends on the map where it is not said: that is always written
+  PlanScenario usual;  // values that depend on the map are always written
   usual.planner = usual.model = "";
   usual.radius_m = usual.grid.resolution_m = -1.0;
   files->push_back({path, fmt::format("# {}\njob: plan\n{}", saved_here,
@@ -97,7 +97,7 @@ Outcome<std::vector<NamedContent>> question_files(const std::string& path, const
   return files;
 }
 
-/// A name that stands unquoted in YAML and in a shell.
+/// Returns true if the name needs no quotes in YAML or in a shell.
 bool plain_name(const std::string& name) {
   return name.size() <= 100 && std::all_of(name.begin(), name.end(), [](char c) {
            return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_' ||
@@ -105,7 +105,7 @@ bool plain_name(const std::string& name) {
          });
 }
 
-/// The files that the reader made.
+/// Decodes the files that the reader made.
 Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
   std::vector<NamedContent> files;
   for (const Json& file : answer.value("files", Json::array())) {
@@ -116,7 +116,7 @@ Outcome<std::vector<NamedContent>> unpacked_files(const Json& answer) {
   return files;
 }
 
-/// A scenario of a job that the page can change.
+/// Returns a scenario for the page; refuses jobs that the page cannot change.
 Outcome<Json> shown_job(const fs::path& file, const std::string& path, const Folder& folder) {
   const auto job = job_of_scenario(jobs(), file.string());
   if (!job) return tl::unexpected<Fault>(job.error());

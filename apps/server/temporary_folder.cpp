@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "outrider-serve-";
 
-/// A descriptor that holds the lock; -1 when the folder is not ours, is locked, or is gone.
+/// Returns a descriptor that holds the lock; -1 if the folder belongs to another user, is locked, or is gone.
 int locked(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   struct stat status{};
@@ -28,7 +28,7 @@ int locked(const fs::path& folder) {
 }  // namespace
 
 Outcome<TemporaryFolder> TemporaryFolder::make() {
-  constexpr int attempts = 10;  // another server may take it for abandoned before it is locked
+  constexpr int attempts = 10;  // another server may remove it before it is locked
   for (int i = 0; i < attempts; ++i) {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / (std::string(prefix) + "XXXXXX")).string();

@@ -1,4 +1,4 @@
-// A folder of our own under the system's, gone with the object.
+// A private folder under the system's temporary folder, removed with the object.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace outrider::server {
 
-/// Holds a lock on the folder while it lives: one that nobody holds a lock on was left by a server that was
+/// Holds a lock on the folder while the object exists. A folder without a lock was left by a server that was
 /// killed.
 class TemporaryFolder {
  public:
-  /// Only we may look into it. Fault: bad_input when the system has no place for one.
+  /// Creates a folder that only this user can access. Fault: bad_input if the system has no place for one.
   static Outcome<TemporaryFolder> make();
-  /// Removes the folders of ours that a killed server left. Called when a server starts.
+  /// Removes folders that killed servers of this user left. Call it when a server starts.
   static void remove_abandoned();
 
   TemporaryFolder(TemporaryFolder&& other) noexcept

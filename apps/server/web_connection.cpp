@@ -22,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t longest_head_bytes = 16384;
 constexpr std::size_t chunk_bytes = 65536;
-constexpr std::size_t small_answer_bytes = 65536;  // these need no budget
+constexpr std::size_t small_answer_bytes = 65536;  // answers up to this size need no budget
 constexpr std::chrono::seconds longest_body{30};
-constexpr std::chrono::seconds longest_answer{60};  // of a small one
+constexpr std::chrono::seconds longest_answer{60};  // for a small answer
 constexpr std::uintmax_t slowest_bytes_per_s = 262144;
 constexpr std::size_t most_drained_bytes = std::size_t{1} << 20U;
 
@@ -72,7 +72,7 @@ WebConnection::~WebConnection() {
   host_.connections.erase(this);
 }
 
-/// The last of those that wait: its client did something just now.
+/// Moves the connection to the end of the waiting list, because its client was just active.
 void WebConnection::wait_for_client() {
   if (is_waiting_) return host_.waiting.splice(host_.waiting.end(), host_.waiting, place_);
   place_ = host_.waiting.insert(host_.waiting.end(), this);
@@ -120,7 +120,7 @@ void WebConnection::on_head(const ErrorCode& error) {
   host_.worked = true;
   deadline_ = Clock::now() + longest_body;
   if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return;
-  if (error == beast::error::timeout) return;  // nothing was asked
+  if (error == beast::error::timeout) return;  // no request came
   if (error) return respond(refusal_of(error));
   request_ = request_of(parser_.get());
   if (beast::websocket::is_upgrade(parser_.get())) {
@@ -181,7 +181,7 @@ void WebConnection::answer_request() {
   });
 }
 
-/// Waits for the client to say something, which can only be that it has left.
+/// Waits until the socket is readable, which can only mean that the client has left.
 void WebConnection::watch_client() {
   stream_.socket().async_wait(
       asio::ip::tcp::socket::wait_read, [self = shared_from_this()](const ErrorCode& error) {
@@ -221,7 +221,7 @@ void WebConnection::respond(Response response) {
   write_part();
 }
 
-/// Writes what is in `part_`, then the next part of the body, until all is sent.
+/// Writes `part_`, then the next part of the body, until all is sent.
 void WebConnection::write_part() {
   wait_for_client();
   stream_.expires_after(patience);
@@ -232,13 +232,14 @@ void WebConnection::write_part() {
         const std::size_t most = std::min<std::uintmax_t>(chunk_bytes, self->length_ - self->sent_);
         self->part_ = self->response_.file ? self->response_.file->part(self->sent_, most)
                                            : self->response_.body.substr(self->sent_, most);
-        if (self->part_.empty()) return;  // the file was cut meanwhile; the client misses bytes and knows it
+        if (self->part_.empty()) return;  // file was truncated; the client can tell
         self->sent_ += self->part_.size();
         self->write_part();
       });
 }
 
-/// A client that is still sending would lose the answer if the connection were closed now.
+/// Ends the answer and keeps reading: a client that is still sending would lose the answer if the connection
+/// were closed now.
 void WebConnection::send_close() {
   response_ = {};
   answer_memory_ = {};

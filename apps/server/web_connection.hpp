@@ -1,4 +1,4 @@
-// One HTTP connection: a request, its answer, the end.
+// One HTTP connection: one request and its answer.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -14,8 +14,8 @@
 
 namespace outrider::server {
 
-/// Lives as long as something is under way on it. A client that is slow in asking or in reading for longer
-/// than `patience` is let go. While the answer is made, one that leaves raises the request's stop token.
+/// Lives as long as an operation is pending. Disconnects a client that sends or reads nothing for longer than
+/// `patience`. A client that leaves while its answer is made raises the stop token of the request.
 class WebConnection : public std::enable_shared_from_this<WebConnection> {
  public:
   WebConnection(asio::ip::tcp::socket socket, WebHost& host);
@@ -24,7 +24,7 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   ~WebConnection();
 
   void start();
-  /// Ends it at once; what is being answered is cancelled.
+  /// Closes the connection at once and cancels the request in progress.
   void drop();
 
  private:
@@ -56,11 +56,11 @@ class WebConnection : public std::enable_shared_from_this<WebConnection> {
   ByteBudget::Lease body_memory_;
   Response response_;
   ByteBudget::Lease answer_memory_;
-  std::string part_;           // what is being written
-  std::uintmax_t sent_ = 0;    // of the body
-  std::uintmax_t length_ = 0;  // of the body
+  std::string part_;           // bytes being written
+  std::uintmax_t sent_ = 0;    // bytes of the body
+  std::uintmax_t length_ = 0;  // bytes of the body
   std::size_t drained_ = 0;
-  std::chrono::steady_clock::time_point deadline_{};  // of the body, then of the answer
+  std::chrono::steady_clock::time_point deadline_{};  // for the request body, then for the answer
 };
 
 }  // namespace outrider::server

@@ -21,14 +21,15 @@ using asio::ip::tcp;
 
 constexpr std::chrono::seconds between_trims{5};
 
-/// The memory of many short requests is given back to the system, and not spread over an arena a thread.
+/// Limits malloc arenas, so that the memory of many short requests returns to the system and is not spread
+/// over one arena per thread.
 void keep_memory_together() {
   ::mallopt(M_ARENA_MAX, 2);
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20U);
   ::mallopt(M_TRIM_THRESHOLD, 4 << 20U);
 }
 
-/// A connection is an open file, of which most systems allow 1024 unless they are asked.
+/// Raises the limit of open files, since each connection is one; most systems allow 1024 by default.
 void allow_many_files() {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -80,7 +81,7 @@ class BeastServer : public WebServer {
     acceptor_.async_accept([this](const ErrorCode& error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
       if (!error) greet(std::move(socket));
-      if (error) return accept_later();  // no file is left for a connection
+      if (error) return accept_later();  // no file descriptor is left
       accept();
     });
   }
@@ -101,7 +102,7 @@ class BeastServer : public WebServer {
     });
   }
 
-  /// Gives memory back that nobody uses, when something was done since the last time.
+  /// Returns unused memory to the system if work was done since the last time.
   void trim() {
     timer_.expires_after(between_trims);
     timer_.async_wait([this](const ErrorCode& error) {
@@ -122,7 +123,7 @@ class BeastServer : public WebServer {
       for (WebSocket* socket : host_.sockets) socket->drop();
     });
     host_.workers.join();
-    thread_.join();  // io.run() returns when nothing is under way any more
+    thread_.join();  // io.run() returns when nothing is pending
   }
 
   WebHost host_;

@@ -1,8 +1,8 @@
-// The server on sockets: HTTP and WebSockets through Boost.Beast, which appears in web_*.cpp alone.
+// The server on sockets: HTTP and WebSockets through Boost.Beast, which only web_*.cpp use.
 //
-// Bounded in all: 1000 connections, of which the one that has waited longest for its client gives way to the
-// next; 240 WebSockets; 64 MiB of bodies; 128 MiB of answers that wait to be read. A client that is slow in
-// asking, in sending or in reading loses its connection after ten seconds. Files are sent from the disk.
+// Limits: 1000 connections, of which the one that has waited longest for its client makes room for the next;
+// 240 WebSockets; 64 MiB of bodies; 128 MiB of unread answers. A client that is slow to ask, send or read is
+// disconnected after ten seconds. Files are streamed from the disk.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,14 @@
 namespace outrider::server {
 
 struct Listen {
-  std::string address = "127.0.0.1";  ///< IPv4 or IPv6 of this machine
-  int port = 8080;                    ///< 0: one that is free
+  std::string address = "127.0.0.1";  ///< IPv4 or IPv6 address of this machine
+  int port = 8080;                    ///< 0: any free port
 };
 
 class WebServer {
  public:
-  /// Faults: bad_input when the address is none of this machine, or the port is taken or not ours to take.
+  /// Starts the server. Faults: bad_input if the address is not one of this machine, or the port is taken or
+  /// not permitted.
   static Outcome<std::unique_ptr<WebServer>> start(App& app, const Listen& listen);
   virtual ~WebServer() = default;
   [[nodiscard]] virtual int port() const = 0;

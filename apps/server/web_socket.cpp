@@ -46,7 +46,7 @@ void WebSocket::start(const beast::http::request<beast::http::buffer_body>& upgr
 
 void WebSocket::begin() {
   viewer_ = host_.app.live().open();
-  // While the thread lives there is work to come: finish() must run.
+  // Keeps io.run() going while the thread lives, because finish() must run.
   writer_ = std::thread([self = shared_from_this(), work = asio::make_work_guard(host_.io)]() mutable {
     self->viewer_->serve([&](const std::string& text) { return self->write(text); });
     asio::io_context& io = self->host_.io;
@@ -64,7 +64,7 @@ void WebSocket::read() {
   });
 }
 
-/// Hands the message to the viewer on another thread, since reading it may take a while; then reads on.
+/// Passes the message to the viewer on another thread, since processing may take a while; then reads on.
 void WebSocket::receive() {
   host_.worked = true;
   asio::post(host_.workers,
@@ -80,7 +80,7 @@ void WebSocket::receive() {
              });
 }
 
-/// On the thread that writes: waits until the message is on its way. False when the client is gone.
+/// Waits until the message is sent; returns false if the client is gone. Call it on the writing thread.
 bool WebSocket::write(const std::string& text) {
   std::promise<bool> sent;
   asio::post(host_.io, [&] {
@@ -90,7 +90,7 @@ bool WebSocket::write(const std::string& text) {
   return sent.get_future().get();
 }
 
-/// The viewer is told nothing more; whether it, the client or the server ended it, the client is told so.
+/// Ends the writing and closes the connection, whether the viewer, the client or the server ended it.
 void WebSocket::finish() {
   writer_.join();
   if (!stream_.is_open()) return;

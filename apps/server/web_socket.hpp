@@ -1,4 +1,4 @@
-// One WebSocket: its viewer, and the thread that writes what the viewer is told.
+// One WebSocket: its viewer, and the thread that writes messages to the client.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -15,8 +15,8 @@
 
 namespace outrider::server {
 
-/// Lives as long as something is under way on it. A message has at most 4 MiB, which is known before it is
-/// read. A client that does not read is found out by a ping that it does not answer.
+/// Lives as long as an operation is pending. A message has at most 4 MiB; a larger one is rejected before it
+/// is read. A ping without an answer reveals a client that does not read.
 class WebSocket : public std::enable_shared_from_this<WebSocket> {
  public:
   WebSocket(boost::beast::tcp_stream stream, WebHost& host);
@@ -25,7 +25,7 @@ class WebSocket : public std::enable_shared_from_this<WebSocket> {
   ~WebSocket();
 
   void start(const boost::beast::http::request<boost::beast::http::buffer_body>& upgrade);
-  /// Ends it at once.
+  /// Closes the connection at once.
   void drop();
 
  private:

@@ -1,8 +1,8 @@
-// The memory that planners keep between questions, shared by all who ask.
+// The memory that planners keep between questions, shared by all clients.
 //
-// What a planner built for a map can be large, so there are only as many workspaces as plans are made at the
-// same time, however many viewers there are. Who asks again gets the workspace that was used last for them,
-// where it is free.
+// The data that a planner builds for a map can be large, so there are only as many workspaces as plans that
+// run at once, regardless of the number of viewers. A returning client gets the workspace that it used last,
+// if that is free.
 #pragma once
 
 #include <chrono>
@@ -17,12 +17,12 @@
 
 namespace outrider::server {
 
-/// Thread rule: any thread may take one and give it back.
+/// Lends workspaces. Thread rule: any thread may take one and give it back.
 class WorkspacePool {
  public:
   explicit WorkspacePool(std::size_t count) : places_(count) {}
 
-  /// A workspace for one thread, given back with the object.
+  /// Lends a workspace to one thread; the destructor gives it back.
   class Lease {
    public:
     Lease(Lease&& other) noexcept : pool_(std::exchange(other.pool_, nullptr)), place_(other.place_) {}
@@ -39,19 +39,19 @@ class WorkspacePool {
     std::size_t place_;
   };
 
-  /// Waits until one is free. Nothing when that takes too long, `stop` is raised, or `most_waiting` others
-  /// wait already.
+  /// Waits until a workspace is free. Returns nothing if that takes too long, `stop` is raised, or
+  /// `most_waiting` others already wait.
   std::optional<Lease> take(const void* user, std::chrono::milliseconds longest_wait,
                             std::size_t most_waiting, const std::stop_token& stop);
 
  private:
   struct Place {
     Workspace workspace;
-    const void* user = nullptr;  ///< who used it last; compared, never followed
+    const void* user = nullptr;  ///< last user; compared, never dereferenced
     std::size_t last_use = 0;
     bool taken = false;
   };
-  Place* free_place(const void* user);  // with the lock held
+  Place* free_place(const void* user);  // call with the lock held
   void give_back(std::size_t place);
 
   std::mutex mutex_;

@@ -22,7 +22,7 @@ constexpr double box_height_m = 1.0;
 constexpr double least_box_m = 0.01;
 
 struct Yard {
-  GuardScenario scenario;  ///< its world as the file of the world has it
+  GuardScenario scenario;  ///< with the world as in its file
   YardThings things;
 };
 
@@ -49,7 +49,7 @@ Json target_json(const Target& target) {
           {"heading_rad", target.yaw_rad}};
 }
 
-/// The target of that name at another place, else a new one.
+/// Returns the target of that name, moved to `at`, or else a new one.
 Outcome<Target> placed(const GuardProblem& yard, const std::string& name, Vec2 at, const std::string& where) {
   const auto old = std::ranges::find(yard.targets, name, &Target::name);
   if (old != yard.targets.end()) {
@@ -118,7 +118,7 @@ Outcome<std::vector<Box>> boxes_of(const Json& list) {
   return boxes;
 }
 
-/// The text of the world with the boxes as models of their own.
+/// Returns the text of the world with the boxes added as models.
 Outcome<std::string> world_with(const std::vector<Box>& boxes, const GuardScenario& scenario,
                                 const fs::path& beside) {
   auto text = read_file(scenario.world, largest_served_bytes);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_changes = 10'000;
 
-/// In the way of the robot, of these solids alone.
+/// Returns the polygons of these solids alone that block the robot.
 Json polygons_json(const GuardProblem& yard, std::vector<Solid> solids) {
   World part = yard.world;
   part.solids = std::move(solids);
@@ -91,7 +91,7 @@ Outcome<WorldChanges> changes_of(const Json& moved, const Json& removed, const G
     if (!name.is_string()) return bad_input("it takes the names of things", "removed");
     changes.removed.push_back(name.get<std::string>());
   }
-  // As the text has them, since that is what will be run.
+  // Checks the changes as written to text, since that is what will be run.
   auto written = changes_from_text(moved_text(changes.moved), removed_text(changes.removed));
   if (!written) return pass_on(written);
   if (auto ok = changed(yard.world, *written); !ok) return pass_on(ok);

@@ -1,4 +1,4 @@
-// What of a yard's world the page can put elsewhere or take away.
+// The things in a yard's world that the page can move or remove.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace outrider::server {
 
-inline constexpr double most_turn_rad = 7.0;  ///< that a request may ask for
+inline constexpr double most_turn_rad = 7.0;  ///< largest turn in a request
 
 struct YardThings {
-  WorldChanges changes;               ///< as the scenario has them
-  std::vector<MovableThing> movable;  ///< none of which a change names a part only
+  WorldChanges changes;               ///< changes in the scenario
+  std::vector<MovableThing> movable;  ///< without things of which a change names only a part
 };
 
-/// Of a problem whose world is as its file has it. Faults: those of changed().
+/// Returns the things of a problem whose world is as in its file. Faults: those of changed().
 Outcome<YardThings> yard_things(const GuardProblem& yard, WorldChanges changes);
 
-/// Polygons in the way of the robot: of each thing, where the world has it; and of all that stays.
+/// things_json() returns the movable things, each with the polygons that block the robot as in the world
+/// file. fixed_json() returns the polygons of everything else.
 Json things_json(const GuardProblem& yard, const YardThings& things);
 Json fixed_json(const GuardProblem& yard, const YardThings& things);
 
-/// The changes that a request asks for in place of those of the same things. Faults: bad_input, as a
-/// scenario with these changes would be refused.
+/// Returns the changes of the scenario, with those of the same things replaced by the request. Faults:
+/// bad_input, if a scenario with these changes would be refused.
 Outcome<WorldChanges> changes_of(const Json& moved, const Json& removed, const GuardProblem& yard,
                                  const YardThings& things);
 

@@ -1,4 +1,4 @@
-// Every way to choose the next view, in every world, over many seeds.
+// Measures every exploration strategy in every world, over many seeds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace {
 struct BenchWorld {
   std::string name;
   ExploreSetup setup;
-  double least_s = 0.0;  ///< no run takes less (explore/bound.hpp)
+  double least_s = 0.0;  ///< lower bound of the time of a run (explore/bound.hpp)
 };
 
-/// One strategy in one world; a value a seed.
+/// Holds the results of one strategy in one world; each vector has one value per seed.
 struct StrategyRow {
   std::string world;
   std::string strategy;
@@ -32,7 +32,7 @@ struct StrategyRow {
   std::vector<double> explored, time_s, distance_m, decisions, max_decision_s, map_error_m, contacts;
 };
 
-/// The cells of 5 cm whose centres something at the height of the laser covers.
+/// Returns the cells of 5 cm whose centres are inside a solid at the height of the laser.
 Grid<std::uint8_t> solid_cells(const ExploreSetup& setup) {
   const auto pieces = cut_at(setup.world, setup.sim.laser.height_m);
   Box2 box;
@@ -62,7 +62,7 @@ Outcome<BenchWorld> loaded(const std::string& name, const ExploreScenario& scena
   return BenchWorld{name, std::move(*setup), bound->least_s};
 }
 
-/// The scenarios that were named, then the worlds of the reference report in the data.
+/// Loads the named scenarios, then the worlds of the reference report from the data folder.
 Outcome<std::vector<BenchWorld>> load_worlds(const ExploreRequest& request) {
   std::vector<BenchWorld> worlds;
   for (const std::string& path : request.scenarios) {
@@ -96,7 +96,7 @@ Outcome<std::vector<std::string>> chosen_strategies(const ExploreRequest& reques
 }
 
 Outcome<StrategyRow> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
-                              const BenchObserver& observer) {
+                      const BenchObserver& observer) {
   StrategyRow row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
   ExploreTask task = world.setup.task;
   task.explore.strategy = strategy;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_files = 100'000;
 constexpr std::size_t most_table_rows = 1'000'000;
 
-/// The path, or the path with .gz, when it is among the files.
+/// Returns the path or the path with .gz, whichever is among the files; empty if neither is.
 std::string one_of(const std::set<std::string>& files, const std::string& path) {
   if (files.contains(path)) return path;
   return files.contains(path + ".gz") ? path + ".gz" : std::string();
@@ -50,7 +50,7 @@ Outcome<std::set<std::string>> files_under(const std::string& folder) {
   return files;
 }
 
-/// How far published octile lengths are from the true ones, relative, in the sets where it is known.
+/// Returns the relative error of published octile lengths, for the sets in which it is known.
 double tolerance_of(const std::string& set) {
   if (set == "bg512") return 2e-3;
   if (set == "wc3maps512") return std::numeric_limits<double>::infinity();

@@ -1,9 +1,9 @@
-// Published grids to measure planners on, found in a folder.
+// Published grids for benchmarks, found in a folder.
 //
-// A map is a file that ends in .map, its queries stand beside it in <name>.map.scen, and the true shortest
-// lengths in any direction of a sample of them in anyangle/<name>.csv: lines
-// "sx,sy,gx,gy,octile_cells,anyangle_opt" after a head, rows counted from the top. Any of these may be
-// gzip-compressed, with .gz after the name.
+// A map is a file that ends in .map, with its queries beside it in <name>.map.scen. The true shortest lengths
+// in any direction of a sample of them are in anyangle/<name>.csv: lines
+// "sx,sy,gx,gy,octile_cells,anyangle_opt" after a header, rows counted from the top. Any of these files may
+// be gzip-compressed, with .gz after the name.
 #pragma once
 
 #include <limits>
@@ -17,32 +17,32 @@
 namespace outrider::bench {
 
 struct GridFiles {
-  std::string name;  ///< of the map, without folder and endings
-  std::string set;   ///< the folder that it stands in
+  std::string name;  ///< name of the map, without folder and extensions
+  std::string set;   ///< folder of the map
   std::string map;
-  std::string scenario;   ///< empty: none
-  std::string any_angle;  ///< empty: none
+  std::string scenario;   ///< empty if there is none
+  std::string any_angle;  ///< empty if there is none
 };
 
-/// The maps under a folder that have queries, in order of their paths. Refused: no folder, none of them, or
-/// more than 100,000 files.
+/// Returns the maps under a folder that have queries, sorted by path. Refuses a missing folder, one without
+/// such maps, or one with more than 100,000 files.
 Outcome<std::vector<GridFiles>> find_grids(const std::string& folder);
 
 struct GridQueryRow {
   Cell start;  ///< rows counted from the bottom
   Cell goal;
   double octile_length = 0.0;             ///< published, in cells
-  std::optional<double> shortest_length;  ///< in any direction, between the top left corners of the cells
+  std::optional<double> shortest_length;  ///< any-angle, between the top left corners of cells
 };
 
 struct PublishedGrid {
   Grid<std::uint8_t> blocked;
   std::vector<GridQueryRow> rows;
-  double octile_tolerance = 1e-5;  ///< relative; infinite where the published lengths cannot be used
+  double octile_tolerance = 1e-5;  ///< relative; infinite if the published lengths cannot be used
 };
 
-/// At most so many rows, spread evenly: of the any-angle table where there is one, else, or with
-/// `all_rows`, of the scenario.
+/// Loads a grid with at most so many rows, spread evenly. The rows come from the any-angle table if there is
+/// one; otherwise, or with `all_rows`, from the scenario.
 Outcome<PublishedGrid> load_grid(const GridFiles& files, std::size_t most_rows, bool all_rows);
 
 }  // namespace outrider::bench

@@ -1,4 +1,4 @@
-// Every guard planner in every yard, the same missions simulated.
+// Measures every guard planner in every yard, in the same simulated missions.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 namespace outrider::bench {
 namespace {
 
-/// What the time of a mission goes by with, s.
+/// Splits the time of a mission by activity, in s.
 struct Shares {
   double drive = 0.0;
   double turn = 0.0;
@@ -32,15 +32,15 @@ struct GuardRow {
   double failed = 0.0;
   double unreachable = 0.0;
   double shots = 0.0;
-  double planning_s = 0.0;  ///< of survey and plan, the same for all seeds
+  double planning_s = 0.0;  ///< time of firing map and plan, the same for all seeds
   double planned_s = 0.0;
   double lower_bound_s = 0.0;
   double mission_s = 0.0;
   Shares shares;
-  std::optional<double> ratio;  ///< of the mission to that of the first planner of the catalogue
+  std::optional<double> ratio;  ///< mission time relative to the first planner of the catalogue
 };
 
-/// By what changes from one instant of the track to the next.
+/// Splits the time by what changes between consecutive samples of the track.
 Shares shares_of(const Report& report) {
   Shares shares;
   for (std::size_t i = 1; i < report.track.size(); ++i) {
@@ -55,7 +55,7 @@ Shares shares_of(const Report& report) {
   return shares;
 }
 
-/// The scenarios that were named, then the two worlds of the reference report in the data.
+/// Loads the named scenarios, then the two worlds of the reference report from the data folder.
 Outcome<std::vector<GuardScenario>> load_yards(const GuardRequest& request) {
   std::vector<GuardScenario> yards;
   for (const std::string& path : request.scenarios) {
@@ -105,7 +105,7 @@ GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Re
           {}};
 }
 
-/// All planners in one yard: one survey, one plan each, the same seeds.
+/// Measures all planners in one yard: one firing map, one plan each, the same seeds.
 Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
                     const std::vector<GuardPlanner>& planners, const BenchObserver& observer,
                     std::vector<GuardRow>& rows) {

@@ -16,7 +16,7 @@
 namespace outrider::bench {
 namespace {
 
-/// What a row needs of one run.
+/// Holds what a row needs from one run.
 struct Sample {
   double inside_s = 0.0;
   double longest_s = 0.0;
@@ -30,7 +30,7 @@ struct Yard {
   GuardScenario scenario;
   FiringMap firing_map;
   PrecomputedStops precomputed;
-  std::vector<ArrivalYard> watches;  // by seed
+  std::vector<ArrivalYard> watches;  // one per seed
 };
 
 Outcome<Yard> prepared(const std::string& path, std::int64_t seeds) {

@@ -1,5 +1,5 @@
-// Rows of the suite `slam` for laser logs: how far the track is from the reference, and how much faster than
-// the robot drove it was mapped.
+// Rows of the suite `slam` for laser logs: the error of the track against the reference, and the mapping
+// speed relative to the recorded drive.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ struct LaserRow {
   std::size_t loops = 0;
   std::optional<double> mean_error_m;
   std::optional<double> rms_error_m;
-  double time_s = 0.0;  ///< of the processor; the least of the repeats
+  double time_s = 0.0;  ///< processor time; shortest of the repetitions
   double max_step_s = 0.0;
   std::optional<double> real_time_factor;
 };

@@ -1,4 +1,4 @@
-// Every path planner on published grids, each answer judged.
+// Measures every path planner on published grids and checks each answer.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -23,17 +23,18 @@ struct MapRow {
   std::string map;
   PathPlanner planner;
   GridModel model = GridModel::cells;
-  std::vector<double> times_us;  ///< of the answered queries
-  std::vector<double> ratios;    ///< to the published optimum, where there is one
+  std::vector<double> times_us;  ///< one per answered query
+  std::vector<double> ratios;    ///< cost relative to the published optimum, if known
   std::uint64_t expansions = 0;
   std::size_t unanswered = 0;
-  std::size_t mismatches = 0;  ///< answers that the judge or a published length contradicts
+  std::size_t mismatches = 0;  ///< answers contradicted by the check or a published length
   std::string first_mismatch;
   double build_s = 0.0;
   double memory_mib = 0.0;
 };
 
-/// The model on which a planner's class of paths has published lengths; nothing when it takes no grid.
+/// Returns the model for which published lengths exist for the planner's class of paths; nothing if the
+/// planner takes no grid.
 std::optional<GridModel> model_for(const PathPlanner& planner) {
   if (planner.models.empty()) return std::nullopt;
   const bool corners = planner.guarantee.among == PathClass::any_direction;
@@ -46,7 +47,7 @@ std::string guarantee_of(const PathPlanner& planner) {
   return planner.guarantee.among == PathClass::any_direction ? "any_angle_optimal" : "grid_optimal";
 }
 
-/// In `corners`, from and to the top left corners of the cells.
+/// Returns the problem of a row; with `corners`, it runs between the top left corners of the cells.
 Problem problem_of(const std::shared_ptr<const GridMap>& ground, const GridQueryRow& row) {
   const int up = ground->model == GridModel::corners ? 1 : 0;
   return {ground, ground->point({row.start.x, row.start.y + up}),
@@ -66,7 +67,7 @@ std::optional<Optimum> optimum_of(const MapRow& row, const PublishedGrid& grid, 
   return std::nullopt;
 }
 
-/// Why the answer cannot be right; empty when nothing speaks against it.
+/// Returns why the answer is wrong; empty if nothing contradicts it.
 std::string contradiction(const MapRow& row, const Outcome<Plan>& plan, const Problem& problem,
                           const std::optional<Optimum>& optimum) {
   if (!plan) return optimum ? plan.error().sentence : std::string();
@@ -111,7 +112,7 @@ Timed timed(const ConfiguredPlanner& planner, const Problem& problem, Workspace&
 }
 
 MapRow measure(const PathRequest& request, const GridFiles& files, const PublishedGrid& grid,
-               const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
+            const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
   MapRow row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
   row.times_us.reserve(grid.rows.size());
   row.ratios.reserve(grid.rows.size());
@@ -122,7 +123,7 @@ MapRow measure(const PathRequest& request, const GridFiles& files, const Publish
   const Problem first = problem_of(ground, grid.rows.front());
   const double cold_us = timed(configured, first, workspace).time_us;
   row.build_s = 1e-6 * std::max(0.0, cold_us - timed(configured, first, workspace).time_us);
-  for (int round = 0; round < request.repeat; ++round) {  // in turn, so that no query is fresh in the cache
+  for (int round = 0; round < request.repeat; ++round) {  // round by round, so no query is still cached
     for (std::size_t i = 0; i < grid.rows.size(); ++i) {
       const Problem problem = problem_of(ground, grid.rows[i]);
       const Timed answer = timed(configured, problem, workspace);
@@ -226,7 +227,7 @@ Outcome<std::vector<PathPlanner>> chosen_planners(const PathRequest& request) {
   return planners;
 }
 
-/// All planners on one map; one ground of each model at a time.
+/// Measures all planners on one map, with one ground of each model at a time.
 Status measure_map(const PathRequest& request, const GridFiles& files,
                    const std::vector<PathPlanner>& planners, const BenchObserver& observer,
                    std::vector<MapRow>& rows) {

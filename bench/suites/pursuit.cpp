@@ -1,4 +1,4 @@
-// Every pursuit planner on every map of a folder, each answer judged.
+// Measures every pursuit planner on every map of a folder and checks each answer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,13 +23,13 @@ namespace fs = std::filesystem;
 struct PursuitRow {
   std::string map;
   std::string planner;
-  std::string status = "caught";  ///< or the code of the fault
+  std::string status = "caught";  ///< otherwise the code of the fault
   std::optional<PursuitPlan> plan;
-  std::optional<double> ratio;    ///< of the cost to the optimum
-  std::optional<double> first_s;  ///< until the first catch was known
-  std::optional<double> proof_s;  ///< until it was proven to be the cheapest
+  std::optional<double> ratio;    ///< cost relative to the optimum
+  std::optional<double> first_s;  ///< time to the first catch
+  std::optional<double> proof_s;  ///< time to the proof that it is the cheapest
   double planning_s = 0.0;
-  std::string mismatch;  ///< what the judge or the optimum says against it
+  std::string mismatch;  ///< contradiction by the check or the optimum
 };
 
 Budget budget_of(const PursuitRequest& request, double used_s) {
@@ -39,7 +39,7 @@ Budget budget_of(const PursuitRequest& request, double used_s) {
   return budget;
 }
 
-/// The anytime search with the times of its first catch and of its proof.
+/// Runs the anytime search and measures the times of its first catch and of its proof.
 PursuitRow measure_search(const PursuitRequest& request, const PursuitProblem& problem) {
   PursuitRow row;
   const Stopwatch watch;
@@ -60,7 +60,7 @@ PursuitRow measure_search(const PursuitRequest& request, const PursuitProblem& p
 }
 
 PursuitRow measure_planner(const PursuitRequest& request, const PursuitPlanner& planner,
-                           const PursuitProblem& problem) {
+                    const PursuitProblem& problem) {
   PursuitRow row;
   Workspace workspace;
   const ConfiguredPursuitPlanner configured = planner.configure();
@@ -95,7 +95,7 @@ Status measure_map(const PursuitRequest& request, const fs::path& path,
   for (const PursuitPlanner& planner : planners) {
     next_step(observer, fmt::format("{} on {}", planner.name, map));
     PursuitRow row = planner.name == "anytime" ? measure_search(request, *problem)
-                                               : measure_planner(request, planner, *problem);
+                                        : measure_planner(request, planner, *problem);
     row.map = map;
     row.planner = planner.name;
     if (row.plan && row.plan->optimal()) optimum = row.plan->cost;
@@ -105,7 +105,7 @@ Status measure_map(const PursuitRequest& request, const fs::path& path,
   return {};
 }
 
-/// Maps of the folder, to its depths, in the order of their numbers.
+/// Finds the maps in the folder, searched recursively, ordered by length of name, then by path.
 Outcome<std::vector<fs::path>> find_maps(const PursuitRequest& request) {
   std::error_code error;
   std::vector<fs::path> paths;
@@ -126,7 +126,8 @@ Outcome<std::vector<fs::path>> find_maps(const PursuitRequest& request) {
   return paths;
 }
 
-/// The optimum first, for the ratios of the others.
+/// Returns the named planners in their order, or else the catalogue, which begins with the optimal one, so
+/// that the ratios of the others are known.
 Outcome<std::vector<PursuitPlanner>> chosen_planners(const PursuitRequest& request) {
   if (request.planners.empty()) return pursuit_planners();
   std::vector<PursuitPlanner> planners;

@@ -1,4 +1,4 @@
-// What the suites share: how an observer is called and how rows become a result.
+// Helpers shared by the suites: calling an observer and turning rows into a result.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ inline void next_step(const BenchObserver& observer, const std::string& step) {
   if (observer.next) observer.next(step);
 }
 
-/// By the row_json() and table_text() that stand beside Row.
+/// Builds the result with the row_json() and table_text() declared beside Row.
 template <class Row>
 BenchResult result_of(const std::vector<Row>& rows) {
   BenchResult result;

@@ -1,4 +1,4 @@
-// Pose graphs and laser logs of a folder, graphs beside Ceres.
+// Measures the pose graphs and laser logs of a folder, and compares graphs with Ceres.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct GraphRow {
   double time_s = 0.0;
   std::optional<PeerResult> peer;
 
-  /// The peer found less, beyond a hundredth of a percent.
+  /// Returns true if the peer found a lower cost, by more than 0.01 %.
   [[nodiscard]] bool beaten() const { return peer && peer->cost < solution.cost * (1.0 - 1e-4); }
 };
 

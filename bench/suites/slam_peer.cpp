@@ -16,7 +16,7 @@
 namespace outrider::bench {
 namespace {
 
-/// C^T r with the information C C^T, and its derivatives; poses are x, y, heading.
+/// Computes C^T r, where C C^T is the information, and its derivatives; poses are x, y, heading.
 class PoseEdge : public ceres::SizedCostFunction<3, 3, 3> {
  public:
   explicit PoseEdge(const GraphEdge& edge)

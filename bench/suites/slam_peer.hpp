@@ -1,4 +1,4 @@
-// Ceres on the same pose graph, where it is installed.
+// Ceres on the same pose graph, if it is installed.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 namespace outrider::bench {
 
 struct PeerResult {
-  double cost = 0.0;    ///< as cost() has it
-  double time_s = 0.0;  ///< of the solver alone, without building its problem
+  double cost = 0.0;    ///< as computed by cost()
+  double time_s = 0.0;  ///< time of the solver alone, without building its problem
   int iterations = 0;
 };
 
-/// From the poses given, on one thread, with its sparse Cholesky factorisation, its default tolerances and at
-/// most 1000 iterations. Nothing without Ceres, and for graphs with points or ranges.
+/// Solves from the given poses on one thread, with sparse Cholesky factorisation, default tolerances and at
+/// most 1000 iterations. Returns nothing without Ceres, or for graphs with points or ranges.
 std::optional<PeerResult> solve_with_ceres(const PoseGraph& graph);
 
 }  // namespace outrider::bench

@@ -1,11 +1,11 @@
-// Wall time, for what the suites measure.
+// Wall time for the measurements of the suites.
 #pragma once
 
 #include <chrono>
 
 namespace outrider::bench {
 
-/// Runs from its construction on.
+/// Measures the time since its construction.
 class Stopwatch {
  public:
   [[nodiscard]] double seconds() const {

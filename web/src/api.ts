@@ -1,4 +1,4 @@
-// The server's interface (docs/server.md): requests that answer with a value or throw its sentence.
+// The server's interface (docs/server.md): requests return a value or throw the server's sentence.
 
 export interface FileRow { path: string; kind: "scenario" | "report" | "map" | "other"; job?: string; bytes: number }
 export interface OptionRow {
@@ -17,7 +17,10 @@ export interface PlannerRow {
   guarantee: { sentence: string; measure: string; cost_unit: string };
   grounds: ("cells" | "corners" | "polygons")[];
   traces: boolean;
-  /** The trace of its search: every expansion and its queue, or the tree that it drew, or nothing because it looks its answer up. */
+  /**
+   * The kind of trace: every expansion and the queue, the tree that was drawn, or none because the planner looks up its
+   * answer.
+   */
   tells: "search" | "tree" | "lookup";
   index: boolean;
   options: OptionRow[];
@@ -41,35 +44,35 @@ export interface PlanRequest {
   radius_m?: number;
   resolution_m?: number;
   trace?: number;
-  /** Tell the cells that the centre must not be in. */
+  /** Requests the cells that the robot's centre must not enter. */
   blocked?: boolean;
-  /** Tell the edges of the visibility graph. */
+  /** Requests the edges of the visibility graph. */
   legs?: boolean;
 }
-/** A straight line, or an arc about a centre. */
+/** Describes a straight line, or an arc about a centre. */
 export interface Piece { from: [number, number]; to: [number, number]; centre?: [number, number]; turn_rad?: number }
 export interface GridTrace {
   columns: string[];
   rows: number[][];
-  /** x, y, so many expansions, x, y, ...: where and when a vertex was first put into the queue. */
+  /** x, y, expansions, x, y, expansions, ...: where and after how many expansions a vertex was first queued. */
   openings?: number[];
   model: "cells" | "corners";
   frame: { origin: [number, number]; resolution_m: number; width: number; height: number };
   truncated: boolean;
 }
-/** The trace of a search without a grid: its states are numbers. */
+/** Holds the trace of a search without a grid: its states are numbers. */
 export interface PlacedTrace {
   columns: string[];
   rows: number[][];
-  /** State, so many expansions, state, ... */
+  /** State, expansions, state, expansions, ... */
   openings?: number[];
   model: "places";
-  /** By state. */
+  /** The position of each state. */
   places: [number, number][];
   truncated: boolean;
 }
 export type TraceAnswer = GridTrace | PlacedTrace;
-/** What a planner answered; null where a number is not known, as all of a path that was not found. */
+/** Holds the answer of a planner; null where a number is unknown, such as all numbers of a path that was not found. */
 export interface PlanRow {
   planner: string;
   from: [number, number];
@@ -88,13 +91,13 @@ export interface PlanRow {
   waypoints: [number, number][];
   pieces: Piece[];
 }
-/** What of a search a request asked to see. */
+/** Holds the details of a search that a request asked for. */
 export interface PlanView {
   blocked?: Grid;
   trace?: TraceAnswer;
   legs?: [number, number, number, number][];
 }
-/** What `outrider plan --json` prints, and the view. */
+/** Holds what `outrider plan --json` prints, and the view. */
 export interface PlanAnswer {
   status: "done" | "not_done";
   reason: string;
@@ -104,7 +107,9 @@ export interface PlanAnswer {
   view: PlanView;
 }
 export interface YardTarget { name: string; position: [number, number, number]; size: [number, number, number]; heading_rad: number }
-/** What of a yard's world can stand elsewhere: its polygons as the world has them, and where its middle is now. */
+/**
+ * Describes a movable thing of a yard's world: its polygons as in the world file, and the current place of its middle.
+ */
 export interface YardThing { name: string; middle: [number, number]; polygons: [number, number][][]; place: [number, number]; turn_rad: number; removed: boolean }
 export interface YardRequest {
   scenario: string;
@@ -116,7 +121,7 @@ export interface YardRequest {
   moved: { name: string; place: [number, number]; turn_rad: number }[];
   removed: string[];
 }
-/** A scenario that the page shows and changes: a question of a planner, or a yard to guard. */
+/** Holds a scenario that the page shows and changes: a path planning question, or a yard to guard. */
 export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
   | { job: "plan"; goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
   | { job: "guard"; heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
@@ -137,7 +142,7 @@ export interface RunRow {
 
 const base = "api/v1/";
 
-/** Given once in the address of the page, kept for this tab only. */
+/** Returns the token, which is given once in the address of the page and kept for this tab only. */
 export function token(): string {
   const given = new URLSearchParams(location.search).get("token");
   if (given) {
@@ -171,7 +176,7 @@ export async function getText(path: string): Promise<string> {
   return (await answer(path)).text();
 }
 
-/** Saves a scenario with the files that it needs; what is there already stays, unless it may be replaced. */
+/** Saves a scenario with the files that it needs; existing files are replaced only if `replace` is set. */
 export async function saveScenario(path: string, scenario: ScenarioRequest, replace: boolean): Promise<{ path: string; files: string[] }> {
   const headers = { "Content-Type": "application/json", ...(replace ? {} : { "If-None-Match": "*" }) };
   const response = await answer(scenarioPath(path), { method: "PUT", body: JSON.stringify(scenario), headers });
@@ -191,7 +196,7 @@ async function base64(file: File): Promise<string> {
   return btoa(text);
 }
 
-/** A map that was dropped on the page; map_server's maps are two files. */
+/** Sends a map that was dropped on the page; maps of map_server are two files. */
 export async function postMap(files: File[]): Promise<MapAnswer> {
   return send("POST", "maps", { files: await Promise.all(files.map(async (file) => ({ name: file.name, base64: await base64(file) }))) });
 }

@@ -1,4 +1,4 @@
-// The app: one view at a time, as the address says.
+// The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
 import { filePath, getJson, getText, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
@@ -38,7 +38,7 @@ async function planView(map: MapAnswer, query: Record<string, string>, path = ""
   return typeof page === "string" ? refusalView(page) : page;
 }
 
-/** A scenario to change: a question of a planner, or a yard. */
+/** Opens a scenario to change: a path planning question, or a yard. */
 async function scenarioView(path: string, query: Record<string, string>): Promise<View> {
   const scenario = await getJson<ScenarioAnswer>(scenarioPath(path));
   if (scenario.job === "plan") {
@@ -76,7 +76,7 @@ async function show(make: () => Promise<View>): Promise<void> {
   } catch (error) {
     view = refusalView(error instanceof Error ? error.message : String(error));
   }
-  if (mine !== visit) {  // another view was asked for meanwhile
+  if (mine !== visit) {  // another view was requested meanwhile
     view.close?.();
     return;
   }
@@ -92,7 +92,7 @@ function route(): void {
   void show(() => viewOf(address));
 }
 
-/** A report is watched, anything else is a map for the server to read. */
+/** Opens dropped files: shows a report, or sends anything else to the server as a map. */
 async function openFiles(files: File[]): Promise<void> {
   const [first] = files;
   if (!first) return;

@@ -1,4 +1,4 @@
-// The head of a run: what it was, whether it was done, why not.
+// The header of a run: its name, whether it was done, and why not.
 import { h, iconButton } from "./base/dom";
 import { showHelp } from "./base/help";
 import { svg } from "./base/dom";
@@ -17,7 +17,7 @@ export function tools(): HTMLElement {
 export const heading = (report: Report): HTMLHeadingElement =>
   h("h1", {}, h("span", { class: "job" }, report.job), report.world.name || "no name");
 
-/** Title and verdict, for the header of the viewer and above a run in the app. */
+/** Returns title and verdict, for the header of the viewer and above a run in the app. */
 export function title(report: Report, seed: string): HTMLElement[] {
   const done = report.status === "done";
   const reason = report.reason || (report.pursuit && done ? `caught in second ${report.metrics.catch_time_s ?? ""}` : "");

@@ -1,4 +1,4 @@
-// The files below the folder that is served: reports to watch, scenarios to run, maps to plan on.
+// The home page: the files in the served folder, namely reports to watch, scenarios to run, maps to plan on.
 import type { FileRow } from "./api";
 import { h } from "./base/dom";
 import { formatAddress } from "./base/url";

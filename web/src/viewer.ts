@@ -1,4 +1,4 @@
-// The viewer: one self-contained file with the report of one run in it.
+// The viewer: one self-contained file that contains the report of one run.
 import "./base/style.css";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -22,7 +22,7 @@ const report = parseReport(text);
 if (typeof report === "string") {
   document.body.append(h("p", { class: "refusal" }, report));
 } else {
-  const seed = text.match(/"seed": ?(\d+)/)?.[1] ?? "";  // as text: it may exceed 2^53
+  const seed = text.match(/"seed": ?(\d+)/)?.[1] ?? "";  // kept as text because it may exceed 2^53
   document.body.append(banner(report, seed));
   document.body.append(new Watch(report, query).element);
 }

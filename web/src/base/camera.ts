@@ -1,4 +1,4 @@
-// A view of the plane, y up, on a canvas: fits a box, zooms about the pointer, pans by drag or pinch.
+// A view of the plane, y up, on a canvas. It fits a box, zooms about the pointer, and pans by drag or pinch.
 import type { Ink } from "./ink";
 import { clamp } from "./numbers";
 
@@ -9,7 +9,7 @@ export interface CameraEvents {
   redraw: () => void;
   click?: (at: Point) => void;
   hover?: (at: Point | null) => void;
-  /** A drag began there: true takes it, and it moves no view. */
+  /** Called when a drag begins at `at`; returning true takes the drag, so it does not move the view. */
   grab?: (at: Point, event: PointerEvent) => boolean;
   drag?: (at: Point) => void;
   drop?: () => void;
@@ -55,7 +55,7 @@ export class Camera {
     this.moved();
   }
 
-  /** Puts the box into the middle, as large as it goes. */
+  /** Centres the box and shows it as large as possible. */
   fit(box: Box = this.box): void {
     const { left, right, top, bottom } = this.margin;
     const [x0, y0, x1, y1] = box;
@@ -68,7 +68,7 @@ export class Camera {
     if (this.home) this.least = this.scale / 2;
   }
 
-  /** Keeps so many pixels free above the box. */
+  /** Keeps this many pixels free above the box. */
   headroom(pixels: number): void {
     if (this.margin.top === pixels) return;
     this.margin.top = pixels;
@@ -83,7 +83,7 @@ export class Camera {
     this.moved();
   }
 
-  /** Puts a place of the plane into the middle. */
+  /** Centres a point of the plane. */
   centre(x: number, y: number): void {
     this.x = this.width / 2 - this.scale * x;
     this.y = this.height / 2 + this.scale * y;
@@ -113,7 +113,7 @@ export class Camera {
 
   screen(x: number, y: number): Point { return { x: this.x + this.scale * x, y: this.y - this.scale * y }; }
   plane(p: Point): Point { return { x: (p.x - this.x) / this.scale, y: (this.y - p.y) / this.scale }; }
-  /** So many pixels, in metres. */
+  /** Converts pixels to metres. */
   px(pixels: number): number { return pixels / this.scale; }
 
   toPlane(ctx: Ink): void {
@@ -170,7 +170,7 @@ export class Camera {
     const after = this.middle();
     this.travel += Math.hypot(after.x - before.x, after.y - before.y);
     if (this.travel < 4 && this.pointers.size < 2) return;
-    // One finger scrolls the page until the view was zoomed.
+    // One finger scrolls the page as long as the view is not zoomed.
     if (event.pointerType === "touch" && this.home && this.pointers.size < 2 && !this.events.grab) return;
     this.x += after.x - before.x;
     this.y += after.y - before.y;

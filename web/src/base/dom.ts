@@ -1,4 +1,4 @@
-// Elements made in one line. What a file says becomes text, never markup.
+// Creates elements in one line. Text from files becomes text nodes, never markup.
 
 export type Child = Node | string | null | undefined | false;
 type Attributes = Record<string, string | number | boolean | null | undefined | ((event: never) => void)>;
@@ -11,7 +11,7 @@ function apply(made: Element, attributes: Attributes): void {
   }
 }
 
-/** An HTML element; attributes that begin with "on" are listeners. */
+/** Creates an HTML element; attributes that begin with "on" are listeners. */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K, attributes: Attributes = {}, ...children: Child[]
 ): HTMLElementTagNameMap[K] {
@@ -52,7 +52,7 @@ export function icon(name: string): SVGElement {
   return svg("svg", { viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true" }, path);
 }
 
-/** A button with an icon; its words are for a screen reader and the tooltip. */
+/** Creates a button with an icon; its words are for screen readers and the tooltip. */
 export function iconButton(name: string, words: string, act: () => void, key = ""): HTMLButtonElement {
   const title = key ? `${words} (${key})` : words;
   return h("button", { type: "button", class: "quiet", title, "aria-label": words, onclick: act }, icon(name));

@@ -1,10 +1,10 @@
-// Elements of a list that mostly grows: those at its front whose items are as they were stay, the rest is made.
+// The elements of a list that mostly grows. Elements at the front with unchanged items stay; the rest is rebuilt.
 
 export class GrowingList<T> {
   readonly elements: HTMLElement[] = [];
   private keys: string[] = [];
 
-  /** `key` tells items apart whose elements differ; an element knows its item by its place in the list. */
+  /** `key` distinguishes items whose elements differ. An element finds its item by its index in the list. */
   constructor(private parent: Element, private key: (item: T) => string, private make: (item: T, index: number) => HTMLElement) {}
 
   show(items: readonly T[]): void {

@@ -1,4 +1,4 @@
-// The help overlay: every key of the present view.
+// The help overlay: it lists every key of the current view.
 import { h } from "./dom";
 import { keyName, keys } from "./keys";
 

@@ -1,4 +1,4 @@
-// What a picture is drawn with: the part of a canvas's context that can be written down as SVG as well.
+// The drawing interface: the part of a canvas context that can also be written as SVG.
 
 type Same = "save" | "restore" | "setTransform" | "translate" | "rotate" | "scale" | "beginPath" | "closePath" | "moveTo" | "lineTo"
   | "rect" | "fillRect" | "strokeRect" | "fillText" | "strokeText" | "measureText" | "setLineDash" | "lineWidth" | "lineCap" | "lineJoin"
@@ -17,10 +17,12 @@ export interface Ink extends Pick<CanvasRenderingContext2D, Same> {
   drawImage(image: HTMLCanvasElement, x: number, y: number): void;
 }
 
-/** An arc of an ellipse as cubic curves of at most a quarter turn; off by less than 0.0003 of its radius. */
+/**
+ * Approximates an arc of an ellipse by cubic curves of at most a quarter turn; the error is below 0.0003 of its radius.
+ */
 export function arcCurves(x: number, y: number, across: number, tall: number, turn: number, from: number, to: number): number[][] {
   const whole = to - from >= 2 * Math.PI ? 2 * Math.PI : (to - from) % (2 * Math.PI);
-  const sweep = whole < 0 ? whole + 2 * Math.PI : whole;  // as a canvas goes: the way of growing angles
+  const sweep = whole < 0 ? whole + 2 * Math.PI : whole;  // like a canvas, towards larger angles
   const pieces = Math.max(1, Math.ceil(sweep / (Math.PI / 2) - 1e-9));
   const reach = (4 / 3) * Math.tan(sweep / pieces / 4);
   const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
@@ -35,7 +37,7 @@ export function arcCurves(x: number, y: number, across: number, tall: number, tu
 type Place = (x: number, y: number) => [number, number];
 const text = (numbers: number[]): string => numbers.map((value) => +value.toFixed(4)).join(" ");
 
-/** Writes down the lines of a path as the `d` of SVG, each place as `place` puts it. */
+/** Records a path as the `d` attribute of SVG, with each point transformed by `place`. */
 export class PathText {
   private parts: string[] = [];
   private begun = false;
@@ -66,9 +68,9 @@ export class PathText {
   closePath(): void { this.parts.push("Z"); }
 }
 
-const Native = globalThis.Path2D ?? class {};  // the logic is tested without a browser
+const Native = globalThis.Path2D ?? class {};  // the unit tests run without a browser
 
-/** A path that can be read again. */
+/** Is a Path2D whose lines can be read back. */
 export class Path extends Native {
   private lines = new PathText();
 

@@ -1,7 +1,7 @@
-// The keyboard: every view says its keys with their words once; the help overlay shows them.
+// The keyboard: every view declares its keys with their descriptions once; the help overlay shows them.
 
 export interface Key {
-  /** As KeyboardEvent.key gives it: "n", "ArrowLeft", "Shift+ArrowLeft", "Ctrl+z". */
+  /** The key as in KeyboardEvent.key: "n", "ArrowLeft", "Shift+ArrowLeft", "Ctrl+z". */
   key: string;
   words: string;
   act: () => void;
@@ -13,7 +13,10 @@ const symbols: Record<string, string> = {
 export const keyName = (key: string): string =>
   (key === "+" ? key : key.split("+").map((part) => symbols[part] ?? part).join(" "));
 
-/** "Shift+ArrowLeft" or "Ctrl+z" of an event. Shift is told only where the key does not show it itself. */
+/**
+ * Returns the name of a key event, such as "Shift+ArrowLeft" or "Ctrl+z". Includes Shift only if the key itself does
+ * not show it.
+ */
 export function keyOf(event: Pick<KeyboardEvent, "key" | "shiftKey"> & { ctrlKey?: boolean; metaKey?: boolean }): string {
   const held = event.ctrlKey || event.metaKey ? "Ctrl+" : "";
   return event.shiftKey && event.key.length > 1 ? `${held}Shift+${event.key}` : held + event.key;
@@ -22,12 +25,12 @@ export function keyOf(event: Pick<KeyboardEvent, "key" | "shiftKey"> & { ctrlKey
 export class Keys {
   private groups = new Map<string, { keys: Key[]; owner: object | null }>();
 
-  /** Replaces the keys of a group, which are their owner's from now on. */
+  /** Replaces the keys of a group and gives the group to `owner`. */
   set(group: string, keys: Key[], owner: object | null = null): void {
     this.groups.set(group, { keys, owner });
   }
 
-  /** Takes away what is still the owner's: a view may close after the next one has opened. */
+  /** Removes the groups that the owner still has: a view may close after the next one has opened. */
   drop(owner: object): void {
     for (const [group, held] of this.groups) if (held.owner === owner) this.groups.delete(group);
   }
@@ -36,7 +39,7 @@ export class Keys {
     return [...this.groups].map(([group, { keys }]) => [group, keys]);
   }
 
-  /** True when a key was known; what is typed into a field is left alone. */
+  /** Handles a key event; returns true if the key is known. Ignores keys typed into a field. */
   handle(event: KeyboardEvent): boolean {
     if (event.altKey) return false;
     const at = event.target instanceof Element ? event.target : null;

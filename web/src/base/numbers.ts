@@ -1,6 +1,6 @@
-// Numbers: small arithmetic, and how they are written for people.
+// Small arithmetic, and formatting of numbers for people.
 
-/** A number of a report: null there means that it is infinite or not known. */
+/** A number of a report; null means infinite or unknown. */
 export type Num = number | null;
 
 export const finite = (value: Num | undefined, otherwise = 0): number =>
@@ -15,10 +15,10 @@ export const figures = (value: number): string =>
   fixed(value, Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2);
 export const degrees = (radians: Num, digits = 1): string =>
   Number.isFinite(radians) ? fixed((finite(radians) * 180) / Math.PI, digits) + "\u00b0" : "\u2013";
-/** In (-pi, pi]. */
+/** Wraps an angle to (-pi, pi]. */
 export const wrapped = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
 
-/** Minutes and seconds: 1:02.5. */
+/** Formats minutes and seconds: 1:02.5. */
 export function clockText(seconds: Num, digits = 0): string {
   if (!Number.isFinite(seconds)) return "\u2013";
   const whole = Number(finite(seconds).toFixed(digits));
@@ -26,13 +26,13 @@ export function clockText(seconds: Num, digits = 0): string {
   return `${Math.floor(whole / 60)}:${rest}`;
 }
 
-/** 1, 2 or 5 times a power of ten, at least `least`. */
+/** Returns 1, 2 or 5 times a power of ten, at least `least`. */
 export function roundStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * ([1, 2, 5, 10].find((k) => k * power >= least * (1 - 1e-9)) ?? 10);
 }
 
-/** A metric's label, value and unit from its name: mission_s, driven_m, turned_rad, covered_fraction, ... */
+/** Derives a metric's label, value and unit from its name: mission_s, driven_m, turned_rad, covered_fraction, ... */
 export function metric(name: string, value: Num): { label: string; value: string; unit: string } {
   const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|m2|rad|mps|j|fraction))?$/) ?? [];
   const label = stem.replaceAll("_", " ");

@@ -1,10 +1,10 @@
-// Shapes of a report: convex cores grown by a radius, and distances to polygons.
+// Shapes of a report: convex cores inflated by a radius, and distances to polygons.
 import { clamp } from "./numbers";
 
 export type Vec2 = [number, number];
 export interface Rounded { core: Vec2[]; radius_m: number }
 
-/** Outline of a convex core grown by a radius, counter-clockwise. */
+/** Adds the outline of a convex core inflated by a radius to the path, counter-clockwise. */
 export function traceRounded(path: Path2D, core: Vec2[], radius: number): void {
   const count = core.length;
   const [first] = core;
@@ -27,7 +27,7 @@ export function traceRounded(path: Path2D, core: Vec2[], radius: number): void {
   path.closePath();
 }
 
-/** The same outline as points, for shapes in space. */
+/** Returns the same outline as points, for 3D shapes. */
 export function roundedPoints(core: Vec2[], radius: number, steps = 8): Vec2[] {
   if (radius <= 0) return core;
   const count = core.length;
@@ -49,7 +49,7 @@ export function roundedPoints(core: Vec2[], radius: number, steps = 8): Vec2[] {
   });
 }
 
-/** Distance from a point to a simple polygon, 0 inside, and the nearest point. */
+/** Returns the distance from a point to a simple polygon, 0 inside, and the nearest point. */
 export function nearestOnPolygon(x: number, y: number, polygon: Vec2[]): { distance: number; x: number; y: number } {
   let best = { distance: Infinity, x, y };
   let inside = false;

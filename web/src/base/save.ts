@@ -1,10 +1,10 @@
-// Files that the page gives to a person.
+// Saves files from the page to the user's disk.
 import { h } from "./dom";
 
 export function saveBlob(blob: Blob, name: string): void {
   const link = h("a", { href: URL.createObjectURL(blob), download: name });
   link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);  // a busy browser starts late
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);  // a busy browser starts the download late
 }
 
 export function saveText(text: string, name: string, type = "application/json"): void {

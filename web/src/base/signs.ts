@@ -1,11 +1,11 @@
-// Signs of the states of a target: shape tells what colour tells.
+// Signs for the states of a target: the shape conveys the same as the colour.
 import { svg } from "./dom";
 import { Path, type Ink } from "./ink";
 import { theme } from "./theme";
 
 interface Sign { outline: string; stroke: string; hollow?: boolean }
 
-/** Radius 1, y down: an outline to fill and a stroke inside it. */
+/** Each sign has radius 1, y down: an outline to fill and a stroke inside it. */
 const signs: Record<string, Sign> = {
   waiting: { outline: "M-.8 0a.8 .8 0 1 0 1.6 0a.8 .8 0 1 0-1.6 0z", stroke: "", hollow: true },
   reached: { outline: "M-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0z", stroke: "M-.45 .02L-.1 .38L.48-.36" },

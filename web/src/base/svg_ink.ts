@@ -1,9 +1,9 @@
-// Ink that writes SVG: what is drawn with it becomes shapes and text; pictures are put in as PNG.
+// Ink that writes SVG: drawings become shapes and text; images are embedded as PNG.
 import { Path, PathText, type Ink } from "./ink";
 
 type Matrix = [number, number, number, number, number, number];
 
-/** m after n: first n, then m. */
+/** Composes two matrices: the result applies the second one first. */
 const product = ([a, b, c, d, e, f]: Matrix, [g, h, i, j, k, l]: Matrix): Matrix =>
   [a * g + c * h, b * g + d * h, a * i + c * j, b * i + d * j, a * k + c * l + e, b * k + d * l + f];
 
@@ -37,7 +37,7 @@ export class SvgInk implements Ink {
   private state: State = { matrix: [1, 0, 0, 1, 0, 0], clip: "", fillStyle: "#000", strokeStyle: "#000", lineWidth: 1, lineCap: "butt",
     lineJoin: "miter", dash: [], globalAlpha: 1, font: "10px sans-serif", textAlign: "start", textBaseline: "alphabetic", imageSmoothingEnabled: true };
 
-  /** Draws in the pixels of a canvas, which tells the size. */
+  /** Draws in the pixel coordinates of a canvas, which sets the size. */
   constructor(readonly canvas: HTMLCanvasElement) {
     const probe = document.createElement("canvas");
     probe.width = probe.height = 1;
@@ -45,7 +45,7 @@ export class SvgInk implements Ink {
     this.path = this.begun();
   }
 
-  /** The drawing, so many pixels of a screen wide. */
+  /** Returns the drawing as SVG, `width` screen pixels wide. */
   text(width: number): string {
     const { width: w, height: h } = this.canvas;
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${number(width)}" height="${number(width * h / w)}" viewBox="0 0 ${w} ${h}">\n`
@@ -102,7 +102,7 @@ export class SvgInk implements Ink {
 
   fill(path?: Path): void { this.draw(path, this.paint("fill", this.state.fillStyle)); }
   stroke(path?: Path): void {
-    // A path of its own is drawn by the matrix, pen and all; the present one stands in pixels already.
+    // A path argument is drawn with the matrix, including the pen; the current path is already in pixels.
     const [a, b] = this.state.matrix;
     this.draw(path, `fill="none" ${this.pen(path ? 1 : Math.hypot(a, b))}`);
   }
@@ -140,7 +140,7 @@ export class SvgInk implements Ink {
       `${escaped(words)}</text>`);
   }
 
-  /** From the line that text is placed by down to the one its letters stand on, which every reader of SVG knows. */
+  /** Returns the offset from the text baseline in use to the alphabetic one, which every SVG reader supports. */
   private drop(): number {
     this.probe.font = this.state.font;
     const ascent = (line: CanvasTextBaseline): number => {
@@ -150,7 +150,7 @@ export class SvgInk implements Ink {
     return ascent("alphabetic") - ascent(this.state.textBaseline);
   }
 
-  /** An element under the present matrix. */
+  /** Adds an element with the current matrix. */
   private put(open: string, rest = ""): void {
     const matrix = this.state.matrix.map((value) => +value.toPrecision(8)).join(" ");
     this.shapes.push(`${open} transform="matrix(${matrix})"${rest ? `>${rest}` : "/>"}`);
@@ -170,7 +170,7 @@ export class SvgInk implements Ink {
     return `${this.paint("stroke", strokeStyle)} stroke-width="${number(lineWidth * scale)}" stroke-linecap="${lineCap}" stroke-linejoin="${lineJoin}"${dashes}`;
   }
 
-  /** Any colour that CSS knows, as SVG of every age reads it: what one pixel of it is. */
+  /** Converts any CSS colour to a form that every SVG version reads, by sampling one pixel of it. */
   private colour(style: Ink["fillStyle"]): [string, number] {
     if (typeof style !== "string") return ["none", 1];
     let found = this.colours.get(style);

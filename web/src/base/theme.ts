@@ -1,4 +1,4 @@
-// Colours: named in style.css, read from there for canvases; light, dark or as the system says.
+// Colours: defined in style.css and read from there for canvases; light, dark or as the system prefers.
 
 const names = ["ground", "panel", "yard", "ink", "soft", "line", "grid", "solid-low", "solid-high", "inflated", "robot",
   "water", "belief", "waiting", "reached", "failed", "unreachable", "open", "closed", "on-mark", "sans", "mono"] as const;
@@ -16,7 +16,7 @@ function read(): void {
 
 export const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
 
-/** Called after every change; returns how to stop that. */
+/** Calls the listener after every change; returns a function that removes it. */
 export function onTheme(listener: () => void): () => void {
   listeners.add(listener);
   return () => listeners.delete(listener);
@@ -27,7 +27,7 @@ export function setTheme(name: "light" | "dark"): void {
   read();
 }
 
-/** Light or dark by the address, else as last chosen, else as the system says. */
+/** Sets light or dark as in the address, else as last chosen, else as the system prefers. */
 export function startTheme(asked: string | null): void {
   const kept = asked ?? remembered();
   setTheme(kept === "dark" || (kept !== "light" && night.matches) ? "dark" : "light");
@@ -39,7 +39,7 @@ export function toggleTheme(): void {
   setTheme(name);
   try {
     localStorage.setItem("theme", name);
-  } catch { /* a page from a file may have no storage; the choice then lasts until it is closed */ }
+  } catch { /* without storage, as on a page from a file, the choice lasts until the page closes */ }
 }
 
 function remembered(): string | null {
@@ -50,5 +50,5 @@ function remembered(): string | null {
   }
 }
 
-/** Colours of the pursuers; they differ from the colour of the target. */
+/** Returns the colours of the pursuers; they differ from the colour of the target. */
 export const pursuerColours = (): string[] => [theme.water, theme.robot, theme.reached, theme.unreachable];

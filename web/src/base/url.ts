@@ -13,7 +13,7 @@ export function parseAddress(hash: string): Address {
   return { view, path: path.map(decoded).join("/"), query: Object.fromEntries(new URLSearchParams(query)) };
 }
 
-/** A broken escape stands for itself. */
+/** Decodes a part of the path; leaves an invalid escape as it is. */
 function decoded(part: string): string {
   try {
     return decodeURIComponent(part);
@@ -35,8 +35,9 @@ let pending = { place: "", query: {} as Record<string, string> };
 let resting = false;
 
 /**
- * Changes the query of the present address without a step in the history; an empty value removes its key. At once,
- * but at most four times a second, since each change costs a browser some milliseconds. None outlives its view.
+ * Changes the query of the current address without a history entry; an empty value removes its key. Acts at once, but
+ * at most four times a second, since each change costs a browser some milliseconds. Drops pending changes if the view
+ * changes.
  */
 export function keepInAddress(changes: Record<string, string>): void {
   const place = placeOf(location.hash);

@@ -1,9 +1,9 @@
-// Many files as one: a zip archive that holds them as they are, uncompressed, for pictures are compressed already.
+// Packs files into a zip archive without compression, because pictures are compressed already.
 // Source: PKWARE, .ZIP File Format Specification 6.3.10, sections 4.3 and 4.4.
 
-const most = 0xffffffff;  // bytes of an archive without its 64-bit extension
+const most = 0xffffffff;  // largest archive in bytes without the 64-bit extension
 const mostFiles = 0xffff;
-const firstDay = 0x21;  // 1 January 1980: the same files make the same archive at any time
+const firstDay = 0x21;  // 1 January 1980: a fixed date, so the same files always make the same archive
 
 const table = Uint32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; ++k) n = n & 1 ? 0xedb88320 ^ (n >>> 1) : n >>> 1;
@@ -16,7 +16,7 @@ function crc32(bytes: Uint8Array): number {
   return ~sum >>> 0;
 }
 
-/** Numbers of 2 or 4 bytes, the least byte first: "4:2:2" and the values. */
+/** Packs numbers of 2 or 4 bytes, little-endian: the widths as in "4:2:2", and the values. */
 function packed(sizes: string, values: number[]): Uint8Array<ArrayBuffer> {
   const widths = sizes.split(":").map(Number);
   const view = new DataView(new ArrayBuffer(widths.reduce((sum, width) => sum + width, 0)));
@@ -36,7 +36,7 @@ export class Zip {
   private size = 0;
   private directorySize = 0;
 
-  /** Adds a file; its name is of ASCII letters. Throws where the archive would exceed 65,535 files or 4 GiB. */
+  /** Adds a file with an ASCII name. Throws if the archive would exceed 65,535 files or 4 GiB. */
   async add(name: string, content: Blob): Promise<void> {
     const letters = new TextEncoder().encode(name);
     const entry = 46 + letters.length;

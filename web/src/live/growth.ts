@@ -1,13 +1,13 @@
-// The report of a running mission, put together from what the server tells of it (docs/server.md).
+// Assembles the report of a running mission from the server's messages (docs/server.md).
 import type { Explore, Report } from "../report/types";
 import { faultOfMap } from "../report/runs";
 import type { Message } from "./socket";
 
 type Part = Record<string, unknown>;
 
-/** Lists that go on where they were; other lists come whole. */
+/** Lists to which new items are appended; other lists are replaced. */
 const going = new Set(["paths", "shots", "events", "track", "levels", "beliefs", "decisions", "target", "paid", "bounds", "odometry", "reference", "scans"]);
-/** Objects that come whole. */
+/** Objects that are replaced as a whole. */
 const whole = new Set(["world", "robot", "map", "metrics", "settings"]);
 
 const nothing: Explore["map"] = { origin: [0, 0], cell_m: 0.05, columns: 0, rows: 0, state_runs: [], step_s: 1, known_runs: [] };
@@ -16,7 +16,7 @@ function goOn(list: unknown[], items: unknown[]): void {
   for (const item of items) list.push(item);
 }
 
-/** Adds a part of a report to what there is of it. */
+/** Merges a part of a report into the report so far. */
 function join(into: Part, part: Part): void {
   for (const [key, value] of Object.entries(part)) {
     if (Array.isArray(value)) {
@@ -33,10 +33,10 @@ function join(into: Part, part: Part): void {
 }
 
 export class Growth {
-  /** What is known by now; null before the mission has begun. */
+  /** The report so far; null before the mission has begun. */
   report: Report | null = null;
 
-  /** Takes a message of the run; tells whether the report has grown. */
+  /** Takes a message of the run; returns true if the report has grown. */
   receive(message: Message): boolean {
     if (message.type === "scene") {
       this.add(message.report as Part);

@@ -1,4 +1,5 @@
-// Live: one mission, watched as it runs with all that shows it later; when it has ended, its report takes over.
+// The live view: shows one mission while it runs with the same views as afterwards. When it has ended, its report
+// replaces the live data.
 import { getJson, getText, send, type RunRow } from "../api";
 import { heading, title } from "../banner";
 import { h } from "../base/dom";
@@ -8,10 +9,10 @@ import { Watch } from "../watch/watch";
 import { Growth } from "./growth";
 import { Socket, type Message } from "./socket";
 
-/** What came meanwhile is shown together, so often. */
+/** The interval at which new data is shown. */
 const rest_ms = 200;
 const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
-/** A plan leaves no report: the page that plans shows it again, and how it was found or that there is none. */
+/** States in which the planning page shows a finished plan, or that there is none, because a plan leaves no report. */
 const showsPlan = new Set(["done", "not_done", "refused"]);
 const isFile = (scenario: string): boolean => /\.ya?ml$/.test(scenario);
 const stateWords: Record<string, string> = {
@@ -26,7 +27,7 @@ export class LivePage {
   private bar = h("progress", { max: 1, "aria-label": "Progress" });
   private cancel = h("button", { type: "button", class: "button", onclick: () => void this.stop() }, "Cancel");
   private head = h("div", { class: "run-head" }, this.name, this.state, this.words, this.bar, this.cancel);
-  /** Why nothing is drawn, or not all. */
+  /** Explains why nothing or not everything is drawn. */
   private omitted = h("p", { class: "hint", role: "status", hidden: true });
   private growth = new Growth();
   private socket: Socket | null = null;
@@ -49,7 +50,7 @@ export class LivePage {
     this.watch?.close();
   }
 
-  /** What is over already is shown as any report; of the rest the server tells all that was, and goes on. */
+  /** Shows a finished run as any report. For other runs, the server sends all messages so far, then new ones. */
   private async begin(): Promise<void> {
     const run = await getJson<RunRow>(`runs/${this.id}`).catch((error: Error) => error);
     if (this.closed) return;
@@ -99,7 +100,7 @@ export class LivePage {
     this.bar.hidden = over.has(state);
   }
 
-  /** Brings what is shown up to what was told. */
+  /** Updates the view to the data received so far. */
   private grow(): void {
     clearTimeout(this.timer);
     this.timer = 0;
@@ -125,7 +126,7 @@ export class LivePage {
     this.cancel.disabled = false;
   }
 
-  /** The report where the run left one, in the place of what was told; else why there is none. */
+  /** Shows the report if the run left one, in place of the live data; otherwise why there is none. */
   private async end(run: RunRow): Promise<void> {
     if (this.ended) return;
     this.ended = true;

@@ -1,4 +1,4 @@
-// The missions of this server, newest first, and a form that starts another.
+// The runs page: lists the missions of this server, newest first, with a form that starts another.
 import { getJson, send, type FileRow, type RunRow } from "../api";
 import { h } from "../base/dom";
 import { formatAddress } from "../base/url";

@@ -1,4 +1,4 @@
-// The WebSocket to the server: connects again after every break and sends the opening messages again.
+// The WebSocket to the server: it reconnects after every break and sends the opening messages again.
 import { token } from "../api";
 
 export interface Message { type: string; [key: string]: unknown }
@@ -9,7 +9,10 @@ export class Socket {
   private wait = 250;
   private timer = 0;
 
-  /** `opened` returns what to send after each connection; `receive` takes each message; `state` is called when the connection opens or breaks. */
+  /**
+   * `opened` returns the messages to send after each connection; `receive` takes each message; `state` is called when
+   * the connection opens or breaks.
+   */
   constructor(private opened: () => Message[], private receive: (message: Message) => void,
     private state: (connected: boolean) => void = () => undefined) {
     this.connect();

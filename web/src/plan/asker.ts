@@ -1,4 +1,4 @@
-// Plans while one drags: one question at a time on its way, and after its answer the newest, if there is one.
+// Asks for plans during a drag: one question at a time, and after its answer the newest waiting one.
 import type { PlanAnswer, PlanRequest } from "../api";
 import { Socket, type Message } from "../live/socket";
 import { shownAnswer, type Shown } from "./shown";
@@ -22,7 +22,7 @@ export class Asker {
 
   close(): void { this.socket.close(); }
 
-  /** What was under way when the line broke is asked again, unless something newer waits. */
+  /** Asks the question that was open when the connection broke again, unless a newer one waits. */
   private resumed(): Message[] {
     this.next ??= this.asked?.request ?? null;
     this.asked = null;

@@ -1,4 +1,4 @@
-// The choice of a planner: its name, what it promises, and its options in a form.
+// The choice of a planner: its name, its guarantee, and its options in a form.
 import type { PlannerRow } from "../api";
 import { h } from "../base/dom";
 import { optionForm, type Values } from "./form";
@@ -10,7 +10,7 @@ export class Choice {
   private about = h("p", { class: "about" });
   private options = h("details", {});
 
-  /** `changed` hears of every choice, with a sentence when it was refused. */
+  /** `changed` is called after every choice; its argument says why the choice was refused, or is empty. */
   constructor(planners: PlannerRow[], name: string, private changed: (refusal: string) => void, private given: Values = {}) {
     this.row = planners.find((one) => one.name === name) ?? planners[0]!;
     this.select = h("select", { "aria-label": "Planner" }, ...planners.map((one) => h("option", { value: one.name, selected: one === this.row }, one.name)));
@@ -27,10 +27,10 @@ export class Choice {
   get planner(): PlannerRow { return this.row; }
   get name(): string { return this.row.name; }
   get values(): Values { return { ...this.given }; }
-  /** The value of an option; undefined where the planner has none of that name. */
+  /** Returns the value of an option; undefined if the planner has no option of that name. */
   value(name: string): Values[string] | undefined { return this.given[name] ?? this.row.options.find((one) => one.name === name)?.default; }
 
-  /** Sets options as if they had been typed; nobody is told. */
+  /** Sets options as if they had been typed, without calling `changed`. */
   set(values: Values): void {
     for (const [name, value] of Object.entries(values)) {
       const option = this.row.options.find((one) => one.name === name);

@@ -1,10 +1,10 @@
-// A form made of the descriptions of options. It answers with those that differ from their defaults.
+// A form generated from option descriptions. It returns the values that differ from their defaults.
 import type { OptionRow } from "../api";
 import { h } from "../base/dom";
 
 export type Values = Record<string, number | boolean | string>;
 
-/** The value of a field's text, or a sentence why it is none. */
+/** Parses the text of a field; returns its value, or a sentence that says why it is invalid. */
 export function valueOf(option: OptionRow, text: string): { value: number | string } | { refusal: string } {
   if (option.type === "string") return { value: text };
   const value = Number(text.trim() === "" ? NaN : text);
@@ -39,7 +39,10 @@ function field(option: OptionRow, given: Values, changed: (refusal: string) => v
   return input;
 }
 
-/** Fields for all options; `given` keeps what was chosen, `changed` hears of it or why it was refused. */
+/**
+ * Creates fields for all options. `given` receives the chosen values; `changed` is called with the reason of a refusal,
+ * or an empty text.
+ */
 export function optionForm(options: OptionRow[], given: Values, changed: (refusal: string) => void): HTMLElement {
   const rows = options.map((option) => h("div", { class: "option", title: option.sentence },
     h("label", { for: `option-${option.name}` }, option.name.replaceAll("_", " "), option.unit ? h("span", {}, ` ${option.unit}`) : null),

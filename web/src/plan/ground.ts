@@ -1,4 +1,4 @@
-// The ground one plans on: a grid of cells or polygons, with what was changed by hand.
+// The ground for planning: a grid of cells or polygons, with the changes made by hand.
 import type { Edit, Grid, MapAnswer, Polygons } from "../api";
 import type { Box } from "../base/camera";
 import { nearestOnPolygon, type Vec2 } from "../base/outline";
@@ -6,7 +6,7 @@ import { nearestOnPolygon, type Vec2 } from "../base/outline";
 export const free = 0;
 export const occupied = 1;
 
-/** Values row by row from the lowest, of runs of value and count. */
+/** Decodes cells from runs of value and count, row by row from the lowest. */
 export function cellsOf({ width, height, runs }: Pick<Grid, "width" | "height" | "runs">): Uint8Array {
   const cells = new Uint8Array(width * height);
   let at = 0;
@@ -21,7 +21,7 @@ export class GridGround {
   readonly kind = "grid";
   readonly cells: Uint8Array;
   private before: Uint8Array;
-  /** Counts changes, so that pictures know when they are stale. */
+  /** Counts changes, so that pictures can tell when they are stale. */
   version = 0;
 
   constructor(readonly grid: Grid) {
@@ -44,7 +44,7 @@ export class GridGround {
     return [origin[0] + (x + 0.5) * r, origin[1] + (y + 0.5) * r];
   }
 
-  /** Sets the cells within `reach` cells of the straight way between two cells. */
+  /** Sets the cells within `reach` cells of the straight line between two cells. */
   paint(from: [number, number], to: [number, number], value: number, reach: number): void {
     const { width, height } = this.grid;
     const steps = Math.max(1, Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1]));
@@ -60,7 +60,7 @@ export class GridGround {
     this.version += 1;
   }
 
-  /** The changes as runs along rows. */
+  /** Returns the changes as runs along rows. */
   edits(): Edit[] {
     const { width, height } = this.grid;
     const edits: Edit[] = [];
@@ -78,14 +78,17 @@ export class GridGround {
     return edits;
   }
 
-  /** Places that are free, with as much room about them as the map has: near two opposite corners. */
+  /** Returns free places near two opposite corners, with as much room around them as the map has, up to 2 cells. */
   ends(): [Vec2, Vec2] {
     const [start, goal] = [[0.06, 0.08], [0.94, 0.92]].map(([x = 0, y = 0]) =>
       this.openNear(x, y, 2) ?? this.openNear(x, y, 1) ?? this.openNear(x, y, 0) ?? this.centre(0, 0));
     return [start!, goal!];
   }
 
-  /** The place with `room` free cells about it nearest to one in shares of width and height. O(cells). */
+  /**
+   * Returns the place with `room` free cells around it that is nearest to a point given as fractions of width and
+   * height. O(cells).
+   */
   private openNear(right: number, up: number, room: number): Vec2 | null {
     const { width, height } = this.grid;
     const open = (x: number, y: number): boolean => {
@@ -110,7 +113,7 @@ export class GridGround {
 
 export class PolygonGround {
   readonly kind = "polygons";
-  /** By number: the obstacles of the map and those added after them; null for one that was removed. */
+  /** The obstacles by index: those of the map, then the added ones; null for removed ones. */
   readonly obstacles: (Vec2[] | null)[];
   private count: number;
   private moved = new Set<number>();
@@ -127,7 +130,7 @@ export class PolygonGround {
       [Infinity, Infinity, -Infinity, -Infinity]);
   }
 
-  /** The obstacle over a place; -1 for none. */
+  /** Returns the index of the obstacle at a place; -1 if there is none. */
   at([x, y]: Vec2): number {
     return this.obstacles.findLastIndex((one) => one !== null && nearestOnPolygon(x, y, one).distance <= 0);
   }
@@ -146,7 +149,7 @@ export class PolygonGround {
     this.version += 1;
   }
 
-  /** A square about a place; its number. */
+  /** Adds a square centred at a place; returns its index. */
   add([x, y]: Vec2, half: number): number {
     this.obstacles.push([[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]);
     this.version += 1;
@@ -159,7 +162,7 @@ export class PolygonGround {
       if (i >= this.count) edits.push({ add: polygon ?? [] });
       else if (polygon && this.moved.has(i)) edits.push({ set: i, polygon });
     });
-    // Removing last: an added one must first stand under its number.
+    // Removes last, because an added obstacle must first exist under its index.
     this.obstacles.forEach((polygon, i) => { if (!polygon) edits.push({ remove: i }); });
     return edits;
   }
@@ -186,7 +189,7 @@ export class PolygonGround {
 
 export type Ground = GridGround | PolygonGround;
 
-/** The map as ground, or a sentence why the page cannot draw it. */
+/** Returns the map as ground, or a sentence that says why the page cannot draw it. */
 export function groundOf(map: MapAnswer): Ground | string {
   if (map.grid?.yaw_rad) return `${map.name}: this map is turned by ${map.grid.yaw_rad} rad, and the page draws only maps whose yaw is 0`;
   if (map.grid) return new GridGround(map.grid);

@@ -1,4 +1,4 @@
-// A handle by which something is turned: an arm from its middle in the direction of its heading, with a knob.
+// A handle for turning an item: an arm from its middle in the direction of its heading, with a knob.
 import type { Camera } from "../base/camera";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
@@ -8,7 +8,7 @@ const arm_px = 34;
 const knob_px = 7;
 const reach_px = 15;
 
-/** Where the knob is; `beyond` m is what lies between the middle and the arm. */
+/** Returns the position of the knob; the arm begins `beyond` m from the middle. */
 export function knob(camera: Camera, [x, y]: Vec2, heading: number, beyond = 0): Vec2 {
   const arm = beyond + camera.px(arm_px);
   return [x + arm * Math.cos(heading), y + arm * Math.sin(heading)];

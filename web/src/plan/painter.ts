@@ -1,4 +1,4 @@
-// Pictures of one pixel a cell: the ground, and a search upon it.
+// Pictures with one pixel per cell: the ground, and a search on it.
 import { theme } from "../base/theme";
 import type { GridGround } from "./ground";
 import { free, occupied } from "./ground";
@@ -6,7 +6,7 @@ import type { Trace } from "./trace";
 
 const known = new Map<string, Uint8ClampedArray>();
 
-/** A colour of the theme, which may be written in any way, as red, green, blue and alpha; through a canvas. */
+/** Returns any CSS colour as red, green, blue and alpha, by drawing it on a canvas. */
 function bytesOf(colour: string): Uint8ClampedArray {
   let bytes = known.get(colour);
   if (!bytes) {
@@ -19,13 +19,13 @@ function bytesOf(colour: string): Uint8ClampedArray {
   return bytes;
 }
 
-/** The colour as one number, as the pixels of an image lie in memory. */
+/** Returns the colour as one number, in the memory layout of image pixels. */
 function pixelOf(colour: string, alpha = 255): number {
   const [r = 0, g = 0, b = 0] = bytesOf(colour);
   return new Uint32Array(new Uint8ClampedArray([r, g, b, alpha]).buffer)[0]!;
 }
 
-/** Row 0 of the map is the lowest, that of a picture the highest. */
+/** Returns the pixel index of a cell: row 0 is the lowest of the map but the highest of a picture. */
 const place = (x: number, y: number, width: number, height: number): number => (height - 1 - y) * width + x;
 
 export class Picture {
@@ -33,7 +33,7 @@ export class Picture {
   private key = "";
   private image: ImageData | null = null;
 
-  /** Paints anew, upon nothing, when the key has changed. */
+  /** Repaints from an empty picture if the key has changed. */
   paint(width: number, height: number, key: string, fill: (pixels: Uint32Array) => void): void {
     const whole = `${key} ${theme.ground}`;
     if (whole === this.key) return;
@@ -62,7 +62,7 @@ export function paintCells(picture: Picture, ground: GridGround): void {
   });
 }
 
-/** Cells that the robot's centre must not be in, but which are free. */
+/** Paints free cells that the robot's centre must not enter. */
 export function paintBlocked(picture: Picture, blocked: Uint8Array, ground: GridGround, key: string): void {
   const { width, height } = ground.grid;
   picture.paint(width, height, `${key} ${ground.version}`, (pixels) => {
@@ -73,7 +73,7 @@ export function paintBlocked(picture: Picture, blocked: Uint8Array, ground: Grid
   });
 }
 
-/** Closed vertices of a grid and the queue, the newest expansion strongest. */
+/** Paints the closed vertices of a grid and the queue; the newest expansion is the most intense. */
 export function paintTrace(picture: Picture, trace: Trace, step: number, key: string): void {
   const grid = trace.grid!;
   const { width, height } = grid;

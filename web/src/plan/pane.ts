@@ -1,4 +1,4 @@
-// One planner's answer on the ground: what it searched, its path, start and goal.
+// One planner's answer on the ground: its search, its path, start and goal.
 import { Camera, type Box, type Point } from "../base/camera";
 import { h, iconButton } from "../base/dom";
 import { fixed } from "../base/numbers";
@@ -15,18 +15,18 @@ import { drawPlaces } from "./places";
 import type { Shown } from "./shown";
 import { Trace } from "./trace";
 
-/** What all panes show, and what the hand does on any of them. */
+/** Holds what all panes show; Hand holds the actions of the pointer on any of them. */
 export interface Scene {
   ground: Ground;
   start: Vec2;
   goal: Vec2 | null;
   radius_m: number;
   selected: "start" | "goal" | null;
-  /** Heading of the robot at the start; null where it does not matter. */
+  /** The heading of the robot at the start; null if it does not matter. */
   heading_rad: number | null;
-  /** The planner does not count it, though it could. */
+  /** True if the planner ignores the heading, though it could use it. */
   idleHeading?: boolean;
-  /** Drawn over the ground, in metres. */
+  /** Draws over the ground, in metres. */
   layer?: (ctx: CanvasRenderingContext2D, camera: Camera) => void;
 }
 export interface Hand {
@@ -163,11 +163,11 @@ export class Pane {
     this.lay(ctx, this.seen.canvas, [x - half, y - half, x - half + width * r, y - half + height * r]);
   }
 
-  /** The edges of a visibility graph. */
+  /** Draws the edges of a visibility graph. */
   private drawLegs(ctx: CanvasRenderingContext2D): void {
     if (!this.answer?.legs) return;
     ctx.strokeStyle = theme.open;
-    ctx.globalAlpha = this.trace ? 0.13 : 0.25;  // below a search it is the ground
+    ctx.globalAlpha = this.trace ? 0.13 : 0.25;  // fainter below a search
     ctx.lineWidth = this.camera.px(0.8);
     ctx.beginPath();
     for (const [x0, y0, x1, y1] of this.answer.legs) { ctx.moveTo(x0, y0); ctx.lineTo(x1, y1); }
@@ -196,7 +196,7 @@ export class Pane {
     ctx.stroke(path);
   }
 
-  /** From the vertex under the pointer, or the one just expanded, back to the start. */
+  /** Draws the chain of parents from the vertex under the pointer, or the one just expanded, back to the start. */
   private drawChain(ctx: CanvasRenderingContext2D): void {
     const { trace, camera } = this;
     if (!trace) return;
@@ -254,14 +254,14 @@ export class Pane {
   }
 }
 
-/** Which end an answer found fault with: it is blocked or outside the map. */
+/** Returns the end that the answer rejects: it is blocked or outside the map. */
 export function faultAt({ status, reason }: Shown): "S" | "G" | null {
   if (status === "done") return null;
   const end = status.match(/^(start|goal)/)?.[1] ?? reason.match(/^the (start|goal)/)?.[1];
   return end === "start" ? "S" : end === "goal" ? "G" : null;
 }
 
-/** Lines and arcs where the answer tells of pieces, else lines between the waypoints. */
+/** Returns lines and arcs if the answer has pieces, else lines between the waypoints. */
 function pathOf(points: Vec2[], pieces: Piece[]): Path2D {
   const path = new Path2D();
   if (pieces.length === 0) for (const [x, y] of points) path.lineTo(x, y);
@@ -276,13 +276,13 @@ function pathOf(points: Vec2[], pieces: Piece[]): Path2D {
   return path;
 }
 
-/** What the search knew of a vertex that it never came to. */
+/** Describes a vertex that the search queued but never expanded. */
 export function waitingLines(trace: Trace, key: number): string[] {
   const opened = trace.findWaiting(key, trace.length)?.opened ?? 0;
   return [`${trace.name(key)} in the queue to the end`, `since expansion ${opened}`];
 }
 
-/** What the search knew of a vertex. */
+/** Describes what the search knew about a vertex. */
 export function vertexLines(trace: Trace, index: number, state: "closed" | "open"): string[] {
   const { key, parent, g, h: rest, f } = trace.at(index);
   const when = state === "closed" ? `expanded as number ${index + 1}` : `in the queue, expanded as number ${index + 1}`;

@@ -1,4 +1,4 @@
-// A search without a grid, drawn: ways from parents, states that were expanded and those that wait.
+// Draws a search without a grid: edges from parents, expanded states and queued states.
 import type { Camera } from "../base/camera";
 import { theme } from "../base/theme";
 import type { Trace } from "./trace";

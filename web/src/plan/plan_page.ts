@@ -1,4 +1,5 @@
-// Plan: the ground, one or two planners on the same question, their answers and their searches; it plans as one drags.
+// The planning page: the ground, one or two planners on the same question, their answers and their searches. It replans
+// during a drag.
 import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
@@ -26,7 +27,7 @@ const words: Record<Tool, string> = {
 const most = 50000;
 
 interface PlanScene extends Scene { goal: Vec2; selected: "start" | "goal" | null }
-/** What a scenario says beyond its map, start and goal. */
+/** Holds the settings of a scenario besides its map, start and goal. */
 export interface Opened { path: string; planner: string; options: Values; model: string; resolution_m: number }
 interface Seat { pane: Pane; asker: Asker; choice: Choice }
 
@@ -127,7 +128,7 @@ export class PlanPage {
     this.showHeading();
   }
 
-  /** The heading at the start matters where a planner has an option for it, and counts it. */
+  /** Shows the start heading if a planner has an option for it; it is idle if that planner ignores it. */
   private showHeading(): void {
     const seat = this.seats.find(({ choice }) => choice.value("heading") !== undefined);
     this.scene.heading_rad = seat ? Number(seat.choice.value("heading")) * Math.PI / 180 : null;
@@ -141,7 +142,7 @@ export class PlanPage {
     this.planSoon(traced);
   }
 
-  /** The bar lies over the first map; a second one below it needs no room for it. */
+  /** Keeps room for the bar, which lies over the first map; a second map below it needs no room. */
   private makeRoom(): void {
     const [first, second] = this.seats.map(({ pane }) => pane);
     if (!first) return;
@@ -170,7 +171,7 @@ export class PlanPage {
     return request;
   }
 
-  /** With the trace only once the hand rests: it is large. */
+  /** Asks for plans. `traced` requests the trace too, only once the drag ends, because it is large. */
   private planSoon(traced: boolean): void {
     const edits = this.ground.edits();
     for (const { asker, choice } of this.seats) {
@@ -201,7 +202,7 @@ export class PlanPage {
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
   }
 
-  /** What there is to step through, where that is no search with a queue. */
+  /** Explains what the steps show if a planner has no search with a queue. */
   private aboutSearch(): string {
     const sentences = this.seats.map(({ choice: { planner: { name, tells } }, pane }) => {
       if (!pane.answer) return "";
@@ -211,7 +212,7 @@ export class PlanPage {
     return [...new Set(sentences.filter(Boolean))].join(" ");
   }
 
-  /** The server keeps few maps; it forgot this one, so it is told again. */
+  /** Sends the map again, because the server keeps few maps and forgot this one. */
   private async postAgain(): Promise<void> {
     const { grid, polygons } = this.map;
     try {
@@ -223,7 +224,7 @@ export class PlanPage {
     }
   }
 
-  // The hand.
+  // The pointer.
 
   private madeTools(): HTMLElement {
     const tools: Tool[] = this.ground.kind === "grid" ? ["move", "block", "free"] : ["move", "add", "remove"];
@@ -292,7 +293,7 @@ export class PlanPage {
     keepInAddress({ start: text(this.scene.start), goal: text(this.scene.goal) });
   }
 
-  /** Moves the selected end by so many cells, or hundredths of the width. */
+  /** Moves the selected end by this many cells, or hundredths of the width. */
   private nudge(dx: number, dy: number): void {
     const { scene, ground } = this;
     const [x0, , x1] = ground.box;
@@ -367,7 +368,10 @@ function legend(ground: Ground, planners: PlannerRow[]): HTMLElement[] {
   return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line("visibility graph", "open")] : [])];
 }
 
-/** Opens a map, with the question of a scenario or its own, or says in a sentence why not. `path` is that of the map. */
+/**
+ * Opens a map, with the question of a scenario or its own, or returns a sentence that says why it cannot. `path` is
+ * that of the map.
+ */
 export function openPlan(map: MapAnswer, planners: PlannerRow[], query: Record<string, string>, path: string, opened: Opened | null = null): PlanPage | string {
   const ground = groundOf(map);
   return typeof ground === "string" ? ground : new PlanPage(map, ground, planners, query, path, opened);

@@ -1,11 +1,11 @@
-// What the planners answered, side by side.
+// The answers of the planners, side by side.
 import { h } from "../base/dom";
 import { fixed } from "../base/numbers";
 import type { Shown } from "./shown";
 
 type ResultRow = [string, (answer: Shown) => string];
 
-/** Codes of a search that ended without a path. */
+/** Codes of searches that ended without a path. */
 const searched = new Set(["no_path", "budget_exhausted"]);
 
 const rows: ResultRow[] = [

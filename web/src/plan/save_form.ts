@@ -1,4 +1,4 @@
-// Saving what the page shows as a scenario: a name below the folder, and the sentence that comes of it.
+// A form that saves the content of the page as a scenario: a name below the folder, and the resulting message.
 import { saveScenario, type ScenarioRequest } from "../api";
 import { h } from "../base/dom";
 
@@ -6,10 +6,10 @@ export class SaveForm {
   readonly element: HTMLElement;
   private name: HTMLInputElement;
   private said = h("p", { class: "saved", role: "status" });
-  /** What this page saved or opened, and so may replace. */
+  /** The paths that this page saved or opened, and so may replace. */
   private own = new Set<string>();
 
-  /** `opened`: the scenario that the page shows; `made` says what is saved. */
+  /** `opened` is the path of the scenario that the page shows; `made` returns what to save. */
   constructor(suggested: string, opened: string, private made: () => ScenarioRequest, ...more: HTMLElement[]) {
     if (opened) this.own.add(opened);
     this.name = h("input", { type: "text", id: "save-name", value: suggested, "aria-label": "Name of the scenario", spellcheck: "false" });
@@ -21,7 +21,7 @@ export class SaveForm {
     this.element = h("section", { "aria-label": "Save as a scenario" }, form, this.said);
   }
 
-  /** The path it was saved under; null when it was refused, which the page says. */
+  /** Saves the scenario. Returns its path; null if saving was refused, which the page shows. */
   async save(): Promise<string | null> {
     const typed = this.name.value.trim();
     const path = typed.endsWith(".yaml") ? typed : `${typed}.yaml`;

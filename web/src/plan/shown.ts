@@ -1,4 +1,4 @@
-// What a pane shows: the row of a planner with what is to be seen of its search, or why the server refused the question.
+// The content of a pane: the row of a planner with the details of its search, or why the server refused the question.
 import type { PlanAnswer, PlanRow, PlanView } from "../api";
 
 export type Shown = Partial<PlanRow> & Pick<PlanRow, "planner" | "status" | "reason"> & PlanView & { where?: string };

@@ -1,4 +1,4 @@
-// Stepping through a search: play, pause, one expansion on or back.
+// Steps through a search: play, pause, one expansion forward or back.
 import { h, icon, iconButton } from "../base/dom";
 import { clamp } from "../base/numbers";
 
@@ -25,7 +25,7 @@ export class Steps {
   get step(): number { return this.present; }
   get end(): number { return this.length; }
 
-  /** Another search; it is shown to its end, unless a step is asked for. */
+  /** Takes another search and shows it to its end, unless a step is given. */
   take(length: number, step = length): void {
     this.length = length;
     this.playing = false;
@@ -49,7 +49,7 @@ export class Steps {
     cancelAnimationFrame(this.asked);
   }
 
-  /** The whole search in five seconds or so, but no faster than can be seen at first. */
+  /** Plays the whole search in about five seconds; a short one at one expansion per frame. */
   private frame(): void {
     this.asked = 0;
     if (!this.playing) return;

@@ -1,18 +1,18 @@
-// A search as it went: what was closed and what stood in the queue after so many expansions. A state is known by a number,
-// its key: of a vertex of the grid, or as the planner counts its states.
+// The course of a search: the closed states and the queue after each number of expansions. A state is identified by a
+// number, its key: that of a grid vertex, or as the planner numbers its states.
 import type { GridTrace, PlacedTrace, TraceAnswer } from "../api";
 import type { Vec2 } from "../base/outline";
 import { fixed } from "../base/numbers";
 
 export interface Expansion { key: number; parent: number | null; f: number; g: number; h: number }
 
-/** A state that waits in the queue until the end, since so many expansions. */
+/** Describes a state that stays in the queue until the end; `opened` expansions preceded its entry. */
 export interface Waiting { key: number; opened: number }
 
-/** What the states are: where they are, and how they are called. */
+/** Gives the positions and names of states. */
 interface States {
   row(row: number[]): Expansion;
-  /** Keys of the queue, each with the number of expansions. */
+  /** Returns the keys that were queued, each with the number of expansions before that. */
   openings(): Waiting[];
   place(key: number): Vec2;
   name(key: number): string;
@@ -25,7 +25,7 @@ function reader(columns: string[]): (row: number[], name: string) => number {
   return (row, name) => row[column[name]!] ?? NaN;
 }
 
-/** Vertices of a grid: the centres of cells, or corners. */
+/** Gives the vertices of a grid: centres of cells, or corners. */
 class Vertices implements States {
   readonly width: number;
   readonly height: number;
@@ -70,7 +70,7 @@ class Vertices implements States {
   }
 }
 
-/** States that have places of their own. Where several have the same, the one that was met first is found. */
+/** Gives states with positions of their own. If several share a position, the first one met is found. */
 class Places implements States {
   private value: ReturnType<typeof reader>;
 
@@ -105,11 +105,11 @@ class Places implements States {
 export class Trace {
   readonly length: number;
   readonly waiting: Waiting[] = [];
-  /** Where the states are vertices of a grid: that grid. */
+  /** The grid if the states are its vertices, else null. */
   readonly grid: Vertices | null;
   private states: States;
   private expansions: Expansion[];
-  /** By expansion: after how many expansions its state was put into the queue; infinite where there is none. */
+  /** For each expansion, the number of expansions before its state was queued; infinite if unknown. */
   private opened: Float64Array;
   private byKey = new Map<number, number[]>();
   private waitingAt = new Map<number, Waiting>();
@@ -141,13 +141,13 @@ export class Trace {
   /** The state nearest to a place; -1 for none within reach. */
   nearest(x: number, y: number, reach: number): number { return this.states.at(x, y, reach); }
 
-  /** "closed" when the expansion was among the first `step`, "open" when its state stood in the queue then. */
+  /** Returns "closed" if the expansion is among the first `step`, "open" if its state was in the queue then. */
   state(index: number, step: number): "closed" | "open" | "unseen" {
     if (index < step) return "closed";
     return this.opened[index]! <= step && step > 0 ? "open" : "unseen";
   }
 
-  /** What is known of a state after `step` expansions: its last one before, else the one it waits for. */
+  /** Returns the expansion known of a state after `step` expansions: its last one so far, else the one it waits for. */
   find(key: number, step: number): { index: number; state: "closed" | "open" } | null {
     const all = this.byKey.get(key) ?? [];
     const closed = all.findLast((index) => index < step);
@@ -156,13 +156,16 @@ export class Trace {
     return waiting === undefined ? null : { index: waiting, state: "open" };
   }
 
-  /** The state when it stands in the queue after `step` expansions and will never leave it. */
+  /** Returns the state if it is in the queue after `step` expansions and never leaves it. */
   findWaiting(key: number, step: number): Waiting | null {
     const found = this.waitingAt.get(key);
     return found && step > 0 && found.opened <= step ? found : null;
   }
 
-  /** From the state of an expansion back to the start, in metres. A parent that came later, in a tree, counts as well. */
+  /**
+   * Returns the positions from the state of an expansion back to the start, in metres. Accepts a parent that came
+   * later, as in a tree.
+   */
   chain(index: number): Vec2[] {
     const way: Vec2[] = [];
     let present: number | undefined = index;

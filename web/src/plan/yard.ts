@@ -1,11 +1,11 @@
-// A yard as it is changed by hand: its robot, targets, things of the world, and obstacles that were added.
+// A yard that is edited by hand: its robot, targets, things of the world, and added obstacles.
 import type { ScenarioAnswer, YardRequest, YardTarget, YardThing } from "../api";
 import { nearestOnPolygon, type Vec2 } from "../base/outline";
 import { newName } from "./names";
 import { wrapAngle } from "./turning";
 
 export type YardScenario = Extract<ScenarioAnswer, { job: "guard" }>;
-/** An obstacle that was added: a box about its middle. */
+/** Describes an added obstacle: a box centred at `middle`. */
 export interface YardBox { middle: Vec2; size: Vec2; turn_rad: number }
 export interface Item { what: "robot" | "target" | "thing" | "box"; index: number }
 
@@ -14,7 +14,7 @@ interface Changes { start: Vec2; heading_rad: number; targets: YardTarget[]; thi
 const most_steps = 200;
 const cat: [number, number, number] = [0.5, 0.205, 0.372];
 
-/** What stood about one place stands about another, turned by so much. */
+/** Moves a polygon from one place to another and turns it about that place. */
 export function placed(polygon: Vec2[], [mx, my]: Vec2, [x, y]: Vec2, turn: number): Vec2[] {
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
   return polygon.map(([u, v]) => [x + c * (u - mx) - s * (v - my), y + s * (u - mx) + c * (v - my)]);
@@ -56,7 +56,7 @@ export class Yard {
     return (what === "box" ? this.boxes : this.things)[index]!.turn_rad;
   }
 
-  /** What stands in the way of the robot, where it stands. */
+  /** Returns the polygons of an item that block the robot, at its current place. */
   outlines({ what, index }: Item): Vec2[][] {
     if (what === "thing") {
       const { polygons, middle, place, turn_rad } = this.things[index]!;
@@ -68,7 +68,7 @@ export class Yard {
     return [placed([[-l, -w], [l, -w], [l, w], [-l, w]], [0, 0], middle, turn_rad)];
   }
 
-  /** How far it reaches about its middle. */
+  /** Returns the greatest distance of the item's outline from its middle. */
   radius(item: Item): number {
     const [x, y] = this.middle(item);
     if (item.what === "target") return Math.hypot(this.targets[item.index]!.size[0], this.targets[item.index]!.size[1]) / 2;
@@ -88,7 +88,9 @@ export class Yard {
     return thing !== null && (thing.turn_rad !== 0 || thing.place[0] !== thing.middle[0] || thing.place[1] !== thing.middle[1]);
   }
 
-  /** What is under the hand: the robot or a target within reach, else an obstacle; of things on each other the smallest. */
+  /**
+   * Returns the item at a place: the robot or a target within reach, else an obstacle; the smallest if several overlap.
+   */
   at(place: Vec2, reach: number): Item | null {
     const away = (item: Item): number => Math.hypot(this.middle(item)[0] - place[0], this.middle(item)[1] - place[1]);
     const signs = [...this.all("robot"), ...this.all("target")].filter((item) => away(item) <= reach);
@@ -97,7 +99,7 @@ export class Yard {
     return under.reduce<Item | null>((best, item) => (best === null || this.radius(item) <= this.radius(best) ? item : best), null);
   }
 
-  /** The next of its kinds after an item. */
+  /** Returns the item that follows `after` in the list; the list wraps around. */
   next(kinds: Item[], after: Item | null): Item | null {
     const present = kinds.findIndex((item) => item.what === after?.what && item.index === after.index);
     return kinds[(present + 1) % kinds.length] ?? null;
@@ -131,7 +133,10 @@ export class Yard {
     return { what: "box", index: this.boxes.length - 1 };
   }
 
-  /** Takes a target or an obstacle away; a thing of the world that was taken away comes back. What stays selected then. */
+  /**
+   * Removes a target or an added obstacle; a thing of the world is removed, or restored if it was. Returns the item
+   * that stays selected.
+   */
   remove({ what, index }: Item): Item | null {
     if (what === "robot") return { what, index };
     if (what === "thing") {
@@ -142,14 +147,14 @@ export class Yard {
     return null;
   }
 
-  /** A thing stands where the world has it. */
+  /** Puts a thing back to its place in the world file. */
   putBack(item: Item): void {
     if (item.what !== "thing") return;
     const thing = this.things[item.index]!;
     [thing.place, thing.turn_rad, thing.removed] = [thing.middle, 0, false];
   }
 
-  // Steps back.
+  // Undo.
 
   private get changes(): Changes {
     const { start, heading_rad, targets, boxes } = this;
@@ -161,14 +166,14 @@ export class Yard {
     things.forEach((one, i) => Object.assign(this.things[i]!, one));
   }
 
-  /** Before a change. */
+  /** Saves the state for undo; call it before a change. */
   remember(): void {
     this.done.push(this.changes);
     if (this.done.length > most_steps) this.done.shift();
     this.undone = [];
   }
 
-  /** Back to what was remembered last (or on again); false where there is nothing. */
+  /** Undoes the last change, or with `again` redoes it; returns false if there is none. */
   undo(again = false): boolean {
     const [from, to] = again ? [this.undone, this.done] : [this.done, this.undone];
     const before = from.pop();

@@ -1,4 +1,4 @@
-// The yard over its ground: things that can be moved, where they stood, what was taken away, targets, and the handle.
+// Draws the yard over its ground: movable things, their original places, removed things, targets, and the handle.
 import type { Camera } from "../base/camera";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
@@ -8,7 +8,7 @@ import type { Item, Yard } from "./yard";
 
 type Ctx = CanvasRenderingContext2D;
 
-/** Pixels a metre below which only what is selected is named. */
+/** The scale in pixels per metre below which only the selected item is labelled. */
 const least_named = 22;
 
 function trace(ctx: Ctx, polygons: readonly Vec2[][]): void {
@@ -44,7 +44,7 @@ function drawObstacle(ctx: Ctx, camera: Camera, yard: Yard, item: Item, selected
   ctx.stroke();
 }
 
-/** Its box, and a sign to take it by. */
+/** Draws the box of a target, and a sign by which to grab it. */
 function drawTarget(ctx: Ctx, camera: Camera, yard: Yard, index: number, selected: boolean): void {
   const { name, position: [x, y], size: [length, width], heading_rad } = yard.targets[index]!;
   ctx.save();
@@ -72,7 +72,7 @@ function drawTarget(ctx: Ctx, camera: Camera, yard: Yard, index: number, selecte
   camera.toPlane(ctx);
 }
 
-/** How far the handle of an item is from its middle, before its arm. */
+/** Returns the distance from the middle of an item to the arm of its handle. */
 export const beyond = (yard: Yard, item: Item): number => (item.what === "thing" || item.what === "box" ? yard.radius(item) : 0);
 
 export function drawYard(ctx: Ctx, camera: Camera, yard: Yard, selected: Item | null): void {

@@ -1,4 +1,5 @@
-// Change a yard: its robot, targets and what stands in it are moved and turned by hand, saved as a scenario, and guarded.
+// The yard page: moves and turns the robot, targets and things of a yard by hand, saves them as a scenario, and runs
+// the mission.
 import { send, type RunRow } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
@@ -32,7 +33,7 @@ export class YardPage {
   private tools: HTMLElement;
   private table = h("table", { class: "result places" });
   private said = h("p", { class: "hint", role: "status" });
-  /** What the hand holds: an item by a place of it, or its handle. */
+  /** The item that the pointer holds, by a point of it or by its handle. */
   private held: { item: Item; turns: boolean; off: Vec2; moved: boolean } | null = null;
   private frame = 0;
 
@@ -62,7 +63,7 @@ export class YardPage {
     keys.drop(this);
   }
 
-  /** Saves under the name that stands there, and runs that. */
+  /** Saves under the name in the form, and runs that scenario. */
   private async run(): Promise<void> {
     const path = await this.saving.save();
     if (!path) return;
@@ -95,7 +96,7 @@ export class YardPage {
     this.invalidate();
   }
 
-  // The hand.
+  // The pointer.
 
   private takeUp(tool: Tool): void {
     this.tool = tool;
@@ -113,7 +114,7 @@ export class YardPage {
     if (this.tool === "target" || this.tool === "obstacle") {
       yard.remember();
       take(this.tool === "target" ? yard.addTarget(at) : yard.addBox(at));
-      this.held!.moved = true;  // one step back takes it away, wherever it was dragged to
+      this.held!.moved = true;  // one undo removes it, wherever it was dragged to
       return true;
     }
     if (this.tool === "move" && selected && !yard.isRemoved(selected) && onKnob(this.pane.camera, at, yard.middle(selected), yard.turn(selected), beyond(yard, selected))) return take(selected, true);
@@ -139,7 +140,7 @@ export class YardPage {
 
   // The keyboard.
 
-  /** Changes what is selected, in a step that can be taken back. */
+  /** Changes the selected item, in a step that can be undone. */
   private change(act: (item: Item) => void): void {
     if (!this.selected || this.yard.isRemoved(this.selected)) return;
     this.yard.remember();
@@ -226,7 +227,7 @@ export class YardPage {
   }
 }
 
-/** What is selected, and what can be done with it. */
+/** Describes the selected item and what can be done with it. */
 function sentenceOf(yard: Yard, item: Item): string {
   const name = yard.name(item);
   if (yard.isRemoved(item)) return `${name} is removed; x brings it back.`;
