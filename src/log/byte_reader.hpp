@@ -1,7 +1,7 @@
 // Reads little-endian numbers and texts from bytes, and never past their end.
 //
-// After a read past the end ok() is false, every number is 0 and every text is empty: a decoder reads all of its
-// fields and asks once.
+// After a read past the end ok() is false, every number is 0 and every text is empty: a decoder reads all of
+// its fields and asks once.
 #pragma once
 
 #include <concepts>

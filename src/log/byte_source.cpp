@@ -28,7 +28,8 @@ class FileSource final : public ByteSource {
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) return bad_input(fmt::format("it cannot be read: {}", reason(errno)), name());
       if (count == 0) {
-        return bad_input(fmt::format("it became shorter while it was read: byte {} is gone", offset + done), name());
+        return bad_input(fmt::format("it became shorter while it was read: byte {} is gone", offset + done),
+                         name());
       }
       done += static_cast<std::size_t>(count);
     }
@@ -40,7 +41,8 @@ class FileSource final : public ByteSource {
 
 class MemorySource final : public ByteSource {
  public:
-  MemorySource(std::string_view bytes, std::string name) : ByteSource(std::move(name), bytes.size()), bytes_(bytes) {}
+  MemorySource(std::string_view bytes, std::string name)
+      : ByteSource(std::move(name), bytes.size()), bytes_(bytes) {}
 
  private:
   [[nodiscard]] Status read_into(std::uint64_t offset, std::string& bytes) const override {
@@ -55,7 +57,8 @@ class MemorySource final : public ByteSource {
 
 Outcome<std::string> ByteSource::read(std::uint64_t offset, std::uint64_t count) const {
   if (offset > size_ || count > size_ - offset) {
-    return bad_input(fmt::format("{} bytes at byte {} reach past its end at byte {}", count, offset, size_), name_);
+    return bad_input(fmt::format("{} bytes at byte {} reach past its end at byte {}", count, offset, size_),
+                     name_);
   }
   std::string bytes(static_cast<std::size_t>(count), '\0');
   if (auto read = read_into(offset, bytes); !read) return pass_on(read);
@@ -68,7 +71,7 @@ Outcome<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
     if (errno == ENOENT) return bad_input("there is no such file; check the path", path);
     return bad_input(fmt::format("it cannot be read: {}", reason(errno)), path);
   }
-  struct stat status {};
+  struct stat status{};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(descriptor);
     return bad_input("it is not a regular file; name another", path);

@@ -22,7 +22,8 @@ class ByteSource {
   /// Returns the number of bytes when the source was opened.
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// Returns exactly `count` bytes. Fault: bad_input if they reach past the end, or the system cannot read them.
+  /// Returns exactly `count` bytes. Fault: bad_input if they reach past the end, or the system cannot read
+  /// them.
   [[nodiscard]] Outcome<std::string> read(std::uint64_t offset, std::uint64_t count) const;
 
  protected:

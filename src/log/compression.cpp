@@ -19,7 +19,7 @@ namespace {
 struct Progress {
   std::size_t consumed = 0;
   std::size_t produced = 0;
-  bool ended = false;   ///< at the end of a frame
+  bool ended = false;       ///< at the end of a frame
   std::string damage = {};  ///< empty if there is none
 };
 
@@ -45,23 +45,27 @@ Outcome<std::string> decompress_stepwise(std::string_view bytes, std::size_t siz
     if (full && progress.produced > 0) {
       return bad_input(fmt::format("its content is longer than the stated {} bytes", size));
     }
-    if (progress.consumed == 0 && progress.produced == 0 && !progress.ended) return bad_input("it ends too early");
+    if (progress.consumed == 0 && progress.produced == 0 && !progress.ended)
+      return bad_input("it ends too early");
     bytes.remove_prefix(progress.consumed);
     filled += progress.produced;
     ended = progress.ended;
   }
-  if (filled != size) return bad_input(fmt::format("its content has {} bytes, not the stated {}", filled, size));
+  if (filled != size)
+    return bad_input(fmt::format("its content has {} bytes, not the stated {}", filled, size));
   return content;
 }
 
 Outcome<std::string> decompress_lz4(std::string_view bytes, std::size_t size) {
   LZ4F_dctx* made = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) throw std::bad_alloc();
-  const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> context(made, LZ4F_freeDecompressionContext);
+  const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> context(made,
+                                                                             LZ4F_freeDecompressionContext);
   return decompress_stepwise(bytes, size, [&](std::string_view in, std::span<char> out) {
     std::size_t consumed = in.size();
     std::size_t produced = out.size();
-    const std::size_t left = LZ4F_decompress(context.get(), out.data(), &produced, in.data(), &consumed, nullptr);
+    const std::size_t left =
+        LZ4F_decompress(context.get(), out.data(), &produced, in.data(), &consumed, nullptr);
     if (LZ4F_isError(left) != 0) {
       return Progress{.damage = fmt::format("its lz4 data are damaged ({})", LZ4F_getErrorName(left))};
     }
@@ -118,7 +122,8 @@ std::string compress_lz4(std::string_view bytes) {
 
 std::string compress_zstd(std::string_view bytes) {
   std::string out(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t count = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
+  const std::size_t count =
+      ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
   if (ZSTD_isError(count) != 0) throw std::runtime_error(ZSTD_getErrorName(count));
   out.resize(count);
   return out;

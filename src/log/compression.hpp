@@ -19,8 +19,8 @@ enum class Codec {
   bz2,   ///< ROS 1 bags; only decompressed
 };
 
-/// Returns the content, which must have exactly `size` bytes. Fault: bad_input if it has not, or the bytes are
-/// damaged; `where` is empty.
+/// Returns the content, which must have exactly `size` bytes. Fault: bad_input if it has not, or the bytes
+/// are damaged; `where` is empty.
 Outcome<std::string> decompress(Codec codec, std::string_view bytes, std::uint64_t size);
 
 /// Compresses with the default effort of the codec. The same bytes give the same bytes. Not for bz2.

@@ -1,5 +1,5 @@
-// Decodes the contents of MCAP records. Nothing: the content is shorter than its fields. Bytes after the last known
-// field are ignored, as the specification asks. Views point into the content.
+// Decodes the contents of MCAP records. Nothing: the content is shorter than its fields. Bytes after the last
+// known field are ignored, as the specification asks. Views point into the content.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,8 @@ class OpenRecord {
   }
   ~OpenRecord() {
     std::uint64_t length = out_.size() - start_ - head_bytes;
-    for (std::size_t i = 1; i < head_bytes; ++i, length >>= 8U) out_[start_ + i] = static_cast<char>(length & 0xFFU);
+    for (std::size_t i = 1; i < head_bytes; ++i, length >>= 8U)
+      out_[start_ + i] = static_cast<char>(length & 0xFFU);
   }
   OpenRecord(const OpenRecord&) = delete;
   OpenRecord& operator=(const OpenRecord&) = delete;
@@ -152,7 +153,8 @@ void append_attachment_index(std::string& out, const AttachmentIndexRecord& inde
   put_text(out, index.media_type);
 }
 
-void append_metadata(std::string& out, std::string_view name, const std::map<std::string, std::string>& metadata) {
+void append_metadata(std::string& out, std::string_view name,
+                     const std::map<std::string, std::string>& metadata) {
   const OpenRecord record(out, Op::metadata);
   put_text(out, name);
   put_texts(out, metadata);

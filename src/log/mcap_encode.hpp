@@ -24,7 +24,8 @@ void append_message_index(std::string& out, std::uint16_t channel_id, const Mess
 void append_chunk_index(std::string& out, const ChunkIndexRecord& index);
 void append_attachment(std::string& out, const AttachmentRecord& attachment);  ///< with its checksum
 void append_attachment_index(std::string& out, const AttachmentIndexRecord& index);
-void append_metadata(std::string& out, std::string_view name, const std::map<std::string, std::string>& metadata);
+void append_metadata(std::string& out, std::string_view name,
+                     const std::map<std::string, std::string>& metadata);
 void append_metadata_index(std::string& out, const MetadataIndexRecord& index);
 void append_statistics(std::string& out, const StatisticsRecord& statistics);
 void append_summary_offset(std::string& out, Op group, std::uint64_t start, std::uint64_t length);

@@ -83,7 +83,8 @@ void ChunkBuffer::add(const MessageRecord& message) {
   append_message(records_, message);
 }
 
-Status ChunkBuffer::write_to(Output& out, std::string_view compression, std::vector<ChunkIndexRecord>& chunks) {
+Status ChunkBuffer::write_to(Output& out, std::string_view compression,
+                             std::vector<ChunkIndexRecord>& chunks) {
   const std::string records = std::exchange(records_, {});
   if (!has_messages()) return out.write(records);
   const std::string compressed = compress(codec_of(compression), records);

@@ -1,5 +1,5 @@
-// The parts of an MCAP file under construction: the output with its checksums, the definitions of channels, the
-// chunk that is being filled, and the summary.
+// The parts of an MCAP file under construction: the output with its checksums, the definitions of channels,
+// the chunk that is being filled, and the summary.
 #pragma once
 
 #include <cstddef>
@@ -52,8 +52,8 @@ class ChunkBuffer {
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   [[nodiscard]] bool has_messages() const { return !indexes_.empty(); }
 
-  /// Writes the chunk and its message indexes, and empties the buffer. Definitions alone need no chunk: they are
-  /// written as they are, and nothing is added to `chunks`.
+  /// Writes the chunk and its message indexes, and empties the buffer. Definitions alone need no chunk: they
+  /// are written as they are, and nothing is added to `chunks`.
   Status write_to(Output& out, std::string_view compression, std::vector<ChunkIndexRecord>& chunks);
 
  private:

@@ -1,7 +1,7 @@
 // The records of an MCAP file, field by field, and the bounds that the reader and the writer share.
 //
-// Source: the MCAP format specification, https://mcap.dev/spec. A record is an opcode of one byte, the length of
-// its content in eight, and the content; numbers are little-endian, times are nanoseconds.
+// Source: the MCAP format specification, https://mcap.dev/spec. A record is an opcode of one byte, the length
+// of its content in eight, and the content; numbers are little-endian, times are nanoseconds.
 #pragma once
 
 #include <cstdint>
@@ -78,7 +78,7 @@ struct ChunkIndexRecord {
   std::uint64_t start_time = 0;
   std::uint64_t end_time = 0;
   std::uint64_t chunk_offset = 0;
-  std::uint64_t chunk_length = 0;                                    ///< of the whole record
+  std::uint64_t chunk_length = 0;                                     ///< of the whole record
   std::map<std::uint16_t, std::uint64_t> message_index_offsets = {};  ///< of each channel in the chunk
   std::uint64_t message_index_length = 0;
   std::string compression = {};
@@ -92,8 +92,8 @@ struct AttachmentRecord {
   std::string_view name;
   std::string_view media_type;
   std::string_view data;
-  std::uint32_t crc = 0;            ///< of the fields before it
-  std::string_view checked_fields;  ///< those fields; only set by the decoder
+  std::uint32_t crc = 0;                 ///< of the fields before it
+  std::string_view checked_fields = {};  ///< those fields; only set by the decoder
 };
 
 struct AttachmentIndexRecord {

@@ -18,10 +18,12 @@ std::string_view name_of(McapCompression compression) {
 }
 
 Status check(std::int64_t time_ns, std::size_t bytes) {
-  if (time_ns < 0) return bad_input(fmt::format("the time {} ns is negative; MCAP counts from 1970", time_ns));
+  if (time_ns < 0)
+    return bad_input(fmt::format("the time {} ns is negative; MCAP counts from 1970", time_ns));
   if (bytes > largest_content) {
-    return bad_input(fmt::format("{} bytes are too long for one record; split them into parts of at most {} bytes",
-                                 bytes, largest_content));
+    return bad_input(
+        fmt::format("{} bytes are too long for one record; split them into parts of at most {} bytes", bytes,
+                    largest_content));
   }
   return {};
 }
@@ -44,10 +46,12 @@ struct McapWriter::State {
   Status flush() { return keep(chunk.write_to(out, compression, summary.chunks)); }
   Status check_channel(std::size_t channel) {
     if (summary.definitions.too_many()) {
-      return keep(bad_input("it has more than 65535 channels or schemas, which MCAP cannot number; use several files"));
+      return keep(bad_input(
+          "it has more than 65535 channels or schemas, which MCAP cannot number; use several files"));
     }
     if (channel < sequences.size()) return {};
-    return bad_input(fmt::format("there is no channel {}; add_channel() gave {} so far", channel, sequences.size()));
+    return bad_input(
+        fmt::format("there is no channel {}; add_channel() gave {} so far", channel, sequences.size()));
   }
 };
 
@@ -106,7 +110,8 @@ Status McapWriter::attach(const std::string& name, const std::string& media_type
   if (auto good = check(time_ns, content.size()); !good) return good;
   const auto time = static_cast<std::uint64_t>(time_ns);
   std::string record;
-  mcap::append_attachment(record, {.log_time = time, .name = name, .media_type = media_type, .data = content});
+  mcap::append_attachment(record,
+                          {.log_time = time, .name = name, .media_type = media_type, .data = content});
   s.summary.attachments.push_back(
       {s.out.position(), record.size(), time, 0, content.size(), name, media_type});
   return s.keep(s.out.write(record));

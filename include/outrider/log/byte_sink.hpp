@@ -25,8 +25,8 @@ class ByteSink {
   ByteSink() = default;
 };
 
-/// Makes or empties a file. What was written is the system's at once: it stays when the process is killed. Fault:
-/// cannot_write with the path.
+/// Makes or empties a file. What was written is the system's at once: it stays when the process is killed.
+/// Fault: cannot_write with the path.
 Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path);
 
 /// Appends to a string, which outlives the sink.

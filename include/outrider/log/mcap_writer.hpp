@@ -1,17 +1,16 @@
 // McapWriter: writes a log as an MCAP file while the messages come.
 //
 //   auto log = McapWriter::create("run.mcap");
-//   const std::size_t scan = log->add_channel({"/scan", "sensor_msgs/msg/LaserScan", "cdr", "ros2msg", schema});
-//   log->write(scan, time_ns, bytes);
-//   log->finish();
+//   const std::size_t scan = log->add_channel({"/scan", "sensor_msgs/msg/LaserScan", "cdr", "ros2msg",
+//   schema}); log->write(scan, time_ns, bytes); log->finish();
 //
-// The file is chunked and indexed, and carries every checksum that the format knows. The same calls write the same
-// bytes. A process that is killed leaves a log that opens up to its last complete chunk; flush() completes the
-// current one. Messages may come in any order of time; readers sort them.
+// The file is chunked and indexed, and carries every checksum that the format knows. The same calls write the
+// same bytes. A process that is killed leaves a log that opens up to its last complete chunk; flush()
+// completes the current one. Messages may come in any order of time; readers sort them.
 //
 // Memory: one chunk, and what the index at the end needs: some 100 bytes a chunk.
-// Errors: cannot_write with the path; after the first fault every call returns it again. Thread rule: one writer, one
-// thread. Source: https://mcap.dev/spec, version 0 of the format.
+// Errors: cannot_write with the path; after the first fault every call returns it again. Thread rule: one
+// writer, one thread. Source: https://mcap.dev/spec, version 0 of the format.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +29,10 @@ enum class McapCompression { none, lz4, zstd };
 
 struct McapOptions {
   McapCompression compression = McapCompression::zstd;
-  std::size_t chunk_bytes = std::size_t{1} << 20U;  ///< uncompressed size at which a chunk is closed; at most 64 MiB
-  std::string profile = "ros2";                     ///< says how messages are encoded
-  std::string library = "outrider";                 ///< says who wrote the file
+  std::size_t chunk_bytes = std::size_t{1}
+                            << 20U;  ///< uncompressed size at which a chunk is closed; at most 64 MiB
+  std::string profile = "ros2";      ///< says how messages are encoded
+  std::string library = "outrider";  ///< says who wrote the file
 };
 
 class McapWriter {
@@ -48,12 +48,12 @@ class McapWriter {
   /// Does not finish: a log that was not finished reads as one that was cut.
   ~McapWriter();
 
-  /// Adds a channel at any time and returns its index, counted from 0. Equal schemas are stored once. With more than
-  /// 65535 channels or schemas the next call of write() is refused.
+  /// Adds a channel at any time and returns its index, counted from 0. Equal schemas are stored once. With
+  /// more than 65535 channels or schemas the next call of write() is refused.
   std::size_t add_channel(const Channel& channel);
 
-  /// Appends a message. Fault: bad_input if the time is negative, there is no such channel, or the data are longer
-  /// than 255 MiB; cannot_write.
+  /// Appends a message. Fault: bad_input if the time is negative, there is no such channel, or the data are
+  /// longer than 255 MiB; cannot_write.
   Status write(std::size_t channel, std::int64_t time_ns, std::string_view data);
 
   /// Stores a file in the log. Fault: bad_input if the time is negative or the content longer than 255 MiB;
