@@ -30,7 +30,8 @@ class IndexBuilder {
         walker_(source, magic.size(), end_of_data(source, footer)),
         index_{std::move(summary.table), {}, {}},
         has_summary_(!index_.table.empty()),
-        chunks_(has_summary_ ? std::move(summary.chunks) : std::map<std::uint64_t, ChunkIndexRecord>{}) {}
+        chunks_(has_summary_ ? std::move(summary.chunks) : std::map<std::uint64_t, ChunkIndexRecord>{}),
+        lists_chunks_(!chunks_.empty()) {}
 
   Outcome<McapIndex> build() {
     while (true) {
@@ -62,8 +63,8 @@ class IndexBuilder {
   RecordWalker walker_;
   McapIndex index_;
   bool has_summary_;
-  std::map<std::uint64_t, ChunkIndexRecord> chunks_;  // those of the summary
-  std::size_t chunks_found_ = 0;                      // of these
+  std::map<std::uint64_t, ChunkIndexRecord> chunks_;  // those of the summary that were not met yet
+  bool lists_chunks_;                                 // the summary names chunks
   bool unlisted_ = false;                             // there are messages that the summary does not name
   Op last_{};                                         // the kind of the record before
   std::uint64_t header_end_ = 0;
@@ -125,13 +126,13 @@ Status IndexBuilder::add_message(const RecordHead& record) {
 
 Status IndexBuilder::add_chunk(const RecordHead& record) {
   if (data_ended_) return damaged(source_, record.offset, "a chunk follows the end of the data");
-  if (chunks_.empty()) return scan_chunk(record);
+  if (!lists_chunks_) return scan_chunk(record);
   const auto listed = chunks_.find(record.offset);
   if (listed == chunks_.end() || listed->second.chunk_length != head_bytes + record.length) {
     return damaged(source_, record.offset, "there is a chunk that the summary does not name");
   }
-  ++chunks_found_;
   index_.pieces.push_back(piece_of(listed->second));
+  chunks_.erase(listed);
   return {};
 }
 
@@ -198,12 +199,8 @@ Status IndexBuilder::check_end() {
     return damaged(source_, walker_.position(), "a record reaches past the end of the data");
   }
   if (footer_ && header_end_ == 0) return damaged(source_, magic.size(), "there is no header");
-  if (chunks_found_ != chunks_.size()) {
-    const auto listed = std::find_if(chunks_.begin(), chunks_.end(), [&](const auto& chunk) {
-      return std::none_of(index_.pieces.begin(), index_.pieces.end(),
-                          [&](const Piece& piece) { return piece.offset == chunk.first; });
-    });
-    return damaged(source_, listed->first, "there is not the chunk that the summary names");
+  if (!chunks_.empty()) {
+    return damaged(source_, chunks_.begin()->first, "there is not the chunk that the summary names");
   }
   if (!footer_) {
     index_.cut_short = fmt::format("the log ends early: its last complete record ends at byte {} of {}",

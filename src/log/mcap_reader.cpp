@@ -57,9 +57,10 @@ std::string McapReader::find_places(const Piece& piece, Loaded& loaded) const {
                          message.channel_id);
     }
     if (selected_[channel->second] == 0 || time < from_ || time > to_) return {};
-    loaded.places.push_back({time, channel->second,
-                             static_cast<std::size_t>(message.data.data() - loaded.bytes.data()),
-                             message.data.size()});
+    const auto offset = message.data.data() - loaded.bytes.data();
+    loaded.places.push_back({time, static_cast<std::uint32_t>(channel->second),
+                             static_cast<std::uint32_t>(offset),
+                             static_cast<std::uint32_t>(message.data.size())});
     return {};
   };
   return for_each_record(loaded.bytes, on_definition, on_message);

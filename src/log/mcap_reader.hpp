@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,9 +34,9 @@ class McapReader final : public LogReader {
  private:
   struct Place {
     std::uint64_t time = 0;
-    std::size_t channel = 0;
-    std::size_t offset = 0;  // of the data, in the loaded bytes
-    std::size_t length = 0;
+    std::uint32_t channel = 0;
+    std::uint32_t offset = 0;  // of the data, in the loaded bytes: a chunk has less than 4 GiB
+    std::uint32_t length = 0;
   };
   struct Loaded {
     std::uint64_t file_offset = 0;

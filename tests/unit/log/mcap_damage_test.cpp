@@ -1,6 +1,10 @@
 // MCAP files that are cut, damaged, or made to harm; and those that others write differently.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <csignal>
+
+#include "compression.hpp"
 #include "mcap_attachments.hpp"
 #include "mcap_encode.hpp"
 #include "mcap_logs.hpp"
@@ -81,6 +85,58 @@ TEST(McapDamage, WhatWasFlushedIsReadWhenTheRestIsMissing) {
   EXPECT_NE(read.cut_short.find("the log ends early"), std::string::npos);
 }
 
+TEST(McapDamage, AKilledProcessLeavesALog) {
+  const LogFolder folder;
+  const std::string path = folder / "run.mcap";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto writer = McapWriter::create(path, {.chunk_bytes = 100});
+    const std::size_t channel = writer->add_channel(channel_named("/a"));
+    for (std::int64_t i = 0; i < 1000; ++i) static_cast<void>(writer->write(channel, i, "0123456789"));
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const ReadLog read = read_all(open_log(path));
+  EXPECT_EQ(read.fault, "");
+  EXPECT_GT(read.messages.size(), 990U);
+  EXPECT_FALSE(read.cut_short.empty());
+}
+
+/// Takes so many bytes, then fails as a full disk does.
+class FullSink final : public ByteSink {
+ public:
+  FullSink(std::string& bytes, std::size_t room) : bytes_(bytes), room_(room) {}
+  Status write(std::string_view more) override {
+    bytes_.append(more.substr(0, room_ - bytes_.size()));
+    if (bytes_.size() < room_) return {};
+    return fault(FaultCode::cannot_write, "the disk is full", "run.mcap");
+  }
+
+ private:
+  std::string& bytes_;
+  std::size_t room_;
+};
+
+TEST(McapDamage, AfterAFullDiskEveryCallIsRefusedAndTheLogOpens) {
+  for (std::size_t room = 100; room < 3000; room += 37) {
+    std::string bytes;
+    auto writer = McapWriter::begin(std::make_unique<FullSink>(bytes, room), {.chunk_bytes = 200});
+    ASSERT_TRUE(writer);
+    const std::size_t channel = writer->add_channel(channel_named("/a"));
+    Status written;
+    for (std::int64_t i = 0; i < 500 && written; ++i) written = writer->write(channel, i, "0123456789");
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().code, FaultCode::cannot_write);
+    EXPECT_EQ(writer->flush().error().where, "run.mcap");
+    EXPECT_EQ(writer->attach("a", "b", "c").error().where, "run.mcap");
+    EXPECT_EQ(writer->finish().error().where, "run.mcap");
+    EXPECT_EQ(bytes.size(), room);
+    EXPECT_EQ(read_all(bytes).fault, "");
+  }
+}
+
 TEST(McapDamage, AFlippedBitIsNoticedOrHarmless) {
   Rng rng(2);
   const OwnMessages messages = random_messages(rng, 30, 30);
@@ -146,6 +202,44 @@ TEST(McapDamage, LiesOfAChunkAreRefused) {
   std::string changed;
   mcap::append_channel(changed, {1, 0, "/b", "cdr"});
   EXPECT_NE(fault_of({5, 5, changed.size(), 0, "", changed}).find("differently"), std::string::npos);
+}
+
+TEST(McapDamage, ASummaryThatNamesAnotherChunkIsRefused) {
+  const std::string message = message_bytes(5, "data");
+  std::string data = beginning();
+  const std::uint64_t chunk_offset = data.size();
+  mcap::append_chunk(data, {5, 5, message.size(), 0, "", message});
+  const std::uint64_t length = data.size() - chunk_offset;
+  mcap::append_data_end(data, 0);
+  const auto fault_of = [&](const std::vector<mcap::ChunkIndexRecord>& chunks) {
+    std::string summary;
+    mcap::append_channel(summary, {1, 0, "/a", "cdr"});
+    for (const auto& chunk : chunks) mcap::append_chunk_index(summary, chunk);
+    const mcap::FooterRecord footer{data.size(), 0, mcap::crc32_of(summary)};
+    mcap::append_footer(summary, footer);
+    return read_all(data + summary.append(mcap::magic)).fault;
+  };
+  const mcap::ChunkIndexRecord honest{5, 5, chunk_offset, length, {{1, 0}}};
+  EXPECT_EQ(fault_of({honest}), "");
+  EXPECT_EQ(fault_of({}), "");
+  EXPECT_NE(fault_of({honest, honest}).find("twice"), std::string::npos);
+  EXPECT_NE(fault_of({{4, 5, chunk_offset, length, {}}}).find("times"), std::string::npos);
+  EXPECT_NE(fault_of({{6, 5, chunk_offset, length, {}}}).find("before it starts"), std::string::npos);
+  EXPECT_NE(fault_of({{5, 5, chunk_offset, length - 1, {}}}).find("does not name"), std::string::npos);
+  EXPECT_NE(fault_of({{5, 5, chunk_offset + 1, length, {}}}).find("does not name"), std::string::npos);
+  EXPECT_NE(fault_of({{5, 5, 1U << 30U, length, {}}}).find("none can be"), std::string::npos);
+  EXPECT_NE(fault_of({honest, {5, 5, 8, 20, {}}}).find("there is not the chunk"), std::string::npos);
+  EXPECT_NE(fault_of({{5, 5, chunk_offset, length, {{2, 0}}}}).find("does not name"), std::string::npos);
+}
+
+TEST(McapDamage, TooMuchOverlapIsRefusedBeforeItIsLoaded) {
+  std::string block = message_bytes(0, std::string(100U << 20U, '\0'));
+  block += message_bytes(9, "end");
+  const std::string packed = compress(Codec::zstd, block);
+  std::string bytes = beginning();
+  for (int i = 0; i < 8; ++i) mcap::append_chunk(bytes, {0, 9, block.size(), 0, "zstd", packed});
+  EXPECT_NE(read_all(open_mcap(memory_source(bytes, "run.mcap"), {.from_ns = 9})).fault.find("does not fit"),
+            std::string::npos);
 }
 
 TEST(McapDamage, AChannelNeedsItsSchema) {

@@ -1,6 +1,7 @@
 // MCAP files that are whole: what is written is read.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+#include <sys/resource.h>
 
 #include "mcap_logs.hpp"
 #include "outrider/log/mcap_file.hpp"
@@ -71,6 +72,60 @@ TEST(Mcap, ASelectionIsAFilterOfEverything) {
     EXPECT_EQ(read.messages, expected);
     EXPECT_EQ(read.channels.size(), 4U);
   }
+}
+
+/// Counts the bytes that are read from a file in memory.
+class CountingSource final : public ByteSource {
+ public:
+  CountingSource(const std::string& bytes, std::uint64_t& count)
+      : ByteSource("run.mcap", bytes.size()), bytes_(bytes), count_(count) {}
+
+ private:
+  [[nodiscard]] Status read_into(std::uint64_t offset, std::string& bytes) const override {
+    bytes_.copy(bytes.data(), bytes.size(), offset);
+    count_ += bytes.size();
+    return {};
+  }
+
+  const std::string& bytes_;
+  std::uint64_t& count_;
+};
+
+TEST(Mcap, ASelectionReadsAFewChunksOnly) {
+  OwnMessages messages;
+  for (std::int64_t i = 0; i < 200; ++i) {
+    messages.push_back({i == 77 ? "/rare" : "/often", i, std::string(100000, static_cast<char>(i))});
+  }
+  const std::string bytes = mcap_of(messages, {.compression = McapCompression::none});
+  for (const LogSelection& selection : {LogSelection{{"/rare"}}, LogSelection{{}, 77, 77}}) {
+    std::uint64_t count = 0;
+    const ReadLog read = read_all(open_mcap(std::make_unique<CountingSource>(bytes, count), selection));
+    ASSERT_EQ(read.messages.size(), 1U);
+    EXPECT_EQ(read.messages[0], messages[77]);
+    EXPECT_LT(count, bytes.size() / 8);
+  }
+}
+
+/// The most memory that this process has had.
+long peak_kib() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(Mcap, ALongLogNeedsLittleMemory) {
+  std::string bytes;
+  auto writer = McapWriter::begin(make_string_sink(bytes));
+  const std::size_t channel = writer->add_channel(channel_named("/a"));
+  for (std::int64_t i = 0; i < 3000; ++i) EXPECT_TRUE(writer->write(channel, i, std::string(200000, 'x')));
+  EXPECT_TRUE(writer->finish());
+  EXPECT_LT(bytes.size(), 1000000U);
+  const long before_kib = peak_kib();
+  const auto log = open_mcap(memory_source(bytes, "run.mcap"), {});
+  std::size_t count = 0;
+  for (auto message = (*log)->next(); message && *message; message = (*log)->next()) ++count;
+  EXPECT_EQ(count, 3000U);  // of 600 MB together
+  EXPECT_LT(peak_kib() - before_kib, 200L * 1024);
 }
 
 TEST(Mcap, ChannelsComeBackWholeAndSchemasAreStoredOnce) {
