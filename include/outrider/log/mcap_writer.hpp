@@ -8,7 +8,7 @@
 // same bytes. A process that is killed leaves a log that opens up to its last complete chunk; flush()
 // completes the current one. Messages may come in any order of time; readers sort them.
 //
-// Memory: one chunk, and what the index at the end needs: some 100 bytes a chunk.
+// Memory: one chunk, and what the index at the end needs: some hundred bytes a chunk.
 // Errors: cannot_write with the path; after the first fault every call returns it again. Thread rule: one
 // writer, one thread. Source: https://mcap.dev/spec, version 0 of the format.
 #pragma once
