@@ -28,7 +28,7 @@ bool has_no_clock(const Source& s) {
 bool draws_no_numbers(const Source& s) {
   return s.path.find("core/rng") == std::string::npos && !s.path.starts_with("tests/architecture/");
 }
-bool is_an_algorithm(const Source& s) { return s.in_library() && s.layer != "io"; }
+bool is_an_algorithm(const Source& s) { return s.in_library() && s.layer != "io" && s.layer != "log"; }
 
 /// The tool prints through terminal.hpp, and makes text of JSON through output.hpp: both take any bytes.
 bool is_the_tool(const Source& s) {
@@ -42,6 +42,7 @@ bool is_the_tool(const Source& s) {
 /// The others write, or open what is the server's own.
 bool opens_through_the_gate(const Source& s) {
   static const std::set<std::string> others = {"src/io/open_file.cpp", "src/io/temporary_file.cpp",
+                                               "src/log/byte_source.cpp", "src/log/byte_sink.cpp",
                                                "apps/server/folder.cpp", "apps/server/runs.cpp",
                                                "apps/server/temporary_folder.cpp"};
   const bool ours = s.in_library() || s.path.starts_with("apps/");

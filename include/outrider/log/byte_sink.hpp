@@ -1,0 +1,35 @@
+// Where a log is written to while it grows: a file, or a string. Thread rule: one sink, one thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "outrider/core/outcome.hpp"
+
+namespace outrider {
+
+class ByteSink {
+ public:
+  virtual ~ByteSink() = default;
+  ByteSink(const ByteSink&) = delete;
+  ByteSink& operator=(const ByteSink&) = delete;
+
+  /// Appends the bytes. Fault: cannot_write with the path, for instance on a full disk.
+  virtual Status write(std::string_view bytes) = 0;
+
+  /// Ends the output. Fault: cannot_write, if the system reports a failure only now.
+  virtual Status close() { return {}; }
+
+ protected:
+  ByteSink() = default;
+};
+
+/// Makes or empties a file. What was written is the system's at once: it stays when the process is killed.
+/// Fault: cannot_write with the path.
+Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path);
+
+/// Appends to a string, which outlives the sink.
+std::unique_ptr<ByteSink> make_string_sink(std::string& bytes);
+
+}  // namespace outrider
