@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -150,12 +151,12 @@ Outcome<Db3Database> Db3Database::open_bytes(const std::string& name, std::strin
   const int result = sqlite3_open_v2(":memory:", &made, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
   Db3Database database(made, name);
   if (result != SQLITE_OK) return refuse(made, name);
-  // READONLY keeps SQLite from writing to the bytes, so they may be constant.
-  auto* image = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
   const auto size = static_cast<sqlite3_int64>(bytes.size());
-  if (sqlite3_deserialize(made, "main", image, size, size, SQLITE_DESERIALIZE_READONLY) != SQLITE_OK) {
-    return refuse(made, name);
-  }
+  auto* image = static_cast<unsigned char*>(sqlite3_malloc64(bytes.size()));
+  if (image == nullptr) return bad_input("there is no memory left to read it", name);
+  std::copy(bytes.begin(), bytes.end(), image);
+  constexpr unsigned flags = SQLITE_DESERIALIZE_READONLY | SQLITE_DESERIALIZE_FREEONCLOSE;
+  if (sqlite3_deserialize(made, "main", image, size, size, flags) != SQLITE_OK) return refuse(made, name);
   if (auto done = database.harden(); !done) return pass_on(done);
   return database;
 }

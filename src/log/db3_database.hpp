@@ -42,7 +42,7 @@ class Db3Database {
  public:
   /// Fault: bad_input, if it cannot be opened, or if its end is missing.
   static Outcome<Db3Database> open(const std::string& path);
-  /// The bytes have to outlive the database.
+  /// The same from memory; it keeps a copy of the bytes.
   static Outcome<Db3Database> open_bytes(const std::string& name, std::string_view bytes);
 
   [[nodiscard]] const std::string& path() const { return path_; }

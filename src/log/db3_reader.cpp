@@ -135,7 +135,7 @@ class Db3Reader : public LogReader {
   Outcome<std::optional<LogMessage>> next() override;
 
  private:
-  tl::unexpected<Fault> wrong_row(std::string_view sentence) const {
+  [[nodiscard]] tl::unexpected<Fault> wrong_row(std::string_view sentence) const {
     return bad_input(fmt::format("message {} {}", order_.integer(0).value_or(0), sentence), database_.path());
   }
 

@@ -20,7 +20,7 @@ LogOpened open_bag_bytes(const std::string& name, std::string_view bytes, const 
 
 /// ROS 2 bags as rosbag2 stores them with SQLite. Messages are read one at a time.
 LogOpened open_db3(const std::string& path, const LogSelection& selection = {});
-/// The same from memory. The bytes have to outlive the reader.
+/// The same from memory, of which it keeps a copy.
 LogOpened open_db3_bytes(const std::string& name, std::string_view bytes, const LogSelection& selection = {});
 
 /// A folder that rosbag2 wrote: metadata.yaml and one or several logs, read as one.

@@ -132,8 +132,9 @@ Status FolderReader::survey(const std::string& folder, const std::vector<std::st
     if (!first) return pass_on(first);
     const std::string cut = (*reader)->cut_short();
     if (!cut.empty()) cut_short_ += (cut_short_.empty() ? "" : " ") + cut;
-    if (!*first) continue;
-    part.first_ns = (*first)->time_ns;
+    const std::optional<LogMessage>& message = *first;
+    if (!message) continue;
+    part.first_ns = message->time_ns;
     parts_.push_back(std::move(part));
   }
   std::stable_sort(parts_.begin(), parts_.end(),
@@ -150,21 +151,23 @@ std::list<OpenPart>::iterator FolderReader::earliest() {
 Status FolderReader::open_part(const LogPart& part) {
   auto reader = open_log(part.path, selection_);
   if (!reader) return pass_on(reader);
-  auto message = (*reader)->next();
-  if (!message) return pass_on(message);
-  const bool same = *message && (*message)->time_ns == part.first_ns &&
-                    (*reader)->channels().size() == part.channel_of.size();
-  if (!same) return bad_input("the file changed while it was read", part.path);
-  open_.push_back({&part, std::move(*reader), **message});
+  auto first = (*reader)->next();
+  if (!first) return pass_on(first);
+  const std::optional<LogMessage>& message = *first;
+  if (!message || message->time_ns != part.first_ns ||
+      (*reader)->channels().size() != part.channel_of.size()) {
+    return bad_input("the file changed while it was read", part.path);
+  }
+  open_.push_back({&part, std::move(*reader), *message});
   return {};
 }
 
 Outcome<std::optional<LogMessage>> FolderReader::next() {
   if (last_ != nullptr) {
-    auto message = last_->reader->next();
-    if (!message) return pass_on(message);
-    if (*message) {
-      last_->message = **message;
+    auto following = last_->reader->next();
+    if (!following) return pass_on(following);
+    if (const std::optional<LogMessage>& message = *following) {
+      last_->message = *message;
     } else {
       open_.remove_if([&](const OpenPart& part) { return &part == last_; });
     }
