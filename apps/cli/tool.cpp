@@ -82,7 +82,8 @@ int run_tool(const std::vector<Job>& jobs, int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // hitting the file size limit becomes a fault with a sentence
   const int status = guarded_run(jobs, argc, argv);
   if (std::ferror(stdout) == 0 && std::fflush(stdout) == 0) return status;
-  return print_fault({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}}, false);
+  return print_fault({FaultCode::cannot_write, "standard output cannot be written to; is the disk full?", {}},
+                     false);
 }
 
 }  // namespace outrider::cli

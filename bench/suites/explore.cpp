@@ -96,7 +96,7 @@ Outcome<std::vector<std::string>> chosen_strategies(const ExploreRequest& reques
 }
 
 Outcome<StrategyRow> measured(const BenchWorld& world, const std::string& strategy, std::int64_t seeds,
-                      const BenchObserver& observer) {
+                              const BenchObserver& observer) {
   StrategyRow row{world.name, strategy, world.least_s, 0, 0, {}, {}, {}, {}, {}, {}, {}};
   ExploreTask task = world.setup.task;
   task.explore.strategy = strategy;

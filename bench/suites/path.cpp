@@ -112,7 +112,7 @@ Timed timed(const ConfiguredPlanner& planner, const Problem& problem, Workspace&
 }
 
 MapRow measure(const PathRequest& request, const GridFiles& files, const PublishedGrid& grid,
-            const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
+               const PathPlanner& planner, const std::shared_ptr<const GridMap>& ground) {
   MapRow row{files.name, planner, ground->model, {}, {}, 0, 0, 0, {}, 0.0, 0.0};
   row.times_us.reserve(grid.rows.size());
   row.ratios.reserve(grid.rows.size());

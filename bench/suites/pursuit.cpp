@@ -60,7 +60,7 @@ PursuitRow measure_search(const PursuitRequest& request, const PursuitProblem& p
 }
 
 PursuitRow measure_planner(const PursuitRequest& request, const PursuitPlanner& planner,
-                    const PursuitProblem& problem) {
+                           const PursuitProblem& problem) {
   PursuitRow row;
   Workspace workspace;
   const ConfiguredPursuitPlanner configured = planner.configure();
@@ -95,7 +95,7 @@ Status measure_map(const PursuitRequest& request, const fs::path& path,
   for (const PursuitPlanner& planner : planners) {
     next_step(observer, fmt::format("{} on {}", planner.name, map));
     PursuitRow row = planner.name == "anytime" ? measure_search(request, *problem)
-                                        : measure_planner(request, planner, *problem);
+                                               : measure_planner(request, planner, *problem);
     row.map = map;
     row.planner = planner.name;
     if (row.plan && row.plan->optimal()) optimum = row.plan->cost;

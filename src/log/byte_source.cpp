@@ -83,4 +83,8 @@ std::unique_ptr<ByteSource> memory_source(std::string_view bytes, std::string na
   return std::make_unique<MemorySource>(bytes, std::move(name));
 }
 
+tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string sentence) {
+  return bad_input(std::move(sentence), fmt::format("{}, byte {}", source.name(), offset));
+}
+
 }  // namespace outrider

@@ -42,4 +42,7 @@ Outcome<std::unique_ptr<ByteSource>> open_file_source(const std::string& path);
 /// Reads from memory that outlives the source.
 std::unique_ptr<ByteSource> memory_source(std::string_view bytes, std::string name);
 
+/// Returns a fault bad_input with the name of the source and the offset in bytes.
+tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string sentence);
+
 }  // namespace outrider

@@ -30,7 +30,7 @@ std::string printable(std::string_view name) {
 Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::uint64_t length,
                           std::uint64_t most_bytes) {
   if (length > largest_record_bytes) {
-    return damaged(
+    return damaged_mcap(
         source, offset,
         fmt::format("a chunk has {} bytes, more than the {} that are read", length, largest_record_bytes));
   }
@@ -39,10 +39,10 @@ Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::u
   ByteReader head(*bytes);
   if (head.number<std::uint8_t>() != static_cast<std::uint8_t>(Op::chunk) ||
       head.number<std::uint64_t>() != length) {
-    return damaged(source, offset, "there is not the chunk that the summary names");
+    return damaged_mcap(source, offset, "there is not the chunk that the summary names");
   }
   const auto chunk = decode_chunk(head.rest());
-  if (!chunk) return damaged(source, offset, "a chunk is shorter than its fields");
+  if (!chunk) return damaged_mcap(source, offset, "a chunk is shorter than its fields");
   const auto codec = codec_of(chunk->compression);
   if (!codec) {
     return bad_input(
@@ -58,9 +58,10 @@ Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::u
         source.name());
   }
   auto records = decompress(*codec, chunk->records, chunk->uncompressed_size);
-  if (!records) return damaged(source, offset, "a chunk cannot be decompressed: " + records.error().sentence);
+  if (!records)
+    return damaged_mcap(source, offset, "a chunk cannot be decompressed: " + records.error().sentence);
   if (chunk->uncompressed_crc != 0 && crc32_of(*records) != chunk->uncompressed_crc) {
-    return damaged(source, offset, "the checksum of a chunk is wrong");
+    return damaged_mcap(source, offset, "the checksum of a chunk is wrong");
   }
   return Chunk{chunk->start_time, chunk->end_time, std::move(*records)};
 }

@@ -46,7 +46,7 @@ std::string for_each_record(std::string_view block, OnDefinition on_definition, 
     }
     if (!complaint.empty()) return complaint;
   }
-  return records.damaged() ? "a record reaches past the end of its chunk" : std::string();
+  return records.damaged_mcap() ? "a record reaches past the end of its chunk" : std::string();
 }
 
 }  // namespace outrider::mcap

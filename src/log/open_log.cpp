@@ -1,25 +1,28 @@
 #include <algorithm>
+#include <filesystem>
 
+#include "bag_records.hpp"
 #include "byte_source.hpp"
 #include "formats.hpp"
 #include "outrider/log/log_reader.hpp"
 
 namespace outrider {
-namespace {
-
-Outcome<std::string> first_bytes(const std::string& path) {
-  constexpr std::uint64_t enough = 16;
-  const auto source = open_file_source(path);
-  if (!source) return tl::unexpected<Fault>(source.error());
-  return (*source)->read(0, std::min(enough, (*source)->size()));
-}
-
-}  // namespace
 
 LogOpened open_log(const std::string& path, const LogSelection& selection) {
-  auto start = first_bytes(path);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) return open_log_folder(path, selection);
+  auto source = open_file_source(path);
+  if (!source) return pass_on(source);
+  constexpr std::string_view sqlite_magic{"SQLite format 3\0", 16};
+  auto start = (*source)->read(0, std::min((*source)->size(), std::uint64_t{sqlite_magic.size()}));
   if (!start) return pass_on(start);
   if (is_mcap(*start)) return open_mcap(path, selection);
+  if (start->starts_with(bag_magic)) return open_bag(path, selection);
+  if (*start == sqlite_magic) return open_db3(path, selection);
+  if (start->starts_with("#ROSBAG V1")) {
+    return bad_input("it is a ROS bag of version 1; \"rosbag migrate\" of ROS 1 writes one of version 2.0",
+                     path);
+  }
   return bad_input("it is not a log: neither MCAP, nor a ROS 1 bag, nor a ROS 2 db3", path);
 }
 

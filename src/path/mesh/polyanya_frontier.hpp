@@ -79,7 +79,8 @@ class Frontier {
     const std::uint64_t far = ~std::bit_cast<std::uint32_t>(static_cast<float>(g));  // g >= 0
     return {f, far << 32U | static_cast<std::uint32_t>(~nodes_.size())};
   }
-  static bool before(const FrontierEntry& a, const FrontierEntry& b) {  // without a branch, which could not be predicted
+  static bool before(const FrontierEntry& a,
+                     const FrontierEntry& b) {  // without a branch, which could not be predicted
     const auto less = static_cast<unsigned>(a.f < b.f), equal = static_cast<unsigned>(a.f == b.f);
     return (less | (equal & static_cast<unsigned>(a.rank < b.rank))) != 0;
   }

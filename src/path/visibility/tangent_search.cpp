@@ -124,8 +124,8 @@ struct TangentPolicy {
     for (State i = 0; i < starts.size(); ++i) {
       ++counters.generated;
       const double turn = weights.heading_rad ? first_turn(heading_of_leg(starts[i])) : 0.0;
-      relax(static_cast<State>(1 + goals.size() + i), 0, weights.per_m * starts[i].length + weights.per_rad * turn,
-            estimate(starts[i]));
+      relax(static_cast<State>(1 + goals.size() + i), 0,
+            weights.per_m * starts[i].length + weights.per_rad * turn, estimate(starts[i]));
     }
   }
   template <class Relax>

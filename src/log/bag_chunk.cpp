@@ -1,0 +1,53 @@
+#include "bag_chunk.hpp"
+
+#include <fmt/format.h>
+
+#include "byte_cursor.hpp"
+#include "compression.hpp"
+
+namespace outrider {
+namespace {
+
+Outcome<std::string> unpack(std::string packed, std::string_view compression, std::size_t size) {
+  if (compression == "bz2") return decompress(Codec::bz2, packed, size);
+  if (compression == "lz4") return decompress(Codec::lz4, packed, size);
+  if (compression != "none") {
+    return bad_input(fmt::format("it is compressed as '{}'; only none, bz2 and lz4 are known", compression));
+  }
+  if (packed.size() == size) return packed;
+  return bad_input(fmt::format("it holds {} bytes, but states {}", packed.size(), size));
+}
+
+}  // namespace
+
+Outcome<std::string> unpack_bag_chunk(const ByteSource& source, const BagRecord& chunk) {
+  const BagFields fields = chunk.fields();
+  const auto size = u32_field(fields, "size");
+  if (chunk.op != BagOp::chunk || !size) return damaged(source, chunk.position, "this is not a chunk");
+  if (*size > largest_bag_data) {
+    return damaged(source, chunk.position,
+                   fmt::format("a chunk states {} bytes; {} are the most", *size, largest_bag_data));
+  }
+  auto packed = source.read(chunk.data_position, chunk.data_length);
+  if (!packed) return pass_on(packed);
+  auto bytes = unpack(std::move(*packed), text_field(fields, "compression"), *size);
+  if (!bytes) return damaged(source, chunk.position, "a chunk cannot be read: " + bytes.error().sentence);
+  return bytes;
+}
+
+std::string for_each_in_chunk(std::string_view chunk,
+                              const std::function<std::string(const BagChunkRecord&)>& visit) {
+  ByteCursor cursor(chunk);
+  while (!cursor.at_end()) {
+    const std::size_t start = cursor.position();
+    const auto fields = split_bag_fields(cursor.text(cursor.u32()));
+    const std::string_view data = cursor.text(cursor.u32());
+    const auto op = fields ? bag_op(*fields) : std::nullopt;
+    if (!cursor.ok() || !op) return fmt::format("the record {} bytes into it is damaged", start);
+    std::string wrong = visit({*op, *fields, data});
+    if (!wrong.empty()) return fmt::format("the record {} bytes into it is wrong: {}", start, wrong);
+  }
+  return {};
+}
+
+}  // namespace outrider

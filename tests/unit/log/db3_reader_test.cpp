@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "formats.hpp"
+#include "outrider/core/rng.hpp"
+#include "support/db3_writer.hpp"
+#include "support/read_log.hpp"
+
+namespace outrider {
+namespace {
+
+using test::Db3Writer;
+using test::ReadLog;
+using test::ReadMessage;
+
+const std::vector<std::string> topics = {"/scan", "/odom", "/tf"};
+
+ReadLog read(const std::string& bag, const LogSelection& selection = {}) {
+  return test::read_all(open_db3_bytes("run.db3", bag, selection));
+}
+
+struct RandomDb3 {
+  std::string bytes;
+  std::vector<ReadMessage> messages;  ///< in the order a reader returns them
+
+  RandomDb3(std::uint64_t seed, int count, bool with_index) {
+    Rng rng(seed);
+    Db3Writer writer;
+    writer.make_tables(false, with_index);
+    for (int i = 0; i < 3; ++i)
+      writer.add_topic(i + 1, topics[static_cast<std::size_t>(i)], "a/msg/B", false);
+    writer.run("BEGIN");
+    for (int i = 0; i < count; ++i) {
+      const auto topic = static_cast<std::size_t>(rng.uniform(0.0, 2.999));
+      const auto time = static_cast<std::int64_t>(rng.uniform(-100.0, 1000.0));
+      std::string data(static_cast<std::size_t>(rng.uniform(0, 5000)), static_cast<char>(i));
+      writer.add_message(static_cast<std::int64_t>(topic) + 1, time, data);
+      messages.push_back({topics[topic], time, std::move(data)});
+    }
+    writer.run("COMMIT");
+    bytes = writer.bytes();
+    std::stable_sort(messages.begin(), messages.end(),
+                     [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; });
+  }
+};
+
+TEST(Db3Reader, ReturnsTheMessagesInTheOrderOfTimeWithAndWithoutAnIndex) {
+  for (const bool with_index : {true, false}) {
+    const RandomDb3 bag(1, 500, with_index);
+    const ReadLog log = read(bag.bytes);
+    EXPECT_EQ(log.fault, "");
+    EXPECT_EQ(log.messages, bag.messages);
+  }
+}
+
+TEST(Db3Reader, ASelectionIsAFilterOfAllMessages) {
+  Rng rng(7);
+  const RandomDb3 bag(2, 200, true);
+  for (int i = 0; i < 100; ++i) {
+    LogSelection selection;
+    for (const std::string& topic : topics) {
+      if (rng.uniform(0, 1) < 0.5) selection.topics.push_back(topic);
+    }
+    selection.from_ns = static_cast<std::int64_t>(rng.uniform(-200, 1000));
+    if (i % 3 > 0) selection.to_ns = selection.from_ns + static_cast<std::int64_t>(rng.uniform(0, 500));
+    EXPECT_EQ(read(bag.bytes, selection).messages, test::filter(bag.messages, selection));
+  }
+}
+
+TEST(Db3Reader, ATopicIsAChannelWithTheDefinitionOfItsType) {
+  for (const bool with_definitions : {true, false}) {
+    Db3Writer writer;
+    writer.make_tables(with_definitions);
+    writer.add_topic(4, "/scan", "sensor_msgs/msg/LaserScan", with_definitions);
+    if (with_definitions) {
+      writer.run(
+          "INSERT INTO message_definitions VALUES(1, 'sensor_msgs/msg/LaserScan', 'ros2msg', 'float32 x', "
+          "'')");
+    }
+    const std::string bytes = writer.bytes();
+    const auto reader = open_db3_bytes("run.db3", bytes);
+    ASSERT_TRUE(reader) << to_string(reader.error());
+    Channel expected{
+        "/scan", "sensor_msgs/msg/LaserScan", "cdr", "", "", {{"offered_qos_profiles", "- depth: 10"}}};
+    if (with_definitions) {
+      expected.schema_encoding = "ros2msg";
+      expected.schema = "float32 x";
+      expected.metadata["type_description_hash"] = "RIHS01_0";
+    }
+    EXPECT_EQ((*reader)->channels(), std::vector<Channel>{expected});
+  }
+}
+
+TEST(Db3Reader, RefusesWithASentence) {
+  Db3Writer empty;
+  empty.run("CREATE TABLE topics(id INTEGER)");
+  EXPECT_NE(read(empty.bytes()).fault.find("without a table 'messages'"), std::string::npos);
+
+  Db3Writer columns;
+  columns.run("CREATE TABLE topics(id INTEGER); CREATE TABLE messages(id INTEGER)");
+  EXPECT_NE(read(columns.bytes()).fault.find("no such column"), std::string::npos);
+
+  Db3Writer view;
+  view.run("CREATE TABLE topics(id INTEGER); CREATE VIEW messages AS SELECT 1 AS timestamp");
+  EXPECT_NE(read(view.bytes()).fault.find("without a table 'messages'"), std::string::npos);
+
+  Db3Writer format;
+  format.make_tables(false);
+  format.add_topic(1, "/scan", "a/msg/B", false);
+  format.add_topic(2, "/odd", "a/msg/B", false, "protobuf");
+  format.add_message(1, 5, "a");
+  EXPECT_NE(read(format.bytes()).fault.find("messages of /odd are in the format 'protobuf'"),
+            std::string::npos);
+  EXPECT_EQ(read(format.bytes(), {.topics = {"/scan"}}).messages.size(), 1U);
+
+  format.add_message(9, 5, "a");
+  EXPECT_NE(read(format.bytes(), {.topics = {"/scan"}}).fault.find("topic that is not in the file"),
+            std::string::npos);
+  EXPECT_NE(read("SQLite format 3").fault, "");
+}
+
+TEST(Db3Reader, ACutDatabaseIsRefusedAndSaysHowLongItWas) {
+  const std::string bytes = RandomDb3(3, 20, true).bytes;
+  for (std::size_t length = 0; length < bytes.size(); length += 97) {
+    EXPECT_NE(read(bytes.substr(0, length)).fault, "") << length;
+  }
+  EXPECT_NE(read(bytes.substr(0, 5000)).fault.find("its end is missing"), std::string::npos);
+}
+
+TEST(Db3Reader, AFlippedBitIsNoCrashAndNoDisorder) {
+  Rng rng(11);
+  const RandomDb3 bag(4, 30, true);
+  for (int i = 0; i < 3000; ++i) {
+    std::string flipped = bag.bytes;
+    const std::size_t most = i % 2 == 0 ? 4096 : flipped.size();
+    const auto at = static_cast<std::size_t>(rng.uniform(0, static_cast<double>(most)));
+    flipped[at] = static_cast<char>(rng.uniform(-128, 127));
+    const ReadLog log = read(flipped);
+    EXPECT_TRUE(std::is_sorted(log.messages.begin(), log.messages.end(),
+                               [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; }));
+  }
+}
+
+}  // namespace
+}  // namespace outrider
