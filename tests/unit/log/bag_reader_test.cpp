@@ -110,7 +110,7 @@ TEST(BagReader, ChunksWithoutSelectedMessagesAreNotRead) {
   EXPECT_EQ(log.messages.size(), 1U);
   const ReadLog all = read(writer.bytes());
   EXPECT_NE(all.fault.find("run.bag, byte "), std::string::npos) << all.fault;
-  EXPECT_NE(all.fault.find("bz2 data is damaged"), std::string::npos) << all.fault;
+  EXPECT_NE(all.fault.find("bz2 data are damaged"), std::string::npos) << all.fault;
 }
 
 TEST(BagReader, ABagCutAnywhereIsReadUpToItsLastCompleteChunk) {
@@ -168,11 +168,11 @@ TEST(BagReader, AChunkHasTheSizeThatItStates) {
   for (const std::string compression : {"bz2", "lz4"}) {
     BagWriter bomb = writer_of(compression);
     bomb.add_packed(compression == "bz2" ? test::pack_bz2(zeros) : test::pack_lz4(zeros), 1000, {{0, 1, ""}});
-    EXPECT_NE(read(bomb.bytes()).fault.find("does not hold the 1000 bytes"), std::string::npos);
+    EXPECT_NE(read(bomb.bytes()).fault.find("longer than the stated 1000 bytes"), std::string::npos);
     BagWriter boast = writer_of(compression);
     boast.add_packed(compression == "bz2" ? test::pack_bz2("ab") : test::pack_lz4("ab"), 200U << 20,
                      {{0, 1, ""}});
-    EXPECT_NE(read(boast.bytes()).fault.find("does not hold"), std::string::npos);
+    EXPECT_NE(read(boast.bytes()).fault.find("not the stated 209715200"), std::string::npos);
     BagWriter huge = writer_of(compression);
     huge.add_packed("", 0xffffffffU, {{0, 1, ""}});
     EXPECT_NE(read(huge.bytes()).fault.find("268435456 are the most"), std::string::npos);
