@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "byte_cursor.hpp"
+#include "byte_reader.hpp"
 #include "compression.hpp"
 
 namespace outrider {
@@ -37,13 +37,13 @@ Outcome<std::string> unpack_bag_chunk(const ByteSource& source, const BagRecord&
 
 std::string for_each_in_chunk(std::string_view chunk,
                               const std::function<std::string(const BagChunkRecord&)>& visit) {
-  ByteCursor cursor(chunk);
-  while (!cursor.at_end()) {
-    const std::size_t start = cursor.position();
-    const auto fields = split_bag_fields(cursor.text(cursor.u32()));
-    const std::string_view data = cursor.text(cursor.u32());
+  ByteReader reader(chunk);
+  while (!reader.at_end()) {
+    const std::size_t start = reader.position();
+    const auto fields = split_bag_fields(reader.text());
+    const std::string_view data = reader.text();
     const auto op = fields ? bag_op(*fields) : std::nullopt;
-    if (!cursor.ok() || !op) return fmt::format("the record {} bytes into it is damaged", start);
+    if (!reader.ok() || !op) return fmt::format("the record {} bytes into it is damaged", start);
     std::string wrong = visit({*op, *fields, data});
     if (!wrong.empty()) return fmt::format("the record {} bytes into it is wrong: {}", start, wrong);
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bag_chunk.hpp"
-#include "byte_cursor.hpp"
+#include "byte_reader.hpp"
 
 namespace outrider {
 namespace {
@@ -68,10 +68,10 @@ std::string add_chunk_info(BagContents& contents, const BagFields& fields, std::
   }
   if (data.size() != std::uint64_t{*count} * 8) return "the index counts the connections of a chunk wrongly";
   BagChunkInfo info{*position, *first, *last, {}};
-  ByteCursor cursor(data);
-  while (!cursor.at_end()) {
-    const std::uint32_t connection = cursor.u32();
-    if (cursor.u32() > 0) info.connections.push_back(connection);
+  ByteReader reader(data);
+  while (!reader.at_end()) {
+    const std::uint32_t connection = reader.number<std::uint32_t>();
+    if (reader.number<std::uint32_t>() > 0) info.connections.push_back(connection);
   }
   if (!info.connections.empty()) contents.chunks.push_back(std::move(info));
   return {};

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "byte_cursor.hpp"
+#include "byte_reader.hpp"
 
 namespace outrider {
 namespace {
 
-template <class Number, class Read>
-std::optional<Number> number_field(const BagFields& fields, std::string_view name, const Read& read) {
+template <class Number>
+std::optional<Number> number_field(const BagFields& fields, std::string_view name) {
   const auto found = fields.find(name);
   if (found == fields.end() || found->second.size() != sizeof(Number)) return std::nullopt;
-  ByteCursor cursor(found->second);
-  return read(cursor);
+  return ByteReader(found->second).number<Number>();
 }
 
 /// "sensor_msgs/LaserScan" as ROS 2 writes it.
@@ -28,22 +27,22 @@ std::string ros2_type(std::string_view type) {
 
 std::optional<BagFields> split_bag_fields(std::string_view bytes) {
   BagFields fields;
-  ByteCursor cursor(bytes);
-  while (!cursor.at_end()) {
-    const std::string_view field = cursor.text(cursor.u32());
+  ByteReader reader(bytes);
+  while (!reader.at_end()) {
+    const std::string_view field = reader.text();
     const std::size_t equals = field.find('=');
-    if (!cursor.ok() || equals == std::string_view::npos || equals == 0) return std::nullopt;
+    if (!reader.ok() || equals == std::string_view::npos || equals == 0) return std::nullopt;
     fields.insert_or_assign(field.substr(0, equals), field.substr(equals + 1));
   }
   return fields;
 }
 
 std::optional<std::uint32_t> u32_field(const BagFields& fields, std::string_view name) {
-  return number_field<std::uint32_t>(fields, name, [](ByteCursor& cursor) { return cursor.u32(); });
+  return number_field<std::uint32_t>(fields, name);
 }
 
 std::optional<std::uint64_t> u64_field(const BagFields& fields, std::string_view name) {
-  return number_field<std::uint64_t>(fields, name, [](ByteCursor& cursor) { return cursor.u64(); });
+  return number_field<std::uint64_t>(fields, name);
 }
 
 std::string_view text_field(const BagFields& fields, std::string_view name) {
@@ -72,7 +71,7 @@ Outcome<BagRecord> read_bag_record(const ByteSource& source, std::uint64_t posit
   record.position = position;
   auto header_length = source.read(position, 4);
   if (!header_length) return pass_on(header_length);
-  const std::uint32_t length = ByteCursor(*header_length).u32();
+  const std::uint32_t length = ByteReader(*header_length).number<std::uint32_t>();
   if (length > largest_bag_header) {
     return damaged(
         source, position,
@@ -80,9 +79,9 @@ Outcome<BagRecord> read_bag_record(const ByteSource& source, std::uint64_t posit
   }
   auto header = source.read(position + 4, std::uint64_t{length} + 4);
   if (!header) return pass_on(header);
-  ByteCursor cursor(*header);
-  cursor.text(length);
-  record.data_length = cursor.u32();
+  ByteReader reader(*header);
+  reader.take(length);
+  record.data_length = reader.number<std::uint32_t>();
   header->resize(length);
   record.header = std::move(*header);
   const auto fields = split_bag_fields(record.header);

@@ -1,7 +1,7 @@
 // Reads little-endian numbers and texts from bytes, and never past their end.
 //
-// After a read past the end ok() is false, every number is 0 and every text is empty: a decoder reads all of
-// its fields and asks once.
+// After a read past the end ok() is false, at_end() is true, every number is 0 and every text is empty: a
+// decoder reads all of its fields and asks once.
 #pragma once
 
 #include <concepts>
@@ -28,6 +28,7 @@ class ByteReader {
   std::string_view take(std::uint64_t count) {
     if (!ok_ || count > bytes_.size() - position_) {
       ok_ = false;
+      position_ = bytes_.size();
       return {};
     }
     const std::string_view read = bytes_.substr(position_, static_cast<std::size_t>(count));
