@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -84,18 +85,9 @@ const MessageType& message_type();
 namespace detail {
 
 template <class T>
-struct IsVector : std::false_type {};
+concept Sequence = std::same_as<T, std::vector<typename T::value_type>>;
 template <class T>
-struct IsVector<std::vector<T>> : std::true_type {
-  using Element = T;
-};
-template <class T>
-struct IsArray : std::false_type {};
-template <class T, std::size_t N>
-struct IsArray<std::array<T, N>> : std::true_type {
-  using Element = T;
-  static constexpr std::size_t length = N;
-};
+concept FixedArray = std::same_as<T, std::array<typename T::value_type, std::tuple_size_v<T>>>;
 
 template <class T>
 constexpr FieldKind kind_of() {
@@ -142,18 +134,18 @@ class FieldList {
     field.default_text = default_text;
     field.offset = static_cast<std::size_t>(reinterpret_cast<const char*>(&(sample_.*member)) -
                                             reinterpret_cast<const char*>(&sample_));
-    if constexpr (IsVector<T>::value) {
-      using Element = typename IsVector<T>::Element;
+    if constexpr (Sequence<T>) {
+      using Element = typename T::value_type;
       static_assert(!std::is_same_v<Element, bool>);
       set_element<Element>(field);
       field.shape = FieldShape::sequence;
       field.length = [](const void* at) { return static_cast<const T*>(at)->size(); };
       field.elements = [](void* at) -> void* { return static_cast<T*>(at)->data(); };
       field.resize = [](void* at, std::size_t length) { static_cast<T*>(at)->resize(length); };
-    } else if constexpr (IsArray<T>::value) {
-      set_element<typename IsArray<T>::Element>(field);
+    } else if constexpr (FixedArray<T>) {
+      set_element<typename T::value_type>(field);
       field.shape = FieldShape::array;
-      field.array_length = IsArray<T>::length;
+      field.array_length = std::tuple_size_v<T>;
     } else {
       set_element<T>(field);
     }
