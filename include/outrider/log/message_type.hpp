@@ -87,7 +87,7 @@ namespace detail {
 template <class T>
 concept Sequence = std::same_as<T, std::vector<typename T::value_type>>;
 template <class T>
-concept FixedArray = std::same_as<T, std::array<typename T::value_type, std::tuple_size_v<T>>>;
+concept FixedArray = std::same_as<T, std::array<typename T::value_type, std::tuple_size<T>::value>>;
 
 template <class T>
 constexpr FieldKind kind_of() {
