@@ -1,6 +1,5 @@
-// Defines a new job: patrol, which visits points of a world for some rounds. Its catalogue entry at the end
-// of this file gives it flags, scenario keys, a schema, reports, the live view and Ctrl-C, like the jobs of
-// Outrider:
+// Defines a new job: patrol, which visits points of a world for some rounds. Its row at the end of this file
+// gives it flags, scenario keys, a schema, reports, the live view and Ctrl-C, like the jobs of Outrider:
 //
 //   example_10_own_job patrol --points "2,0 2,2 0,2" --rounds 2 --out out --html
 //   example_10_own_job serve scenarios
