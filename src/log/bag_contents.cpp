@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "bag_chunk.hpp"
 #include "byte_reader.hpp"
@@ -112,7 +113,7 @@ Outcome<IndexRead> read_index(const ByteSource& source, const BagHeader& header)
 /// Learns the connections of a chunk and the span of its times. Returns what is wrong, or an empty text.
 std::string scan_chunk(BagContents& contents, std::uint64_t position, std::string_view chunk) {
   BagChunkInfo info{position, std::numeric_limits<std::int64_t>::max(), 0, {}};
-  std::map<std::uint32_t, bool> seen;
+  std::set<std::uint32_t> seen;
   std::string wrong = for_each_in_chunk(chunk, [&](const BagChunkRecord& record) -> std::string {
     if (record.op == BagOp::connection) return add_connection(contents, record.fields, record.data);
     if (record.op != BagOp::message) return "it does not belong into a chunk";
@@ -123,7 +124,7 @@ std::string scan_chunk(BagContents& contents, std::uint64_t position, std::strin
     }
     info.first_ns = std::min(info.first_ns, *time);
     info.last_ns = std::max(info.last_ns, *time);
-    if (seen.emplace(*connection, true).second) info.connections.push_back(*connection);
+    if (seen.insert(*connection).second) info.connections.push_back(*connection);
     return {};
   });
   if (wrong.empty() && !info.connections.empty()) contents.chunks.push_back(std::move(info));
@@ -133,7 +134,7 @@ std::string scan_chunk(BagContents& contents, std::uint64_t position, std::strin
 /// Reads the chunks from the beginning of the file up to the first that is incomplete or damaged.
 BagContents scan_bag(const ByteSource& source, const BagHeader& header) {
   BagContents contents;
-  std::string why = "its index is missing or incomplete";
+  std::string why;
   std::uint64_t at = header.end;
   while (at < source.size()) {
     auto record = read_bag_record(source, at);
@@ -149,13 +150,13 @@ BagContents scan_bag(const ByteSource& source, const BagHeader& header) {
       auto chunk = unpack_bag_chunk(source, *record);
       why = chunk ? scan_chunk(contents, at, *chunk) : chunk.error().sentence;
       if (!why.empty()) break;
-      why = "its index is missing or incomplete";
     } else if (record->op == BagOp::message) {
       why = "a message lies outside of the chunks";
       break;
     }
     at = record->end;
   }
+  if (why.empty()) why = "its index is missing or incomplete";
   contents.cut_short = fmt::format("The end of {} is missing: it was read up to byte {} of {} ({}).",
                                    source.name(), at, source.size(), why);
   return contents;

@@ -36,7 +36,7 @@ struct OpenChunk {
 
 class BagReader : public LogReader {
  public:
-  BagReader(std::shared_ptr<ByteSource> source, BagContents contents, const LogSelection& selection)
+  BagReader(std::unique_ptr<ByteSource> source, BagContents contents, const LogSelection& selection)
       : source_(std::move(source)), contents_(std::move(contents)), selection_(selection) {
     const std::set<std::string> topics(selection.topics.begin(), selection.topics.end());
     for (const Channel& channel : contents_.channels) {
@@ -66,7 +66,7 @@ class BagReader : public LogReader {
   void hold(OpenChunk& chunk, std::string bytes);
   std::list<OpenChunk>::iterator earliest();
 
-  std::shared_ptr<ByteSource> source_;
+  std::unique_ptr<ByteSource> source_;
   BagContents contents_;
   LogSelection selection_;
   std::vector<bool> selected_;                ///< by channel
@@ -187,22 +187,12 @@ Outcome<std::optional<LogMessage>> BagReader::next() {
                     std::string_view(chunk->bytes).substr(entry.offset, entry.length)};
 }
 
-LogOpened read_bag(std::shared_ptr<ByteSource> source, const LogSelection& selection) {
+}  // namespace
+
+LogOpened open_bag(std::unique_ptr<ByteSource> source, const LogSelection& selection) {
   auto contents = read_bag_contents(*source);
   if (!contents) return pass_on(contents);
   return std::make_unique<BagReader>(std::move(source), std::move(*contents), selection);
-}
-
-}  // namespace
-
-LogOpened open_bag(const std::string& path, const LogSelection& selection) {
-  auto source = open_file_source(path);
-  if (!source) return pass_on(source);
-  return read_bag(std::move(*source), selection);
-}
-
-LogOpened open_bag_bytes(const std::string& name, std::string_view bytes, const LogSelection& selection) {
-  return read_bag(memory_source(bytes, name), selection);
 }
 
 }  // namespace outrider

@@ -15,29 +15,10 @@ constexpr std::string_view cdr_head{"\0\1\0\0", 4};  // XCDR1, little-endian, no
 constexpr std::string_view header_type = "std_msgs/msg/Header";
 constexpr std::size_t largest_padding = 3;  // that may follow a CDR message
 
-std::size_t bytes_of(FieldKind kind) {
-  switch (kind) {
-    case FieldKind::boolean:
-    case FieldKind::int8:
-    case FieldKind::uint8: return 1;
-    case FieldKind::int16:
-    case FieldKind::uint16: return 2;
-    case FieldKind::int32:
-    case FieldKind::uint32:
-    case FieldKind::float32: return 4;
-    case FieldKind::int64:
-    case FieldKind::uint64:
-    case FieldKind::float64: return 8;
-    case FieldKind::text:
-    case FieldKind::message: break;
-  }
-  return 0;
-}
-
 /// Returns the least number of bytes that a value takes.
 std::size_t least_bytes(const MessageField& field) {
   if (field.kind == FieldKind::text) return sizeof(std::uint32_t);
-  if (field.kind != FieldKind::message) return bytes_of(field.kind);
+  if (field.kind != FieldKind::message) return field.element_bytes;
   std::size_t sum = 0;
   for (const MessageField& inner : field.message->fields) {
     if (inner.shape == FieldShape::sequence)
@@ -70,8 +51,7 @@ class Encoder {
     if (field.shape != FieldShape::sequence) return elements(field, at, field.array_length);
     const std::size_t length = field.length(at);
     number(static_cast<std::uint32_t>(length));
-    // elements() is for both uses, reading and writing; here nothing is written.
-    if (length > 0) elements(field, static_cast<const char*>(field.elements(const_cast<char*>(at))), length);
+    if (length > 0) elements(field, static_cast<const char*>(field.elements(at)), length);
   }
 
   void elements(const MessageField& field, const char* at, std::size_t count) {
@@ -85,7 +65,7 @@ class Encoder {
   }
 
   void numbers(const MessageField& field, const char* at, std::size_t count) {
-    align(bytes_of(field.kind));
+    align(field.element_bytes);
     bytes_.append(at, count * field.element_bytes);
   }
 
@@ -131,8 +111,8 @@ class Decoder {
     std::uint32_t length = 0;
     if (!number(length)) return false;
     if (length > left() / std::max<std::size_t>(1, least_bytes(field))) return false;
-    field.resize(at, length);
-    return length == 0 || elements(field, static_cast<char*>(field.elements(at)), length);
+    char* first = static_cast<char*>(field.resize(at, length));
+    return length == 0 || elements(field, first, length);
   }
 
   bool elements(const MessageField& field, char* at, std::size_t count) {
@@ -147,7 +127,7 @@ class Decoder {
   }
 
   bool numbers(const MessageField& field, char* at, std::size_t count) {
-    if (!align(bytes_of(field.kind)) || left() < count * field.element_bytes) return false;
+    if (!align(field.element_bytes) || left() < count * field.element_bytes) return false;
     if (field.kind == FieldKind::boolean) return booleans(at, count);
     std::memcpy(at, bytes_.data() + position_, count * field.element_bytes);
     position_ += count * field.element_bytes;

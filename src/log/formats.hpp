@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "byte_source.hpp"
 #include "outrider/log/log_reader.hpp"
 
 namespace outrider {
@@ -13,14 +14,12 @@ using LogOpened = Outcome<std::unique_ptr<LogReader>>;
 
 /// Returns true if a file that starts with these bytes (8 are enough) is MCAP.
 bool is_mcap(std::string_view start);
-LogOpened open_mcap(const std::string& path, const LogSelection& selection = {});
+LogOpened open_mcap(std::unique_ptr<ByteSource> source, const LogSelection& selection = {});
 
 /// ROS 1 bags of version 2.0, unpacked or with chunks compressed by bz2 or lz4. Besides what their index
 /// needs, it holds the chunks whose times overlap, at most 512 MiB of them. A bag without an index is read
 /// twice.
-LogOpened open_bag(const std::string& path, const LogSelection& selection = {});
-/// The same from memory. The bytes have to outlive the reader.
-LogOpened open_bag_bytes(const std::string& name, std::string_view bytes, const LogSelection& selection = {});
+LogOpened open_bag(std::unique_ptr<ByteSource> source, const LogSelection& selection = {});
 
 /// ROS 2 bags as rosbag2 stores them with SQLite. Messages are read one at a time.
 LogOpened open_db3(const std::string& path, const LogSelection& selection = {});

@@ -155,10 +155,4 @@ LogOpened open_mcap(std::unique_ptr<ByteSource> source, const LogSelection& sele
   return std::make_unique<mcap::McapReader>(std::move(source), std::move(*index), selection);
 }
 
-LogOpened open_mcap(const std::string& path, const LogSelection& selection) {
-  auto source = open_file_source(path);
-  if (!source) return pass_on(source);
-  return open_mcap(std::move(*source), selection);
-}
-
 }  // namespace outrider

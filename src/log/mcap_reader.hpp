@@ -18,9 +18,6 @@
 
 namespace outrider {
 
-/// Opens an MCAP file that any source holds.
-LogOpened open_mcap(std::unique_ptr<ByteSource> source, const LogSelection& selection);
-
 namespace mcap {
 
 class McapReader final : public LogReader {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "bag_records.hpp"
 #include "byte_source.hpp"
@@ -16,8 +17,8 @@ LogOpened open_log(const std::string& path, const LogSelection& selection) {
   constexpr std::string_view sqlite_magic{"SQLite format 3\0", 16};
   auto start = (*source)->read(0, std::min((*source)->size(), std::uint64_t{sqlite_magic.size()}));
   if (!start) return pass_on(start);
-  if (is_mcap(*start)) return open_mcap(path, selection);
-  if (start->starts_with(bag_magic)) return open_bag(path, selection);
+  if (is_mcap(*start)) return open_mcap(std::move(*source), selection);
+  if (start->starts_with(bag_magic)) return open_bag(std::move(*source), selection);
   if (*start == sqlite_magic) return open_db3(path, selection);
   if (start->starts_with("#ROSBAG V1")) {
     return bad_input("it is a ROS bag of version 1; \"rosbag migrate\" of ROS 1 writes one of version 2.0",

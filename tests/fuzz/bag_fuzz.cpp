@@ -4,8 +4,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  read_fuzzed_log(outrider::open_bag_bytes("run.bag", bytes));
-  read_fuzzed_log(
-      outrider::open_bag_bytes("run.bag", bytes, {.topics = {"/scan"}, .from_ns = 2, .to_ns = 30}));
+  read_fuzzed_log(outrider::open_bag(outrider::memory_source(bytes, "run.bag")));
+  read_fuzzed_log(outrider::open_bag(outrider::memory_source(bytes, "run.bag"),
+                                     {.topics = {"/scan"}, .from_ns = 2, .to_ns = 30}));
   return 0;
 }

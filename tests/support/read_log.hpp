@@ -19,6 +19,7 @@ struct ReadMessage {
 
 struct ReadLog {
   std::vector<ReadMessage> messages;
+  std::vector<Channel> channels;
   std::string fault;  ///< why it could not be read, or no further
   std::string cut_short;
 };
@@ -29,6 +30,7 @@ inline ReadLog read_all(const Outcome<std::unique_ptr<LogReader>>& reader) {
     log.fault = to_string(reader.error());
     return log;
   }
+  log.channels = (*reader)->channels();
   while (true) {
     auto message = (*reader)->next();
     if (!message) {

@@ -53,16 +53,17 @@ struct MessageField {
   std::string_view unit;  ///< such as "m"; empty if it has none
   FieldKind kind = FieldKind::float64;
   FieldShape shape = FieldShape::single;
-  std::size_t array_length = 1;          ///< of an array
-  std::size_t element_bytes = 0;         ///< size of an element in the struct
+  std::size_t array_length = 1;  ///< of an array
+  std::size_t element_bytes =
+      0;  ///< size of an element in the struct; that of a number is its size in the encodings, too
   const MessageType* message = nullptr;  ///< type of the elements, if these are messages
   std::string_view default_text = {};    ///< default value in the schema, as geometry_msgs/Quaternion has it
   std::size_t offset = 0;                ///< from the start of the struct
 
   /// Functions of a sequence: its length, its elements, and a change of its length.
   std::size_t (*length)(const void* field) = nullptr;
-  void* (*elements)(void* field) = nullptr;
-  void (*resize)(void* field, std::size_t length) = nullptr;
+  const void* (*elements)(const void* field) = nullptr;
+  void* (*resize)(void* field, std::size_t length) = nullptr;  ///< returns the elements
 };
 
 /// A constant of a ROS definition.
@@ -140,8 +141,11 @@ class FieldList {
       set_element<Element>(field);
       field.shape = FieldShape::sequence;
       field.length = [](const void* at) { return static_cast<const T*>(at)->size(); };
-      field.elements = [](void* at) -> void* { return static_cast<T*>(at)->data(); };
-      field.resize = [](void* at, std::size_t length) { static_cast<T*>(at)->resize(length); };
+      field.elements = [](const void* at) -> const void* { return static_cast<const T*>(at)->data(); };
+      field.resize = [](void* at, std::size_t length) -> void* {
+        static_cast<T*>(at)->resize(length);
+        return static_cast<T*>(at)->data();
+      };
     } else if constexpr (FixedArray<T>) {
       set_element<typename T::value_type>(field);
       field.shape = FieldShape::array;

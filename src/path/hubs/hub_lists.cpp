@@ -90,14 +90,14 @@ void ListMaker::gather(Cell corner) {
 /// Returns true if an earlier hub lies on a path as short. Neighbouring corners mostly share this hub.
 bool ListMaker::known(std::uint32_t hub) {
   const double enough = ways_[hub].distance * (1.0 + equal_within);
-  const auto shortens = [&](const HubTrees::HubLabel& label) {
+  const auto covers = [&](const HubTrees::HubLabel& label) {
     const Way& way = ways_[label.hub];
     return way.kept && way.distance + label.distance <= enough;
   };
-  if (witness_[hub] != nullptr && shortens(*witness_[hub])) return true;
+  if (witness_[hub] != nullptr && covers(*witness_[hub])) return true;
   for (const HubTrees::HubLabel& label : trees_.labels[trees_.hubs[hub]]) {
     ++work_;
-    if (!shortens(label)) continue;
+    if (!covers(label)) continue;
     witness_[hub] = &label;
     return true;
   }

@@ -27,7 +27,7 @@ BagWriter writer_of(const std::string& compression) {
 }
 
 ReadLog read(const std::string& bag, const LogSelection& selection = {}) {
-  return test::read_all(open_bag_bytes("run.bag", bag, selection));
+  return test::read_all(open_bag(memory_source(bag, "run.bag"), selection));
 }
 
 /// Chunks whose times overlap, out of order within, with equal times.
@@ -86,7 +86,7 @@ TEST(BagReader, AConnectionIsAChannel) {
   writer.add_connection("/tf", "tf2_msgs/TFMessage");  // a second sender of the same topic
   writer.add_chunk({{2, 5, "a"}, {3, 6, "b"}});
   const std::string bag = writer.bytes();
-  const auto reader = open_bag_bytes("run.bag", bag);
+  const auto reader = open_bag(memory_source(bag, "run.bag"));
   ASSERT_TRUE(reader) << to_string(reader.error());
   ASSERT_EQ((*reader)->channels().size(), 3U);
   const Channel& scan = (*reader)->channels()[0];

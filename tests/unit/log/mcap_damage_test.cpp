@@ -73,8 +73,8 @@ TEST(McapDamage, ACutLogOpensUpToItsLastCompleteChunk) {
 }
 
 TEST(McapDamage, WhatWasFlushedIsReadWhenTheRestIsMissing) {
-  const LogFolder folder;
-  const std::string path = folder / "run.mcap";
+  const test::Folder folder;
+  const std::string path = (folder.path / "run.mcap").string();
   auto writer = McapWriter::create(path);
   const std::size_t channel = writer->add_channel(channel_named("/a"));
   EXPECT_TRUE(writer->write(channel, 1, "one"));
@@ -86,8 +86,8 @@ TEST(McapDamage, WhatWasFlushedIsReadWhenTheRestIsMissing) {
 }
 
 TEST(McapDamage, AKilledProcessLeavesALog) {
-  const LogFolder folder;
-  const std::string path = folder / "run.mcap";
+  const test::Folder folder;
+  const std::string path = (folder.path / "run.mcap").string();
   const pid_t child = ::fork();
   if (child == 0) {
     auto writer = McapWriter::create(path, {.chunk_bytes = 100});

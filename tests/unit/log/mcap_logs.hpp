@@ -2,30 +2,22 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "mcap_reader.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/log/mcap_writer.hpp"
+#include "support/data.hpp"
+#include "support/read_log.hpp"
 
 namespace outrider::testing {
 
-/// A message that owns its data; the topic stands for the channel.
-struct OwnMessage {
-  std::string topic;
-  std::int64_t time_ns = 0;
-  std::string data;
-
-  friend bool operator==(const OwnMessage&, const OwnMessage&) = default;
-};
-
+using test::read_all;
+using test::ReadLog;
+using OwnMessage = test::ReadMessage;
 using OwnMessages = std::vector<OwnMessage>;
 
 inline Channel channel_named(const std::string& topic, const std::string& type = "std_msgs/msg/String") {
@@ -68,31 +60,6 @@ inline std::string mcap_of(const OwnMessages& messages, const McapOptions& optio
   return bytes;
 }
 
-/// What a log gave until its end or its first fault.
-struct ReadLog {
-  OwnMessages messages;
-  std::vector<Channel> channels;
-  std::string cut_short;
-  std::string fault;  ///< empty: none
-};
-
-inline ReadLog read_all(LogOpened log) {
-  ReadLog read;
-  if (!log) {
-    read.fault = to_string(log.error());
-    return read;
-  }
-  read.channels = (*log)->channels();
-  read.cut_short = (*log)->cut_short();
-  while (true) {
-    const auto message = (*log)->next();
-    if (!message) read.fault = to_string(message.error());
-    if (!message || !*message) return read;
-    const LogMessage& m = **message;
-    read.messages.push_back({read.channels.at(m.channel).topic, m.time_ns, std::string(m.data)});
-  }
-}
-
 inline ReadLog read_all(const std::string& bytes, const LogSelection& selection = {}) {
   return read_all(open_mcap(memory_source(bytes, "run.mcap"), selection));
 }
@@ -102,30 +69,6 @@ inline OwnMessages in_order(OwnMessages messages) {
   std::stable_sort(messages.begin(), messages.end(),
                    [](const OwnMessage& a, const OwnMessage& b) { return a.time_ns < b.time_ns; });
   return messages;
-}
-
-/// A folder of its own for a test, removed with the object.
-class LogFolder {
- public:
-  LogFolder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            (std::string("outrider-") + test->name() + std::to_string(::getpid()));
-    std::filesystem::create_directories(path_);
-  }
-  ~LogFolder() { std::filesystem::remove_all(path_); }
-  LogFolder(const LogFolder&) = delete;
-  LogFolder& operator=(const LogFolder&) = delete;
-
-  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace outrider::testing

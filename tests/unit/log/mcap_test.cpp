@@ -60,13 +60,7 @@ TEST(Mcap, ASelectionIsAFilterOfEverything) {
     }
     if (rng.below(4) > 0) selection.from_ns = static_cast<std::int64_t>(rng.below(2400)) - 100;
     if (rng.below(4) > 0) selection.to_ns = static_cast<std::int64_t>(rng.below(2400)) - 100;
-    OwnMessages expected = in_order(all);
-    std::erase_if(expected, [&](const OwnMessage& m) {
-      const bool named =
-          std::find(selection.topics.begin(), selection.topics.end(), m.topic) != selection.topics.end();
-      return !(named || selection.topics.empty()) || m.time_ns < selection.from_ns ||
-             m.time_ns > selection.to_ns;
-    });
+    const OwnMessages expected = test::filter(in_order(all), selection);
     const ReadLog read = read_all(bytes, selection);
     EXPECT_EQ(read.fault, "");
     EXPECT_EQ(read.messages, expected);
@@ -154,8 +148,8 @@ TEST(Mcap, SameCallsSameBytes) {
 }
 
 TEST(Mcap, AFileHoldsAttachmentsAndMetadata) {
-  const LogFolder folder;
-  const std::string path = folder / "run.mcap";
+  const test::Folder folder;
+  const std::string path = (folder.path / "run.mcap").string();
   auto writer = McapWriter::create(path);
   ASSERT_TRUE(writer);
   const std::size_t channel = writer->add_channel(channel_named("/a"));

@@ -1,12 +1,11 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "outrider/log/log_reader.hpp"
 #include "support/bag_writer.hpp"
+#include "support/data.hpp"
 #include "support/db3_writer.hpp"
 #include "support/read_log.hpp"
 
@@ -19,13 +18,8 @@ using test::ReadMessage;
 
 class OpenLog : public testing::Test {
  protected:
-  OpenLog() { std::filesystem::create_directories(folder_); }
-  ~OpenLog() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path / name).string(); }
+  void write(const std::string& name, const std::string& bytes) const { folder_.write(name, bytes); }
   void write_db3(const std::string& name, const std::string& other_topic,
                  const std::vector<ReadMessage>& messages) const {
     Db3Writer writer(path(name));
@@ -37,8 +31,7 @@ class OpenLog : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("outrider_log_" + std::to_string(::getpid()));
+  test::Folder folder_;
 };
 
 TEST_F(OpenLog, TheContentDecidesTheFormat) {
