@@ -26,6 +26,6 @@ int main() {
 }
 
 // Prints:
-// robot.radius: '-1' is no good; it takes a number from 0 to 100 m
+// robot.radius: '-1' is not valid; expected a number from 0 to 100 m
 // robot.raduis: there is no option 'robot.raduis'; did you mean 'robot.radius'?
 // 24 targets in yard, a robot of 0.3 m, 0 warnings

@@ -56,7 +56,7 @@ int execute(const std::vector<Job>& jobs, const std::string& form, const std::st
   const auto found = std::ranges::find(jobs, job, &Job::name);
   if (found == jobs.end()) {
     return print_fault({FaultCode::bad_input,
-                        fmt::format("'{}' has no scenarios; it takes {}", job, names_of_jobs(jobs)), "--job"},
+                        fmt::format("'{}' has no scenarios; expected {}", job, names_of_jobs(jobs)), "--job"},
                        false);
   }
   const auto task = found->blank();
@@ -72,7 +72,7 @@ int execute(const std::vector<Job>& jobs, const std::string& form, const std::st
   } else {
     const std::string nearest = nearest_name(form.substr(0, 64), {"schema", "scenario", "markdown"});
     return print_fault({FaultCode::bad_input,
-                        fmt::format("'{}' is no good; it takes schema, scenario or markdown{}", form,
+                        fmt::format("'{}' is not valid; expected schema, scenario or markdown{}", form,
                                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)),
                         "--as"},
                        false);

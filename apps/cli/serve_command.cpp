@@ -79,7 +79,7 @@ Status check_token(const ServeCommand& command) {
       std::all_of(command.token.begin(), command.token.end(), plain)) {
     return {};
   }
-  return bad_input("it takes 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
+  return bad_input("expected 16 or more of the letters a-z, A-Z, 0-9, - and _", "--token");
 }
 
 /// Returns the path of this program, which runs the missions.

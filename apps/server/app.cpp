@@ -67,7 +67,7 @@ std::optional<std::vector<std::string>> matched(std::string_view pattern,
 /// Decodes the files of a request about a map.
 Outcome<std::vector<NamedContent>> files_of(const Json& list) {
   std::vector<NamedContent> files;
-  if (list.empty() || list.size() > 8) return bad_input("it takes 1 to 8 files", "files");
+  if (list.empty() || list.size() > 8) return bad_input("expected 1 to 8 files", "files");
   for (std::size_t i = 0; i < list.size(); ++i) {
     Fields fields(list[i], "files[" + std::to_string(i) + "]");
     std::string name = fields.text("name");
@@ -193,7 +193,7 @@ Response App::dispatch(const Request& request) {
   }
   if (allowed.empty()) return not_found("there is nothing here; docs/server.md lists what there is");
   Response response =
-      error_response(405, "method_not_allowed", "it takes " + allowed, request.method.substr(0, 16));
+      error_response(405, "method_not_allowed", "expected " + allowed, request.method.substr(0, 16));
   response.headers.emplace_back("Allow", allowed);
   return response;
 }
@@ -327,7 +327,7 @@ Response App::live_by_http(const Request&, const Parts&) {
 
 Response App::page_file(const Request& request) {
   if (request.method != "GET" && request.method != "HEAD") {
-    return error_response(405, "method_not_allowed", "it takes GET", request.method.substr(0, 16));
+    return error_response(405, "method_not_allowed", "expected GET", request.method.substr(0, 16));
   }
   if (settings_.files.empty()) return error_response(503, "no_page", std::string(page::missing));
   // A path without a dot is a view of the page, which index.html shows.

@@ -59,7 +59,7 @@ std::optional<Vec2> point_of(const Json& value) {
 }
 
 Fields::Fields(const Json& object, std::string where) : object_(object), where_(std::move(where)) {
-  if (!object_.is_object()) status_ = bad_input("it takes a JSON object", where_);
+  if (!object_.is_object()) status_ = bad_input("expected a JSON object", where_);
 }
 
 std::string Fields::place(std::string_view name) const {
@@ -71,7 +71,7 @@ void Fields::refuse(std::string_view name, const std::string& sentence) {
 }
 
 void Fields::wrong(std::string_view name, const Json& value, const std::string& right) {
-  refuse(name, fmt::format("{} is no good; it takes {}", shown(value), right));
+  refuse(name, fmt::format("{} is not valid; expected {}", shown(value), right));
 }
 
 const Json* Fields::find(std::string_view name, bool needed) {

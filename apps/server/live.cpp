@@ -86,10 +86,10 @@ Status Viewer::obey(const Message& message) {
   }
   const Json* request = type == "plan" ? fields.object("request") : nullptr;
   if (type == "plan" && request == nullptr)
-    fields.refuse("request", "it takes an object, as POST /api/v1/plan");
+    fields.refuse("request", "expected an object, as POST /api/v1/plan");
   if (auto ok = fields.end(); !ok) return ok;
   const bool known = type == "unwatch" || type == "runs" || type == "plan" || type == "ping";
-  if (!known) return bad_input("it takes watch, unwatch, runs, plan or ping", "type");
+  if (!known) return bad_input("expected watch, unwatch, runs, plan or ping", "type");
   if (type == "plan") want_plan(message);
   const std::lock_guard lock(mutex_);
   if (type == "unwatch") run_.clear();

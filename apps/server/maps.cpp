@@ -67,7 +67,7 @@ std::vector<std::uint8_t> cells_of_runs(Fields& fields, std::size_t count) {
     const bool good = value.is_number_unsigned() && value.get<std::uint64_t>() <= unknown_cell &&
                       length.is_number_unsigned() && length.get<std::uint64_t>() <= count - cells.size();
     if (!good) {
-      fields.refuse("runs", fmt::format("entry {} is no good; runs are value (0, 1 or 2), count, ... and "
+      fields.refuse("runs", fmt::format("entry {} is not valid; runs are value (0, 1 or 2), count, ... and "
                                         "fill {} cells",
                                         i, count));
       return cells;
@@ -224,7 +224,7 @@ Outcome<KnownMap> polygon_map_from_json(const Json& polygons, const std::string&
   }
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   if (corners > most_polygon_corners) {
-    return bad_input(fmt::format("{} corners are too many; it takes {}", corners, most_polygon_corners),
+    return bad_input(fmt::format("{} corners are too many; expected {}", corners, most_polygon_corners),
                      where);
   }
   return KnownMap{{}, "drawn", std::move(map), {}, usual_radius_m(MapKind::polygons)};

@@ -46,7 +46,7 @@ Status configure(ConfiguredPlanner& planner, const Json* options) {
     const std::string where = "options." + name.substr(0, 64);
     if (found == planner.options.end()) return bad_input("this planner has no such option", where);
     if (value.is_structured() || value.is_null())
-      return bad_input("it takes a number, a word or true", where);
+      return bad_input("expected a number, a word or true", where);
     auto ok = assign(*found, value.is_string() ? value.get<std::string>() : value.dump());
     if (!ok) return bad_input(ok.error().sentence, where);
   }

@@ -72,7 +72,7 @@ Outcome<Target> placed(const GuardProblem& yard, const std::string& name, Vec2 a
 Outcome<std::vector<Target>> targets_of(const Json& list, const GuardProblem& yard) {
   std::vector<Target> targets;
   if (list.empty() || list.size() > std::max(most_moved_targets, yard.targets.size())) {
-    return bad_input(fmt::format("it takes 1 to {} targets", most_moved_targets), "targets");
+    return bad_input(fmt::format("expected 1 to {} targets", most_moved_targets), "targets");
   }
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string where = fmt::format("targets[{}]", i);
@@ -109,7 +109,7 @@ Outcome<std::vector<Box>> boxes_of(const Json& list) {
     const auto low = four ? corner(0) : std::nullopt, high = four ? corner(2) : std::nullopt;
     if (!low || !high || high->x - low->x < least_box_m || high->y - low->y < least_box_m) {
       return bad_input(
-          fmt::format("it takes [low x, low y, high x, high y], {} m apart, and the turn; m and rad",
+          fmt::format("expected [low x, low y, high x, high y], {} m apart, and the turn; m and rad",
                       least_box_m),
           fmt::format("boxes[{}]", i));
     }

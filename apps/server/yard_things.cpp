@@ -88,7 +88,7 @@ Outcome<WorldChanges> changes_of(const Json& moved, const Json& removed, const G
     changes.moved.push_back(std::move(thing));
   }
   for (const Json& name : removed) {
-    if (!name.is_string()) return bad_input("it takes the names of things", "removed");
+    if (!name.is_string()) return bad_input("expected the names of things", "removed");
     changes.removed.push_back(name.get<std::string>());
   }
   // Checks the changes as written to text, since that is what will be run.

@@ -39,7 +39,7 @@ Outcome<std::set<std::string>> files_under(const std::string& folder) {
   std::error_code error;
   std::set<std::string> files;
   fs::recursive_directory_iterator at(folder, error);
-  if (error) return bad_input("no folder that can be read; it takes one with .map and .scen files", folder);
+  if (error) return bad_input("no folder that can be read; expected one with .map and .scen files", folder);
   for (; at != fs::recursive_directory_iterator(); at.increment(error)) {
     if (error) return bad_input(fmt::format("it cannot be read: {}", error.message()), folder);
     if (at->is_regular_file(error)) files.insert(at->path().string());
@@ -65,7 +65,7 @@ Outcome<std::array<double, 6>> table_row(std::string_view line, const std::strin
     const auto [next, error] = std::from_chars(at, end, values[i]);
     const bool ended = i + 1 == values.size() ? next == end : next != end && *next == ',';
     if (error != std::errc() || !ended || values[i] < 0.0 || values[i] > 1e9 || std::isnan(values[i])) {
-      return bad_input("no row of the table; it takes sx,sy,gx,gy,octile_cells,anyangle_opt", where);
+      return bad_input("no row of the table; expected sx,sy,gx,gy,octile_cells,anyangle_opt", where);
     }
     at = next == end ? end : next + 1;
   }

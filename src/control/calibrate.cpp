@@ -57,7 +57,7 @@ Status check_run(const Chassis& chassis, const CalibrationRun& run) {
     return bad_input(fmt::format("the run takes {:g} s; a run takes more than 0 s", run.time_s), run.where);
   }
   if (!is_turn(run.command) && std::abs(run.start_T_end.heading_rad) >= most_turn_rad) {
-    return bad_input(fmt::format("the straight run turns by {:.0f} degrees; it takes less than 300",
+    return bad_input(fmt::format("the straight run turns by {:.0f} degrees; expected less than 300",
                                  degrees(run.start_T_end.heading_rad)),
                      run.where);
   }

@@ -26,7 +26,7 @@ Outcome<Number> parse(const Option& option, std::string_view text, std::string_v
   const auto as_double = static_cast<double>(number);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(as_double) ||
       as_double < option.low || as_double > option.high) {
-    return bad_input(fmt::format("'{}' is no good; it takes {}", text, expectation(option, kind)),
+    return bad_input(fmt::format("'{}' is not valid; expected {}", text, expectation(option, kind)),
                      option.name);
   }
   return number;
@@ -66,7 +66,7 @@ Status assign(const Option& option, std::string_view text) {
   };
   const auto boolean = [&](bool* value) -> Status {
     if (text != "true" && text != "false") {
-      return bad_input(fmt::format("'{}' is no good; it takes true or false", text), option.name);
+      return bad_input(fmt::format("'{}' is not valid; expected true or false", text), option.name);
     }
     *value = text == "true";
     return {};

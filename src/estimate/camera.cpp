@@ -59,7 +59,7 @@ Status check_camera(const Camera& camera) {
   const bool finite = std::ranges::all_of(numbers, [](double n) { return std::isfinite(n); }) &&
                       std::ranges::all_of(camera.distortion, [](double k) { return std::isfinite(k); });
   if (!finite)
-    return bad_input("the camera matrix or the distortion holds what is no number; calibrate anew");
+    return bad_input("the camera matrix or the distortion holds what is no number; calibrate again");
   if (camera.fx <= 0.0 || camera.fy <= 0.0) {
     return bad_input(fmt::format("the camera matrix is singular: fx = {:g} and fy = {:g} must be above 0 px",
                                  camera.fx, camera.fy));
@@ -75,7 +75,7 @@ Status check_camera(const Camera& camera) {
     const Vec2 ray = ray_through(camera, corner);
     const Vec2 error = bend(camera.distortion, ray).point - without_lens(camera, corner);
     if (unfolded(camera, ray) && norm(error) < 1e-6) continue;
-    return bad_input("the distortion folds the image over itself before its corners; calibrate anew");
+    return bad_input("the distortion folds the image over itself before its corners; calibrate again");
   }
   return {};
 }

@@ -42,7 +42,7 @@ Outcome<std::vector<std::size_t>> order_of(std::string_view head, const std::str
           fmt::format("'{}' is no column; the head is {}", excerpt(field), fmt::join(columns, ",")), where);
     }
     const auto column = static_cast<std::size_t>(found - columns.begin());
-    if (seen[column]) return bad_input(fmt::format("the column '{}' stands twice", *found), where);
+    if (seen[column]) return bad_input(fmt::format("the column '{}' is given twice", *found), where);
     seen[column] = true;
     order.push_back(column);
   }
@@ -62,7 +62,7 @@ Outcome<CalibrationRun> run_from(std::string_view line, const std::vector<std::s
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto value = number<double>(fields[i]);
     if (!value || std::abs(*value) > largest) {
-      return bad_input(fmt::format("'{}' is no good for {}; it takes a number from -1e6 to 1e6",
+      return bad_input(fmt::format("'{}' is not valid for {}; expected a number from -1e6 to 1e6",
                                    excerpt(fields[i]), columns[order[i]]),
                        where);
     }

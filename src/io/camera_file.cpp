@@ -36,7 +36,7 @@ Status read_matrix(const YAML::Node& node, const std::string& name, Camera& came
   const std::string where = yaml_where(name, node);
   const auto k = numbers_of(node);
   if (!k || k->size() != 9) {
-    return bad_input("the camera matrix is no good; it takes nine numbers by rows: fx 0 cx 0 fy cy 0 0 1",
+    return bad_input("the camera matrix is not valid; expected nine numbers by rows: fx 0 cx 0 fy cy 0 0 1",
                      where);
   }
   const auto& m = *k;
@@ -44,7 +44,7 @@ Status read_matrix(const YAML::Node& node, const std::string& name, Camera& came
                              m[2] * (m[3] * m[7] - m[4] * m[6]);
   if (determinant == 0.0) {
     return bad_input(
-        fmt::format("the camera matrix is singular (fx = {:g}, fy = {:g}); calibrate anew", m[0], m[4]),
+        fmt::format("the camera matrix is singular (fx = {:g}, fy = {:g}); calibrate again", m[0], m[4]),
         where);
   }
   if (m[1] != 0.0 || m[3] != 0.0 || m[6] != 0.0 || m[7] != 0.0 || m[8] != 1.0) {
@@ -60,13 +60,13 @@ Status read_matrix(const YAML::Node& node, const std::string& name, Camera& came
 Status read_lens(const YAML::Node& map, const std::string& name, Camera& camera) {
   const YAML::Node model = map["distortion_model"];
   if (model.IsDefined() && (!model.IsScalar() || model.Scalar() != "plumb_bob")) {
-    return bad_input("this distortion_model is not known; it takes plumb_bob", yaml_where(name, model));
+    return bad_input("this distortion_model is not known; expected plumb_bob", yaml_where(name, model));
   }
   const YAML::Node node = either(map, "distortion_coefficients", "D");
   if (!node.IsDefined()) return {};
   const auto lens = numbers_of(node);
   if (!lens || (!lens->empty() && lens->size() != 4 && lens->size() != 5)) {
-    return bad_input("the distortion is no good; it takes four or five numbers: k1 k2 p1 p2 k3",
+    return bad_input("the distortion is not valid; expected four or five numbers: k1 k2 p1 p2 k3",
                      yaml_where(name, node));
   }
   std::ranges::copy(*lens, camera.distortion.begin());
@@ -77,7 +77,7 @@ Status read_side(const YAML::Node& node, const std::string& name, int& side) {
   if (!node.IsDefined()) return {};
   const auto value = node.IsScalar() ? number<int>(node.Scalar()) : std::nullopt;
   if (!value || *value < 1 || *value > 100'000) {
-    return bad_input("the size of the image is no good; it takes a whole number from 1 to 100000 px",
+    return bad_input("the size of the image is not valid; expected a whole number from 1 to 100000 px",
                      yaml_where(name, node));
   }
   side = *value;
@@ -98,7 +98,7 @@ Outcome<YAML::Node> camera_in(const YAML::Node& root, const std::string& name, c
     }
   }
   if (sections.empty()) {
-    return bad_input("it has no camera matrix; it takes the key camera_matrix with data, or K", name);
+    return bad_input("it has no camera matrix; expected the key camera_matrix with data, or K", name);
   }
   std::string known;
   for (const std::string& one : sections) known += (known.empty() ? "" : ", ") + one;

@@ -49,7 +49,7 @@ Outcome<ScanLine> scan_of(Words words, double most_m) {
   }
   const auto n = static_cast<std::size_t>(*count);
   if (words.size() < n + 9) {
-    return bad_input(fmt::format("{} words after FLASER {}, where it takes {}; a line is {}",
+    return bad_input(fmt::format("{} words after FLASER {}, where {} are expected; a line is {}",
                                  words.size() - 2, n, n + 7, scan_form));
   }
   ScanLine line;
@@ -114,7 +114,7 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
   });
   if (!ok) return pass_on(ok);
   if (result.steps.empty())
-    return bad_input("the log has no scan; it takes a FLASER line at least", log.name);
+    return bad_input("the log has no scan; expected at least one FLASER line", log.name);
   if (!has_odometry) {
     for (std::size_t i = 1; i < result.steps.size(); ++i) {
       result.steps[i].motion = wrap_heading(relative_pose(result.reference[i - 1], result.reference[i]));

@@ -63,7 +63,7 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
                                  odometry_form, landmark_form));
   });
   if (!ok) return pass_on(ok);
-  if (result.steps.empty()) return bad_input("the log is empty; it takes a line at least", log.name);
+  if (result.steps.empty()) return bad_input("the log is empty; expected at least one line", log.name);
   return result;
 }
 

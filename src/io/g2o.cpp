@@ -31,7 +31,7 @@ Status read_line(std::string_view line, GraphLines& lines) {
   }
   if (form == nullptr) {
     return bad_input(
-        fmt::format("'{}' is no line of a graph of the plane; it takes VERTEX_SE2, VERTEX_XY, EDGE_SE2, "
+        fmt::format("'{}' is no line of a graph of the plane; expected VERTEX_SE2, VERTEX_XY, EDGE_SE2, "
                     "EDGE_SE2_XY or FIX",
                     excerpt(all[0])));
   }
@@ -40,7 +40,7 @@ Status read_line(std::string_view line, GraphLines& lines) {
       rest.size() == form->names + form->numbers ? numbers_of(rest.subspan(form->names)) : std::nullopt;
   const bool names =
       values && number<std::int64_t>(rest[0]) && (form->names < 2 || number<std::int64_t>(rest[1]));
-  if (!names) return bad_input(fmt::format("'{}' is no good; it takes {}", excerpt(line), form->sentence));
+  if (!names) return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(line), form->sentence));
   const auto& v = *values;
   const std::span<const double> numbers(v);
   if (form->tag == "VERTEX_SE2") return lines.place(rest[0], {{v[0], v[1]}, v[2]}, false);

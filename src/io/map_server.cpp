@@ -37,8 +37,8 @@ struct KeyReader {
 
   void refuse(const YAML::Node& node, std::string_view key, std::string_view right) {
     if (!status) return;
-    status = bad_input(node.IsDefined() ? fmt::format("'{}' is no good; it takes {}", key, right)
-                                        : fmt::format("the key '{}' is missing; it takes {}", key, right),
+    status = bad_input(node.IsDefined() ? fmt::format("'{}' is not valid; expected {}", key, right)
+                                        : fmt::format("the key '{}' is missing; expected {}", key, right),
                        node.IsDefined() ? yaml_where(name, node) : name);
   }
   void read(double& value, std::string_view key, double low, double high, bool required,

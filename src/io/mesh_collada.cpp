@@ -62,7 +62,7 @@ Outcome<std::vector<Number>> numbers(const Reader& reader, const Element& elemen
   std::string_view rest = xml_text(element);
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     const auto value = number<Number>(word);
-    if (!value) return reader.wrong(element, fmt::format("'{}' is no good here", excerpt(word)));
+    if (!value) return reader.wrong(element, fmt::format("'{}' is not valid here", excerpt(word)));
     values.push_back(*value);
   }
   return values;
@@ -231,7 +231,7 @@ Outcome<Affine> transform_of(const Reader& reader, const Element& child) {
   if (count == 0) return Affine{};
   auto v = numbers<double>(reader, child);
   if (!v) return pass_on(v);
-  if (v->size() != count) return reader.wrong(child, fmt::format("it takes {} numbers", count));
+  if (v->size() != count) return reader.wrong(child, fmt::format("expected {} numbers", count));
   const auto& m = *v;
   if (kind == "translate") return Affine{Affine{}.columns, {m[0], m[1], m[2]}};
   if (kind == "scale") return Affine{{Vec3{m[0], 0, 0}, Vec3{0, m[1], 0}, Vec3{0, 0, m[2]}}, {}};

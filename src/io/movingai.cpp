@@ -33,7 +33,7 @@ Outcome<int> side(Lines& lines, std::string_view key) {
   const auto parts = words(line);
   const auto value = parts.size() == 2 && parts[0] == key ? number<int>(parts[1]) : std::nullopt;
   if (!value || *value < 1 || *value > longest_side) {
-    return bad_input(fmt::format("'{}' is no good; this line is '{} N' with N from 1 to {}", excerpt(line),
+    return bad_input(fmt::format("'{}' is not valid; this line is '{} N' with N from 1 to {}", excerpt(line),
                                  key, longest_side),
                      lines.where());
   }
@@ -43,7 +43,7 @@ Outcome<int> side(Lines& lines, std::string_view key) {
 Status expect(Lines& lines, std::string_view line) {
   const std::string_view got = lines.next();
   if (words(got) == words(line)) return {};
-  return bad_input(fmt::format("'{}' is no good; this line is '{}'", excerpt(got), line), lines.where());
+  return bad_input(fmt::format("'{}' is not valid; this line is '{}'", excerpt(got), line), lines.where());
 }
 
 Outcome<GridFrame> header(Lines& lines) {
@@ -69,7 +69,7 @@ Outcome<GridFrame> header(Lines& lines) {
 
 Outcome<MovingAiQuery> query_of(std::string_view line, const std::string& where) {
   const auto wrong = [&](std::string_view what) {
-    return bad_input(fmt::format("'{}' is no query: {}; it takes bucket map width height startx starty goalx "
+    return bad_input(fmt::format("'{}' is no query: {}; expected bucket map width height startx starty goalx "
                                  "goaly length",
                                  excerpt(line), what),
                      where);

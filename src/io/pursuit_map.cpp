@@ -42,7 +42,7 @@ Status expect(Lines& lines, std::string_view letter) {
   const std::string_view line = lines.next();
   if (trimmed(line) == letter) return {};
   return bad_input(
-      fmt::format("'{}' is no good; this line is '{}', and a map has N, C, R, T and M in this order",
+      fmt::format("'{}' is not valid; this line is '{}', and a map has N, C, R, T and M in this order",
                   excerpt(line), letter),
       lines.where());
 }
@@ -68,7 +68,7 @@ Outcome<GridFrame> take_size(Lines& lines) {
   const std::string_view line = lines.next();
   const auto size = pair_of(line);
   if (!size || size->x > longest_side || size->y > longest_side) {
-    return bad_input(fmt::format("'{}' is no size; it takes width,height, whole numbers from 1 to {}",
+    return bad_input(fmt::format("'{}' is no size; expected width,height, whole numbers from 1 to {}",
                                  excerpt(line), longest_side),
                      lines.where());
   }
@@ -94,7 +94,7 @@ Outcome<std::uint32_t> take_threshold(Lines& lines) {
   const auto threshold = whole(line, 0);
   if (threshold) return *threshold;
   return bad_input(
-      fmt::format("'{}' is no threshold; it takes a whole number from 0 to {}", excerpt(line), most_cost),
+      fmt::format("'{}' is no threshold; expected a whole number from 0 to {}", excerpt(line), most_cost),
       lines.where());
 }
 
@@ -102,7 +102,7 @@ Outcome<Cell> cell_of(std::string_view line, const Lines& lines, const GridFrame
                       std::string_view whose) {
   const auto cell = pair_of(line);
   if (cell && cell->x <= frame.width && cell->y <= frame.height) return Cell{cell->x - 1, cell->y - 1};
-  return bad_input(fmt::format("'{}' {}; it takes x,y, whole numbers from 1,1 to {},{}", excerpt(line),
+  return bad_input(fmt::format("'{}' {}; expected x,y, whole numbers from 1,1 to {},{}", excerpt(line),
                                cell ? fmt::format("puts the {} off the map", whose) : "is no cell",
                                frame.width, frame.height),
                    lines.where());
@@ -167,7 +167,7 @@ Status take_row(std::string_view line, const Lines& lines, int x, std::vector<st
       const auto value = whole(word, 0);
       if (!value) {
         return bad_input(
-            fmt::format("'{}' is no cost (value {} of this row); it takes a whole number from 0 to {}",
+            fmt::format("'{}' is no cost (value {} of this row); expected a whole number from 0 to {}",
                         excerpt(trimmed(word)), y + 1, most_cost),
             lines.where());
       }

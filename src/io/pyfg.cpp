@@ -45,7 +45,7 @@ struct Reader {
     }
     if (form == nullptr) {
       return bad_input(
-          fmt::format("'{}' is no line of a graph of the plane; it takes VERTEX_SE2, VERTEX_XY, "
+          fmt::format("'{}' is no line of a graph of the plane; expected VERTEX_SE2, VERTEX_XY, "
                       "EDGE_SE2, EDGE_SE2_XY or EDGE_RANGE",
                       excerpt(all[0])));
     }
@@ -53,7 +53,8 @@ struct Reader {
     const std::span<const std::string_view> span(all);
     const auto values =
         all.size() == numbers_from + form->numbers ? numbers_of(span.subspan(numbers_from)) : std::nullopt;
-    if (!values) return bad_input(fmt::format("'{}' is no good; it takes {}", excerpt(text), form->sentence));
+    if (!values)
+      return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(text), form->sentence));
     const auto& v = *values;
     const std::span<const double> numbers(v);
     const std::string_view name = all[form->names_from];

@@ -42,13 +42,13 @@ std::string did_you_mean(const std::string& unknown, const std::vector<std::stri
 
 /// Returns the reason why a node cannot be a value of the option, or an empty text. assign() checks the rest.
 std::string_view type_fault(const Option& option, const YAML::Node& value) {
-  if (value.IsMap()) return "it is no section; it takes one value";
+  if (value.IsMap()) return "it is no section; expected one value";
   if (value.IsSequence())
-    return "it takes one value, not a list; write text such as \"1,2,3\" where it takes several";
+    return "expected one value, not a list; write text such as \"1,2,3\" where it takes several";
   if (!value.IsScalar()) return "its value is missing";
   const bool quoted = value.Tag() == "!";
   if (quoted && !std::holds_alternative<std::string*>(option.value))
-    return "it takes no quoted text; take the quotes away";
+    return "expected no quoted text; take the quotes away";
   if (!is_printable(value.Scalar())) return "its text holds control characters or is not UTF-8";
   return {};
 }

@@ -55,7 +55,7 @@ Status repair_pose(const SdfFile& file, SdfElement& pose) {
   const bool quaternion = xml_attribute(pose, "rotation_format") == "quat_xyzw";
   if (parts.empty() || parts.size() == (quaternion ? 7U : 6U)) return {};
   if (parts.size() != 3) {
-    return bad_input(fmt::format("a <pose> has {} numbers; it takes x y z roll pitch yaw", parts.size()),
+    return bad_input(fmt::format("a <pose> has {} numbers; expected x y z roll pitch yaw", parts.size()),
                      file.where(pose));
   }
   file.warn(pose, "a <pose> of three numbers was read as a place without a rotation");

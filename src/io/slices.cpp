@@ -19,7 +19,7 @@ constexpr double dented_m = 1e-3;       ///< a corner deeper than this inside th
 constexpr double rectangle_m = 2e-4;    ///< largest distance of the corners of a rectangle from those given
 constexpr double inner_floor_m = 0.15;  ///< height of the inner floor above the foot, within a robot's body
 
-constexpr const char* form = "it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
+constexpr const char* form = "expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
 
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;

@@ -39,7 +39,7 @@ Outcome<Words> key_values(std::string_view line, const std::string& where) {
                        where);
     }
     if (!result.emplace(key, word.substr(equals + 1)).second) {
-      return bad_input(fmt::format("'{}' stands twice; leave one", key), where);
+      return bad_input(fmt::format("'{}' is given twice; leave one", key), where);
     }
   }
   return result;
@@ -55,7 +55,7 @@ Outcome<double> coordinate(const Words& keys, std::string_view key, std::optiona
   const auto value = number<double>(found->second);
   if (!value || std::abs(*value) > farthest_m) {
     return bad_input(
-        fmt::format("{}={} is no good; it takes a number from -1e6 to 1e6", key, excerpt(found->second)),
+        fmt::format("{}={} is not valid; expected a number from -1e6 to 1e6", key, excerpt(found->second)),
         where);
   }
   return *value;
@@ -85,7 +85,7 @@ Outcome<Vec3> size_of(const Words& keys, std::optional<std::size_t> type, const 
     const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
     const auto side = number<double>(rest.substr(0, comma));
     if (comma == std::string_view::npos || !side || *side <= 0.0 || *side > largest_m) {
-      return bad_input(fmt::format("size={} is no good; it takes length,width,height, each above 0 and at "
+      return bad_input(fmt::format("size={} is not valid; expected length,width,height, each above 0 and at "
                                    "most 1000 m",
                                    excerpt(found->second)),
                        where);

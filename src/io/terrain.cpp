@@ -63,7 +63,7 @@ Outcome<std::map<std::string, double>> header_fields(Lines& lines) {
                        lines.where());
     }
     if (!words_of_header.emplace(lower(word), *value).second) {
-      return bad_input(fmt::format("'{}' stands twice; leave one", excerpt(word)), lines.where());
+      return bad_input(fmt::format("'{}' is given twice; leave one", excerpt(word)), lines.where());
     }
   }
   lines.line = {};
@@ -83,18 +83,18 @@ Outcome<GridHeader> header_of(Lines& lines) {
   const auto x = find("xllcorner") ? find("xllcorner") : find("xllcenter");
   const auto y = find("yllcorner") ? find("yllcorner") : find("yllcenter");
   if (!columns || !rows || !cell || !x || !y) {
-    return bad_input("its header is incomplete; it takes ncols, nrows, xllcorner, yllcorner and cellsize",
+    return bad_input("its header is incomplete; expected ncols, nrows, xllcorner, yllcorner and cellsize",
                      lines.name);
   }
   if (*columns != std::floor(*columns) || *rows != std::floor(*rows)) {
-    return bad_input(fmt::format("{:g} x {:g} cells is no good; these are whole numbers", *columns, *rows),
+    return bad_input(fmt::format("{:g} x {:g} cells is not valid; these are whole numbers", *columns, *rows),
                      lines.name);
   }
   if (auto size = HeightField::check_size(*columns, *rows); !size) {
     return bad_input(size.error().sentence, lines.name);
   }
   if (!(*cell > 0.0) || *cell > largest_m) {
-    return bad_input(fmt::format("a cellsize of {:g} is no good; it is above 0 and at most 1e6 m", *cell),
+    return bad_input(fmt::format("a cellsize of {:g} is not valid; it is above 0 and at most 1e6 m", *cell),
                      lines.name);
   }
   const Vec2 half{find("xllcorner") ? 0.5 * *cell : 0.0, find("yllcorner") ? 0.5 * *cell : 0.0};
@@ -152,7 +152,7 @@ Outcome<HeightField> terrain_from_png(std::string_view bytes, const std::string&
   const auto is_size = [](double m) { return m > 0.0 && m <= largest_m; };
   if (!is_size(size.x) || !is_size(size.y) || !(std::abs(size.z) <= largest_m)) {
     return bad_input(
-        fmt::format("a size of {:g} x {:g} x {:g} m is no good; length and width are above 0, and "
+        fmt::format("a size of {:g} x {:g} x {:g} m is not valid; length and width are above 0, and "
                     "all at most 1e6 m",
                     size.x, size.y, size.z),
         name);

@@ -31,7 +31,7 @@ Outcome<std::vector<double>> parse_numbers(const std::string& text, std::size_t 
     ++at;
   }
   if (numbers.size() != count || at != end) {
-    return bad_input(fmt::format("'{}' is no good; it takes {}", text, form), where);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", text, form), where);
   }
   return numbers;
 }

@@ -114,8 +114,9 @@ Outcome<WorldChanges> changes_from_text(std::string_view moved, std::string_view
     const std::string_view name = trimmed(part.substr(0, std::min(equals, part.size())));
     if (equals == std::string_view::npos || name.empty()) {
       return bad_input(
-          fmt::format("'{}' is no good; write name=x,y,turn, such as bench=1.5,-2,90; several with ; between",
-                      excerpt(part)),
+          fmt::format(
+              "'{}' is not valid; write name=x,y,turn, such as bench=1.5,-2,90; several with ; between",
+              excerpt(part)),
           "moved");
     }
     auto n = parse_numbers(std::string(part.substr(equals + 1)), 3, "moved",

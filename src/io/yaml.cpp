@@ -20,7 +20,7 @@ Status check_keys(const YAML::Node& map, const std::string& name) {
   for (const auto& entry : map) {
     if (!entry.first.IsScalar()) return bad_input("a key is no plain word", yaml_where(name, entry.first));
     if (!seen.insert(entry.first.Scalar()).second) {
-      return bad_input(fmt::format("the key '{}' stands twice; leave one", excerpt(entry.first.Scalar())),
+      return bad_input(fmt::format("the key '{}' is given twice; leave one", excerpt(entry.first.Scalar())),
                        yaml_where(name, entry.first));
     }
     if (!entry.second.IsMap()) continue;

@@ -28,7 +28,7 @@ Outcome<GridFrame> frame_of(const PolygonGround& ground, const GridOptions& opti
   const bool fits = width * height <= static_cast<double>(options.most_cells) && width < most_grid_side &&
                     height < most_grid_side;
   if (!good || !fits) {
-    return bad_input(fmt::format("a resolution of {} m is no good for {} x {} m; it takes a number above 0 "
+    return bad_input(fmt::format("a resolution of {} m is not valid for {} x {} m; expected a number above 0 "
                                  "that makes at most {} cells",
                                  resolution, size.x, size.y, options.most_cells),
                      "resolution");

@@ -61,10 +61,10 @@ void block_outside(Grid<std::uint8_t>& blocked, const Box2& box) {
 Outcome<GridFrame> frame_for(const CollisionMap& ground, double radius_m, const GridOptions& options) {
   const bool good_radius = radius_m >= 0.0 && radius_m <= 1e6;
   if (!good_radius) {
-    return bad_input(fmt::format("a robot radius of {} m is no good; it takes 0 to 1e6", radius_m));
+    return bad_input(fmt::format("a robot radius of {} m is not valid; expected 0 to 1e6", radius_m));
   }
   if (!(options.resolution_m > 0.0)) {
-    return bad_input(fmt::format("{} m is no good; it takes a number above 0", options.resolution_m),
+    return bad_input(fmt::format("{} m is not valid; expected a number above 0", options.resolution_m),
                      "resolution");
   }
   const Vec2 size = ground.bounds().size();

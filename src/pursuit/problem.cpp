@@ -13,7 +13,7 @@ Status check_map(const PursuitProblem& problem) {
   const bool sides = frame.width > 0 && frame.height > 0;
   if (!sides || frame.size() != problem.costs->cells.size() || frame.size() > most_pursuit_cells) {
     return bad_input(fmt::format(
-        "a map of {} x {} cells with {} costs is no good; give one cost for each of 1 to {} cells",
+        "a map of {} x {} cells with {} costs is not valid; give one cost for each of 1 to {} cells",
         frame.width, frame.height, problem.costs->cells.size(), most_pursuit_cells));
   }
   return {};
@@ -26,7 +26,7 @@ Status check(const PursuitProblem& problem) {
   const GridFrame& frame = problem.costs->frame;
   const std::size_t seconds = problem.target.size();
   if (seconds == 0 || seconds > most_pursuit_seconds) {
-    return bad_input(fmt::format("a trajectory of {} seconds is no good; give the target 1 to {} cells",
+    return bad_input(fmt::format("a trajectory of {} seconds is not valid; give the target 1 to {} cells",
                                  seconds, most_pursuit_seconds));
   }
   for (std::size_t s = 0; s < seconds; ++s) {
@@ -37,7 +37,7 @@ Status check(const PursuitProblem& problem) {
   }
   if (problem.start_s < 0 || static_cast<std::size_t>(problem.start_s) >= seconds) {
     return bad_input(
-        fmt::format("a start at second {} is no good; it takes 0 to {}", problem.start_s, seconds - 1));
+        fmt::format("a start at second {} is not valid; expected 0 to {}", problem.start_s, seconds - 1));
   }
   if (!frame.contains(problem.start)) {
     return fault(FaultCode::outside_map,

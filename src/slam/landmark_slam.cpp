@@ -23,7 +23,7 @@ bool usable(const Eigen::Matrix<double, N, N>& covariance) {
 
 Status check_options(const LandmarkSlamOptions& options) {
   const auto refuse = [](const std::string& value, std::string_view takes, const char* key) {
-    return bad_input(fmt::format("'{}' is no good; it takes {}", value, takes), key);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", value, takes), key);
   };
   const auto& [engine, kernel] = std::tie(options.engine, options.kernel);
   if (engine != "kalman" && engine != "ekf" && engine != "graph") {
@@ -36,7 +36,7 @@ Status check_options(const LandmarkSlamOptions& options) {
     return bad_input("the graph takes landmarks with ids only; take the engine ekf", "engine");
   }
   if (options.unknown_ids && options.gate >= 1.0) {
-    return bad_input("'1' is no good; without ids it takes a share below 1", "gate");
+    return bad_input("'1' is not valid; without ids, expected a share below 1", "gate");
   }
   return {};
 }
@@ -65,7 +65,7 @@ std::vector<Option> describe(LandmarkSlamOptions& o) {
       {"patience_distance", "m", 1e-3, 1000, "how far apart they may be", &o.patience_distance_m},
       {"sensor_range", "m", 0, 1e6, "how far the sensor sees every landmark; 0: not known",
        &o.sensor_range_m},
-      {"field_of_view", "deg", 1, 360, "how wide it sees", &o.field_of_view_rad},
+      {"field_of_view", "deg", 1, 360, "field of view", &o.field_of_view_rad},
       {"misses", "", 1, 1'000'000, "misses in a row after which a landmark is taken for gone", &o.misses},
       {"lost_after", "", 1, 1'000'000,
        "steps in a row without one sighting that fits until the robot is lost", &o.lost_after},

@@ -10,7 +10,7 @@ namespace outrider {
 Status check(const LaserScan& scan) {
   constexpr std::size_t most_beams = 100'000;
   if (scan.ranges_m.empty() || scan.ranges_m.size() > most_beams) {
-    return bad_input(fmt::format("a scan of {} beams; it takes 1 to {}", scan.ranges_m.size(), most_beams));
+    return bad_input(fmt::format("a scan of {} beams; expected 1 to {}", scan.ranges_m.size(), most_beams));
   }
   if (!std::isfinite(scan.time_s)) return bad_input("the time of a scan is not finite; leave the scan out");
   const double turn = std::abs(scan.step_rad);
@@ -20,7 +20,7 @@ Status check(const LaserScan& scan) {
   }
   if (!(scan.least_m >= 0.0) || !(scan.most_m > scan.least_m) || !(scan.most_m <= 1e6)) {
     return bad_input(
-        fmt::format("ranges from {} to {} m; it takes 0 <= least < most <= 1e6", scan.least_m, scan.most_m));
+        fmt::format("ranges from {} to {} m; expected 0 <= least < most <= 1e6", scan.least_m, scan.most_m));
   }
   return {};
 }

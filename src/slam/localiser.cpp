@@ -43,7 +43,7 @@ Innovation innovation(const LandmarkSighting& sighting, const LandmarkEstimate& 
 
 Outcome<Localiser> Localiser::begin(LandmarkMap map, const LocaliserOptions& options, const Pose2& start,
                                     const Eigen::Matrix3d& covariance) {
-  if (map.empty()) return bad_input("the map has no landmarks; it takes one at least", "map");
+  if (map.empty()) return bad_input("the map has no landmarks; expected at least one", "map");
   if (auto ok = check(LogStep{0.0, start, covariance, {}}); !ok) {
     return bad_input("the start is not finite, or its covariance not positive definite; correct it", "start");
   }

@@ -19,7 +19,7 @@ Status check_options(const PoseGraphOptions& options) {
   for (const auto& [names, name, key] :
        {std::tuple(&starts, &options.start, "start"), std::tuple(&kernels, &options.kernel, "kernel")}) {
     if (std::find(names->begin(), names->end(), *name) != names->end()) continue;
-    return bad_input(fmt::format("'{}' is no good; it takes {}", *name, fmt::join(*names, ", ")), key);
+    return bad_input(fmt::format("'{}' is not valid; expected {}", *name, fmt::join(*names, ", ")), key);
   }
   return {};
 }

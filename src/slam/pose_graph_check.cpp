@@ -93,8 +93,8 @@ bool place(PoseGraph& graph, const GraphEdge& edge, std::uint32_t near) {
 Status check(const PoseGraph& graph) {
   const bool has_pose = std::any_of(graph.nodes.begin(), graph.nodes.end(),
                                     [](const GraphNode& node) { return !node.is_point; });
-  if (!has_pose) return bad_input("the graph has no poses; it takes one at least");
-  if (graph.edges.empty()) return bad_input("the graph has no edges; it takes one at least");
+  if (!has_pose) return bad_input("the graph has no poses; expected at least one");
+  if (graph.edges.empty()) return bad_input("the graph has no edges; expected at least one");
   for (const GraphNode& node : graph.nodes) {
     if (!bounded(node.pose))
       return bad_input(fmt::format("node {} stands beyond 1e9, or nowhere", node.name));

@@ -34,12 +34,12 @@ Status check_rates(const TourProblem& problem) {
     return bad_input(fmt::format("the heading {} at the start is not a finite angle", problem.heading_rad));
   }
   if (!rate_is_good(problem.turning.speed) || !(problem.turning.acceleration > 0.0)) {
-    return bad_input(fmt::format("turning limits {} rad/s and {} rad/s2 are no good; give positive numbers",
+    return bad_input(fmt::format("turning limits {} rad/s and {} rad/s2 are not valid; give positive numbers",
                                  problem.turning.speed, problem.turning.acceleration));
   }
   if (!rate_is_good(problem.yaw_rate_radps) || !rate_is_good(problem.pitch_rate_radps)) {
     return bad_input(
-        fmt::format("gun rates {} rad/s (yaw) and {} rad/s (pitch) are no good; give positive numbers",
+        fmt::format("gun rates {} rad/s (yaw) and {} rad/s (pitch) are not valid; give positive numbers",
                     problem.yaw_rate_radps, problem.pitch_rate_radps));
   }
   return {};

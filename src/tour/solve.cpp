@@ -45,7 +45,7 @@ Status check_options(TourOptions options) {
         option.value);
     if (value >= option.low && value <= option.high) continue;
     return bad_input(
-        fmt::format("{} is {}; it takes {:g} to {:g}", option.name, value, option.low, option.high));
+        fmt::format("{} is {}; expected {:g} to {:g}", option.name, value, option.low, option.high));
   }
   return {};
 }

@@ -16,14 +16,14 @@ bool is_amount(double value) { return std::isfinite(value) && value >= 0.0; }
 Status check_rates(const SupplyProblem& problem) {
   for (const double full : {problem.water, problem.charge}) {
     if (!(full > 0.0)) {
-      return bad_input(fmt::format("a full store of {} is no good; give a positive number", full));
+      return bad_input(fmt::format("a full store of {} is not valid; give a positive number", full));
     }
   }
   for (const double rate : {problem.water_per_shot, problem.charge_per_metre, problem.charge_per_second,
                             problem.charge_per_shot}) {
     if (!is_amount(rate)) {
       return bad_input(
-          fmt::format("a use of {} is no good; give finite numbers that are not negative", rate));
+          fmt::format("a use of {} is not valid; give finite numbers that are not negative", rate));
     }
   }
   if (problem.water_per_shot > problem.water) {

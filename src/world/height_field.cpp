@@ -19,7 +19,7 @@ constexpr double farthest_m = 1e6;
 
 Status HeightField::check_size(double columns, double rows) {
   if (columns >= 2.0 && rows >= 2.0 && columns * rows <= static_cast<double>(most_posts)) return {};
-  return bad_input(fmt::format("a height field of {:g} x {:g} posts is not read; it takes 2 x 2 to {} in all",
+  return bad_input(fmt::format("a height field of {:g} x {:g} posts is not read; expected 2 x 2 to {} in all",
                                columns, rows, most_posts));
 }
 
@@ -36,13 +36,13 @@ Outcome<HeightField> HeightField::make(Vec2 origin, Vec2 spacing_m, int columns,
   if (!(spacing_m.x > 0.0) || !(spacing_m.y > 0.0) || !near(origin.x) || !near(origin.y) || !near(far.x) ||
       !near(far.y)) {
     return bad_input(
-        fmt::format("a spacing of {:g} x {:g} m from ({:g}, {:g}) is no good; it is above 0 and "
+        fmt::format("a spacing of {:g} x {:g} m from ({:g}, {:g}) is not valid; it is above 0 and "
                     "stays within 1e6 m",
                     spacing_m.x, spacing_m.y, origin.x, origin.y));
   }
   if (const auto bad = std::ranges::find_if_not(heights_m, near); bad != heights_m.end()) {
     const auto i = bad - heights_m.begin();
-    return bad_input(fmt::format("the height of post {}, {} is {:g} m; it takes a number from -1e6 to 1e6",
+    return bad_input(fmt::format("the height of post {}, {} is {:g} m; expected a number from -1e6 to 1e6",
                                  i % columns, i / columns, *bad));
   }
   HeightField field;

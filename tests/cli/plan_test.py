@@ -74,7 +74,7 @@ class Plan(ToolTest):
         ends = ("plan", *ends)
         self.refused(*ends, "--block", "6,0", says=["block 6,0", "leaves the grid", "x from 0 to 5"])
         self.refused(*ends, "--free", "0,0,7,1", says=["free 0,0,7,1", "leaves the grid"])
-        self.refused(*ends, "--free", "1.5,2", says=["free 1.5,2", "1.5 is no good", "whole cells"])
+        self.refused(*ends, "--free", "1.5,2", says=["free 1.5,2", "1.5 is not valid", "whole cells"])
         self.refused(*ends, "--block", "1,2,3", says=["block 1,2,3", "x,y,width,height"])
         self.refused(*ends, "--block", "1,2,0,1", says=["block 1,2,0,1", "at least one cell"])
         self.refused("plan", "yard.sdf", "--from", "0,-2", "--to", "2,2", "--block", "1,1",

@@ -14,7 +14,7 @@ from tool import FLOOR, TOOL, main, world
 # Of memory that the server may hold, whatever is done to it. A sanitizer keeps what was freed, to watch it.
 SANITIZED = b"libasan" in subprocess.run(["ldd", TOOL], capture_output=True, check=True).stdout
 MOST_MIB = 3000 if SANITIZED else 300
-QUICK_S = 5  # "/version" in the meantime; it takes milliseconds, and the machine may be busy
+QUICK_S = 5  # "/version" in the meantime; expected milliseconds, and the machine may be busy
 
 
 class Limits(Serve):

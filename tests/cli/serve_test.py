@@ -27,7 +27,7 @@ class Interface(Serve):
             self.fault(refused, "precondition_failed")
             self.fault(server.json("PUT", "/api/v1/files/room.txt", "x", status=403), "forbidden")
             self.assertEqual(server.json("GET", "/api/v1/files/absent.yaml", status=404)["code"], "not_found")
-            self.assertEqual(server.json("POST", "/api/v1/version", "", status=405)["error"], "it takes GET")
+            self.assertEqual(server.json("POST", "/api/v1/version", "", status=405)["error"], "expected GET")
             self.assertEqual(server.request("HEAD", "/api/v1/version")[2], b"")
 
     def test_nothing_outside_the_folder(self):

@@ -81,6 +81,6 @@ int check_complete(const fs::path& here) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 3) return complain("it takes NAME FOLDER, or --complete FOLDER");
+  if (count != 3) return complain("expected NAME FOLDER, or --complete FOLDER");
   return words[1] == std::string("--complete") ? check_complete(words[2]) : run(words[1], words[2]);
 }

@@ -24,7 +24,7 @@ std::string hexadecimal(std::string_view bytes) {
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2) return complain("it takes a FILE");
+  if (count != 2) return complain("expected a FILE");
   auto reader = outrider::open_log(words[1]);
   if (!reader) return complain(outrider::to_string(reader.error()));
   const auto& channels = (*reader)->channels();

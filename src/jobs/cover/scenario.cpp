@@ -15,7 +15,7 @@ Outcome<Units> units_of(const CoverScenario& scenario) {
   if (scenario.units == "degrees") return Units::degrees;
   if (scenario.units == "metres") return Units::metres;
   return bad_input(
-      fmt::format("'{}' are no units; it takes auto, degrees or metres", excerpt(scenario.units)), "units");
+      fmt::format("'{}' are no units; expected auto, degrees or metres", excerpt(scenario.units)), "units");
 }
 
 Status check_names(const CoverScenario& scenario) {

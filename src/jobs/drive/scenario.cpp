@@ -38,7 +38,7 @@ Outcome<Tag> tag_from(std::string_view word, double height_m, double size_m) {
   const std::size_t equals = word.find('=');
   const auto id = number<int>(word.substr(0, equals));
   if (equals == word.npos || !id) {
-    return bad_input(fmt::format("'{}' is no tag; it takes {}", excerpt(word), form), "tags");
+    return bad_input(fmt::format("'{}' is no tag; expected {}", excerpt(word), form), "tags");
   }
   const std::string rest(word.substr(equals + 1));
   const std::size_t count = std::ranges::count(rest, ',') == 3 ? 4 : 3;
@@ -93,7 +93,7 @@ Status load_ground(const DriveScenario& scenario, const std::optional<Pose2>& go
 
 Status check_argument(const std::string& value, const char* key, const char* one, const char* other) {
   if (value == one || value == other) return {};
-  return bad_input(fmt::format("'{}' is no good; it takes {} or {}", excerpt(value), one, other), key);
+  return bad_input(fmt::format("'{}' is not valid; expected {} or {}", excerpt(value), one, other), key);
 }
 
 Status check_arguments(const DriveScenario& scenario) {

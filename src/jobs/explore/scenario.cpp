@@ -11,7 +11,7 @@ namespace {
 
 Status check_laser(const RangeFinderModel& laser) {
   if (laser.least_m < laser.most_m) return {};
-  return bad_input(fmt::format("'{:g}' is no good; it takes less than laser.most, which is {:g} m",
+  return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
                                laser.least_m, laser.most_m),
                    "laser.least");
 }

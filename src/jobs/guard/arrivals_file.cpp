@@ -25,8 +25,9 @@ Outcome<Entrance> entrance_of(std::string_view word, const Box2& bounds) {
                      : number<double>(word.substr(equals + 1, comma - equals - 1));
   const auto y = comma == std::string_view::npos ? std::nullopt : number<double>(word.substr(comma + 1));
   if (!x || !y || equals == 0 || !is_printable(word)) {
-    return bad_input(fmt::format("'{}' is no good; it takes name=x,y in m, such as gate=0,-7", excerpt(word)),
-                     entrances_key);
+    return bad_input(
+        fmt::format("'{}' is not valid; expected name=x,y in m, such as gate=0,-7", excerpt(word)),
+        entrances_key);
   }
   const std::string name(word.substr(0, equals));
   if (!bounds.contains({*x, *y})) {
@@ -62,7 +63,7 @@ Outcome<Intruder> intruder_of(std::string_view line, const std::string& where, c
     auto* const value = key == "t" ? &time : key == "at" ? &at : key == "by" ? &by : nullptr;
     if (value == nullptr || equals == std::string_view::npos || *value) {
       return bad_input(
-          fmt::format("'{}' is no good here; a line is t=SECONDS at=TARGET by=ENTRANCE", excerpt(word)),
+          fmt::format("'{}' is not valid here; a line is t=SECONDS at=TARGET by=ENTRANCE", excerpt(word)),
           where);
     }
     *value = word.substr(equals + 1);
@@ -72,7 +73,7 @@ Outcome<Intruder> intruder_of(std::string_view line, const std::string& where, c
   }
   const auto enters = number<double>(*time);
   if (!enters || *enters < 0.0 || *enters > latest_s) {
-    return bad_input(fmt::format("t={} is no good; it takes a number from 0 to 1e6 s", excerpt(*time)),
+    return bad_input(fmt::format("t={} is not valid; expected a number from 0 to 1e6 s", excerpt(*time)),
                      where);
   }
   auto place = find(*at, problem.targets, "target", where);
@@ -94,7 +95,7 @@ Outcome<std::vector<Entrance>> entrances_from_text(std::string_view text, const 
     const bool taken = std::any_of(entrances.begin(), entrances.end(),
                                    [&](const Entrance& e) { return e.name == entrance->name; });
     if (taken) {
-      return bad_input(fmt::format("'{}' stands twice; give another name", entrance->name), entrances_key);
+      return bad_input(fmt::format("'{}' is given twice; give another name", entrance->name), entrances_key);
     }
     entrances.push_back(std::move(*entrance));
     if (entrances.size() > most_entrances) {

@@ -84,7 +84,7 @@ Status check_numbers(GuardProblem problem, GuardOptions options) {
   if (!(problem.world.gravity_mps2 > 0.0) ||
       !std::isfinite(problem.world.gravity_mps2 + problem.world.floor_z_m)) {
     return bad_input(
-        fmt::format("a gravity of {:g} m/s2 and a floor at {:g} m are no good; gravity is above 0",
+        fmt::format("a gravity of {:g} m/s2 and a floor at {:g} m are not valid; gravity is above 0",
                     problem.world.gravity_mps2, problem.world.floor_z_m),
         "world");
   }

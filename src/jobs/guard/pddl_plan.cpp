@@ -171,7 +171,7 @@ Outcome<PddlPlan> pddl_plan_from_text(std::string_view text, const std::string& 
     if (said.empty()) continue;
     const std::string where = fmt::format("{}:{}", name, line_number);
     const auto parts = parts_of(said);
-    if (!parts) return bad_input(fmt::format("'{}' is no good; {}", excerpt(said), form), where);
+    if (!parts) return bad_input(fmt::format("'{}' is not valid; {}", excerpt(said), form), where);
     auto action = reader.action_of(*parts, where);
     if (!action) return pass_on(action);
     if (plan.actions.size() == most_actions) {

@@ -47,7 +47,7 @@ Status load_walkers(GuardScenario& scenario) {
 /// The simulator by its name, and what of the rest combines.
 Status check_combination(const GuardScenario& scenario) {
   if (scenario.sim != "kinematic" && scenario.sim != "physics") {
-    return bad_input(fmt::format("'{}' is no good; it takes kinematic or physics", scenario.sim), "sim");
+    return bad_input(fmt::format("'{}' is not valid; expected kinematic or physics", scenario.sim), "sim");
   }
   if (scenario.wander.any() && scenario.problem.targets.empty()) {
     return bad_input("intruders that walk about need at least one target; list one", "targets");

@@ -60,9 +60,10 @@ Outcome<std::vector<Track>> sightings_from_text(std::string_view text, const std
     const auto x = words ? bounded((*words)[2]) : std::nullopt;
     const auto y = words ? bounded((*words)[3]) : std::nullopt;
     if (!t || !x || !y || (*words)[1].empty() || !is_printable((*words)[1])) {
-      return bad_input(fmt::format("'{}' is no good; a line is t,id,x,y in s and m, such as 12.5,fox,1.2,-3",
-                                   excerpt(line)),
-                       where);
+      return bad_input(
+          fmt::format("'{}' is not valid; a line is t,id,x,y in s and m, such as 12.5,fox,1.2,-3",
+                      excerpt(line)),
+          where);
     }
     const auto found = ids.emplace(std::string((*words)[1]), tracks.size());
     if (found.second) tracks.emplace_back();
@@ -91,7 +92,7 @@ Outcome<std::vector<double>> preferences_from_text(std::string_view text,
         equals == std::string_view::npos ? std::nullopt : number<double>(word.substr(equals + 1));
     if (!weight || *weight < 0.0 || *weight > most) {
       return bad_input(
-          fmt::format("'{}' is no good; it takes place=weight with a weight from 0 to 1e6", excerpt(word)),
+          fmt::format("'{}' is not valid; expected place=weight with a weight from 0 to 1e6", excerpt(word)),
           prefers_key);
     }
     const std::string_view place = word.substr(0, equals);

@@ -34,7 +34,7 @@ Outcome<Station> station_of(std::string_view word, const Box2& bounds) {
   const bool gives = three && (parts[2] == "water" || parts[2] == "charge" || parts[2] == "both");
   if (!x || !y || !gives || equals == 0 || !is_printable(word)) {
     return bad_input(
-        fmt::format("'{}' is no good; it takes name=x,y,water or name=x,y,charge or name=x,y,both in m, "
+        fmt::format("'{}' is not valid; expected name=x,y,water or name=x,y,charge or name=x,y,both in m, "
                     "such as well=2,-3,water",
                     excerpt(word)),
         key);
@@ -58,7 +58,7 @@ Outcome<std::vector<Station>> stations_from_text(std::string_view text, const Bo
     auto station = station_of(word, bounds);
     if (!station) return pass_on(station);
     if (std::ranges::find(stations, station->name, &Station::name) != stations.end()) {
-      return bad_input(fmt::format("'{}' stands twice; give another name", station->name), key);
+      return bad_input(fmt::format("'{}' is given twice; give another name", station->name), key);
     }
     stations.push_back(std::move(*station));
     if (stations.size() > most_stations) {

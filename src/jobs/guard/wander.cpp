@@ -28,7 +28,7 @@ Outcome<double> room(const GuardProblem& problem, const FiringMap& firing_map) {
     const double clear_m = firing_map.ground.clearance(xy(target.base), most_room_m) - 1e-6;
     if (clear_m < least_room_m) {
       return bad_input(
-          fmt::format("{} has no room to walk: an obstacle is {:.3f} m away, and it takes 0.01 m; "
+          fmt::format("{} has no room to walk: an obstacle is {:.3f} m away, and 0.01 m are needed; "
                       "move it",
                       target.name, std::max(0.0, clear_m)),
           "wander.speed");

@@ -26,7 +26,7 @@ Outcome<std::vector<std::string>> items_of(std::string_view text, const std::str
     open = word.ends_with(',');
   }
   if (items.size() <= most_items) return items;
-  return bad_input(fmt::format("{} are too many; it takes {}", items.size(), most_items), key);
+  return bad_input(fmt::format("{} are too many; expected {}", items.size(), most_items), key);
 }
 
 Outcome<Vec2> point_of(const std::string& text, const std::string& key) {
@@ -57,7 +57,7 @@ Outcome<CellChange> change_of(const std::string& text, const std::string& where,
   if (!numbers) return pass_on(numbers);
   for (const double number : *numbers) {
     if (number != std::floor(number) || std::abs(number) > most_grid_side) {
-      return bad_input(fmt::format("{} is no good; it takes {}", number, form), where);
+      return bad_input(fmt::format("{} is not valid; expected {}", number, form), where);
     }
   }
   const auto whole = [&](std::size_t i) { return static_cast<int>((*numbers)[i]); };
@@ -79,7 +79,7 @@ Outcome<std::vector<PlanQuery>> queries_of(const PlanScenario& scenario, const L
   const auto asked = number<std::size_t>(scenario.query);
   if (!asked || *asked < 1 || *asked > queries.size()) {
     return bad_input(
-        fmt::format("'{}' is no query of this map, which has {}; it takes all or a number from 1",
+        fmt::format("'{}' is no query of this map, which has {}; expected all or a number from 1",
                     excerpt(scenario.query), queries.size()),
         "query");
   }

@@ -82,7 +82,7 @@ Outcome<GridModel> find_grid_model(const std::string& name) {
   for (const GridModel model : {GridModel::cells, GridModel::corners}) {
     if (to_string(model) == name) return model;
   }
-  return bad_input(fmt::format("'{}' is no good; it takes cells or corners", excerpt(name)), "model");
+  return bad_input(fmt::format("'{}' is not valid; expected cells or corners", excerpt(name)), "model");
 }
 
 Status check_takes(const PathPlanner& planner, GridModel model, bool has_polygons) {

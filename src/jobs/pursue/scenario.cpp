@@ -14,7 +14,7 @@ namespace {
 Status check_names(const PursuitScenario& scenario) {
   if (scenario.map.empty()) return bad_input("missing; give the file of the map and the target", "map");
   if (scenario.clock != "virtual" && scenario.clock != "wall") {
-    return bad_input(fmt::format("'{}' is no clock; it takes virtual or wall", excerpt(scenario.clock)),
+    return bad_input(fmt::format("'{}' is no clock; expected virtual or wall", excerpt(scenario.clock)),
                      "clock");
   }
   return {};
@@ -29,7 +29,7 @@ Outcome<std::vector<Cell>> other_starts(const PursuitScenario& scenario, const P
     const auto x = number<int>(word.substr(0, comma));
     const auto y = comma == word.npos ? std::nullopt : number<int>(word.substr(comma + 1));
     if (!x || !y || !frame.contains({*x - 1, *y - 1})) {
-      return bad_input(fmt::format("'{}' is no cell of the map; it takes x,y from 1,1 to {},{}, with blanks "
+      return bad_input(fmt::format("'{}' is no cell of the map; expected x,y from 1,1 to {},{}, with blanks "
                                    "between robots",
                                    excerpt(word), frame.width, frame.height),
                        "starts");

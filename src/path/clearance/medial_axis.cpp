@@ -21,13 +21,13 @@ constexpr int most_halvings = 40;
 Status check_options(const MedialAxisOptions& options) {
   const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
   if (!good_weight) {
-    return bad_input(fmt::format("{} m is no good; it takes 0 to {:g}", options.weight_m, most_weight_m),
+    return bad_input(fmt::format("{} m is not valid; expected 0 to {:g}", options.weight_m, most_weight_m),
                      "weight");
   }
   const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.kept), "kept");
+  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
   const bool good_slack = options.slack >= 0.0 && options.slack <= 1.0;
-  if (!good_slack) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.slack), "slack");
+  if (!good_slack) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.slack), "slack");
   return {};
 }
 

@@ -121,11 +121,11 @@ const GridClearance& clearance_of(const std::shared_ptr<const GridMap>& ground, 
 Status check_options(const SafestOptions& options) {
   const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
   if (!good_weight) {
-    return bad_input(fmt::format("{} m is no good; it takes 0 to {:g}", options.weight_m, most_weight_m),
+    return bad_input(fmt::format("{} m is not valid; expected 0 to {:g}", options.weight_m, most_weight_m),
                      "weight");
   }
   const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.kept), "kept");
+  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
   return {};
 }
 
@@ -139,7 +139,7 @@ Outcome<GridQuery> query_of(const Problem& problem) {
   }
   if (std::max(frame.width, frame.height) > GridClearance::most_side) {
     return bad_input(
-        fmt::format("a grid of {} x {} cells is too large for clearances; it takes {} a side at most",
+        fmt::format("a grid of {} x {} cells is too large for clearances; expected {} a side at most",
                     frame.width, frame.height, GridClearance::most_side));
   }
   return query;

@@ -22,7 +22,7 @@ std::vector<Option> describe(WidestOptions& options) {
 Outcome<Plan> widest(const Problem& problem, const WidestOptions& options, const Budget& budget,
                      Workspace& workspace) {
   const bool good_share = options.kept >= 0.0 && options.kept <= 1.0;
-  if (!good_share) return bad_input(fmt::format("{} is no good; it takes 0 to 1", options.kept), "kept");
+  if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
   auto ground = polygon_query(problem);
   if (!ground) return pass_on(ground);
   const MedialGraph graph = medial_graph(*ground, problem.start, problem.goal, workspace);

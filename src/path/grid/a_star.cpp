@@ -16,7 +16,8 @@ Outcome<Plan> a_star(const Problem& problem, const AStarOptions& options, const 
                      Workspace& workspace) {
   const bool good = options.weight >= 1.0 && options.weight <= 100.0;
   if (!good) {
-    return bad_input(fmt::format("{} is no good; it takes a number from 1 to 100", options.weight), "weight");
+    return bad_input(fmt::format("{} is not valid; expected a number from 1 to 100", options.weight),
+                     "weight");
   }
   return octile_search(problem, options.weight, budget, workspace);
 }

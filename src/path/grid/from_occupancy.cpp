@@ -35,14 +35,14 @@ Outcome<Grid<std::uint8_t>> inflated(const Grid<std::uint8_t>& occupied, double 
   const GridFrame& frame = occupied.frame;
   if (occupied.cells.size() != frame.size() || frame.width > longest_side || frame.height > longest_side) {
     return bad_input(
-        fmt::format("an occupancy grid of {} x {} cells with {} values is no good; give one value for "
+        fmt::format("an occupancy grid of {} x {} cells with {} values is not valid; give one value for "
                     "each cell and at most {} cells a side",
                     frame.width, frame.height, occupied.cells.size(), longest_side));
   }
   const bool good_radius = radius_m >= 0.0 && std::isfinite(radius_m);
   if (!good_radius) {
     return bad_input(
-        fmt::format("a robot radius of {} m is no good; it takes a finite number from 0", radius_m));
+        fmt::format("a robot radius of {} m is not valid; expected a finite number from 0", radius_m));
   }
   const double cells = radius_m / frame.resolution_m;
   const double least = cells * cells * (1.0 - 1e-12);  // a radius of whole cells may touch

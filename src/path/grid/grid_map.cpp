@@ -62,7 +62,7 @@ void set_vertices(GridMap& ground, Cell low, Cell high) {
 Status check_change(const GridFrame& frame, const CellChange& change) {
   const auto [x, y] = change.low;
   if (change.width < 1 || change.height < 1) {
-    return bad_input(fmt::format("a change of {} x {} cells is no good; it has at least one cell",
+    return bad_input(fmt::format("a change of {} x {} cells is not valid; it has at least one cell",
                                  change.width, change.height));
   }
   if (frame.contains(change.low) && change.width <= frame.width - x && change.height <= frame.height - y) {
@@ -81,13 +81,13 @@ std::string_view to_string(GridModel model) { return model == GridModel::cells ?
 Status check_frame(const GridFrame& frame) {
   if (!finite(frame.origin) || !std::isfinite(frame.resolution_m) || !(frame.resolution_m > 0.0)) {
     return bad_input(
-        fmt::format("a grid at ({}, {}) with cells of {} m is no good; give finite numbers and "
+        fmt::format("a grid at ({}, {}) with cells of {} m is not valid; give finite numbers and "
                     "a resolution above 0",
                     frame.origin.x, frame.origin.y, frame.resolution_m));
   }
   if (frame.width < 1 || frame.height < 1 || frame.width > most_grid_side || frame.height > most_grid_side ||
       frame.size() > most_grid_cells) {
-    return bad_input(fmt::format("a grid of {} x {} cells is no good; it takes 1 to {} cells in all",
+    return bad_input(fmt::format("a grid of {} x {} cells is not valid; expected 1 to {} cells in all",
                                  frame.width, frame.height, most_grid_cells));
   }
   return {};

@@ -53,7 +53,7 @@ Status check_place(const CollisionMap& ground, const RobotModel& robot, Vec2 p, 
 Status check_request(const CollisionMap& ground, const RobotModel& robot, const std::vector<Vec2>& stops,
                      const std::vector<Vec2>& extra_nodes, const RouteOptions& options) {
   if (!(robot.radius_m >= 0.0) || !std::isfinite(robot.radius_m)) {
-    return bad_input(fmt::format("the robot's radius of {} m is no good; it is 0 or more", robot.radius_m));
+    return bad_input(fmt::format("the robot's radius of {} m is not valid; it is 0 or more", robot.radius_m));
   }
   for (const Limits& limits : {robot.straight(), robot.turning()}) {
     if (!(limits.speed > 0.0) || !std::isfinite(limits.speed) || !(limits.acceleration > 0.0)) {
@@ -61,7 +61,7 @@ Status check_request(const CollisionMap& ground, const RobotModel& robot, const 
     }
   }
   if (!(options.arc_step_rad >= radians(1.0) - 1e-12) || !(options.arc_step_rad <= pi / 2 + 1e-12)) {
-    return bad_input(fmt::format("an arc step of {:g} degrees is no good; it takes 1 to 90",
+    return bad_input(fmt::format("an arc step of {:g} degrees is not valid; expected 1 to 90",
                                  degrees(options.arc_step_rad)));
   }
   if (stops.size() > most_stops || extra_nodes.size() > most_nodes) {

@@ -47,7 +47,7 @@ struct BitStar : og::BITstar {
 
 Status check_options(const SamplingOptions& options) {
   if (options.iterations >= 1 && options.iterations <= most_iterations) return {};
-  return bad_input(fmt::format("{} is no good; it takes 1 to {}", options.iterations, most_iterations),
+  return bad_input(fmt::format("{} is not valid; expected 1 to {}", options.iterations, most_iterations),
                    "iterations");
 }
 

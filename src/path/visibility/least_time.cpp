@@ -17,15 +17,16 @@ Outcome<CostWeights> weights_of(const LeastTimeOptions& options) {
   const double speed = options.speed_mps, price = options.turn_price_s_per_rad;
   const bool good_speed = speed >= slowest_mps && speed <= fastest_mps;
   if (!good_speed) {
-    return bad_input(fmt::format("{} m/s is no good; it takes {} to {}", speed, slowest_mps, fastest_mps),
+    return bad_input(fmt::format("{} m/s is not valid; expected {} to {}", speed, slowest_mps, fastest_mps),
                      "speed");
   }
   const bool good_price = price >= 0.0 && price <= most_price;
   if (!good_price) {
-    return bad_input(fmt::format("{} s/rad is no good; it takes 0 to {:g}", price, most_price), "turn_price");
+    return bad_input(fmt::format("{} s/rad is not valid; expected 0 to {:g}", price, most_price),
+                     "turn_price");
   }
   if (!std::isfinite(options.heading_rad)) {
-    return bad_input(fmt::format("{} is no good; it takes a finite angle", options.heading_rad), "heading");
+    return bad_input(fmt::format("{} is not valid; expected a finite angle", options.heading_rad), "heading");
   }
   CostWeights weights{1.0 / speed, price, std::nullopt};
   if (options.first_turn) weights.heading_rad = options.heading_rad;

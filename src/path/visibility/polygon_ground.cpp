@@ -80,7 +80,7 @@ Status check_all(const std::vector<Vec2>& boundary, const std::vector<std::vecto
                  double radius_m) {
   const bool good_radius = radius_m >= least_polygon_radius_m && radius_m <= most_polygon_radius_m;
   if (!good_radius) {
-    return bad_input(fmt::format("a robot radius of {} m is no good among polygons; it takes {} to {} m",
+    return bad_input(fmt::format("a robot radius of {} m is not valid among polygons; expected {} to {} m",
                                  radius_m, least_polygon_radius_m, most_polygon_radius_m));
   }
   if (auto good = check_count(boundary, obstacles); !good) return good;

@@ -95,7 +95,7 @@ TEST(Options, TheFaultNamesOptionValueRangeAndUnit) {
   const Status status = assign(describe(sample)[1], "50");
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, FaultCode::bad_input);
-  EXPECT_EQ(to_string(status.error()), "pitch: '50' is no good; it takes a number from -30 to 45 deg");
+  EXPECT_EQ(to_string(status.error()), "pitch: '50' is not valid; expected a number from -30 to 45 deg");
 }
 
 TEST(Options, TextReadsBackTheSame) {

@@ -49,11 +49,11 @@ TEST(CalibrationRuns, RefusesWithTheLine) {
   refused(head, "there are no runs");
   refused("time_s\n", "runs.csv:1: the column 'ahead_mps' is missing");
   refused("speed," + head, "'speed' is no column");
-  refused("time_s," + head, "stands twice");
+  refused("time_s," + head, "is given twice");
   refused(head + "1,2\n", "runs.csv:2: 2 values for 7 columns");
-  refused(head + "1,0,0,fast,0,0,0\n", "runs.csv:2: 'fast' is no good for time_s");
-  refused(head + "1,0,0,nan,0,0,0\n", "no good for time_s");
-  refused(head + "1e9,0,0,1,0,0,0\n", "no good for ahead_mps");
+  refused(head + "1,0,0,fast,0,0,0\n", "runs.csv:2: 'fast' is not valid for time_s");
+  refused(head + "1,0,0,nan,0,0,0\n", "not valid for time_s");
+  refused(head + "1e9,0,0,1,0,0,0\n", "not valid for ahead_mps");
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST(CameraFile, RefusesWhatIsNoCameraByItsLine) {
   refused("", "no camera matrix");
   refused("a: 1\n", "no camera matrix");
   const std::string good = "K: [300, 0, 320, 0, 310, 240, 0, 0, 1]\n";
-  refused(good + "D: [1, 2]\n", "k.yaml:2: the distortion is no good");
+  refused(good + "D: [1, 2]\n", "k.yaml:2: the distortion is not valid");
   refused(good + "distortion_model: fisheye\n", "plumb_bob");
   refused(good + "width: 0\n", "from 1 to 100000");
   refused(good + "width: 640\nheight: 480\nD: [-9, 0, 0, 0]\n", "folds");

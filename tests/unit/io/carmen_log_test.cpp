@@ -62,7 +62,7 @@ TEST(CarmenLog, RefusesBrokenLinesByTheirNumber) {
       {"ODOM 1 2\n", "robot.log:1", "ODOM x y heading"},
       {"ODOM\n", "robot.log:1", "ODOM x y heading"},
       {"ODOM 1 2 inf\n", "robot.log:1", "'inf'"},
-      {"PARAM a b\nFLASER 3 1 2\n", "robot.log:2", "it takes 10"},
+      {"PARAM a b\nFLASER 3 1 2\n", "robot.log:2", "expected 10"},
       {"FLASER\n", "robot.log:1", "number of beams"},
       {"FLASER -1 0 0 0 0 0 0 0 h 0\n", "robot.log:1", "'-1'"},
       {"FLASER 99999999999 1\n", "robot.log:1", "'99999999999'"},

@@ -47,10 +47,10 @@ TEST(G2o, RefusesInASentence) {
   };
   const std::string edge = "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
   EXPECT_EQ(sentence(edge), "taken");
-  EXPECT_EQ(
-      sentence(edge + "EDGE_SE2 1 2 nan 0 0 1 0 0 1 0 1\n"),
-      "bad.g2o:2: 'EDGE_SE2 1 2 nan 0 0 1 0 0 1 0 1' is no good; it takes EDGE_SE2 from to x y heading and 6 "
-      "numbers of the information's upper triangle");
+  EXPECT_EQ(sentence(edge + "EDGE_SE2 1 2 nan 0 0 1 0 0 1 0 1\n"),
+            "bad.g2o:2: 'EDGE_SE2 1 2 nan 0 0 1 0 0 1 0 1' is not valid; expected EDGE_SE2 from to x y "
+            "heading and 6 "
+            "numbers of the information's upper triangle");
   EXPECT_EQ(sentence(edge + "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 -1\n"),
             "bad.g2o:2: its information is not positive definite; correct it");
   EXPECT_EQ(sentence(edge + "EDGE_SE2 1 1 1 0 0 1 0 0 1 0 1\n"),
@@ -63,14 +63,14 @@ TEST(G2o, RefusesInASentence) {
             "bad.g2o: the graph falls apart: no chain of edges joins node 0 to node 5; add one");
   EXPECT_EQ(
       sentence("VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"),
-      "bad.g2o:1: 'VERTEX_SE3:QUAT' is no line of a graph of the plane; it takes VERTEX_SE2, VERTEX_XY, "
+      "bad.g2o:1: 'VERTEX_SE3:QUAT' is no line of a graph of the plane; expected VERTEX_SE2, VERTEX_XY, "
       "EDGE_SE2, EDGE_SE2_XY or FIX");
   EXPECT_EQ(sentence(edge + "FIX 1\n"), "bad.g2o:2: only the first vertex can be fixed; take the line out");
   EXPECT_EQ(sentence("VERTEX_XY 0 1 1\n" + edge),
             "bad.g2o:2: 0 is a point elsewhere in the file; give them different names");
-  EXPECT_EQ(sentence(""), "bad.g2o: the graph has no poses; it takes one at least");
+  EXPECT_EQ(sentence(""), "bad.g2o: the graph has no poses; expected at least one");
   EXPECT_EQ(sentence("VERTEX_SE2 0 1e300 0 0\n"),
-            "bad.g2o:1: 'VERTEX_SE2 0 1e300 0 0' is no good; it takes VERTEX_SE2 id x y heading");
+            "bad.g2o:1: 'VERTEX_SE2 0 1e300 0 0' is not valid; expected VERTEX_SE2 id x y heading");
 }
 
 /// The least costs of graphs that others published, to a hundredth of a percent.

@@ -42,7 +42,7 @@ TEST(LandmarkLogs, FreiburgTurnsDrivesAndTurns) {
             "bearing'");
   EXPECT_EQ(refusal("SENSOR 1 1 0\n", "a 1 1\n"),
             "map:1: 'a' is no number of use; a line is 'id x y' with a whole number for id");
-  EXPECT_EQ(refusal(""), "log: the log is empty; it takes a line at least");
+  EXPECT_EQ(refusal(""), "log: the log is empty; expected at least one line");
 }
 
 TEST(LandmarkLogs, MrclamDrivesBetweenSightings) {

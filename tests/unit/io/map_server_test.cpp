@@ -98,9 +98,9 @@ TEST(MapServer, FaultsNameFileLineAndRemedy) {
     return map ? "none" : to_string(map.error()).substr(files.folder.path.string().size() + 1);
   };
   EXPECT_EQ(fault(replaced(good_yaml, "0.5", "nan"), text_pgm),
-            "m.yaml:2: 'resolution' is no good; it takes the side of a pixel in m, from 1e-4 to 1e3");
+            "m.yaml:2: 'resolution' is not valid; expected the side of a pixel in m, from 1e-4 to 1e3");
   EXPECT_EQ(fault("image: m.pgm\nresolution: 1\n", text_pgm),
-            "m.yaml: the key 'origin' is missing; it takes [x, y, yaw], numbers from -1e6 to 1e6");
+            "m.yaml: the key 'origin' is missing; expected [x, y, yaw], numbers from -1e6 to 1e6");
   for (const auto& [from, to] :
        std::vector<std::pair<std::string, std::string>>{{"0.5", "0"},
                                                         {"0.5", "-1"},

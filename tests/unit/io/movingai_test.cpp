@@ -65,7 +65,7 @@ TEST(MovingAi, FaultsNameTheLine) {
     return map ? "none" : to_string(map.error());
   };
   EXPECT_EQ(fault("type octile\nheight 0\nwidth 3\nmap\n"),
-            "m:2: 'height 0' is no good; this line is 'height N' with N from 1 to 100000");
+            "m:2: 'height 0' is not valid; this line is 'height N' with N from 1 to 100000");
   EXPECT_EQ(fault("type octile\nheight 2\nwidth 3\nmap\n...\n..\n....\n"),
             "m:6: this row has 2 letters; the header says 3");
   EXPECT_TRUE(fault("type octile\nheight 1\nwidth 3\nmap\n.x.\n").starts_with("m:5: 'x' is no letter"));

@@ -55,17 +55,17 @@ TEST(PursuitMap, FaultsNameTheLineAndTheRemedy) {
   EXPECT_EQ(with("1.0000,25.0", "1"), "m:11: row 1 of the costs has 1 values; the size says 2");
   EXPECT_EQ(with("1.0000,25.0", "1,2,3"), "m:11: row 1 of the costs has 3 values; the size says 2");
   EXPECT_EQ(with("25.0", "abc"),
-            "m:11: 'abc' is no cost (value 2 of this row); it takes a whole number from 0 to 1000000000");
+            "m:11: 'abc' is no cost (value 2 of this row); expected a whole number from 0 to 1000000000");
   for (const char* bad : {"-1", "2.5", "nan", "inf", "", "1 2", "1e10", "12345678901"}) {
     EXPECT_TRUE(with("25.0", bad).starts_with("m:11: ")) << bad << with("25.0", bad);
   }
   EXPECT_EQ(with("3 , 1", "4,1"),
-            "m:8: '4,1' puts the target off the map; it takes x,y, whole numbers from 1,1 to 3,2");
+            "m:8: '4,1' puts the target off the map; expected x,y, whole numbers from 1,1 to 3,2");
   EXPECT_TRUE(with("3 , 1", "3,0").starts_with("m:8: '3,0' is no cell"));
   EXPECT_TRUE(with("3 , 1", "3").starts_with("m:8: '3' is no cell"));
   EXPECT_TRUE(with("1,2\nT", "1,3\nT").starts_with("m:6: '1,3' puts the robot off the map"));
   EXPECT_TRUE(with("3,2\nC", "0,2\nC").starts_with("m:2: '0,2' is no size"));
-  EXPECT_TRUE(with("C", "c").starts_with("m:3: 'c' is no good; this line is 'C'"));
+  EXPECT_TRUE(with("C", "c").starts_with("m:3: 'c' is not valid; this line is 'C'"));
   EXPECT_TRUE(with("100\nR", "-100\nR").starts_with("m:4: '-100' is no threshold"));
   EXPECT_TRUE(with("3 , 1\n2,1\n", "").starts_with("m:8: the target has no cells"));
   EXPECT_TRUE(with(" 7.00 ,100\n", "").find("ends") != std::string::npos);

@@ -58,9 +58,9 @@ TEST(Scenario, FaultsNameLineKeyAndRemedy) {
   EXPECT_EQ(fault_of("robo:\n  radius: 1\n"), "s.yaml:1: 'robo' is no known key; did you mean 'robot'?");
   EXPECT_EQ(fault_of("robot:\n  radios: 1\n"),
             "s.yaml:2: 'robot.radios' is no known key; did you mean 'radius'?");
-  EXPECT_EQ(fault_of("seed: 1\nseed: 2\n"), "s.yaml:2: the key 'seed' stands twice; leave one");
+  EXPECT_EQ(fault_of("seed: 1\nseed: 2\n"), "s.yaml:2: the key 'seed' is given twice; leave one");
   EXPECT_EQ(fault_of("robot:\n  radius: 11\n"),
-            "s.yaml:2: robot.radius: '11' is no good; it takes a number from 0.01 to 10 m");
+            "s.yaml:2: robot.radius: '11' is not valid; expected a number from 0.01 to 10 m");
 }
 
 TEST(Scenario, RefusesWrongTypesAndValues) {

@@ -318,7 +318,7 @@ TEST(Sdf, RefusesWhatIsWrong) {
   EXPECT_EQ(fault_of(world_of(ground + model("a", "0 nan 0 0 0 0", unit_box))),
             "w.sdf:4: 'nan' in a <pose> is no finite number");
   EXPECT_EQ(fault_of(world_of(ground + model("a", "0 0 0 0", unit_box))),
-            "w.sdf:4: a <pose> has 4 numbers; it takes x y z roll pitch yaw");
+            "w.sdf:4: a <pose> has 4 numbers; expected x y z roll pitch yaw");
   EXPECT_EQ(fault_of(world_of(ground + model("a", "0 2e6 0 0 0 0", unit_box))),
             "w.sdf: collision 'a' stands beyond 1e6 m, or nowhere; correct its <pose>");
   for (const char* size : {"1 1 0", "1 -1 1", "1 1 1e7"}) {

@@ -27,11 +27,11 @@ TEST(Slices, BothFormsAreRead) {
 
 TEST(Slices, BrokenLinesAreNamed) {
   EXPECT_EQ(fault_of("# a\n0,0,1\n"),
-            "s.csv:2: the line has 3 numbers; it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
+            "s.csv:2: the line has 3 numbers; expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
   EXPECT_EQ(fault_of("a,b,0,0,1,0,1\n").substr(0, 8), "s.csv:1:");
   EXPECT_EQ(
       fault_of("a,b,0,0,1,x\n"),
-      "s.csv:1: '1,x' is no place within 1e6 m; it takes x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
+      "s.csv:1: '1,x' is no place within 1e6 m; expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
   EXPECT_EQ(fault_of("0,0,1,nan\n").substr(0, 16), "s.csv:1: '1,nan'");
   EXPECT_EQ(fault_of("0,0,1,2e6\n").substr(0, 16), "s.csv:1: '1,2e6'");
   EXPECT_EQ(fault_of("0,0,1,0\n1,1,1,1\n"),

@@ -40,7 +40,8 @@ TEST(Targets, FaultsNameTheLineTheTextAndTheRemedy) {
   EXPECT_EQ(fault_of("type=1 x=1 y=1\ntype=1 x=1\n"), "cats.txt:2: y is missing; write y=<metres>");
   EXPECT_EQ(fault_of("typ=1 x=1 y=1"), "cats.txt:1: 'typ' is no key of a target; did you mean 'type'?");
   EXPECT_EQ(fault_of("type=7 x=1 y=1"), "cats.txt:1: type=7 is unknown; types are 1 to 4");
-  EXPECT_EQ(fault_of("type=1 x=1 y=nan"), "cats.txt:1: y=nan is no good; it takes a number from -1e6 to 1e6");
+  EXPECT_EQ(fault_of("type=1 x=1 y=nan"),
+            "cats.txt:1: y=nan is not valid; expected a number from -1e6 to 1e6");
   for (const char* bad : {"type=1 x=1 y=inf", "type=1 x=1 y=1e7", "type=1 x=1 y=2 y=2", "type=1 x=1 y=2 3",
                           "x=1 y=1", "size=1,1 x=1 y=1", "size=1,1,0 x=1 y=1", "size=1,1,1,1 x=1 y=1",
                           "size=1,1,1e9 x=1 y=1", "type=1.5 x=1 y=1", "type= x=1 y=1", "type=1 x=1 y=1 name=",

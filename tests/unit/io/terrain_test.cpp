@@ -66,9 +66,9 @@ TEST(TerrainGrid, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(grid_fault(head), "g.asc: it ends after 0 heights; its header says 3 x 2");
   EXPECT_EQ(grid_fault(head + "1 2 3\n4 5 6 7\n"), "g.asc:8: more than the 3 x 2 heights of the header");
   EXPECT_EQ(grid_fault("ncols 3\n1 2 3\n"),
-            "g.asc: its header is incomplete; it takes ncols, nrows, xllcorner, yllcorner and cellsize");
+            "g.asc: its header is incomplete; expected ncols, nrows, xllcorner, yllcorner and cellsize");
   EXPECT_EQ(grid_fault("ncols three\n"), "g.asc:1: 'ncols' takes one number, such as ncols 100");
-  EXPECT_EQ(grid_fault("ncols 3\nncols 3\n"), "g.asc:2: 'ncols' stands twice; leave one");
+  EXPECT_EQ(grid_fault("ncols 3\nncols 3\n"), "g.asc:2: 'ncols' is given twice; leave one");
   EXPECT_NE(
       grid_fault("ncols 1e9\nnrows 1e9\nxllcorner 0\nyllcorner 0\ncellsize 1\n1\n").find("1e+09 x 1e+09"),
       std::string::npos);

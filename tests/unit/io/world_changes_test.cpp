@@ -131,9 +131,9 @@ TEST(WorldChanges, WrongWordsAreRefusedWithTheKeyAndWhatWouldBeRight) {
             "removed: 'shed/wall' is named twice, in moved or removed; leave one out");
   EXPECT_EQ(
       refusal("bench"),
-      "moved: 'bench' is no good; write name=x,y,turn, such as bench=1.5,-2,90; several with ; between");
+      "moved: 'bench' is not valid; write name=x,y,turn, such as bench=1.5,-2,90; several with ; between");
   EXPECT_EQ(refusal("bench=1,2"),
-            "moved: '1,2' is no good; it takes x,y,turn in m, m and degrees, such as bench=1.5,-2,90");
+            "moved: '1,2' is not valid; expected x,y,turn in m, m and degrees, such as bench=1.5,-2,90");
 }
 
 }  // namespace

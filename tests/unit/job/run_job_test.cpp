@@ -13,7 +13,7 @@ class Count final : public JobTask {
   Count() : JobTask("count") {}
 
   Outcome<Warnings> load() override {
-    if (to < 0) return bad_input("it takes a number from 0", "to");
+    if (to < 0) return bad_input("expected a number from 0", "to");
     return Warnings{"counting is slow"};
   }
 
@@ -74,7 +74,7 @@ TEST(RunJob, RefusesWithTheKeyAndTheNearestOne) {
   EXPECT_NE(fault("to: 4\n").find("the key 'job' is missing"), std::string::npos);
   EXPECT_NE(fault("job: cuont\n").find("did you mean 'count'?"), std::string::npos);
   EXPECT_NE(fault("job: count\ntoo: 4\n").find("c.yaml:2"), std::string::npos);
-  EXPECT_EQ(fault("job: count\nto: -2\n"), "to: it takes a number from 0");
+  EXPECT_EQ(fault("job: count\nto: -2\n"), "to: expected a number from 0");
   EXPECT_EQ(fault("job: count\n", {{"to", "101"}}).substr(0, 4), "to: ");
   EXPECT_NE(fault("job: count\n", {{"pace.evry", "1"}}).find("did you mean 'pace.every'?"),
             std::string::npos);

@@ -347,7 +347,7 @@ TEST(LandmarkSlam, RefusesInASentence) {
   LandmarkSlamOptions options;
   EXPECT_EQ(refusal(options), "taken");
   options.engine = "fastslam";
-  EXPECT_EQ(refusal(options), "engine: 'fastslam' is no good; it takes kalman, ekf or graph");
+  EXPECT_EQ(refusal(options), "engine: 'fastslam' is not valid; expected kalman, ekf or graph");
   options.engine = "graph";
   options.unknown_ids = true;
   EXPECT_EQ(refusal(options), "engine: the graph takes landmarks with ids only; take the engine ekf");

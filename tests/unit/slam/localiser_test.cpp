@@ -27,7 +27,7 @@ TEST(Localiser, FollowsTheRobotOnAMapThatStaysAsItIs) {
     EXPECT_EQ(localiser->map(), map);
   }
   EXPECT_EQ(Localiser::begin({}, {}, {}, Eigen::Matrix3d::Zero()).error().sentence,
-            "the map has no landmarks; it takes one at least");
+            "the map has no landmarks; expected at least one");
 }
 
 }  // namespace

@@ -264,9 +264,9 @@ TEST(PoseGraph, RefusesInASentence) {
   bad = good;
   bad.edges[0].to = 0;
   EXPECT_EQ(sentence(bad), "the edge from 0 to 0 joins a node to itself; take it out");
-  EXPECT_EQ(sentence({}), "the graph has no poses; it takes one at least");
+  EXPECT_EQ(sentence({}), "the graph has no poses; expected at least one");
   EXPECT_EQ(optimise(good, {.kernel = "tukey"}, {}).error().sentence,
-            "'tukey' is no good; it takes none, huber, cauchy, geman_mcclure");
+            "'tukey' is not valid; expected none, huber, cauchy, geman_mcclure");
   Budget nothing;
   nothing.expansions = 0;
   EXPECT_EQ(optimise(good, {}, nothing).error().code, FaultCode::budget_exhausted);

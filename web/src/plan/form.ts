@@ -13,7 +13,7 @@ export function valueOf(option: OptionRow, text: string): { value: number | stri
   if (Number.isFinite(value) && whole && value >= low && value <= high) return { value };
   const kind = option.type === "integer" ? "a whole number" : "a number";
   const range = Number.isFinite(low) && Number.isFinite(high) ? ` from ${low} to ${high}` : "";
-  return { refusal: `${option.name}: '${text}' is no good; it takes ${kind}${range}${option.unit ? ` ${option.unit}` : ""}` };
+  return { refusal: `${option.name}: '${text}' is not valid; expected ${kind}${range}${option.unit ? ` ${option.unit}` : ""}` };
 }
 
 function field(option: OptionRow, given: Values, changed: (refusal: string) => void): HTMLElement {

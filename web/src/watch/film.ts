@@ -16,9 +16,9 @@ export const frameName = (k: number): string => `frame-${String(k).padStart(5, "
 
 /** What is wrong with a range, as a sentence; nothing where it is right. */
 export function rangeFault({ from, to, rate }: Range, duration: number): string {
-  if (!(from >= 0 && from <= duration)) return `From: it takes a time of the run, 0 to ${duration.toFixed(2)} s`;
-  if (!(to >= from && to <= duration)) return `To: it takes a time from ${from.toFixed(2)} to ${duration.toFixed(2)} s`;
-  if (!(rate >= 0.01 && rate <= 240)) return "Frames a second: it takes a number from 0.01 to 240";
+  if (!(from >= 0 && from <= duration)) return `From: expected a time of the run, 0 to ${duration.toFixed(2)} s`;
+  if (!(to >= from && to <= duration)) return `To: expected a time from ${from.toFixed(2)} to ${duration.toFixed(2)} s`;
+  if (!(rate >= 0.01 && rate <= 240)) return "Frames a second: expected a number from 0.01 to 240";
   const count = frameCount({ from, to, rate });
   return count > 36000 ? `${count.toLocaleString("en")} frames are too many; 36,000 is the most` : "";
 }

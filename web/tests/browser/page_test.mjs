@@ -205,7 +205,7 @@ const cases = {
     assert.ok(!first.equals(await film(21, 21.2)));
     await page.keyboard.press("m");
     await page.fill('.film [aria-label="To"]', "1e9");
-    assert.match(await text(page, ".film .hint"), /^To: it takes a time from/);
+    assert.match(await text(page, ".film .hint"), /^To: expected a time from/);
     await page.keyboard.press("Escape");
     await page.waitForSelector("dialog.film", { state: "detached" });
     await svgIsAsTheView(page);
@@ -315,7 +315,7 @@ const cases = {
     const field = page.locator('.options input[type="number"]').first();
     await field.fill("-999999");
     await field.press("Tab");
-    assert.match(await text(page, ".notice"), /'-999999' is no good; it takes/);
+    assert.match(await text(page, ".notice"), /'-999999' is not valid; expected/);
     await page.close();
   },
 

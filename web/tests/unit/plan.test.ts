@@ -78,7 +78,7 @@ const options: OptionRow[] = [
 describe("the form of options", () => {
   it("takes a value or says what would be right", () => {
     expect(valueOf(options[0]!, "2.5")).toEqual({ value: 2.5 });
-    expect(valueOf(options[0]!, "12")).toEqual({ refusal: "weight: '12' is no good; it takes a number from 1 to 10 m" });
+    expect(valueOf(options[0]!, "12")).toEqual({ refusal: "weight: '12' is not valid; expected a number from 1 to 10 m" });
     expect(valueOf(options[1]!, "2.5")).toHaveProperty("refusal");
     expect(valueOf(options[1]!, "")).toHaveProperty("refusal");
     expect(valueOf(options[3]!, "b")).toEqual({ value: "b" });

@@ -39,7 +39,7 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
   };
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
   EXPECT_EQ(fault([](auto& s) { s.sim.laser.least_m = 4.0; }),
-            "laser.least: '4' is no good; it takes less than laser.most, which is 3.5 m");
+            "laser.least: '4' is not valid; expected less than laser.most, which is 3.5 m");
   EXPECT_EQ(fault([](auto& s) { s.world.world = ""; }),
             "world: missing; give the file of the world to explore");
 }

@@ -186,10 +186,10 @@ TEST(Survey, RefusesNumbersThatAreNoneOrOutOfRange) {
     EXPECT_FALSE(build_firing_map(problem, {}).has_value());
     problem = plain();
     problem.robot.radius_m = bad;
-    expect_refused(problem, {}, FaultCode::bad_input, "robot.radius", "it takes a number");
+    expect_refused(problem, {}, FaultCode::bad_input, "robot.radius", "expected a number");
     problem = plain();
     problem.gun.muzzle_speed_mps = bad;
-    expect_refused(problem, {}, FaultCode::bad_input, "gun.muzzle_speed", "it takes a number");
+    expect_refused(problem, {}, FaultCode::bad_input, "gun.muzzle_speed", "expected a number");
     EXPECT_FALSE(build_firing_map(plain(), {.resolution_m = bad}).has_value());
     EXPECT_FALSE(build_firing_map(plain(), {.pitch_step_rad = bad}).has_value());
   }

@@ -103,7 +103,7 @@ TEST_F(PlanJobTest, CellsAreBlockedThenFreed) {
   };
   EXPECT_NE(with("block", "1,1 6,0").find("block 6,0: "), std::string::npos);
   EXPECT_NE(with("block", "6,0").find("leaves the grid"), std::string::npos);
-  EXPECT_NE(with("free", "1.5,2").find("1.5 is no good"), std::string::npos);
+  EXPECT_NE(with("free", "1.5,2").find("1.5 is not valid"), std::string::npos);
   EXPECT_NE(with("block", "1,2,3").find("x,y,width,height"), std::string::npos);
   EXPECT_NE(with("block", "1,2,0,1").find("at least one cell"), std::string::npos);
   EXPECT_NE(refusal({{"map", write("a.txt", room)}, {"query", "1"}, {"block", "1,1"}}).find("exact shapes"),
