@@ -7,8 +7,10 @@
 
 #include "output.hpp"
 #include "outrider/core/text.hpp"
+#include "outrider/log/mcap_sink.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
+#include "outrider/report/report_log.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
 
@@ -35,6 +37,17 @@ std::string answer_text(const Run& run, const std::vector<Table>& tables) {
   object.erase("files");
   for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
   return json_text(object, 1) + "\n";
+}
+
+/// Returns the run as an MCAP file.
+Outcome<std::string> log_text(const Report& report) {
+  std::string bytes;
+  auto writer = McapWriter::begin(make_string_sink(bytes));
+  if (!writer) return pass_on(writer);
+  McapSink sink(std::move(*writer));
+  to_log(report).add_sink(sink);
+  if (auto ok = sink.finish(); !ok) return pass_on(ok);
+  return bytes;
 }
 
 /// Returns true if the report has content; a run that was cancelled at once has none.
@@ -79,6 +92,11 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput&
     written.emplace_back(what, output.folder + "/" + file);
     texts.emplace_back(file, std::move(text));
   };
+  if (moves) {
+    auto log = log_text(run.report);
+    if (!log) return pass_on(log);
+    add("log", "run.mcap", std::move(*log));
+  }
   const bool drawn = std::ranges::count(run.files, name + ".svg", &NamedContent::path) > 0;
   if (moves && (output.html || !drawn)) {
     auto stored = report_from_json(texts.front().second);

@@ -1,0 +1,176 @@
+// Messages that describe a run and what stands still in it. They are logged once, at time 0. Positions are in
+// the frame "map", in metres; an unknown number is NaN.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace outrider::outrider_msgs {
+
+struct Point2 {
+  double x = 0.0;
+  double y = 0.0;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Point2";
+  template <class List>
+  static void describe(List& list) {
+    list.field("x", &Point2::x, "m");
+    list.field("y", &Point2::y, "m");
+  }
+};
+
+/// A closed line: counter-clockwise around an area, clockwise around a hole in one.
+struct Outline {
+  std::vector<Point2> points;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Outline";
+  template <class List>
+  static void describe(List& list) {
+    list.field("points", &Outline::points);
+  }
+};
+
+/// Named outlines, such as the walls that a laser can hit.
+struct Outlines {
+  std::vector<Outline> outlines;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Outlines";
+  template <class List>
+  static void describe(List& list) {
+    list.field("outlines", &Outlines::outlines);
+  }
+};
+
+/// A convex polygon that is grown by a radius on all sides. One point and a radius make a disk.
+struct RoundedPolygon {
+  std::vector<Point2> points;
+  double radius = 0.0;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/RoundedPolygon";
+  template <class List>
+  static void describe(List& list) {
+    list.field("points", &RoundedPolygon::points);
+    list.field("radius", &RoundedPolygon::radius, "m");
+  }
+};
+
+struct Setting {
+  std::string name;
+  std::string value;  ///< with its unit
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Setting";
+  template <class List>
+  static void describe(List& list) {
+    list.field("name", &Setting::name);
+    list.field("value", &Setting::value);
+  }
+};
+
+/// What is run, where, and with which robot.
+struct RunInfo {
+  std::string job;
+  std::string sim;  ///< "physics" if rigid bodies are simulated
+  std::uint64_t seed = 0;
+  std::string world;
+  Point2 low;  ///< corners of the box that shows everything
+  Point2 high;
+  double gravity = 9.8;
+  double robot_radius = 0.0;
+  double gun_length = 0.0;  ///< from the yaw axis to the tip; 0: no gun
+  double ball_radius = 0.0;
+  double margin = 0.0;          ///< clearance that planned flights keep
+  double coverage_width = 0.0;  ///< width of the strip that the robot covers; 0: none
+  std::vector<Setting> settings;
+  std::vector<std::string> warnings;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/RunInfo";
+  template <class List>
+  static void describe(List& list) {
+    list.field("job", &RunInfo::job);
+    list.field("sim", &RunInfo::sim);
+    list.field("seed", &RunInfo::seed);
+    list.field("world", &RunInfo::world);
+    list.field("low", &RunInfo::low);
+    list.field("high", &RunInfo::high);
+    list.field("gravity", &RunInfo::gravity, "m/s2");
+    list.field("robot_radius", &RunInfo::robot_radius, "m");
+    list.field("gun_length", &RunInfo::gun_length, "m");
+    list.field("ball_radius", &RunInfo::ball_radius, "m");
+    list.field("margin", &RunInfo::margin, "m");
+    list.field("coverage_width", &RunInfo::coverage_width, "m");
+    list.field("settings", &RunInfo::settings);
+    list.field("warnings", &RunInfo::warnings);
+  }
+};
+
+/// A solid of the world.
+struct Solid {
+  std::string name;
+  std::string kind;  ///< box, cylinder, sphere, half_space or mesh
+  std::vector<RoundedPolygon> footprint;
+  double low_z = 0.0;
+  double high_z = 0.0;
+  bool blocks_driving = false;  ///< some part of it is an obstacle for the robot
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Solid";
+  template <class List>
+  static void describe(List& list) {
+    list.field("name", &Solid::name);
+    list.field("kind", &Solid::kind);
+    list.field("footprint", &Solid::footprint);
+    list.field("low_z", &Solid::low_z, "m");
+    list.field("high_z", &Solid::high_z, "m");
+    list.field("blocks_driving", &Solid::blocks_driving);
+  }
+};
+
+struct Solids {
+  std::vector<Solid> solids;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Solids";
+  template <class List>
+  static void describe(List& list) {
+    list.field("solids", &Solids::solids);
+  }
+};
+
+/// A contour line. A closed one repeats its first point at the end.
+struct Contour {
+  double height = 0.0;
+  std::vector<Point2> points;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Contour";
+  template <class List>
+  static void describe(List& list) {
+    list.field("height", &Contour::height, "m");
+    list.field("points", &Contour::points);
+  }
+};
+
+/// Ground that is not level. The heights form a lattice, row by row from the lowest corner; each of its cells
+/// is two triangles that share the diagonal from the lowest x and y. A large lattice is logged coarser.
+struct Terrain {
+  std::vector<Contour> contours;
+  std::vector<RoundedPolygon> steep;  ///< too steep for the robot
+  Point2 origin;                      ///< position of the first height
+  Point2 spacing{1.0, 1.0};
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  std::vector<double> heights;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Terrain";
+  template <class List>
+  static void describe(List& list) {
+    list.field("contours", &Terrain::contours);
+    list.field("steep", &Terrain::steep);
+    list.field("origin", &Terrain::origin);
+    list.field("spacing", &Terrain::spacing);
+    list.field("columns", &Terrain::columns);
+    list.field("rows", &Terrain::rows);
+    list.field("heights", &Terrain::heights, "m");
+  }
+};
+
+}  // namespace outrider::outrider_msgs
