@@ -22,9 +22,9 @@ using Json = nlohmann::ordered_json;
 /// Returns true if the report can be played: it has a moving robot, or a pursuit.
 bool plays(const Report& report) { return !report.track.empty() || report.pursuit; }
 
-/// Returns the file text of a run that cannot be played: the printed JSON without the machine times, which
+/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which
 /// differ from run to run.
-std::string answer_text(const Run& run, const std::vector<Table>& tables) {
+std::string result_text(const Run& run, const std::vector<Table>& tables) {
   Report report = run.report;
   report.machine_times.clear();
   Json object = run_json<Json>(report, tables, {});
@@ -39,19 +39,20 @@ std::string answer_text(const Run& run, const std::vector<Table>& tables) {
   return json_text(object, 1) + "\n";
 }
 
-/// Returns the run as an MCAP file.
-Outcome<std::string> log_text(const Report& report) {
+/// Returns true if the report has content; a run that was cancelled at once has none.
+bool has_parts(const Report& report) { return !report.metrics.empty(); }
+
+/// Returns the run as an MCAP file with run.json in it.
+Outcome<std::string> log_text(const Report& report, const std::string& result) {
   std::string bytes;
   auto writer = McapWriter::begin(make_string_sink(bytes));
   if (!writer) return pass_on(writer);
   McapSink sink(std::move(*writer));
   to_log(report).add_sink(sink);
+  if (auto ok = sink.writer().attach("run.json", "application/json", result); !ok) return pass_on(ok);
   if (auto ok = sink.finish(); !ok) return pass_on(ok);
   return bytes;
 }
-
-/// Returns true if the report has content; a run that was cancelled at once has none.
-bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
 /// Returns the tables of the report, then those of the run itself.
 std::vector<Table> all_tables(const Job& job, const Run& run) {
@@ -85,15 +86,16 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput&
   if (output.folder.empty() || !begun) return WrittenFiles{};
   const std::string name(job.name);
   const bool moves = plays(run.report);
-  std::vector<NamedText> texts = {
-      {name + ".json", moves ? to_json(run.report) : answer_text(run, all_tables(job, run))}};
+  const std::string result = result_text(run, all_tables(job, run));
+  std::vector<NamedText> texts = {{name + ".json", moves ? to_json(run.report) : result}};
   WrittenFiles written = {{"report", output.folder + "/" + texts.front().first}};
   const auto add = [&](const std::string& what, const std::string& file, std::string text) {
     written.emplace_back(what, output.folder + "/" + file);
     texts.emplace_back(file, std::move(text));
   };
   if (moves) {
-    auto log = log_text(run.report);
+    add("result", "run.json", result);
+    auto log = log_text(run.report, result);
     if (!log) return pass_on(log);
     add("log", "run.mcap", std::move(*log));
   }
