@@ -43,17 +43,27 @@ OptionGroup describe(JobRequest& request) {
             &request.threads}}};
 }
 
-/// Passes the report to both possible observers: a program behind OUTRIDER_LIVE, and a map on the terminal.
-class Observers final : public RunObserver {
+/// Passes the log to both possible viewers: a program behind OUTRIDER_LIVE, and a map on the terminal.
+class Viewers final : public LogSink {
  public:
-  explicit Observers(bool map) {
+  explicit Viewers(bool map) {
     if (map) map_.emplace();
   }
-  RunObserver* any() { return live_.observer() != nullptr || map_ ? this : nullptr; }
-  bool wants() override { return (live_.observer() != nullptr && live_.wants()) || (map_ && map_->wants()); }
-  void see(const Report& so_far) override {
-    if (live_.observer() != nullptr) live_.see(so_far);
-    if (map_) map_->see(so_far);
+  LogSink* sink() { return live_.is_watched() || map_ ? this : nullptr; }
+  void begin(const Log& log) override {
+    live_.begin(log);
+    if (map_) map_->begin(log);
+  }
+  void add_channel(const Channel&) override {}
+  void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
+    if (live_.is_watched()) live_.append(channel, time_ns, data);
+    if (map_) map_->append(channel, time_ns, data);
+  }
+  void finish(Log& log) {
+    log.remove_sink(*this);
+    begin(log);
+    if (live_.is_watched()) live_.finish();
+    if (map_) map_->finish();
   }
 
  private:
@@ -87,13 +97,15 @@ Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const 
 Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request,
                          const std::stop_token& stop) {
   Progress progress;
-  Observers observers(request.live);
+  Viewers viewers(request.live);
   RunWatch watch;
   watch.stop = stop;
-  watch.observer = observers.any();
+  watch.sink = viewers.sink();
   watch.progress = [&](const RunStep& step) { progress.show(step); };
   if (request.live) progress.end();
-  return run_task(job, task, watch);
+  auto run = run_task(job, task, watch);
+  if (run) viewers.finish(run->log);
+  return run;
 }
 
 int execute(const Job& job, JobRequest& request, const Command& words, const std::stop_token& stop) {

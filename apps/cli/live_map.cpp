@@ -9,6 +9,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/world/known_extent.hpp"
 
 namespace outrider::cli {
@@ -54,17 +57,6 @@ std::string braille(const Grid<std::uint8_t>& occupancy, Cell top_left, int side
   return is_free ? "\x1b[48;5;238m" + text + "\x1b[0m" : text;
 }
 
-/// Decodes the cells of a map in a report.
-Grid<std::uint8_t> occupancy_of(const ReportMap& map) {
-  Grid<std::uint8_t> grid;
-  grid.frame = {map.origin, map.cell_m, map.columns, map.rows};
-  for (std::size_t i = 0; i + 1 < map.state_runs.size(); i += 2) {
-    grid.cells.insert(grid.cells.end(), static_cast<std::size_t>(map.state_runs[i + 1]),
-                      static_cast<std::uint8_t>(map.state_runs[i]));
-  }
-  return grid;
-}
-
 }  // namespace
 
 std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<MapSign>& signs, int columns,
@@ -107,27 +99,36 @@ LiveMap::~LiveMap() {
   if (drawn_) fmt::print(stderr, "\n");
 }
 
-bool LiveMap::wants() { return terminal_ && std::chrono::steady_clock::now() >= next_; }
-
-void LiveMap::see(const Report& so_far) {
-  if (!terminal_ || !so_far.explore) return;
+void LiveMap::append(std::size_t, std::int64_t, std::string_view) {
+  if (!terminal_ || std::chrono::steady_clock::now() < next_) return;
   next_ = std::chrono::steady_clock::now() + period;
-  draw(so_far, *so_far.explore);
+  draw();
 }
 
-void LiveMap::draw(const Report& report, const ReportExplore& explore) {
-  const Grid<std::uint8_t> occupancy = occupancy_of(explore.map);
-  std::vector<MapSign> signs = {{report.start.position, "\x1b[1;32m⌂\x1b[0m"}};
-  if (!explore.decisions.empty())
-    signs.push_back({explore.decisions.back().goal.position, "\x1b[1;35m×\x1b[0m"});
-  if (!explore.beliefs.empty()) signs.push_back({explore.beliefs.back().pose.position, "\x1b[1;33m●\x1b[0m"});
+void LiveMap::finish() {
+  if (terminal_ && log_ != nullptr) draw();
+  log_ = nullptr;
+}
+
+void LiveMap::draw() {
+  map_.read(*log_);
+  const Grid<std::uint8_t>& occupancy = map_.grid();
+  if (occupancy.cells.empty()) return;
+  std::vector<MapSign> signs;
+  const auto& poses = log_->messages<geometry_msgs::PoseStamped>(topic::pose);
+  if (!poses.empty())
+    signs.push_back({pose_of(poses.front().message.pose).position, "\x1b[1;32m⌂\x1b[0m"});
+  if (const auto* goal = log_->latest<geometry_msgs::PoseStamped>(topic::goal))
+    signs.push_back({pose_of(goal->pose).position, "\x1b[1;35m×\x1b[0m"});
+  if (const auto* belief = log_->latest<geometry_msgs::PoseWithCovarianceStamped>(topic::belief))
+    signs.push_back({pose_of(belief->pose.pose).position, "\x1b[1;33m●\x1b[0m"});
   const double cell_m2 = occupancy.frame.resolution_m * occupancy.frame.resolution_m;
   const auto free = static_cast<double>(std::ranges::count(occupancy.cells, free_cell));
   const std::string map = map_lines(occupancy, signs, columns_, rows_);
+  const auto* decision = log_->latest<outrider_msgs::Decision>(topic::decisions);
   if (drawn_) fmt::print(stderr, "\r\x1b[{}A", rows_);
-  fmt::print(stderr, "{}\x1b[K{:.0f} s, {:.0f} m2 free, {} frontiers", map,
-             report.track.empty() ? 0.0 : report.track.back().time_s, cell_m2 * free,
-             explore.decisions.empty() ? 0 : explore.decisions.back().frontiers);
+  fmt::print(stderr, "{}\x1b[K{:.0f} s, {:.0f} m2 free, {} frontiers", map, log_->end_s(), cell_m2 * free,
+             decision == nullptr ? 0 : decision->frontiers);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/report/growth.hpp"
+#include "outrider/report/log_map.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider::cli {
@@ -24,23 +24,28 @@ std::string map_lines(const Grid<std::uint8_t>& occupancy, const std::vector<Map
 
 /// Redraws the map in place, at most ten times a second, with a line of figures below; the last map stays.
 /// Draws nothing if standard error is not a terminal.
-class LiveMap final : public RunObserver {
+class LiveMap final : public LogSink {
  public:
   LiveMap();
   ~LiveMap() override;
   LiveMap(const LiveMap&) = delete;
   LiveMap& operator=(const LiveMap&) = delete;
 
-  bool wants() override;
-  void see(const Report& so_far) override;
+  void begin(const Log& log) override { log_ = &log; }
+  void add_channel(const Channel&) override {}
+  void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override;
+  /// Draws the map a last time.
+  void finish();
 
  private:
-  void draw(const Report& report, const ReportExplore& explore);
+  void draw();
 
   bool terminal_;
   bool drawn_ = false;
   int columns_ = 80;
   int rows_ = 24;
+  const Log* log_ = nullptr;
+  LogMap map_;
   std::chrono::steady_clock::time_point next_;
 };
 

@@ -12,10 +12,17 @@ constexpr std::size_t longest_line = std::size_t{4} << 20U;
 
 }  // namespace
 
-bool LiveReport::wants() { return std::chrono::steady_clock::now() >= next_; }
+void LiveReport::append(std::size_t, std::int64_t, std::string_view) {
+  if (std::chrono::steady_clock::now() >= next_) send();
+}
 
-void LiveReport::see(const Report& so_far) {
-  const Report news = growth_.delta(so_far);
+void LiveReport::finish() {
+  if (log_ != nullptr && !log_->channels().empty()) send();
+  log_ = nullptr;
+}
+
+void LiveReport::send() {
+  const PageReport news = growth_.delta(page_report({}, *log_));
   std::string line = to_json_line(news);
   if (line.size() > longest_line) {
     line = fmt::format(R"({{"omitted":"{}","bytes":{},"most_bytes":{}}})",

@@ -14,20 +14,26 @@
 
 namespace outrider::cli {
 
-class LiveReport final : public RunObserver {
+class LiveReport final : public LogSink {
  public:
   LiveReport() : watcher_("OUTRIDER_LIVE") {}
 
-  /// Returns this object; null if no program watches.
-  RunObserver* observer() { return watcher_.is_there() ? this : nullptr; }
+  /// Returns true if a program watches.
+  [[nodiscard]] bool is_watched() const { return watcher_.is_there(); }
+  /// Writes the last line.
+  void finish();
 
-  bool wants() override;
-  void see(const Report& so_far) override;
+  void begin(const Log& log) override { log_ = &log; }
+  void add_channel(const Channel&) override {}
+  void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override;
 
  private:
+  void send();
+
   Watcher watcher_;
+  const Log* log_ = nullptr;
   ReportGrowth growth_;
-  std::chrono::steady_clock::time_point next_;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace outrider::cli

@@ -19,14 +19,10 @@ struct RunOutput {
 /// one.
 Status check(const RunOutput& output, bool folder_given);
 
-/// Writes the report, its moving picture unless the job has drawn one, the page, and the files of the job:
-/// all of them or none. If a run cannot be played, writes the printed object as its report. Pictures and page
-/// are made from the text of the report, so a replay makes the same. Writes nothing for a run that was
-/// cancelled before its mission began, so the files of an earlier run stay whole.
-Outcome<WrittenFiles> write_run(const Job& job, const Run& run, const RunOutput& output);
-
-/// Returns the tables of a report; none if the report is empty, as after a run that was cancelled at once.
-std::vector<Table> tables_of(const Job& job, const Report& report);
+/// Writes run.json, the log, a moving picture unless the job has drawn one, the page, and the files of the job: all of
+/// them or none. A run in which nothing moves has no log. Writes nothing for a run that was cancelled before its
+/// mission began, so the files of an earlier run stay whole.
+Outcome<WrittenFiles> write_run(const Job& job, Run& run, const RunOutput& output);
 
 /// Returns the report as text for people.
 std::string text_of(const Job& job, const Report& report);

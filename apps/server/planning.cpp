@@ -193,7 +193,7 @@ Outcome<Json> answer_plan(const Json& request, PlanningMemory& memory, Workspace
   if (!found) return tl::unexpected<Fault>(found.error());
   const auto& fault = found->rows.front().fault;
   if (fault && fault->code == FaultCode::bad_input) return tl::unexpected<Fault>(*fault);
-  auto object = run_json<Json>(plan_report(asked, *found), {table_of(*found)});
+  auto object = run_json<Json>(plan_report(asked, *found));
   object["warnings"] = question->ground.map->warnings;
   object["view"] = view_json(*question, **ground, trace);
   return object;

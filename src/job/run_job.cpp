@@ -23,14 +23,6 @@ void resolve_files(JobTask& task, const std::set<std::string>& keys, const std::
   }
 }
 
-Run cancelled(const Job& job, const Fault& fault) {
-  Run run;
-  run.report.job = job.name;
-  run.report.status = "cancelled";
-  run.report.reason = fault.sentence;
-  return run;
-}
-
 }  // namespace
 
 std::vector<OptionGroup> JobTask::options() {
@@ -116,13 +108,22 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
     return bad_input(
         fmt::format("'{}' is not a job of this scenario; the job is {}", excerpt(task.job), job.name), "job");
   }
-  if (watch.stopped()) return cancelled(job, {FaultCode::cancelled, "it was cancelled before it began", {}});
+  Run run;
+  run.report.job = job.name;
+  if (watch.sink != nullptr) run.log.add_sink(*watch.sink);
+  const auto cancelled = [&](const std::string& sentence) {
+    run.report.status = "cancelled";
+    run.report.reason = sentence;
+    return std::move(run);
+  };
+  if (watch.stopped()) return cancelled("it was cancelled before it began");
   auto warnings = task.load();
   if (!warnings) return pass_on(warnings);
-  auto run = task.run(watch);
-  if (!run && run.error().code == FaultCode::cancelled) run = cancelled(job, run.error());
-  if (!run) return run;
-  Report& report = run->report;
+  const auto done = task.run(run, watch);
+  if (!done && done.error().code == FaultCode::cancelled) return cancelled(done.error().sentence);
+  if (!done) return tl::unexpected<Fault>(done.error());
+  Report& report = run.report;
+  report.job = job.name;
   report.warnings.insert(report.warnings.begin(), warnings->begin(), warnings->end());
   if (report.settings.empty()) report.settings = settings_of(task.options());
   return run;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "outrider/log/append.hpp"
+
 namespace outrider {
 
 Budget RunWatch::budget() const {
@@ -31,10 +33,10 @@ RunWatch RunSteps::inner() const {
   return watch;
 }
 
-void mark_cancelled(Report& report, double time_s) {
+void mark_cancelled(Report& report, Log& log, double time_s) {
   report.status = "cancelled";
   report.reason = fmt::format("it was cancelled after {:.1f} s of the mission", time_s);
-  report.events.push_back({time_s, "cancelled", "the mission was cancelled"});
+  log_event(log, time_s, "cancelled", "the mission was cancelled");
 }
 
 }  // namespace outrider

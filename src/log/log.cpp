@@ -19,6 +19,7 @@ void Log::note_message(std::size_t channel, std::int64_t time_ns, const void* me
 }
 
 void Log::add_sink(LogSink& sink) {
+  sink.begin(*this);
   for (const Channel& info : infos_) sink.add_channel(info);
   std::vector<std::size_t> sent(channels_.size(), 0);
   for (const std::uint32_t channel : order_) {

@@ -17,7 +17,7 @@ constexpr double pad_px = 18.0;
 constexpr double strip_px = 40.0;  // under the plan: clock and counter
 constexpr std::size_t most_bytes = 400'000;
 
-Box2 drawn_area(const Report& report) {
+Box2 drawn_area(const PageReport& report) {
   Box2 box = report.bounds;
   if (box.empty() || !std::isfinite(norm(box.size()))) {
     box = {};
@@ -111,7 +111,7 @@ std::string drawn(const Scene& scene) {
 
 }  // namespace
 
-std::string to_animated_svg(const Report& report, double seconds) {
+std::string to_animated_svg(const PageReport& report, double seconds) {
   const double loop_s = std::isfinite(seconds) ? std::clamp(seconds, 1.0, 600.0) : 20.0;
   if (report.pursuit) return pursuit_picture(report, loop_s);
   if (report.cover) return cover_picture(report, loop_s);

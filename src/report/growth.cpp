@@ -15,8 +15,8 @@ std::vector<T> rest_of(const std::vector<T>& items, std::size_t& told) {
 }
 
 /// Returns the static parts of the report: everything except the lists that grow.
-Report scene_of(const Report& report) {
-  Report scene = report;
+PageReport scene_of(const PageReport& report) {
+  PageReport scene = report;
   scene.reason.clear();
   scene.metrics.clear();
   scene.targets.clear();
@@ -60,9 +60,9 @@ Part& part_of(std::optional<Part>& part) {
 
 }  // namespace
 
-Report ReportGrowth::delta(const Report& so_far) {
+PageReport ReportGrowth::delta(const PageReport& so_far) {
   const bool begins = std::exchange(job_, so_far.job) != so_far.job;
-  Report changes = begins ? scene_of(so_far) : Report{};
+  PageReport changes = begins ? scene_of(so_far) : PageReport{};
   changes.status = "running";
   changes.paths = rest_of(so_far.paths, sent_.paths);
   changes.shots = rest_of(so_far.shots, sent_.shots);
@@ -82,7 +82,7 @@ Report ReportGrowth::delta(const Report& so_far) {
   return changes;
 }
 
-void ReportGrowth::add_pursuit(Report& changes, const ReportPursuit& pursuit) {
+void ReportGrowth::add_pursuit(PageReport& changes, const ReportPursuit& pursuit) {
   ReportPursuit& part = part_of(changes.pursuit);
   part.target = rest_of(pursuit.target, sent_.target);
   part.paid = rest_of(pursuit.paid, sent_.paid);
@@ -92,7 +92,7 @@ void ReportGrowth::add_pursuit(Report& changes, const ReportPursuit& pursuit) {
     part.robots.push_back(rest_of(pursuit.robots[i], sent_.robots[i]));
 }
 
-void ReportGrowth::add_drive(Report& changes, const ReportDrive& drive) {
+void ReportGrowth::add_drive(PageReport& changes, const ReportDrive& drive) {
   ReportDrive& part = part_of(changes.drive);
   part.beliefs = rest_of(drive.beliefs, sent_.drive_beliefs);
   std::vector<double> arrivals;
@@ -101,14 +101,14 @@ void ReportGrowth::add_drive(Report& changes, const ReportDrive& drive) {
   arrivals_ = std::move(arrivals);
 }
 
-void ReportGrowth::add_explore(Report& changes, const ReportExplore& explore) {
+void ReportGrowth::add_explore(PageReport& changes, const ReportExplore& explore) {
   ReportExplore& part = part_of(changes.explore);
   part.beliefs = rest_of(explore.beliefs, sent_.beliefs);
   part.decisions = rest_of(explore.decisions, sent_.decisions);
   if (!same(explore.map, map_)) part.map = map_ = explore.map;
 }
 
-void ReportGrowth::add_slam(Report& changes, const ReportSlam& slam) {
+void ReportGrowth::add_slam(PageReport& changes, const ReportSlam& slam) {
   ReportSlam& part = part_of(changes.slam);
   part.engine = slam.engine;
   part.beliefs = rest_of(slam.beliefs, sent_.slam_beliefs);

@@ -42,7 +42,7 @@ std::string filled(std::string_view page, std::initializer_list<Part> parts) {
 
 }  // namespace
 
-std::string to_html(const Report& report, std::string_view viewer) {
+std::string to_html(const PageReport& report, std::string_view viewer) {
   return filled(viewer, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},
                          {"@REPORT@", script_data(to_json(report))}});
 }

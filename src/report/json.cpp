@@ -28,7 +28,7 @@ constexpr int version = 1;
 // io.drawn() is for what is only looked at: it is rounded to 1e-6. io.runs() is for the cells of a map.
 
 template <class Io, class T>
-  requires std::same_as<std::remove_const_t<T>, Report>
+  requires std::same_as<std::remove_const_t<T>, PageReport>
 void members(Io& io, T& report) {
   io("status", report.status);
   io("job", report.job);
@@ -155,7 +155,7 @@ class Writer {
   Json json_ = Json::object();
 };
 
-Json json_of(const Report& report) {
+Json json_of(const PageReport& report) {
   Writer writer;
   writer("outrider_report", version);
   members(writer, report);
@@ -366,15 +366,15 @@ Status check_version(const Json& json) {
 
 }  // namespace
 
-std::string to_json(const Report& report) {
+std::string to_json(const PageReport& report) {
   std::string text;
   lay_out(json_of(report), 0, text);
   return text + "\n";
 }
 
-std::string to_json_line(const Report& report) { return text_of(json_of(report)); }
+std::string to_json_line(const PageReport& report) { return text_of(json_of(report)); }
 
-Outcome<Report> report_from_json(std::string_view text) {
+Outcome<PageReport> report_from_json(std::string_view text) {
   Json json;
   try {  // the library reports syntax by exception
     json = Json::parse(text);
@@ -384,7 +384,7 @@ Outcome<Report> report_from_json(std::string_view text) {
   }
   if (auto status = check_version(json); !status) return pass_on(status);
   std::optional<Fault> refusal;
-  Report report;
+  PageReport report;
   Reader::read(Place{json, refusal, nullptr, {}}, report, false);
   if (refusal) return tl::unexpected<Fault>(std::move(*refusal));
   return report;

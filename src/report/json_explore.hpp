@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "json_drive.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 

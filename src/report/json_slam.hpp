@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "json_explore.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 

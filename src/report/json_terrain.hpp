@@ -5,7 +5,7 @@
 #include <concepts>
 #include <type_traits>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 

@@ -27,7 +27,7 @@ struct Span {
 };
 
 // The flights in order, overlapping ones joined.
-std::vector<Span> flights(const Report& report) {
+std::vector<Span> flights(const PageReport& report) {
   std::vector<Span> spans;
   for (const ReportShot& shot : report.shots) {
     if (shot.time_s >= 0.0 && shot.flight_s > 0.0 && std::isfinite(shot.time_s + shot.flight_s)) {
@@ -46,7 +46,7 @@ std::vector<Span> flights(const Report& report) {
   return joined;
 }
 
-double end_of(const Report& report, const std::vector<Span>& spans) {
+double end_of(const PageReport& report, const std::vector<Span>& spans) {
   double end_s = report.track.empty() ? 0.0 : report.track.back().time_s;
   if (!spans.empty()) end_s = std::max(end_s, spans.back().end_s);
   return std::max(end_s, 1e-3);
@@ -99,7 +99,7 @@ TrackSample sample_at(const std::vector<TrackSample>& track, double time_s) {
           .gun_pitch_rad = mix(a.gun_pitch_rad, b.gun_pitch_rad, share)};
 }
 
-LoopClock::LoopClock(const Report& report, double loop_s) : loop_s_(loop_s) {
+LoopClock::LoopClock(const PageReport& report, double loop_s) : loop_s_(loop_s) {
   const std::vector<Span> spans = flights(report);
   const double end_s = end_of(report, spans);
   const double moving_s = loop_s * (1.0 - still_end);

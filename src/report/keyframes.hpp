@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "outrider/geometry/vec.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
@@ -31,7 +31,7 @@ TrackSample sample_at(const std::vector<TrackSample>& track, double time_s);
 /// the loop show the end.
 class LoopClock {
  public:
-  LoopClock(const Report& report, double loop_s);
+  LoopClock(const PageReport& report, double loop_s);
 
   [[nodiscard]] double loop_s() const { return loop_s_; }
   [[nodiscard]] double end_s() const { return knots_.back().run_s; }

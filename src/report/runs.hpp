@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 

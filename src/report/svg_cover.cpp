@@ -56,7 +56,7 @@ std::string planned_line(const MappingView& view, const std::vector<Vec2>& plann
       planned_colour, points);
 }
 
-Box2 drawn_area(const Report& report) {
+Box2 drawn_area(const PageReport& report) {
   Box2 box;
   for (const auto& outline : report.cover->area) {
     for (const Vec2 p : outline) box.include(p);
@@ -68,7 +68,7 @@ Box2 drawn_area(const Report& report) {
 
 }  // namespace
 
-std::string cover_picture(const Report& report, double seconds) {
+std::string cover_picture(const PageReport& report, double seconds) {
   const ReportCover& cover = *report.cover;
   const MappingView view = mapping_view(report, drawn_area(report), {}, seconds);
   const auto keys = mapping_keys(view, report.track);

@@ -44,7 +44,7 @@ std::string label(Vec2 at, std::string_view colour, std::string_view text) {
 }
 
 /// Returns the box of the driven path with a margin, within the bounds.
-Box2 drawn_area(const Report& report) {
+Box2 drawn_area(const PageReport& report) {
   Box2 box;
   for (const TrackSample& sample : report.track) box.include(sample.pose.position);
   for (const ReportStop& stop : report.drive->stops) box.include(stop.pose.position);
@@ -59,7 +59,7 @@ Box2 drawn_area(const Report& report) {
   return box.grown(report.robot_radius_m + 0.1);
 }
 
-std::string solids(const Report& report, const Map& map) {
+std::string solids(const PageReport& report, const Map& map) {
   std::string text;
   for (const ReportSolid& solid : report.solids) {
     for (const RoundedPolygon& piece : solid.footprint) {
@@ -91,7 +91,7 @@ std::string tags(const ReportDrive& drive, const Map& map) {
   return text;
 }
 
-std::string stops(const Report& report, const Map& map) {
+std::string stops(const PageReport& report, const Map& map) {
   std::string text;
   for (std::size_t i = 0; i < report.drive->stops.size(); ++i) {
     const ReportStop& stop = report.drive->stops[i];
@@ -135,7 +135,7 @@ std::string ellipse(const ReportBelief& belief, const Map& map, double enlarged)
       belief_colour, at.x, at.y, -degrees(angle));
 }
 
-std::string ways(const Report& report, const Map& map) {
+std::string ways(const PageReport& report, const Map& map) {
   std::string text;
   double next_s = 0.0;
   std::vector<Vec2> truth, believed;
@@ -151,7 +151,7 @@ std::string ways(const Report& report, const Map& map) {
 }
 
 /// How far the belief was from the truth, over time.
-std::string chart(const Report& report, double top_px) {
+std::string chart(const PageReport& report, double top_px) {
   const auto& beliefs = report.drive->beliefs;
   const std::size_t count = std::min(beliefs.size(), report.track.size());
   if (count < 2) return {};
@@ -192,7 +192,7 @@ std::string chart(const Report& report, double top_px) {
 
 }  // namespace
 
-std::string drive_picture(const Report& report) {
+std::string drive_picture(const PageReport& report) {
   const Box2 area = drawn_area(report);
   const double across_m = std::max(area.size().x, 1e-3), up_m = std::max(area.size().y, 1e-3);
   const double scale = std::min((width_px - 2.0 * pad_px) / across_m, most_map_px / up_m);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
@@ -11,6 +11,6 @@ namespace outrider {
 /// their headings, the true way, the believed way, and ellipses of two standard deviations of the belief,
 /// in a closed loop five times as large as they are. Below, how far the belief was from the truth, with the
 /// band of two standard deviations, and a mark for each look that used a tag. The report has a drive.
-std::string drive_picture(const Report& report);
+std::string drive_picture(const PageReport& report);
 
 }  // namespace outrider

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view refused_colour = "#7c4d9e", home_colour = "#00785a", wall_colour = "#e0457b";
 
 /// The map, and with a margin all walls that are near it.
-Box2 drawn_area(const Report& report) {
+Box2 drawn_area(const PageReport& report) {
   const ReportMap& map = report.explore->map;
   Box2 box;
   box.include(report.start.position);
@@ -45,7 +45,7 @@ std::string walls(const MappingView& view, const ReportExplore& explore) {
   return fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"1\" d=\"{}\"/>\n", wall_colour, d);
 }
 
-std::string marks(const MappingView& view, const Report& report) {
+std::string marks(const MappingView& view, const PageReport& report) {
   std::string svg;
   for (const ReportRefusal& refusal : report.explore->refused) {
     const Vec2 p = view(refusal.position);
@@ -62,7 +62,7 @@ std::string marks(const MappingView& view, const Report& report) {
 
 }  // namespace
 
-std::string explore_picture(const Report& report, double seconds) {
+std::string explore_picture(const PageReport& report, double seconds) {
   const ReportExplore& explore = *report.explore;
   const MappingView view = mapping_view(report, drawn_area(report), explore.beliefs, seconds);
   const auto keys = mapping_keys(view, report.track);

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
 /// A self-contained SVG in a loop of `seconds`: the cells of the map as they came to be known, the true
 /// walls, the true and the believed way with ellipses of two standard deviations, refused frontiers, home.
 /// The report has an exploration.
-std::string explore_picture(const Report& report, double seconds);
+std::string explore_picture(const PageReport& report, double seconds);
 
 }  // namespace outrider

@@ -78,7 +78,7 @@ double enlargement(const std::vector<ReportBelief>& beliefs, double scale) {
 
 }  // namespace
 
-MappingView mapping_view(const Report& report, const Box2& area, const std::vector<ReportBelief>& beliefs,
+MappingView mapping_view(const PageReport& report, const Box2& area, const std::vector<ReportBelief>& beliefs,
                          double loop_s) {
   MappingView view{area, std::max(report.track.empty() ? 0.0 : report.track.back().time_s, 1e-3), loop_s};
   const Vec2 size{std::max(area.size().x, 1e-3), std::max(area.size().y, 1e-3)};
@@ -87,7 +87,7 @@ MappingView mapping_view(const Report& report, const Box2& area, const std::vect
   return view;
 }
 
-std::string mapping_head(const MappingView& view, const Report& report,
+std::string mapping_head(const MappingView& view, const PageReport& report,
                          const std::vector<std::pair<std::string_view, std::string>>& legend) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "

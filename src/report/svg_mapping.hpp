@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "keyframes.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 #include "svg_scene.hpp"
 
 namespace outrider {
@@ -47,11 +47,11 @@ struct MappingView {
 };
 
 /// A view of the area for a run that ends with its track, with ellipses as large as the beliefs need.
-MappingView mapping_view(const Report& report, const Box2& area, const std::vector<ReportBelief>& beliefs,
+MappingView mapping_view(const PageReport& report, const Box2& area, const std::vector<ReportBelief>& beliefs,
                          double loop_s);
 
 /// The beginning of the picture: its size, its ground, and names in their colours along the top.
-std::string mapping_head(const MappingView& view, const Report& report,
+std::string mapping_head(const MappingView& view, const PageReport& report,
                          const std::vector<std::pair<std::string_view, std::string>>& legend);
 
 /// "believed way, 2 standard deviations 10 times as large"

@@ -193,7 +193,7 @@ std::string charts(const ReportPursuit& pursuit, double top) {
 
 }  // namespace
 
-std::string pursuit_picture(const Report& report, double seconds) {
+std::string pursuit_picture(const PageReport& report, double seconds) {
   const ReportPursuit& pursuit = *report.pursuit;
   const double px = width_px / std::max(1, pursuit.columns);
   const double map_height = px * pursuit.rows;

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
 /// A self-contained SVG: above, the ways over the map, with dots that go along them in a loop of `seconds`;
 /// below, paid and proven over the seconds of the mission, and what planning knew over its time. The
 /// report has a pursuit.
-std::string pursuit_picture(const Report& report, double seconds);
+std::string pursuit_picture(const PageReport& report, double seconds);
 
 }  // namespace outrider

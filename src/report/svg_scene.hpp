@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "keyframes.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
@@ -41,7 +41,7 @@ struct Frames {
 };
 
 struct Scene {
-  const Report& report;
+  const PageReport& report;
   LoopClock clock;
   Box2 area;
   double scale = 1.0;       // px per m

@@ -11,7 +11,7 @@ constexpr std::string_view odometry_colour = "#7a858c", reference_colour = "#007
                            landmark_colour = "#00785a", truth_colour = "#262d33", ground_colour = "#fdfdfb";
 
 /// The bounds that the report names; else all that was settled.
-Box2 drawn_area(const Report& report) {
+Box2 drawn_area(const PageReport& report) {
   Box2 box = report.bounds;
   if (box.empty()) {
     for (const TrackSample& sample : report.track) box.include(sample.pose.position);
@@ -82,7 +82,7 @@ std::vector<std::pair<std::string_view, std::string>> legend(const MappingView& 
 
 }  // namespace
 
-std::string slam_picture(const Report& report, double seconds) {
+std::string slam_picture(const PageReport& report, double seconds) {
   const ReportSlam& slam = *report.slam;
   const MappingView view = mapping_view(report, drawn_area(report), slam.beliefs, seconds);
   const auto keys = mapping_keys(view, report.track);

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "outrider/core/overload.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -12,10 +15,6 @@ namespace {
 
 constexpr double sample_period_s = 0.1;
 constexpr double at_station_m = 1e-6;  // beside the error of a drive that ends there
-
-void log(SimRecord& record, double time_s, std::string kind, std::string text) {
-  record.events.push_back({time_s, std::move(kind), std::move(text)});
-}
 
 std::string contact_of(const Impact& impact, const FlightSpace& space, const Target& target) {
   if (impact.hit) return target.name;
@@ -40,14 +39,25 @@ void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
                       [](const auto&) {}},
              command);
   gauge();
+  if (log_ != nullptr) queue_.flush(*log_, body.time_s());
 }
 
+/// Notes an event. Of waits that follow one another only the first is told.
+void SimulatedRobot::tell(double time_s, std::string kind, std::string sentence) {
+  const bool waits = kind == "wait";
+  if (!waits || !waited_) queue_.note_event(time_s, std::move(kind), std::move(sentence));
+  waited_ = waits;
+}
+
+/// Logs the pose of the robot and of its gun.
 void SimulatedRobot::sample() {
+  if (log_ == nullptr) return;
   const auto& waypoints = body<WaypointBody>();
   const Pose2& pose = waypoints.pose();
-  const Shot barrel =
-      devices_.gun ? devices_.gun->barrel(waypoints.stance(), pose.heading_rad) : Shot{pose.heading_rad};
-  record.track.push_back({waypoints.time_s(), pose, barrel.yaw_rad, barrel.pitch_rad});
+  log_pose(*log_, waypoints.time_s(), pose);
+  if (!devices_.gun) return;
+  const Shot barrel = devices_.gun->barrel(waypoints.stance(), pose.heading_rad);
+  log_gun(*log_, waypoints.time_s(), barrel.yaw_rad, barrel.pitch_rad);
 }
 
 /// Takes what has been used until now out of the stores.
@@ -56,8 +66,10 @@ void SimulatedRobot::gauge() {
   record.driven_m = waypoints.driven_m();
   record.turned_rad = waypoints.turned_rad();
   if (!devices_.stores) return;
-  devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots.size());
-  record.levels.push_back({waypoints.time_s(), devices_.stores->water(), devices_.stores->charge_j()});
+  devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots);
+  if (log_ == nullptr) return;
+  log_->append(topic::stores, waypoints.time_s(),
+               outrider_msgs::StoreLevels{devices_.stores->water(), devices_.stores->charge_j()});
 }
 
 /// Drives a straight, and shoots on the way.
@@ -95,30 +107,25 @@ void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<con
 void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
   if (command.waypoints.size() < 2) return;
   const std::vector<Vec2> waypoints = body.displaced_waypoints(command.waypoints);
-  ReportPath path{body.time_s(), 0.0, waypoints};
-  log(record, body.time_s(), "drive",
-      fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
+  if (log_ != nullptr) log_plan(*log_, body.time_s(), waypoints);
+  tell(body.time_s(), "drive",
+       fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const auto shots = std::ranges::equal_range(command.shots, i, {}, &FireInPassing::leg);
     drive_straight(body, waypoints[i], {shots.begin(), shots.end()});
-    if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) {
-      path.waypoints.resize(i + 1);
-      break;
-    }
+    if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) break;
   }
   body.end_way();
-  path.end_s = body.time_s();
-  record.paths.push_back(std::move(path));
+  if (log_ != nullptr) log_plan(*log_, body.time_s(), {});
   if (!landed_.empty()) await_balls(body);
 }
 
-/// Stands until the balls of the shots in passing have landed, and puts the events in their order.
+/// Stands until the balls of the shots in passing have landed.
 void SimulatedRobot::await_balls(WaypointBody& body) {
   double until_s = body.time_s();
   for (const ShotResult& shot : landed_) until_s = std::max(until_s, shot.landed_s);
   body.wait_until(until_s);
   sample();
-  std::ranges::stable_sort(record.events, {}, &ReportEvent::time_s);
 }
 
 void SimulatedRobot::aim(WaypointBody& body, const AimGun& command) {
@@ -147,20 +154,22 @@ Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
                                      velocity_mps, walk, time_s);
   const FlightSpace& space = gun.scene().space(stand_in);
   const auto& [flight, impact, muzzle_mps, target] = thrown;
-  ReportShot shot = shot_record(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
-                                contact_of(impact, space, target));
+  outrider_msgs::Shot shot = shot_message(flight, impact, space, target, gun.scene().rules.gun.ball_radius_m,
+                                          contact_of(impact, space, target));
   shot.target = target.name;
-  shot.attempt = gun.next_attempt(command.target);
-  shot.time_s = time_s;
+  shot.attempt = static_cast<std::uint32_t>(gun.next_attempt(command.target));
+  const Shot barrel = gun.barrel(from.stance(), from.pose().heading_rad);
+  set_pose(shot, from.pose(), barrel.yaw_rad, barrel.pitch_rad);
+  shot.platform_velocity = point_of(velocity_mps);
   const double speed = norm(velocity_mps);
-  if (speed > 0.0) shot.platform_velocity_mps = velocity_mps;
-  log(record, time_s, "shot",
-      fmt::format("shoots at {} with {:.2f} m/s{}", target.name, muzzle_mps,
-                  speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
-  log(record, time_s + impact.time_s, impact.hit ? "hit" : "miss",
-      impact.hit ? fmt::format("hits {}", target.name)
-                 : fmt::format("misses {}: touches {}", target.name, shot.contact));
-  record.shots.push_back(std::move(shot));
+  tell(time_s, "shot",
+       fmt::format("shoots at {} with {:.2f} m/s{}", target.name, muzzle_mps,
+                   speed > 0.0 ? fmt::format(", driving at {:.2f} m/s", speed) : ""));
+  tell(time_s + impact.time_s, impact.hit ? "hit" : "miss",
+       impact.hit ? fmt::format("hits {}", target.name)
+                  : fmt::format("misses {}: touches {}", target.name, shot.contact));
+  ++record.shots;
+  if (log_ != nullptr) log_->append(topic::shots, time_s, std::move(shot));
   landed_.push_back({command.target, impact.hit, time_s + impact.time_s});
   return impact;
 }
@@ -169,14 +178,16 @@ void SimulatedRobot::fire(WaypointBody& body, const Fire& command) {
   const Impact impact = shoot(command, {});
   body.wait_until(body.time_s() + impact.time_s);
   sample();
-  if (impact.hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), record);
+  if (impact.hit && devices_.targets) devices_.targets->hit(command.target, body.time_s(), queue_);
 }
 
 void SimulatedRobot::wait(WaypointBody& body, const Wait& command) {
   double until_s = command.until_s;
   if (devices_.targets) until_s = std::min(until_s, devices_.targets->next_entry_s());
   if (!std::isfinite(until_s) || until_s <= body.time_s()) return;
-  log(record, body.time_s(), "wait", fmt::format("waits until {:.1f} s", until_s));
+  const bool walkers = devices_.targets && devices_.targets->walk(0) != nullptr;
+  tell(body.time_s(), "wait",
+       walkers ? std::string("waits for a shot") : fmt::format("waits until {:.1f} s", until_s));
   sample();
   body.wait_until(until_s);
   sample();
@@ -187,11 +198,11 @@ void SimulatedRobot::fill(WaypointBody& body, const Fill& command) {
   const StationCall& call = command.call;
   const Station& station = devices_.stores->station(call.station);
   if (distance(body.pose().position, station.position) > body.position_error_m() + at_station_m) {
-    log(record, body.time_s(), "no_fill",
-        fmt::format("is too far from {} to take in {}", station.name, to_string(call.store)));
+    tell(body.time_s(), "no_fill",
+         fmt::format("is too far from {} to take in {}", station.name, to_string(call.store)));
     return;
   }
-  log(record, body.time_s(), "fill", fmt::format("takes in {} at {}", to_string(call.store), station.name));
+  tell(body.time_s(), "fill", fmt::format("takes in {} at {}", to_string(call.store), station.name));
   sample();
   body.wait_until(body.time_s() + devices_.stores->fill(call.store));
   sample();

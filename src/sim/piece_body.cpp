@@ -138,7 +138,7 @@ class Recorder {
   void note(double time_s, const Pose2& pose) {
     pose_ = pose;
     if (drive_.track.back().time_s >= time_s) drive_.track.pop_back();
-    drive_.track.push_back({time_s, pose, 0.0, 0.0});
+    drive_.track.push_back({time_s, pose});
   }
 
   PieceDrive& drive_;
@@ -170,7 +170,7 @@ PieceBody::PieceBody(const Pose2& start, const Pace& pace, double tracking_error
       heading_rad_(start.heading_rad) {
   drive_.way.push_back(start.position);
   drive_.times_s.push_back(0.0);
-  drive_.track.push_back({0.0, start, 0.0, 0.0});
+  drive_.track.push_back({0.0, start});
 }
 
 double PieceBody::begin(const Command& command) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "outrider/log/conversions.hpp"
+
 namespace outrider {
 
-std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact, const FlightSpace& space,
-                                     const Target& target) {
+std::vector<outrider_msgs::ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
+                                                    const FlightSpace& space, const Target& target) {
   constexpr double spare_m = 0.6;
   const Vec2 origin = xy(flight.muzzle);
   // In air a flight is not in one plane; it is seen from the side of its end.
@@ -15,12 +17,12 @@ std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
   const double end = std::max(dot(along, xy(impact.position) - origin), dot(along, xy(centre) - origin));
   const double bottom = std::min({flight.muzzle.z, impact.position.z, target.base.z}) - 0.3;
 
-  std::vector<ProfilePiece> pieces;
+  std::vector<outrider_msgs::ProfilePiece> pieces;
   const auto add = [&](const Solid& solid) {
     for (auto& polygon : slice(solid, origin, along)) {
       polygon =
           clip(clip(clip(polygon, {-1.0, 0.0}, spare_m), {1.0, 0.0}, end + spare_m), {0.0, -1.0}, -bottom);
-      if (polygon.size() >= 2) pieces.push_back({solid.name, std::move(polygon)});
+      if (polygon.size() >= 2) pieces.push_back({solid.name, points_of(polygon)});
     }
   };
   for (const Solid& solid : space.solids()) add(solid);
@@ -28,11 +30,11 @@ std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
   return pieces;
 }
 
-std::optional<std::vector<Vec3>> path_of(const Flight& flight, const Impact& impact) {
-  if (!flight.in_air) return std::nullopt;
+std::vector<geometry_msgs::Point> path_of(const Flight& flight, const Impact& impact) {
+  if (!flight.in_air) return {};
   constexpr int parts = 32;
-  std::vector<Vec3> path;
-  for (int i = 0; i <= parts; ++i) path.push_back(flight.position(impact.time_s * i / parts));
+  std::vector<geometry_msgs::Point> path;
+  for (int i = 0; i <= parts; ++i) path.push_back(point_of(flight.position(impact.time_s * i / parts)));
   return path;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "outrider/ballistics/contact.hpp"
+#include "outrider/log/conversions.hpp"
 #include "outrider/sim/profile.hpp"
 
 namespace outrider {
@@ -19,20 +20,27 @@ bool hits_by_reference_rule(const Flight& flight, const Target& target, double u
 
 }  // namespace
 
-ReportShot shot_record(const Flight& flight, const Impact& impact, const FlightSpace& space,
+outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, const FlightSpace& space,
                        const Target& target, double ball_radius_m, std::string contact) {
-  ReportShot shot;
-  shot.flight_s = impact.time_s;
-  shot.muzzle = flight.muzzle;
-  shot.velocity_mps = flight.velocity_mps;
+  outrider_msgs::Shot shot;
+  shot.flight = impact.time_s;
+  shot.muzzle = point_of(flight.muzzle);
+  shot.velocity = vector_of(flight.velocity_mps);
   shot.contact = std::move(contact);
-  shot.contact_point = impact.position;
+  shot.contact_point = point_of(impact.position);
   shot.hit = impact.hit;
   shot.hit_by_reference_rule = hits_by_reference_rule(flight, target, impact.time_s);
-  shot.clearance_m = impact.hit ? space.clearance(flight, ball_radius_m, impact.time_s, 1.0).distance_m : 0.0;
+  shot.clearance = impact.hit ? space.clearance(flight, ball_radius_m, impact.time_s, 1.0).distance_m : 0.0;
   shot.profile = profile_of(flight, impact, space, target);
   shot.path = path_of(flight, impact);
   return shot;
+}
+
+void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad, double gun_pitch_rad) {
+  shot.robot = point_of(robot.position);
+  shot.robot_heading = robot.heading_rad;
+  shot.gun_yaw = gun_yaw_rad;
+  shot.gun_pitch = gun_pitch_rad;
 }
 
 SimulatedGun::SimulatedGun(const GunScene& scene, const ExecutionErrors& errors, const Rng& gun,

@@ -21,8 +21,10 @@ void sense_body(const WaypointBody& body, Observation& seen) { seen.odometry = b
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(SimulatedBody body, SimulatedDevices devices, const Kidnapping& kidnapping)
-    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping) {
-  if (!std::holds_alternative<WaypointBody>(body_)) return;
+    : body_(std::move(body)), devices_(std::move(devices)), kidnapping_(kidnapping) {}
+
+SimulatedRobot::SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices)
+    : body_(std::move(body)), devices_(std::move(devices)), log_(&log) {
   gauge();
   sample();
 }

@@ -5,6 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/sim/execution_errors.hpp"
 
 namespace outrider {
@@ -53,7 +56,7 @@ TargetReport SimulatedTargets::look(double time_s) {
   return report;
 }
 
-void SimulatedTargets::hit(std::size_t who, double time_s, SimRecord& record) {
+void SimulatedTargets::hit(std::size_t who, double time_s, LogQueue& queue) {
   if (!gone_.empty()) gone_[who] = 1;
   const std::size_t first = params_.intruders.size();
   if (who >= first) return;
@@ -66,13 +69,17 @@ void SimulatedTargets::hit(std::size_t who, double time_s, SimRecord& record) {
   const double walk_mps = params_.survival.walk_mps;
   const double walk_s = walk_mps > 0.0 ? distance(from, to) / walk_mps : 0.0;
   survived_.push_back({who, time_s + walk_s, next});
-  record.events.push_back({time_s, "survive",
-                           fmt::format("{} does not leave: it goes to the place of {}",
-                                       params_.intruders[who].name, targets_[first + next].name)});
-  auto& moves = record.moves[who];
-  if (moves.empty()) moves.push_back({params_.intruders[who].settles_s, from, from});
-  moves.push_back({time_s, from, from});
-  moves.push_back({time_s + walk_s, to, to});
+  const std::string& name = params_.intruders[who].name;
+  queue.note_event(
+      time_s, "survive",
+      fmt::format("{} does not leave: it goes to the place of {}", name, targets_[first + next].name));
+  const auto stands = [&](double when_s, std::size_t at, Vec2 position) {
+    const double height = targets_[first + at].centre().z;
+    queue.note(when_s, topic::target_positions,
+               outrider_msgs::TargetPosition{name, {position.x, position.y, height}, point_of(position)});
+  };
+  stands(time_s, place, from);
+  stands(time_s + walk_s, next, to);
 }
 
 }  // namespace outrider

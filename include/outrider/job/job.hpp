@@ -19,7 +19,6 @@
 
 #include "outrider/core/options.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/job/table.hpp"
 #include "outrider/job/watch.hpp"
 #include "outrider/report/report.hpp"
 
@@ -28,12 +27,11 @@ namespace outrider {
 /// One sentence for each repair to an input and for each part of it that was ignored.
 using Warnings = std::vector<std::string>;
 
-/// The result of a run. The report holds the status, the reason and the metrics.
+/// A run: what it came to, what happened in it, and the files that it made.
 struct Run {
-  Report report;                         ///< status "done", "not_done" or "cancelled"
+  Report report;                         ///< status "done", "not_done" or "cancelled", metrics, tables
+  Log log;                               ///< all messages
   std::vector<NamedContent> files = {};  ///< other files that the job made, such as "map.yaml"
-  std::vector<Report> parts = {};        ///< reports of sub-missions that have their own pictures
-  std::vector<Table> tables = {};        ///< tables that Job::tables does not make from the report
 };
 
 /// One task of a job. Set its options, then call load(), then run(). Thread rule: use each task from one
@@ -51,10 +49,10 @@ class JobTask {
   /// file and line, or with the key of the option.
   virtual Outcome<Warnings> load() = 0;
 
-  /// Plans the task and carries it out. Call load() first. The result is a pure function of the task, except
-  /// for Report::machine_times. A run that is stopped during its mission returns the part done, with the
-  /// status "cancelled"; if it is stopped earlier, the fault is `cancelled`.
-  virtual Outcome<Run> run(const RunWatch& watch) = 0;
+  /// Plans the task and carries it out. Call load() first, and give an empty run, whose log may have sinks. The
+  /// result is a pure function of the task, except for Report::machine_times. A run that is stopped during its
+  /// mission has the part done, with the status "cancelled"; if it is stopped earlier, the fault is `cancelled`.
+  virtual Status run(Run& run, const RunWatch& watch) = 0;
 
   std::string job;              ///< the value of the key `job`
   std::set<std::string> given;  ///< keys set by a scenario or a caller, such as "seed" or "robot.radius"
@@ -78,12 +76,8 @@ struct Job {
   /// Alternative names of flags, such as {"planner", "plan.planner"}.
   std::vector<std::pair<std::string_view, std::string_view>> aliases = {};
   double picture_s = 24.0;  ///< length of the animation, s
-  /// Formats a report of this job as text for a person.
+  /// Formats what run.json has of a run of this job, metrics, tables and settings, as text for a person.
   std::function<std::string(const Report&)> summary = {};
-  /// Formats a whole run as text, for jobs whose summary needs more than the report.
-  std::function<std::string(const Run&)> run_summary = {};
-  /// Makes the tables of a report, such as the table of targets.
-  std::function<std::vector<Table>(const Report&)> tables = {};
 };
 
 }  // namespace outrider

@@ -1,6 +1,6 @@
 // The JSON form of a run. The command line tool prints it with --json, and the server sends it.
 //
-//   {"status", "job", "reason", "metrics": {...}, the tables by their names, "files": {...}, "warnings":
+//   {"status", "job", "world", "reason", "metrics": {...}, the tables by their names, "files": {...}, "warnings":
 //   [...]}
 //
 // Unknown numbers are null; whole numbers have no decimal point. `Json` is any type with the interface of
@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "outrider/core/overload.hpp"
-#include "outrider/job/table.hpp"
 #include "outrider/report/report.hpp"
 
 namespace outrider {
@@ -79,14 +78,14 @@ Json table_json(const Table& table) {
 
 /// Converts a run to the JSON object described at the top of this file.
 template <class Json>
-Json run_json(const Report& report, const std::vector<Table>& tables, const WrittenFiles& files = {}) {
+Json run_json(const Report& report, const WrittenFiles& files = {}) {
   Json metrics = Json::object(), paths = Json::object();
   for (const auto& [name, value] : report.metrics) metrics[name] = number_json<Json>(value);
   for (const auto& [name, value] : report.machine_times) metrics[name] = number_json<Json>(value);
   for (const auto& [name, path] : files) paths[name] = path;
   Json object = {
-      {"status", report.status}, {"job", report.job}, {"reason", report.reason}, {"metrics", metrics}};
-  for (const Table& table : tables) object[table.name] = table_json<Json>(table);
+      {"status", report.status}, {"job", report.job}, {"world", report.world_name}, {"reason", report.reason}, {"metrics", metrics}};
+  for (const Table& table : report.tables) object[table.name] = table_json<Json>(table);
   object["files"] = std::move(paths);
   object["warnings"] = report.warnings;
   return object;

@@ -1,4 +1,4 @@
-// RunWatch: how a caller follows a run and stops it: progress, the growing report, and a stop token.
+// RunWatch: how a caller follows a run and stops it: progress, the messages of its log, and a stop token.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,8 @@
 #include <string>
 
 #include "outrider/core/budget.hpp"
-#include "outrider/report/growth.hpp"
+#include "outrider/log/log.hpp"
+#include "outrider/report/report.hpp"
 
 namespace outrider {
 
@@ -22,25 +23,20 @@ struct RunStep {
 struct RunWatch {
   std::stop_token stop = {};
   std::function<void(const RunStep&)> progress = {};  ///< called on the thread of the run
-  RunObserver* observer = nullptr;                    ///< receives the report while it grows; may be null
+  LogSink* sink = nullptr;  ///< receives the messages of the log as they are appended; may be null
 
   /// Returns a budget that is limited by the stop token only.
   [[nodiscard]] Budget budget() const;
   [[nodiscard]] bool stopped() const { return stop.stop_requested(); }
-  /// Returns true if there is an observer and it wants the report now.
-  [[nodiscard]] bool wanted() const { return observer != nullptr && observer->wants(); }
-  /// Passes the report to the observer, if there is one.
-  void show(const Report& so_far) const {
-    if (observer != nullptr) observer->see(so_far);
-  }
   /// Reports the completed fraction of the present step, from 0 to 1.
   void part(double done) const {
     if (progress) progress({"", 1, 1, done});
   }
 };
 
-/// Sets the status of a report to "cancelled". `time_s` is the mission time at which the mission was stopped.
-void mark_cancelled(Report& report, double time_s);
+/// Sets the status of a report to "cancelled" and logs it. `time_s` is the mission time at which the mission was
+/// stopped.
+void mark_cancelled(Report& report, Log& log, double time_s);
 
 /// Reports the steps of a run to a watch, in order.
 class RunSteps {

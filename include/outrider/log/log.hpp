@@ -13,6 +13,7 @@
 // time.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,8 @@ struct Stamped {
   [[nodiscard]] double time_s() const { return seconds(time_ns); }
 };
 
+class Log;
+
 /// Receives the messages of a log as they are appended. A sink never changes a run: a sink that fails keeps
 /// its fault to itself until it is asked.
 class LogSink {
@@ -49,6 +52,8 @@ class LogSink {
   virtual ~LogSink() = default;
   LogSink(const LogSink&) = delete;
   LogSink& operator=(const LogSink&) = delete;
+  /// Called when the sink is added to a log, before anything else. The log must not be changed.
+  virtual void begin(const Log& /*log*/) {}
   /// Receives a new channel. Channels are numbered 0, 1, 2, ... in this order.
   virtual void add_channel(const Channel& channel) = 0;
   /// Receives a message, CDR-encoded.
@@ -64,14 +69,15 @@ class Log {
   Log(Log&&) noexcept = default;
   Log& operator=(Log&&) noexcept = default;
 
+  /// Lets the times of all further messages count from `time_s`, for a mission that follows another one.
+  void begin_at(double time_s) { origin_ns_ = nanoseconds(time_s); }
+
   /// Appends a message to the channel, which the first message makes. Expects the type of the earlier
   /// messages of the channel; a time before that of the newest one counts as that time.
   template <class Message>
   void append(std::string_view topic, double time_s, Message message) {
-    append_at(topic, nanoseconds(time_s), std::move(message));
+    append_at(topic, origin_ns_ + nanoseconds(time_s), std::move(message));
   }
-  template <class Message>
-  void append_at(std::string_view topic, std::int64_t time_ns, Message message);
 
   /// Returns the messages of a channel in the order of time; none if there is no such channel of this type.
   template <class Message>
@@ -95,6 +101,9 @@ class Log {
   void remove_sink(LogSink& sink) { std::erase(sinks_, &sink); }
 
  private:
+  template <class Message>
+  void append_at(std::string_view topic, std::int64_t time_ns, Message message);
+
   struct AnyChannel {
     explicit AnyChannel(const MessageType& of) : type(&of) {}
     virtual ~AnyChannel() = default;
@@ -120,6 +129,7 @@ class Log {
   std::vector<Channel> infos_;
   std::map<std::string, std::size_t, std::less<>> numbers_;  ///< topic -> channel
   std::vector<std::uint32_t> order_;                         ///< the channel of each message
+  std::int64_t origin_ns_ = 0;
   std::int64_t end_ns_ = 0;
   std::vector<LogSink*> sinks_;
 };

@@ -45,6 +45,17 @@ struct Landmarks {
   }
 };
 
+/// The landmarks that were seen at this time, in the frame of the robot.
+struct Sightings {
+  std::vector<Point2> points;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/Sightings";
+  template <class List>
+  static void describe(List& list) {
+    list.field("points", &Sightings::points);
+  }
+};
+
 /// Two poses that were joined because a place was recognised, at their present estimates.
 struct Loop {
   double closed = 0.0;  ///< when

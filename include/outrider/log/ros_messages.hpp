@@ -1,4 +1,5 @@
-// The standard ROS messages that Outrider logs, under their own names. Fields, their order and their meaning
+// The standard ROS messages that Outrider logs, under their own names; those of sensors are in
+// ros_sensor_messages.hpp. Fields, their order and their meaning
 // are those of ROS 2 (Humble and later); units are SI.
 #pragma once
 
@@ -294,39 +295,6 @@ struct OccupancyGridUpdate {
 };
 
 }  // namespace map_msgs
-
-namespace sensor_msgs {
-
-/// Ranges at equal angles, counter-clockwise from `angle_min`, in the frame of the header.
-struct LaserScan {
-  std_msgs::Header header;
-  float angle_min = 0.0F;
-  float angle_max = 0.0F;
-  float angle_increment = 0.0F;
-  float time_increment = 0.0F;
-  float scan_time = 0.0F;
-  float range_min = 0.0F;
-  float range_max = 0.0F;
-  std::vector<float> ranges;  ///< a range outside [range_min, range_max] is no measurement
-  std::vector<float> intensities;
-
-  static constexpr std::string_view type = "sensor_msgs/msg/LaserScan";
-  template <class List>
-  static void describe(List& list) {
-    list.field("header", &LaserScan::header);
-    list.field("angle_min", &LaserScan::angle_min, "rad");
-    list.field("angle_max", &LaserScan::angle_max, "rad");
-    list.field("angle_increment", &LaserScan::angle_increment, "rad");
-    list.field("time_increment", &LaserScan::time_increment, "s");
-    list.field("scan_time", &LaserScan::scan_time, "s");
-    list.field("range_min", &LaserScan::range_min, "m");
-    list.field("range_max", &LaserScan::range_max, "m");
-    list.field("ranges", &LaserScan::ranges, "m");
-    list.field("intensities", &LaserScan::intensities);
-  }
-};
-
-}  // namespace sensor_msgs
 
 namespace rcl_interfaces {
 

@@ -56,22 +56,11 @@ struct RoundedPolygon {
   }
 };
 
-struct Setting {
-  std::string name;
-  std::string value;  ///< with its unit
-
-  static constexpr std::string_view type = "outrider_msgs/msg/Setting";
-  template <class List>
-  static void describe(List& list) {
-    list.field("name", &Setting::name);
-    list.field("value", &Setting::value);
-  }
-};
-
 /// What is run, where, and with which robot.
 struct RunInfo {
   std::string job;
-  std::string sim;  ///< "physics" if rigid bodies are simulated
+  std::string sim;     ///< "physics" if rigid bodies are simulated
+  std::string engine;  ///< of mapping: "laser", "pose_graph", ...; else empty
   std::uint64_t seed = 0;
   std::string world;
   Point2 low;  ///< corners of the box that shows everything
@@ -82,14 +71,13 @@ struct RunInfo {
   double ball_radius = 0.0;
   double margin = 0.0;          ///< clearance that planned flights keep
   double coverage_width = 0.0;  ///< width of the strip that the robot covers; 0: none
-  std::vector<Setting> settings;
-  std::vector<std::string> warnings;
 
   static constexpr std::string_view type = "outrider_msgs/msg/RunInfo";
   template <class List>
   static void describe(List& list) {
     list.field("job", &RunInfo::job);
     list.field("sim", &RunInfo::sim);
+    list.field("engine", &RunInfo::engine);
     list.field("seed", &RunInfo::seed);
     list.field("world", &RunInfo::world);
     list.field("low", &RunInfo::low);
@@ -100,8 +88,6 @@ struct RunInfo {
     list.field("ball_radius", &RunInfo::ball_radius, "m");
     list.field("margin", &RunInfo::margin, "m");
     list.field("coverage_width", &RunInfo::coverage_width, "m");
-    list.field("settings", &RunInfo::settings);
-    list.field("warnings", &RunInfo::warnings);
   }
 };
 

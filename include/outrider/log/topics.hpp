@@ -47,6 +47,7 @@ inline constexpr std::string_view cost_grid = "/cost_grid";
 inline constexpr std::string_view paid = "/paid";
 inline constexpr std::string_view bounds = "/cost_bounds";
 inline constexpr std::string_view landmarks = "/landmarks";
+inline constexpr std::string_view sightings = "/sightings";
 inline constexpr std::string_view loops = "/loops";
 
 }  // namespace outrider::topic

@@ -10,7 +10,7 @@
 #include <limits>
 #include <span>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 #include "outrider/world/grid.hpp"
 #include "outrider/world/occupancy.hpp"
 

@@ -1,4 +1,4 @@
-// RunObserver and ReportGrowth: a report while a run fills it, and what is new since the last look at it.
+// ReportGrowth: what is new in the report of a run since the last look at it.
 #pragma once
 
 #include <cstddef>
@@ -6,27 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
-
-/// Watches a run that fills its report. An observer never changes what happens. Thread rule: the run calls it
-/// from one thread.
-class RunObserver {
- public:
-  virtual ~RunObserver() = default;
-  /// Returns true if the observer wants to see the report now. The run asks after each step, and updates the
-  /// expensive parts of the report only on true.
-  virtual bool wants() = 0;
-  /// Receives the report so far. The run also calls it once at its end, without asking. The report has no
-  /// metrics and no verdict yet.
-  virtual void see(const Report& so_far) = 0;
-
- protected:
-  RunObserver() = default;
-  RunObserver(const RunObserver&) = default;
-  RunObserver& operator=(const RunObserver&) = default;
-};
 
 /// Splits a growing report into the changes between two looks at it.
 class ReportGrowth {
@@ -37,7 +19,7 @@ class ReportGrowth {
   /// decisions, the seconds of a pursuit, odometry and scans of a log) continue where the last report ended.
   /// Targets, stops of a drive and the map are complete whenever a part of them has changed. Landmarks and
   /// loops are always complete. O(changes + targets + size of the map).
-  Report delta(const Report& so_far);
+  PageReport delta(const PageReport& so_far);
 
  private:
   struct Sent {
@@ -49,10 +31,10 @@ class ReportGrowth {
   };
   using TargetState = std::tuple<std::string, std::string, int, std::size_t>;
 
-  void add_pursuit(Report& changes, const ReportPursuit& pursuit);
-  void add_drive(Report& changes, const ReportDrive& drive);
-  void add_explore(Report& changes, const ReportExplore& explore);
-  void add_slam(Report& changes, const ReportSlam& slam);
+  void add_pursuit(PageReport& changes, const ReportPursuit& pursuit);
+  void add_drive(PageReport& changes, const ReportDrive& drive);
+  void add_explore(PageReport& changes, const ReportExplore& explore);
+  void add_slam(PageReport& changes, const ReportSlam& slam);
 
   std::string job_;
   Sent sent_;

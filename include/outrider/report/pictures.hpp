@@ -4,14 +4,14 @@
 #include <string>
 #include <string_view>
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider {
 
 /// Returns an HTML page that plays the report. `viewer` is the page without a report (the tool contains one,
 /// built from web/): HTML with the markers @TITLE@ (text) and @REPORT@ (JSON, inside a script element), each
 /// once and in this order. All names in the report are escaped. O(length of both).
-std::string to_html(const Report& report, std::string_view viewer);
+std::string to_html(const PageReport& report, std::string_view viewer);
 
 /// Returns a self-contained animated SVG (SMIL, no script) of the plan view for use in an <img>. It plays the
 /// whole run in one loop of `seconds` (1 to 600, clamped).
@@ -21,6 +21,6 @@ std::string to_html(const Report& report, std::string_view viewer);
 /// exceeds 400,000 bytes, the tolerances are doubled until it does not; the yard is never simplified. Shots
 /// with unknown numbers are left out. Source of the simplification: Douglas and Peucker, Cartographica 10
 /// (1973) 112-122.
-std::string to_animated_svg(const Report& report, double seconds);
+std::string to_animated_svg(const PageReport& report, double seconds);
 
 }  // namespace outrider

@@ -16,10 +16,14 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/motion/pace.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
-#include "outrider/report/report.hpp"
 #include "outrider/robot/command.hpp"
 
 namespace outrider {
+
+struct TimedPose {
+  double time_s = 0.0;
+  Pose2 pose;
+};
 
 /// A record of the driven path.
 struct PieceDrive {
@@ -27,10 +31,10 @@ struct PieceDrive {
   std::vector<double> times_s;  ///< time at which each point of `way` is reached
   std::vector<double> ends_s;   ///< end time of each piece, including its turn and pause
 
-  /// Poses over time, without a gun. They are exact at the points of `way` and where the acceleration
+  /// Poses over time. They are exact at the points of `way` and where the acceleration
   /// changes. Linear interpolation is exact at constant speed; otherwise its error is at most 3 mm and 4
   /// mrad.
-  std::vector<TrackSample> track;
+  std::vector<TimedPose> track;
 
   double time_s = 0.0;            ///< end of the drive
   double length_m = 0.0;          ///< length of `way`

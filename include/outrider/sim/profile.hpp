@@ -1,21 +1,20 @@
 // The side view of a shot: the section of the world in the vertical plane of the flight.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "outrider/ballistics/shot.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/log/gun_messages.hpp"
 
 namespace outrider {
 
 /// Returns the cut solids as convex polygons with coordinates (distance from the muzzle along the flight,
 /// height). They extend to 0.6 m beyond the ends of the flight and 0.3 m below its lowest point. The target
 /// is the last one.
-std::vector<ProfilePiece> profile_of(const Flight& flight, const Impact& impact, const FlightSpace& space,
-                                     const Target& target);
+std::vector<outrider_msgs::ProfilePiece> profile_of(const Flight& flight, const Impact& impact,
+                                                    const FlightSpace& space, const Target& target);
 
-/// Returns the ball's positions at 33 evenly spaced times; nothing if the flight is a parabola.
-std::optional<std::vector<Vec3>> path_of(const Flight& flight, const Impact& impact);
+/// Returns the ball's positions at 33 evenly spaced times; none if the flight is a parabola.
+std::vector<geometry_msgs::Point> path_of(const Flight& flight, const Impact& impact);
 
 }  // namespace outrider

@@ -1,11 +1,9 @@
-// SimRecord: the actions of a simulated robot, as entries of a report.
+// SimRecord: measurements of what a simulated robot does, beside its log.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "outrider/report/report.hpp"
 
 namespace outrider {
 
@@ -21,22 +19,10 @@ struct RigidRecord {
 
 /// What a simulated robot has done so far.
 struct SimRecord {
-  std::vector<TrackSample> track = {};
-  std::vector<ReportPath> paths = {};
-  std::vector<ReportShot> shots = {};
-  std::vector<ReportEvent> events = {};
-  std::vector<ReportLevel> levels = {};  ///< levels of the stores, if they are limited
-  /// By intruder: its movements after it survived a hit.
-  std::vector<std::vector<ReportMove>> moves = {};
   std::optional<RigidRecord> rigid = {};  ///< set if rigid bodies are simulated
   double driven_m = 0.0;
   double turned_rad = 0.0;
-
-  [[nodiscard]] double end_s() const { return track.empty() ? 0.0 : track.back().time_s; }
+  std::size_t shots = 0;
 };
-
-/// Swaps track, paths, shots, events and levels with those of a report. Call it once to show the record in
-/// the report, and again to take it back. O(1).
-void swap_entries(SimRecord& record, Report& report);
 
 }  // namespace outrider

@@ -41,6 +41,8 @@ class SimulatedRobot final : public Robot {
  public:
   explicit SimulatedRobot(SimulatedBody body, SimulatedDevices devices = {},
                           const Kidnapping& kidnapping = {});
+  /// Makes a robot that logs its motion, its shots, its stores and what happens. The log must outlive it.
+  SimulatedRobot(Log& log, WaypointBody body, SimulatedDevices devices = {});
 
   Observation sense() override;
   void act(const Command& command) override;
@@ -54,7 +56,7 @@ class SimulatedRobot final : public Robot {
   }
   [[nodiscard]] const SimulatedDevices& devices() const { return devices_; }
 
-  SimRecord record;  ///< actions so far; filled for a WaypointBody only
+  SimRecord record;  ///< filled for a WaypointBody only
 
  private:
   void run_until(double time_s);
@@ -70,12 +72,16 @@ class SimulatedRobot final : public Robot {
   Impact shoot(const Fire& command, Vec2 velocity_mps);
   void sample();
   void gauge();
+  void tell(double time_s, std::string kind, std::string sentence);
 
   SimulatedBody body_;
   SimulatedDevices devices_;
   Kidnapping kidnapping_;
   bool kidnapped_ = false;
   std::vector<ShotResult> landed_;  // not yet reported
+  Log* log_ = nullptr;
+  LogQueue queue_;       // what happens in the future
+  bool waited_ = false;  // the newest event is a wait
 };
 
 /// Makes a differential-drive robot with a bumper and a range finder, at rest at the start.

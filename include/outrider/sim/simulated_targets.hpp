@@ -11,7 +11,7 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/robot/observation.hpp"
 #include "outrider/sim/intruders.hpp"
-#include "outrider/sim/record.hpp"
+#include "outrider/log/log_queue.hpp"
 
 namespace outrider {
 
@@ -44,8 +44,8 @@ class SimulatedTargets {
   [[nodiscard]] const Walk* walk(std::size_t who) const {
     return params_.walks.empty() ? nullptr : &params_.walks[who];
   }
-  /// Registers a hit at `time_s`. The target leaves, or it survives and moves; the move is recorded.
-  void hit(std::size_t who, double time_s, SimRecord& record);
+  /// Registers a hit at `time_s`. The target leaves, or it survives and moves; the move goes to `queue`.
+  void hit(std::size_t who, double time_s, LogQueue& queue);
 
  private:
   const std::vector<Target>& targets_;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-tl::unexpected<Fault> cancelled() {
+Status cancelled() {
   return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
 }
 
@@ -99,20 +99,20 @@ Outcome<Warnings> CoverJob::load() {
   return task->note.empty() ? Warnings{} : Warnings{task->note};
 }
 
-Outcome<Run> CoverJob::run(const RunWatch& watch) {
+Status CoverJob::run(Run& run, const RunWatch& watch) {
   const CoverProblem& problem = task->problem;
   RunSteps steps(watch, 3);
-  if (auto ok = steps.next("planning the track"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("planning the track"); !ok) return ok;
   auto plan = task->method.plan(problem, scenario.options, watch.budget());
   if (!plan) return tl::unexpected<Fault>(placed(plan.error(), *task));
-  if (auto ok = steps.next("proving what it covers"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("proving what it covers"); !ok) return ok;
   auto proof = prove(*plan, problem, watch.budget());
-  if (!proof && proof.error().code == FaultCode::cancelled) return pass_on(proof);
+  if (!proof && proof.error().code == FaultCode::cancelled) return tl::unexpected<Fault>(proof.error());
   if (!proof) throw std::logic_error(to_string(proof.error()));
   CoverRun driven{std::move(*plan), std::move(*proof), {}, {}, {}};
   const CoverPlan& planned = driven.plan;
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
-  if (auto ok = steps.next("driving it"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("driving it"); !ok) return ok;
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
                              seed, steps.inner());
@@ -121,17 +121,17 @@ Outcome<Run> CoverJob::run(const RunWatch& watch) {
   driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);
   if (stop.stop_requested()) return cancelled();
   if (driven.finished()) check_promises(driven);
-  Report report =
-      cover_report(problem, driven, seed, std::filesystem::path(scenario.area).filename().string(), stop);
+  const std::string name = std::filesystem::path(scenario.area).filename().string();
+  log_cover(run.log, problem, driven, seed, name, stop);
   if (stop.stop_requested()) return cancelled();
-  report.settings = settled_settings(scenario, planned.method);
-  if (!driven.finished()) mark_cancelled(report, driven.drive.time_s);
-  watch.show(report);
-  return Run{std::move(report),
-             {{"track.json", text_of(track_json(driven))},
-              {"areas.geojson", text_of(areas_json(driven))},
-              {"cover.svg", cover_picture(planned, driven.proof.planned, {})},
-              {"driven.svg", cover_picture(planned, driven.driven, driven.drive.way)}}};
+  run.report = cover_report(problem, driven, name);
+  run.report.settings = settled_settings(scenario, planned.method);
+  if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);
+  run.files = {{"track.json", text_of(track_json(driven))},
+               {"areas.geojson", text_of(areas_json(driven))},
+               {"cover.svg", cover_picture(planned, driven.proof.planned, {})},
+               {"driven.svg", cover_picture(planned, driven.driven, driven.drive.way)}};
+  return {};
 }
 
 Job cover_job() {

@@ -6,6 +6,10 @@
 #include <string_view>
 
 #include "outrider/core/units.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
 
 namespace outrider {
 namespace {
@@ -30,9 +34,16 @@ double begin_of(const PieceDrive& drive, std::size_t piece) {
   return piece == 0 ? 0.0 : drive.ends_s[piece - 1];
 }
 
+/// A section of the path.
+struct Pass {
+  double start_s = 0.0;
+  double end_s = 0.0;
+  std::string role;  ///< lap, lane or move
+};
+
 /// Pieces of one role, one after the other, are one pass; a lap or a cell begins another.
-std::vector<ReportPass> passes_of(const CoverPlan& plan, const PieceDrive& drive) {
-  std::vector<ReportPass> passes;
+std::vector<Pass> passes_of(const CoverPlan& plan, const PieceDrive& drive) {
+  std::vector<Pass> passes;
   for (std::size_t i = 0; i < drive.ends_s.size(); ++i) {
     const bool begins = std::ranges::binary_search(plan.begins, i) || plan.roles[i] == PieceRole::lane;
     if (passes.empty() || begins || plan.roles[i] != plan.roles[i - 1])
@@ -43,11 +54,11 @@ std::vector<ReportPass> passes_of(const CoverPlan& plan, const PieceDrive& drive
 }
 
 /// Where it is then: between two samples it goes straight.
-Vec2 place(const std::vector<TrackSample>& track, double time_s) {
-  const auto next = std::ranges::lower_bound(track, time_s, {}, &TrackSample::time_s);
+Vec2 place(const std::vector<TimedPose>& track, double time_s) {
+  const auto next = std::ranges::lower_bound(track, time_s, {}, &TimedPose::time_s);
   if (next == track.begin()) return track.front().pose.position;
   if (next == track.end()) return track.back().pose.position;
-  const TrackSample& before = *(next - 1);
+  const TimedPose& before = *(next - 1);
   const double part = (time_s - before.time_s) / (next->time_s - before.time_s);
   return before.pose.position + part * (next->pose.position - before.pose.position);
 }
@@ -62,8 +73,7 @@ std::vector<Vec2> stretch(const PieceDrive& drive, double from_s, double to_s) {
   return points;
 }
 
-std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m,
-                                           const std::stop_token& stop) {
+void log_coverage(Log& log, const CoverRun& run, double radius_m, const std::stop_token& stop) {
   std::vector<double> times{0.0};
   std::vector<std::vector<Vec2>> stretches{{run.drive.way.front()}};
   for (int i = 1; i <= covered_steps; ++i) {
@@ -71,36 +81,34 @@ std::vector<ReportCovered> covered_by_then(const CoverRun& run, double radius_m,
     stretches.push_back(stretch(run.drive, times[times.size() - 2], times.back()));
   }
   const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach, stop);
-  std::vector<ReportCovered> rows;
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    rows.push_back({times[i], sums[i].covered_m2, sums[i].overlap_m2});
-  return rows;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    log.append(topic::coverage, times[i], outrider_msgs::Coverage{sums[i].covered_m2, sums[i].overlap_m2});
+  }
 }
 
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-std::vector<ReportEvent> events_of(const CoverRun& run) {
+void log_events(Log& log, const CoverRun& run) {
   const CoverPlan& plan = run.plan;
-  std::vector<ReportEvent> events{
-      {0.0, "plan",
+  log_event(
+      log, 0.0, "plan",
        fmt::format("the {} track of {:.2f} m has {}, {} with {}, and {}", plan.method, plan.sums.length_m,
                    counted(plan.laps, "lap"), counted(plan.cells, "cell"), counted(plan.lanes, "lane"),
-                   counted(plan.sums.stops, "turn"))}};
+                   counted(plan.sums.stops, "turn")));
   std::size_t laps = 0, cells = 0;
   for (const std::size_t piece : plan.begins) {
     if (piece >= run.drive.ends_s.size()) break;
     const bool lap = plan.roles[piece] == PieceRole::lap;
     const std::string text = lap ? fmt::format("lap {} of {} begins", ++laps, plan.laps)
                                  : fmt::format("cell {} of {} begins", ++cells, plan.cells);
-    events.push_back({begin_of(run.drive, piece), lap ? "lap" : "cell", text});
+    log_event(log, begin_of(run.drive, piece), lap ? "lap" : "cell", text);
   }
   if (run.finished())
-    events.push_back({run.drive.time_s, "done",
-                      fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
-                                  100.0 * run.driven.fraction, run.driven.overlap_m2)});
-  return events;
+    log_event(log, run.drive.time_s, "done",
+              fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
+                          100.0 * run.driven.fraction, run.driven.overlap_m2));
 }
 
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
@@ -112,6 +120,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"overlap_m2", driven.overlap_m2},
           {"reach_m2", area_of(plan.ground.reach)},
           {"area_m2", area_of(plan.ground.area)},
+          {"width_m", problem.width_m},
           {"time_s", drive.time_s},
           {"t_min_s", bound.least_s},
           {"t_max_s", bound.most_s},
@@ -136,28 +145,38 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 
 }  // namespace
 
-Report cover_report(const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-                    const std::string& name, const std::stop_token& stop) {
+void log_cover(Log& log, const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
+               const std::string& name, const std::stop_token& stop) {
   const CoverageArea& ground = run.plan.ground;
+  const Box2 bounds = bounds_of(ground.area);
+  outrider_msgs::RunInfo info;
+  info.job = "cover";
+  info.seed = seed;
+  info.world = name;
+  info.low = point_of(bounds.low);
+  info.high = point_of(bounds.high);
+  info.robot_radius = problem.radius_m();
+  info.coverage_width = problem.width_m;
+  log.append(topic::run, 0.0, std::move(info));
+  const auto planned = points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad);
+  outrider_msgs::CoverageArea area{outlines_of(outlines(ground.area)), outlines_of(outlines(ground.reach)), {}, {},
+                                   points_of(planned)};
+  log.append(topic::coverage_area, 0.0, area);
+  for (const Pass& pass : passes_of(run.plan, run.drive))
+    log.append(topic::coverage_passes, pass.start_s, outrider_msgs::CoveragePass{pass.role, pass.end_s});
+  for (const auto& [time_s, pose] : run.drive.track) log_pose(log, time_s, pose);
+  log_coverage(log, run, problem.radius_m(), stop);
+  log_events(log, run);
+  area.missed = outlines_of(outlines(run.driven.missed));
+  area.overlap = outlines_of(outlines(run.driven.overlap));
+  log.append(topic::coverage_area, run.drive.time_s, std::move(area));
+}
+
+Report cover_report(const CoverProblem& problem, const CoverRun& run, const std::string& name) {
   Report report;
   report.status = "done";
-  report.job = "cover";
-  report.seed = seed;
   report.world_name = name;
-  report.bounds = bounds_of(ground.area);
-  report.robot_radius_m = problem.radius_m();
-  report.start = run.plan.track.start;
   report.metrics = metrics_of(problem, run);
-  report.events = events_of(run);
-  report.track = run.drive.track;
-  report.cover = {problem.width_m,
-                  outlines(ground.area),
-                  outlines(ground.reach),
-                  outlines(run.driven.missed),
-                  outlines(run.driven.overlap),
-                  points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad),
-                  passes_of(run.plan, run.drive),
-                  covered_by_then(run, problem.radius_m(), stop)};
   return report;
 }
 

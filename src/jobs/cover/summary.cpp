@@ -8,22 +8,12 @@
 #include "outrider/core/text.hpp"
 
 namespace outrider {
-namespace {
-
-/// The value of a setting; empty where the report has none.
-std::string setting(const Report& report, std::string_view name) {
-  const auto found = std::ranges::find(report.settings, name, &std::pair<std::string, std::string>::first);
-  return found == report.settings.end() ? std::string() : found->second;
-}
-
-}  // namespace
-
 std::string cover_summary(const Report& report) {
   const auto value = [&](std::string_view name) { return metric(report, name); };
   std::string text = fmt::format("{}: {:.3f} % covered in {}\n\n", printable(report.world_name),
                                  100.0 * value("covered_fraction"), duration_text(value("time_s")));
   text += fmt::format("  area      {:.6g} m2, of which a disk of {:g} m reaches {:.6g} m2\n",
-                      value("area_m2"), report.cover->width_m, value("reach_m2"));
+                      value("area_m2"), value("width_m"), value("reach_m2"));
   text += fmt::format("  track     {}: {:.2f} m, {:.0f} stops; {:.0f} laps, {:.0f} cells, {:.0f} lanes\n",
                       setting(report, "method"), value("planned_m"), value("stops"), value("laps"),
                       value("cells"), value("lanes"));
@@ -36,7 +26,7 @@ std::string cover_summary(const Report& report) {
       "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, with a tracking error of {:g} m\n",
       100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("tracking_error_limit_m"));
   return text + fmt::format("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(value("time_s")),
-                            report.seed, 100.0 * value("covered_fraction"));
+                            setting(report, "seed"), 100.0 * value("covered_fraction"));
 }
 
 }  // namespace outrider

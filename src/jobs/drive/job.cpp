@@ -12,16 +12,16 @@ Outcome<Warnings> DriveJob::load() {
   return std::exchange(setup->warnings, {});
 }
 
-Outcome<Run> DriveJob::run(const RunWatch& watch) {
+Status DriveJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
-  if (auto ok = steps.next("driving"); !ok) return pass_on(ok);
-  Report report = run_drive(setup->task, setup->sim, setup->rendered,
-                            static_cast<std::uint64_t>(scenario.seed), steps.inner());
+  if (auto ok = steps.next("driving"); !ok) return ok;
+  run.report = run_drive(setup->task, setup->sim, setup->rendered, static_cast<std::uint64_t>(scenario.seed), run.log,
+                         steps.inner());
   if (setup->plan) {
-    report.metrics.emplace_back("path_m", length_of(*setup->plan));
-    report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);
+    run.report.metrics.emplace_back("path_m", length_of(*setup->plan));
+    run.report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);
   }
-  return Run{std::move(report)};
+  return {};
 }
 
 Job drive_job() {
@@ -30,8 +30,7 @@ Job drive_job() {
           .example = "drive --scenario scenarios/waypoints/closed_loop.yaml --loop open",
           .blank = [] { return std::make_unique<DriveJob>(); },
           .picture_s = 12.0,
-          .summary = drive_summary,
-          .tables = drive_tables};
+          .summary = drive_summary};
 }
 
 }  // namespace outrider

@@ -7,7 +7,12 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
-#include "outrider/report/world_scene.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/job/sensor_log.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 
 namespace outrider {
@@ -15,7 +20,7 @@ namespace {
 
 constexpr double belief_every_s = 0.2;
 constexpr double look_around_m = 1.0;  ///< clearance beyond it is not told
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The way straight from waypoint to waypoint, and the turns from heading to heading where it stops.
 struct Ideal {
@@ -43,25 +48,36 @@ Ideal ideal_of(const DriveTask& task) {
   return ideal;
 }
 
-ReportCamera camera_entry(const TagEye& eye) {
-  const Camera& lens = eye.camera;
-  return {lens.width_px, lens.height_px, lens.fx, lens.fy, lens.cx, lens.cy, eye.ahead_m, eye.height_m};
+/// Logs what stands still: the world, the tags, the camera and the waypoints.
+void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
+  constexpr double any_m = std::numeric_limits<double>::infinity();  // every solid is in its way
+  log_scene(log, run_info("drive", seed, task.world, task.radius_m), task.world, any_m);
+  outrider_msgs::Tags tags;
+  for (const Tag& tag : task.tags.tags) {
+    tags.tags.push_back({tag.id, point_of(tag.world_T_tag.position),
+                         heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m});
+  }
+  const bool sees = task.closed_loop && !tags.tags.empty();
+  if (!tags.tags.empty()) log.append(topic::tags, 0.0, std::move(tags));
+  if (sees) {
+    log_camera(log, task.eye.camera);
+    log_mount(log, "camera", {{task.eye.ahead_m, 0.0}, 0.0}, task.eye.height_m);
+  }
+  std::vector<Vec2> way = {task.start.position};
+  for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
+  log_plan(log, 0.0, way);
 }
 
-/// Records the report while the robot drives.
+/// Logs the drive.
 class Recorder {
  public:
-  Recorder(const DriveTask& task, const CollisionMap& ground, Report& report)
-      : task_(task), ground_(ground), report_(report) {
-    for (const Tag& tag : task.tags.tags) {
-      report.drive->tags.push_back({tag.id, xy(tag.world_T_tag.position),
-                                    heading_of(xy(-1.0 * tag.world_T_tag.rotation.axes[2])), tag.size_m,
-                                    tag.world_T_tag.position.z});
-    }
-    if (task.closed_loop && !task.tags.tags.empty()) report.drive->camera = camera_entry(task.eye);
+  Recorder(const DriveTask& task, const CollisionMap& ground, Log& log) : task_(task), ground_(ground), log_(log) {
+    waypoints_.closed_loop = task.closed_loop;
     for (const Waypoint& waypoint : task.waypoints) {
-      report.drive->stops.push_back({waypoint.pose, waypoint.stop, nothing, {}, 0.0});
+      waypoints_.waypoints.push_back({point_of(waypoint.pose.position), waypoint.pose.heading_rad, waypoint.stop,
+                                      unknown, {unknown, unknown}, unknown});
     }
+    log.append(topic::waypoints, 0.0, waypoints_);
   }
 
   /// After each step of the mission.
@@ -73,63 +89,61 @@ class Recorder {
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_) arrived(mission.arrivals[arrivals_], truth);
     if (time_s < next_s_ && mission.end == DriveEnd::none) return;
     next_s_ = time_s + belief_every_s - 1e-9;
-    report_.track.push_back({time_s, truth, 0.0, 0.0});
+    log_pose(log_, time_s, truth);
     const PoseBelief& belief = mission.reckoning.belief;
-    const Eigen::Matrix3d& p = belief.covariance;
-    const double x = std::sqrt(p(0, 0)), y = std::sqrt(p(1, 1));
-    report_.drive->beliefs.push_back({mission.reckoning.time_s, belief.world_T_robot, x, y,
-                                      x * y > 0.0 ? p(0, 1) / (x * y) : 0.0, heading_sigma_rad(belief),
-                                      mission.used > used_});
+    log_belief(log_, mission.reckoning.time_s, belief.world_T_robot, belief.covariance, mission.used > used_);
     used_ = mission.used;
+  }
+
+  /// Returns each waypoint, and how far off it the robot was when it was reached; NaN where it was not.
+  [[nodiscard]] Table table() const {
+    Table table{"waypoints", {"x", "y", "heading_rad", "stop", "reached_s", "dx", "dy", "dtheta"}, {}};
+    for (const outrider_msgs::Waypoint& one : waypoints_.waypoints) {
+      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, one.reached,
+                            one.error.x, one.error.y, one.heading_error});
+    }
+    return table;
   }
 
   double clearance_m = look_around_m;
 
  private:
   void arrived(const DriveArrival& arrival, const Pose2& truth) {
-    ReportStop& stop = report_.drive->stops[arrival.waypoint];
-    stop.time_s = arrival.time_s;
-    stop.error = truth.position - stop.pose.position;
-    stop.heading_error_rad = wrap_angle(truth.heading_rad - stop.pose.heading_rad);
-    report_.events.push_back(
-        {arrival.time_s, "arrive",
-         fmt::format("waypoint {} reached, {:.1f} mm and {:.2f} degrees off", arrival.waypoint + 1,
-                     1e3 * norm(stop.error), degrees(stop.heading_error_rad))});
+    const Pose2& pose = task_.waypoints[arrival.waypoint].pose;
+    const Vec2 error = truth.position - pose.position;
+    outrider_msgs::Waypoint& waypoint = waypoints_.waypoints[arrival.waypoint];
+    waypoint.reached = arrival.time_s;
+    waypoint.error = point_of(error);
+    waypoint.heading_error = wrap_angle(truth.heading_rad - pose.heading_rad);
+    log_.append(topic::waypoints, arrival.time_s, waypoints_);
+    log_event(log_, arrival.time_s, "arrive",
+              fmt::format("waypoint {} reached, {:.1f} mm and {:.2f} degrees off", arrival.waypoint + 1,
+                          1e3 * norm(error), degrees(waypoint.heading_error)));
   }
 
   const DriveTask& task_;
   const CollisionMap& ground_;
-  Report& report_;
+  Log& log_;
+  outrider_msgs::Waypoints waypoints_;
   std::size_t arrivals_ = 0;
   std::int64_t used_ = 0;
   double next_s_ = 0.0;
 };
 
-Report opened(const DriveTask& task, std::uint64_t seed) {
-  constexpr double any_m = std::numeric_limits<double>::infinity();  // all that stands is in its way
-  Report report = world_scene("drive", seed, task.world, task.start, task.radius_m, any_m);
-  report.drive.emplace();
-  report.drive->loop = task.closed_loop ? "closed" : "open";
-  return report;
-}
-
-void close(Report& report, const DriveMission& mission, const SimulatedRobot& robot, double clearance_m) {
+/// Returns what the drive came to.
+Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Recorder& recorder) {
   const DriveTask& task = mission.task;
   const Ideal ideal = ideal_of(task);
   const WheelBody& motion = robot.body<WheelBody>();
-  const bool touched = clearance_m < 0.0;
+  const bool touched = recorder.clearance_m < 0.0;
+  Report report;
+  report.world_name = task.world.name;
   report.status = mission.end == DriveEnd::done && !touched ? "done" : "not_done";
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
-    report.reason = fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", -clearance_m);
+    report.reason =
+        fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", -recorder.clearance_m);
   }
-  if (mission.end != DriveEnd::done && mission.end != DriveEnd::none) {
-    report.events.push_back(
-        {mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason});
-  }
-  std::vector<Vec2> way = {task.start.position};
-  for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
-  report.paths.push_back({0.0, motion.time_s(), std::move(way)});
   const double images = static_cast<double>(std::max<std::int64_t>(1, robot.devices().camera->images()));
   report.metrics = {{"driven_m", motion.driven_m()},
                     {"ideal_m", ideal.driven_m},
@@ -137,7 +151,9 @@ void close(Report& report, const DriveMission& mission, const SimulatedRobot& ro
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
                     {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
-                    {"clearance_m", clearance_m}};
+                    {"clearance_m", recorder.clearance_m}};
+  report.tables = {recorder.table()};
+  return report;
 }
 
 /// In the open loop the camera is blind.
@@ -157,21 +173,22 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
 
 }  // namespace
 
-Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
+Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed, Log& log,
                  const RunWatch& watch) {
-  Report report = opened(task, seed);
+  log_start(log, task, seed);
   const CollisionMap ground = CollisionMap::of(task.world, task.eye.height_m);
   SimulatedRobot robot = simulated_robot(task, params, rendered, seed);
   DriveMission mission = begin(task);
-  Recorder recorder(task, ground, report);
+  Recorder recorder(task, ground, log);
   const bool finished = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
     recorder.note(mission, robot);
-    if (watch.wanted()) watch.show(report);
     watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
   });
-  watch.show(report);
-  close(report, mission, robot, recorder.clearance_m);
-  if (!finished) mark_cancelled(report, robot.time_s());
+  if (mission.end == DriveEnd::lost || mission.end == DriveEnd::stuck) {
+    log_event(log, mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+  }
+  Report report = judged(mission, robot, recorder);
+  if (!finished) mark_cancelled(report, log, robot.time_s());
   return report;
 }
 

@@ -25,18 +25,19 @@ Outcome<Warnings> ExploreJob::load() {
   return std::exchange(setup->warnings, {});
 }
 
-Outcome<Run> ExploreJob::run(const RunWatch& watch) {
+Status ExploreJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
-  if (auto ok = steps.next("exploring"); !ok) return pass_on(ok);
-  auto explored = run_explore(setup->world, setup->task, setup->sim,
-                              static_cast<std::uint64_t>(scenario.seed), steps.inner());
-  if (!explored) return pass_on(explored);
+  if (auto ok = steps.next("exploring"); !ok) return ok;
+  auto explored = run_explore(setup->world, setup->task, setup->sim, static_cast<std::uint64_t>(scenario.seed),
+                              run.log, steps.inner());
+  if (!explored) return tl::unexpected<Fault>(explored.error());
+  run.report = std::move(explored->report);
   auto map = map_server_text({explored->map, 0.0}, "map.pgm");
-  if (!map) return pass_on(map);
-  return Run{std::move(explored->report),
-             {{"track.csv", track_csv(explored->track)},
-              {"map.pgm", std::move(map->image)},
-              {"map.yaml", std::move(map->yaml)}}};
+  if (!map) return tl::unexpected<Fault>(map.error());
+  run.files = {{"track.csv", track_csv(explored->track)},
+               {"map.pgm", std::move(map->image)},
+               {"map.yaml", std::move(map->yaml)}};
+  return {};
 }
 
 Job explore_job() {
@@ -49,8 +50,7 @@ Job explore_job() {
       .file_sentence = "world to explore: SDF, map_server YAML, PGM or PNG image, slices CSV; or a scenario",
       .aliases = {{"planner", "explore.strategy"}},
       .picture_s = 20.0,
-      .summary = explore_summary,
-      .tables = explore_tables};
+      .summary = explore_summary};
 }
 
 }  // namespace outrider

@@ -6,8 +6,13 @@
 #include <cmath>
 
 #include "outrider/job/clock.hpp"
-#include "outrider/report/discovery.hpp"
-#include "outrider/report/world_scene.hpp"
+#include "outrider/job/map_log.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/job/sensor_log.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
 
 namespace outrider {
 namespace {
@@ -15,43 +20,44 @@ namespace {
 constexpr double track_every_s = 0.4;
 constexpr double belief_every_s = 1.0;
 constexpr double home_m = 0.3;
-constexpr std::size_t most_shown_cells = 40'000;  // of the map that observers see
 constexpr double outline_step_rad = radians(15.0);
 
-/// Records the report while the robot explores.
+/// Logs the exploration.
 class Recorder {
  public:
-  explicit Recorder(Report& report) : report_(report) {}
+  Recorder(Log& log, const Pose2& start) : log_(log), start_(start) {}
 
   /// After each step of the mission.
   void note(const ExploreMission& mission, const Observation& seen, const Pose2& true_pose) {
     const bool over = mission.stage == ExploreStage::over;
     const MapUpdate& changed = mission.changed;
-    if (seen.scan)
-      discovery_.note(mission.slam.map().occupancy(), changed.redrawn, changed.cells, mission.time_s);
+    if (seen.scan) {
+      log_scan(log_, mission.time_s, *seen.scan);
+      log_odometry(log_, mission.time_s, seen.odometry);
+      map_.note(log_, mission.slam.map().occupancy(), changed.redrawn, changed.cells, mission.time_s);
+    }
     note_decision(mission);
-    note_events(mission);
+    for (; events_ < mission.events.size(); ++events_) {
+      const ExploreEvent& event = mission.events[events_];
+      log_event(log_, event.time_s, event.kind, event.text);
+    }
     if (mission.time_s >= next_track_s_ || over) {
       next_track_s_ = mission.time_s + track_every_s - 1e-9;
-      report_.track.push_back({mission.time_s, true_pose, 0.0, 0.0});
+      log_pose(log_, mission.time_s, true_pose);
     }
     if (mission.time_s < next_belief_s_ && !over) return;
     next_belief_s_ = mission.time_s + belief_every_s - 1e-9;
-    const Eigen::Matrix3d p = mission.slam.pose_covariance();
-    const double x = std::sqrt(p(0, 0)), y = std::sqrt(p(1, 1));
-    report_.explore->beliefs.push_back({mission.time_s, mission.pose, x, y,
-                                        x * y > 0.0 ? p(0, 1) / (x * y) : 0.0, std::sqrt(p(2, 2)),
-                                        mission.loops > loops_});
+    log_belief(log_, mission.time_s, mission.pose, mission.slam.pose_covariance(), mission.loops > loops_);
     loops_ = mission.loops;
   }
 
-  [[nodiscard]] ReportMap map(const ExploreMission& mission) const {
-    return discovery_.map(mission.slam.map().occupancy());
-  }
-
-  void show(const ExploreMission& mission, RunObserver& observer) {
-    report_.explore->map = discovery_.map(mission.slam.map().occupancy(), most_shown_cells);
-    observer.see(report_);
+  void finish(const ExploreMission& mission) {
+    map_.finish(log_, mission.slam.map().occupancy(), mission.time_s);
+    log_plan(log_, mission.time_s, {});
+    for (const RefusedFrontier& frontier : mission.decision.refused) {
+      log_.append(topic::refusals, mission.time_s,
+                  outrider_msgs::Refusal{point_of(frontier.centroid), frontier.reason});
+    }
   }
 
  private:
@@ -62,20 +68,17 @@ class Recorder {
     goal_changes_ = mission.goal_changes;
     went_home_ = goes_home;
     if (!mission.path) return;
-    report_.explore->decisions.push_back(
-        {mission.time_s, goes_home ? "home" : "frontier", goes_home ? report_.start : mission.decision.goal,
-         mission.path->points, static_cast<int>(mission.frontiers.frontiers().size())});
+    const double time_s = mission.time_s;
+    log_.append(topic::decisions, time_s,
+                outrider_msgs::Decision{goes_home ? "home" : "frontier",
+                                        static_cast<std::uint32_t>(mission.frontiers.frontiers().size())});
+    log_.append(topic::goal, time_s, stamped(time_s, goes_home ? start_ : mission.decision.goal));
+    log_plan(log_, time_s, mission.path->points);
   }
 
-  void note_events(const ExploreMission& mission) {
-    for (; events_ < mission.events.size(); ++events_) {
-      const ExploreEvent& event = mission.events[events_];
-      report_.events.push_back({event.time_s, event.kind, event.text});
-    }
-  }
-
-  Report& report_;
-  Discovery discovery_;
+  Log& log_;
+  Pose2 start_;
+  MapLog map_;
   std::size_t events_ = 0;
   std::size_t goal_changes_ = 0;
   bool went_home_ = false;
@@ -84,16 +87,16 @@ class Recorder {
   double next_belief_s_ = 0.0;
 };
 
-Report opened(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
-              std::uint64_t seed) {
-  Report report = world_scene("explore", seed, world, task.start, task.robot.radius_m, task.robot.height_m);
-  report.explore.emplace();
-  const RangeFinderModel& laser = params.laser;
-  report.explore->laser = {static_cast<int>(laser.beams), laser.most_m, laser.height_m, laser.robot_T_laser};
+/// Logs what stands still: the world, the walls that the laser can hit, and where the laser is.
+void log_start(Log& log, const World& world, const ExploreTask& task, const RangeFinderModel& laser,
+               std::uint64_t seed) {
+  log_scene(log, run_info("explore", seed, world, task.robot.radius_m), world, task.robot.height_m);
+  std::vector<std::vector<Vec2>> walls;
   for (const RoundedPolygon& piece : cut_at(world, laser.height_m)) {
-    report.explore->walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
+    walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
   }
-  return report;
+  log.append(topic::walls, 0.0, outrider_msgs::Outlines{outlines_of(walls)});
+  log_mount(log, "laser", laser.robot_T_laser, laser.height_m);
 }
 
 double mapped_free_m2(const OccupancyMap& map) {
@@ -151,8 +154,11 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
   } else if (body.contacts() > 0) {
     report.reason = "something was touched";
   }
-  for (const RefusedFrontier& frontier : mission.decision.refused)
-    report.explore->refused.push_back({frontier.centroid, frontier.reason});
+  Table refused{"refused", {"x", "y", "reason"}, {}};
+  for (const RefusedFrontier& frontier : mission.decision.refused) {
+    refused.rows.push_back({frontier.centroid.x, frontier.centroid.y, frontier.reason});
+  }
+  report.tables = {std::move(refused)};
   run.stop_reason = mission.stop_reason;
   const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
   const auto number = [](auto value) { return static_cast<double>(value); };
@@ -177,7 +183,7 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
 }  // namespace
 
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerSimParams& params,
-                                std::uint64_t seed, const RunWatch& watch, const ScanHook& scanned) {
+                                std::uint64_t seed, Log& log, const RunWatch& watch, const ScanHook& scanned) {
   SimulatedRobot robot = simulated_explorer(world, given.start, given.robot, params, seed);
   const auto reference = exploration_reference(robot.devices().laser->finder(),
                                                robot.body<TwistBody>().ground(), given.start.position);
@@ -186,26 +192,24 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   if (!begun) return pass_on(begun);
   TimedMission timed{std::move(*begun)};
   const ExploreMission& mission = timed.mission;
-  ExploreRun run;
-  run.report = opened(world, mission.task, params, seed);
-  Recorder recorder(run.report);
-  const auto note = [&](const Observation& seen, const Command* command) {
+  log_start(log, world, mission.task, params.laser, seed);
+  Recorder recorder(log, mission.task.start);
+  const auto note = [&](const Observation& seen, const Command*) {
     recorder.note(mission, seen, robot.pose());
     if (seen.scan && scanned) scanned(mission, robot);
     if (seen.scan && mission.scans % 25 == 0)
       watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
-    const bool last = command == nullptr || watch.stopped();
-    if (watch.observer != nullptr && (last || watch.observer->wants()))
-      recorder.show(mission, *watch.observer);
   };
   const bool finished = run_mission(timed, robot, watch.stop, note);
+  recorder.finish(mission);
+  ExploreRun run;
   run.map = mission.slam.map().occupancy();
   run.track = mission.slam.trajectory();
   run.pose = mission.pose;
   run.true_pose = robot.pose();
-  run.report.explore->map = recorder.map(mission);
+  run.report.world_name = world.name;
   close(run, timed, robot, *reference);
-  if (!finished) mark_cancelled(run.report, robot.time_s());
+  if (!finished) mark_cancelled(run.report, log, robot.time_s());
   return run;
 }
 

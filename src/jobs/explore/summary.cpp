@@ -22,20 +22,14 @@ std::string explore_summary(const Report& report) {
   text += fmt::format("  home       {}, where it is wrong by {:.3f} m\n",
                       value("returned_home") > 0.0 ? "reached" : "not reached", value("home_error_m"));
   text += fmt::format("  touched    {:.0f} times; stuck {:.0f} times\n", value("contacts"), value("stuck"));
-  for (const ReportRefusal& refusal : report.explore->refused) {
-    text += fmt::format("  left out   frontier at ({:.2f}, {:.2f}): {}\n", refusal.position.x,
-                        refusal.position.y, printable(refusal.reason));
+  const Table& refused = table_named(report, "refused");
+  for (const auto& values : refused.rows) {
+    const TableRow row{refused, values};
+    text += fmt::format("  left out   frontier at ({:.2f}, {:.2f}): {}\n", row.number("x"), row.number("y"),
+                        printable(row.text("reason")));
   }
   if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));
   return text;
-}
-
-std::vector<Table> explore_tables(const Report& report) {
-  Table table{"refused", {"x", "y", "reason"}, {}};
-  for (const ReportRefusal& refusal : report.explore->refused) {
-    table.rows.push_back({refusal.position.x, refusal.position.y, refusal.reason});
-  }
-  return {std::move(table)};
 }
 
 }  // namespace outrider

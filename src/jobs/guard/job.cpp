@@ -20,20 +20,20 @@ namespace {
 
 /// The yard is still, or intruders come, or walk about, or those who are hit may survive.
 Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing_map, const GuardPlan& plan,
-                          const RunWatch& watch) {
+                          Log& log, const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const GuardProblem& problem = scenario.problem;
   const ArrivalOptions& arrivals = scenario.arrivals;
   if (scenario.wander.any()) {
     return simulate_moving_targets(problem, firing_map, scenario.preferences, scenario.history,
-                                   scenario.wander, scenario.options, seed, watch);
+                                   scenario.wander, scenario.options, seed, log, watch);
   }
   if (arrivals.any()) {
     return simulate_arriving_targets(problem, firing_map, plan, scenario.intruders, arrivals,
-                                     scenario.options, seed, watch);
+                                     scenario.options, seed, log, watch);
   }
   if (arrivals.leave < 1.0) {
-    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, watch);
+    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log, watch);
   }
   return run_guard({.problem = problem,
                     .firing_map = firing_map,
@@ -41,27 +41,14 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
                     .options = scenario.options,
                     .seed = seed,
                     .rigid = scenario.sim == "physics"},
-                   watch);
+                   log, watch);
 }
 
-/// The exploring alone, which has pictures of its own.
-Report exploring_of(Report report) {
-  report.job = "explore";
-  report.shots.clear();
-  report.targets.clear();
-  const double end_s = metric(report, "explore_s");
-  std::erase_if(report.track, [&](const TrackSample& sample) { return sample.time_s > end_s; });
-  std::erase_if(report.events, [&](const ReportEvent& event) { return event.time_s > end_s; });
-  return report;
-}
-
-Run finished(Report report, double planning_s, const GuardScenario& scenario, const GuardProblem& problem,
-             const FiringMap& firing_map) {
-  report.machine_times.insert(report.machine_times.begin(), {"planning_s", planning_s});
-  Run run{std::move(report)};
-  if (run.report.explore) run.parts.push_back(exploring_of(run.report));
+void finish(Run& run, Report report, double planning_s, const GuardScenario& scenario, const GuardProblem& problem,
+            const FiringMap& firing_map) {
+  run.report = std::move(report);
+  run.report.machine_times.insert(run.report.machine_times.begin(), {"planning_s", planning_s});
   if (scenario.regions) run.files.push_back({"firing_regions.svg", regions_svg(problem, firing_map)});
-  return run;
 }
 
 /// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
@@ -79,63 +66,67 @@ Outcome<GuardPlan> plan_still_yard(const GuardScenario& scenario, const GuardPro
   return plan;
 }
 
-Outcome<Run> guard_known_yard(const GuardScenario& scenario, const GuardPlanner& planner,
-                              const RunWatch& watch) {
+Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& planner, Run& run,
+                        const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const double began_s = wall_s();
-  if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("surveying from where each target can be hit"); !ok) return ok;
   // Who walks about is not shot at by the regions of where it stood first.
   const bool needs_regions = !scenario.wander.any() || scenario.regions;
   auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
                                      needs_regions ? RegionSearch::proven : RegionSearch::none);
-  if (!firing_map) return pass_on(firing_map);
-  if (auto ok = steps.next("planning the tour"); !ok) return pass_on(ok);
+  if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  if (auto ok = steps.next("planning the tour"); !ok) return ok;
   auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch);
-  if (!plan) return pass_on(plan);
+  if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planned_s = wall_s();
-  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
-  auto report = carry_out(scenario, *firing_map, *plan, steps.inner());
-  if (!report) return pass_on(report);
-  if (report->sim) report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
-  return finished(std::move(*report), planned_s - began_s, scenario, scenario.problem, *firing_map);
+  if (auto ok = steps.next("driving and shooting"); !ok) return ok;
+  auto report = carry_out(scenario, *firing_map, *plan, run.log, steps.inner());
+  if (!report) return tl::unexpected<Fault>(report.error());
+  if (scenario.sim == "physics") report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
+  finish(run, std::move(*report), planned_s - began_s, scenario, scenario.problem, *firing_map);
+  return {};
 }
 
 /// Plans and shoots on what was found.
-Outcome<Run> guard_found_yard(const GuardScenario& scenario, const GuardPlanner& planner, ScoutedYard yard,
-                              RunSteps& steps, const RunWatch& watch) {
-  if (auto ok = steps.next("planning on the map found"); !ok) return pass_on(ok);
+Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& planner, ScoutedYard& yard,
+                        RunSteps& steps, Run& run, const RunWatch& watch) {
+  if (auto ok = steps.next("planning on the map found"); !ok) return ok;
   const double began_s = wall_s();
   const auto firing_map = build_firing_map(yard.found.problem, scenario.options, watch.budget());
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
-  const GuardProblem found = yard.found.problem;
+  const GuardProblem& found = yard.found.problem;
   const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
-  if (auto ok = steps.next("driving and shooting"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("driving and shooting"); !ok) return ok;
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  auto report = run_guard_on_map(scenario.problem, std::move(yard), *firing_map, *plan, scenario.options,
-                                 seed, steps.inner());
-  if (!report) return pass_on(report);
-  return finished(std::move(*report), planning_s, scenario, found, *firing_map);
+  auto report = run_guard_on_map(scenario.problem, yard, *firing_map, *plan, scenario.options, seed, run.log,
+                                 steps.inner());
+  if (!report) return tl::unexpected<Fault>(report.error());
+  finish(run, std::move(*report), planning_s, scenario, found, *firing_map);
+  return {};
 }
 
 /// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps
 /// the exploring.
-Outcome<Run> guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner,
-                                const RunWatch& watch) {
+Status guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner, Run& run,
+                          const RunWatch& watch) {
   RunSteps steps(watch, 3);
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
-  if (auto ok = steps.next("exploring the yard"); !ok) return pass_on(ok);
-  auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, steps.inner());
-  if (!yard) return pass_on(yard);
-  Report explored = yard->run.report;
-  explored.job = "guard";
-  if (explored.status == "cancelled") return Run{std::move(explored)};
-  auto run = guard_found_yard(scenario, planner, std::move(*yard), steps, watch);
-  if (run || run.error().code != FaultCode::cancelled) return run;
-  mark_cancelled(explored, metric(explored, "time_s"));
-  return Run{std::move(explored)};
+  if (auto ok = steps.next("exploring the yard"); !ok) return ok;
+  auto yard = scout(scenario.problem, {{}, scenario.sensors, scenario.scout}, seed, run.log, steps.inner());
+  if (!yard) return tl::unexpected<Fault>(yard.error());
+  if (yard->run.report.status == "cancelled") {
+    run.report = std::move(yard->run.report);
+    return {};
+  }
+  auto done = guard_found_yard(scenario, planner, *yard, steps, run, watch);
+  if (done || done.error().code != FaultCode::cancelled) return done;
+  run.report = std::move(yard->run.report);
+  mark_cancelled(run.report, run.log, metric(run.report, "time_s"));
+  return {};
 }
 
 }  // namespace
@@ -156,11 +147,11 @@ Outcome<Warnings> GuardJob::load() {
   return warnings;
 }
 
-Outcome<Run> GuardJob::run(const RunWatch& watch) {
-  if (scenario.pddl.any()) return run_pddl(scenario, watch);
+Status GuardJob::run(Run& run, const RunWatch& watch) {
+  if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
   const auto planner = find_guard_planner(scenario.options.planner);
-  return scenario.scout.unknown ? guard_unknown_yard(scenario, *planner, watch)
-                                : guard_known_yard(scenario, *planner, watch);
+  return scenario.scout.unknown ? guard_unknown_yard(scenario, *planner, run, watch)
+                                : guard_known_yard(scenario, *planner, run, watch);
 }
 
 Job guard_job() {
@@ -174,8 +165,7 @@ Job guard_job() {
                       {"pddl", "pddl.write"},
                       {"validate", "pddl.validate"},
                       {"validate-tolerance", "pddl.tolerance"}},
-          .summary = guard_summary,
-          .tables = guard_tables};
+          .summary = guard_summary};
 }
 
 }  // namespace outrider

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "guard_report.hpp"
+#include "guard_log.hpp"
 #include "outrider/jobs/guard/arrival_bound.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/topics.hpp"
 
 namespace outrider {
 namespace {
@@ -46,23 +48,30 @@ Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, do
   return tally;
 }
 
-/// Targets that the reference's rule would have counted, whatever ours says.
-double reached_by_reference_rule(const Report& report) {
-  return number(std::ranges::count_if(report.targets, [&](const ReportTarget& target) {
-    return std::ranges::any_of(report.shots, [&](const ReportShot& shot) {
-      return shot.target == target.name && shot.hit_by_reference_rule;
-    });
-  }));
+const std::vector<Stamped<outrider_msgs::Shot>>& shots_of(const Log& log) {
+  return log.messages<outrider_msgs::Shot>(topic::shots);
 }
 
-Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const Report& report,
-                      const SimRecord& record) {
+/// Targets that the reference's rule would have counted, whatever ours says.
+double reached_by_reference_rule(const Log& log, const TargetLog& targets, std::size_t count) {
+  double reached = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto hits = [&](const Stamped<outrider_msgs::Shot>& shot) {
+      return shot.message.target == targets.name(i) && shot.message.hit_by_reference_rule;
+    };
+    if (std::ranges::any_of(shots_of(log), hits)) reached += 1.0;
+  }
+  return reached;
+}
+
+Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord& record, double by_reference_rule,
+                      double end_s) {
   return {{"targets", tally.targets},
           {"reached", tally.reached},
           {"failed", tally.failed},
           {"unreachable", tally.unreachable},
-          {"reached_by_reference_rule", reached_by_reference_rule(report)},
-          {"mission_s", report.track.empty() ? 0.0 : report.track.back().time_s},
+          {"reached_by_reference_rule", by_reference_rule},
+          {"mission_s", end_s},
           {"planned_s", plan.cost_s},
           {"expected_s", plan.bounded_s()},
           {"lower_bound_s", plan.lower_bound_s},
@@ -73,20 +82,20 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const Report& r
           {"stops_offered", number(plan.stops_offered)},
           {"driven_m", record.driven_m},
           {"turned_rad", record.turned_rad},
-          {"shots", number(report.shots.size())},
+          {"shots", number(record.shots)},
           {"stops", number(plan.stops.size())},
           {"places", number(plan.places)}};
 }
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
-                        const Report& report, const SimRecord& record) {
+                        const SimRecord& record, double end_s) {
   const ArrivalBound bound = arrival_bound(run.arrivals->yard);
   const bool makespan = run.arrivals->objective == ArrivalObjective::makespan;
   Metrics metrics = {{"targets", tally.targets},
                      {"reached", tally.reached},
                      {"failed", tally.failed},
                      {"unreachable", tally.unreachable},
-                     {"mission_s", report.track.back().time_s},
+                     {"mission_s", end_s},
                      {"intruder_seconds", tally.inside_s},
                      {"makespan_s", tally.last_s},
                      {"longest_s", tally.longest_s},
@@ -96,24 +105,24 @@ Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const 
                      {"plans", number(mission.arriving.plans)},
                      {"driven_m", record.driven_m},
                      {"turned_rad", record.turned_rad},
-                     {"shots", number(report.shots.size())}};
+                     {"shots", number(record.shots)}};
   if (run.survival.leave < 1.0) metrics.emplace_back("survived", number(mission.arriving.survived));
   return metrics;
 }
 
-Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& tally, const Report& report,
-                       const SimRecord& record, double expected_hits) {
+Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& tally, const SimRecord& record,
+                       double end_s, double expected_hits) {
   double inside_s = 0.0, last_s = 0.0;
   for (const TargetRecord& one : records) {
     inside_s += one.done_s;
     last_s = std::max(last_s, one.done_s);
   }
-  const double shots = number(report.shots.size());
+  const double shots = number(record.shots);
   return {{"targets", tally.targets},
           {"reached", tally.reached},
           {"failed", tally.failed},
           {"unreachable", 0.0},
-          {"mission_s", report.track.back().time_s},
+          {"mission_s", end_s},
           {"intruder_seconds", inside_s},
           {"makespan_s", last_s},
           {"driven_m", record.driven_m},
@@ -124,14 +133,12 @@ Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& ta
 }
 
 /// How often a store was filled, and how low each was at least.
-Metrics supply_metrics(const Report& report, const StoreKeeper& keeper) {
-  Metrics metrics = {{"fills", number(std::ranges::count(report.events, "fill", &ReportEvent::kind))},
-                     {"unplanned_fills", number(keeper.detours)}};
-  double water = report.supplies->tank;
-  double charge_j = report.supplies->battery_j;
-  for (const ReportLevel& level : report.supplies->levels) {
+Metrics supply_metrics(const Log& log, const Supplies& supplies, const StoreKeeper& keeper) {
+  Metrics metrics = {{"fills", number(events_of(log, "fill").size())}, {"unplanned_fills", number(keeper.detours)}};
+  double water = supplies.full(Store::water), charge_j = supplies.full(Store::charge);
+  for (const auto& [time_ns, level] : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
     water = std::min(water, level.water);
-    charge_j = std::min(charge_j, level.charge_j);
+    charge_j = std::min(charge_j, level.charge);
   }
   if (std::isfinite(water)) metrics.emplace_back("least_water", water);
   if (std::isfinite(charge_j)) metrics.emplace_back("least_charge_j", charge_j);
@@ -139,11 +146,14 @@ Metrics supply_metrics(const Report& report, const StoreKeeper& keeper) {
 }
 
 /// How many shots left while the robot drove, and how many of them hit.
-Metrics passing_metrics(const Report& report) {
-  const auto passing = [](const ReportShot& shot) { return shot.platform_velocity_mps.has_value(); };
-  const auto hits = [&](const ReportShot& shot) { return passing(shot) && shot.hit; };
-  return {{"shots_in_passing", number(std::ranges::count_if(report.shots, passing))},
-          {"hits_in_passing", number(std::ranges::count_if(report.shots, hits))}};
+Metrics passing_metrics(const Log& log) {
+  double shots = 0.0, hits = 0.0;
+  for (const auto& [time_ns, shot] : shots_of(log)) {
+    if (shot.platform_velocity.x == 0.0 && shot.platform_velocity.y == 0.0) continue;
+    shots += 1.0;
+    hits += shot.hit ? 1.0 : 0.0;
+  }
+  return {{"shots_in_passing", shots}, {"hits_in_passing", hits}};
 }
 
 Metrics rigid_metrics(const RigidRecord& rigid) {
@@ -154,30 +164,6 @@ Metrics rigid_metrics(const RigidRecord& rigid) {
           {"flight_error_max_m", rigid.flight_error_m},
           {"shots_as_foreseen", number(rigid.as_foreseen)},
           {"bumps", number(rigid.bumps)}};
-}
-
-/// When somebody came in, among the other events.
-void add_arrival_events(Report& report, const std::vector<Intruder>& intruders) {
-  const double end_s = report.track.back().time_s;
-  for (const Intruder& one : intruders) {
-    if (one.entrance.empty()) continue;  // it was there from the start
-    if (one.enters_s > end_s) continue;  // a robot that is stranded does not see it
-    report.events.push_back(
-        {one.enters_s, "enter", fmt::format("{} comes in by {}", one.name, one.entrance)});
-  }
-  std::ranges::stable_sort(report.events, {}, &ReportEvent::time_s);
-}
-
-/// Of waits that follow one another the first.
-void drop_repeated_waits(std::vector<ReportEvent>& events) {
-  bool waited = false;
-  std::erase_if(events, [&](const ReportEvent& event) {
-    const bool waits = event.kind == "wait";
-    return std::exchange(waited, waits) && waits;
-  });
-  for (ReportEvent& event : events) {
-    if (event.kind == "wait") event.text = "waits for a shot";
-  }
 }
 
 /// Why not every target was reached; empty where all were.
@@ -192,46 +178,73 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
                      tally.targets, tally.failed, tally.unreachable);
 }
 
+/// Returns the row of a target in the table. The clearance of a hit is that of its flight.
+std::vector<TableValue> row_of(const std::string& name, const TargetRecord& record, const Log& log) {
+  if (record.shots == 0) return unshot_row(name, std::string(to_string(record.status)), record.reason, record.done_s);
+  const Shot aim = record.shot ? record.shot->shot : Shot{};
+  double clearance_m = record.shot ? record.shot->clearance_m : 0.0;
+  for (const auto& [time_ns, shot] : shots_of(log)) {
+    if (shot.target == name && shot.hit) clearance_m = shot.clearance;
+  }
+  const Pose2& pose = record.pose;
+  return {name, std::string(to_string(record.status)), record.reason, number(record.shots), record.done_s,
+          pose.position.x, pose.position.y, pose.heading_rad, aim.pitch_rad, aim.yaw_rad, aim.speed_mps,
+          clearance_m};
+}
+
 }  // namespace
 
-std::string ran_dry(const Report& report) {
+Table target_table() {
+  return {"targets",
+          {"name", "status", "reason", "shots", "done_s", "x", "y", "heading_rad", "pitch_rad", "yaw_rad",
+           "speed_mps", "clearance_m"},
+          {}};
+}
+
+std::vector<TableValue> unshot_row(const std::string& name, const std::string& status, const std::string& reason,
+                                   double done_s) {
+  const double none = std::nan("");
+  return {name, status, reason, 0.0, done_s, none, none, none, none, none, none, none};
+}
+
+std::string ran_dry(const Log& log) {
   constexpr double rounding = 1e-9;
-  if (!report.supplies) return {};
-  for (const ReportLevel& level : report.supplies->levels) {
-    if (level.water < -rounding) return fmt::format("the tank was empty at {:.1f} s", level.time_s);
-    if (level.charge_j < -rounding) return fmt::format("the battery was empty at {:.1f} s", level.time_s);
+  for (const auto& levels : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
+    if (levels.message.water < -rounding) return fmt::format("the tank was empty at {:.1f} s", levels.time_s());
+    if (levels.message.charge < -rounding) return fmt::format("the battery was empty at {:.1f} s", levels.time_s());
   }
   return {};
 }
 
-std::string why_stranded(const Report& report) {
-  const auto event = std::ranges::find(report.events, "stranded", &ReportEvent::kind);
-  return event == report.events.end() ? std::string() : "; " + event->text;
+std::string why_stranded(const Log& log) {
+  const auto stranded = events_of(log, "stranded");
+  return stranded.empty() ? std::string() : "; " + stranded.front().message.msg;
 }
 
-void close_report(Report& report, const GuardRun& run, const GuardMission& mission, SimRecord& record,
-                  double expected_hits) {
-  swap_entries(record, report);
-  if (run.arrivals) add_arrival_events(report, run.arrivals->yard.intruders);
-  if (run.walkers) drop_repeated_waits(report.events);
-  list_targets(report, run, mission, record);
+Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
+              const TargetLog& targets, double end_s, double expected_hits) {
+  Report report;
+  report.world_name = true_problem(run).world.name;
   const auto& records = mission.tasks.records;
-  const Tally tally = tally_of(run, records, report.track.back().time_s);
-  report.metrics = run.arrivals  ? arrival_metrics(run, mission, tally, report, record)
-                   : run.walkers ? walker_metrics(records, tally, report, record, expected_hits)
-                                 : still_metrics(run.plan, tally, report, record);
+  const Tally tally = tally_of(run, records, end_s);
+  report.metrics = run.arrivals  ? arrival_metrics(run, mission, tally, record, end_s)
+                   : run.walkers ? walker_metrics(records, tally, record, end_s, expected_hits)
+                                 : still_metrics(run.plan, tally, record,
+                                                 reached_by_reference_rule(log, targets, records.size()), end_s);
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
-  if (report.supplies) add(supply_metrics(report, mission.stores));
-  if (run.options.shoot_on_the_move) add(passing_metrics(report));
+  const Supplies& supplies = true_problem(run).supplies;
+  if (supplies.any()) add(supply_metrics(log, supplies, mission.stores));
+  if (run.options.shoot_on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
-  if (mission.stores.stranded) {
-    report.events.push_back({report.track.back().time_s, "stranded", mission.stores.reason});
-  }
-  const std::string dry = ran_dry(report);
+  Table table = target_table();
+  for (std::size_t i = 0; i < records.size(); ++i) table.rows.push_back(row_of(targets.name(i), records[i], log));
+  report.tables = {std::move(table)};
+  const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";
-  report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(report) : dry;
+  report.reason = dry.empty() ? reason_of(run, tally) + why_stranded(log) : dry;
+  return report;
 }
 
 }  // namespace outrider

@@ -38,22 +38,13 @@ PddlNotes notes_of(const GuardProblem& problem, const TemporalMission& mission) 
   return notes;
 }
 
-Report opened(const GuardScenario& scenario) {
-  Report report;
-  report.job = "guard";
-  report.status = "done";
-  report.world_name = scenario.problem.world.name;
-  return report;
-}
-
-Outcome<Run> write_problem(const GuardScenario& scenario, const TemporalMission& mission) {
+Status write_problem(const GuardScenario& scenario, const TemporalMission& mission, Run& run) {
   const auto actions = temporal_actions(mission.problem, mission.steps);
   if (!actions) return tl::unexpected<Fault>(actions.error());
   const PddlNotes notes = notes_of(scenario.problem, mission);
-  Run run{opened(scenario),
-          {{"domain.pddl", pddl_domain(mission.problem)},
-           {"problem.pddl", pddl_problem(mission.problem, notes)},
-           {"plan.txt", pddl_plan(mission.problem, *actions)}}};
+  run.files = {{"domain.pddl", pddl_domain(mission.problem)},
+               {"problem.pddl", pddl_problem(mission.problem, notes)},
+               {"plan.txt", pddl_plan(mission.problem, *actions)}};
   const auto number = [](auto value) { return static_cast<double>(value); };
   run.report.metrics = {
       {"targets", number(mission.targets.size())},
@@ -66,15 +57,14 @@ Outcome<Run> write_problem(const GuardScenario& scenario, const TemporalMission&
       {"proven", mission.proven ? 1.0 : 0.0}};
   for (const std::string& name : notes.left_out)
     run.report.warnings.push_back(fmt::format("{} is left out; nothing hits it", name));
-  return run;
+  return {};
 }
 
-Outcome<Run> judge_plan(const GuardScenario& scenario, const TemporalMission& mission,
-                        const std::string& text) {
+Status judge_plan(const GuardScenario& scenario, const TemporalMission& mission, const std::string& text,
+                  Run& run) {
   const auto plan = pddl_plan_from_text(text, scenario.pddl.validate, mission.problem);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const TemporalVerdict verdict = judge(mission.problem, plan->actions, scenario.pddl.tolerance_s);
-  Run run{opened(scenario)};
   if (!verdict.valid()) {
     run.report.status = "not_done";
     run.report.reason = verdict.reason;
@@ -87,22 +77,24 @@ Outcome<Run> judge_plan(const GuardScenario& scenario, const TemporalMission& mi
                         {"makespan_s", verdict.makespan_s},
                         {"our_makespan_s", mission.cost_s},
                         {"lower_bound_s", mission.lower_bound_s}};
-  return run;
+  return {};
 }
 
 }  // namespace
 
-Outcome<Run> run_pddl(const GuardScenario& scenario, const RunWatch& watch) {
+Status run_pddl(const GuardScenario& scenario, Run& run, const RunWatch& watch) {
   std::string text;
   if (!scenario.pddl.validate.empty()) {
     auto read = read_file(scenario.pddl.validate);
-    if (!read) return pass_on(read);
+    if (!read) return tl::unexpected<Fault>(read.error());
     text = std::move(*read);
   }
   const auto mission = mission_of(scenario, watch);
   if (!mission) return tl::unexpected<Fault>(mission.error());
-  return scenario.pddl.validate.empty() ? write_problem(scenario, *mission)
-                                        : judge_plan(scenario, *mission, text);
+  run.report.status = "done";
+  run.report.world_name = scenario.problem.world.name;
+  return scenario.pddl.validate.empty() ? write_problem(scenario, *mission, run)
+                                        : judge_plan(scenario, *mission, text, run);
 }
 
 }  // namespace outrider

@@ -10,6 +10,6 @@ namespace outrider {
 /// stops, poses, targets, makespan_s of our plan, lower_bound_s and whether that is proven; of a judged plan
 /// actions, makespan_s and our_makespan_s. A plan that is not valid is not done, and the reason says where it
 /// breaks.
-Outcome<Run> run_pddl(const GuardScenario& scenario, const RunWatch& watch);
+Status run_pddl(const GuardScenario& scenario, Run& run, const RunWatch& watch);
 
 }  // namespace outrider

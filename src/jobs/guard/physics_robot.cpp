@@ -7,6 +7,8 @@
 
 #include "outrider/core/overload.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/sim/simulated_gun.hpp"
 
 namespace outrider {
@@ -30,10 +32,11 @@ double covered_rate(double distance, const Limits& limits, double time_s) {
 }  // namespace
 
 PhysicsGuard::PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
-                           std::uint64_t seed)
+                           Log& log, std::uint64_t seed)
     : problem_(problem),
       firing_map_(firing_map),
       bodies_(bodies),
+      log_(log),
       wheels_(wheel_base(problem.robot)),
       arrival_rng_(Rng(seed).child("arrival")),
       gun_rng_(Rng(seed).child("gun")),
@@ -67,11 +70,12 @@ Pose2 PhysicsGuard::pose() const {
 
 void PhysicsGuard::sample() {
   const Pose2 here = pose();
-  record.track.push_back({now_s(), here, wrap_angle(here.heading_rad + gun_yaw_rad_), gun_pitch_rad_});
+  log_pose(log_, now_s(), here);
+  log_gun(log_, now_s(), wrap_angle(here.heading_rad + gun_yaw_rad_), gun_pitch_rad_);
 }
 
-void PhysicsGuard::log(std::string kind, std::string text) {
-  record.events.push_back({now_s(), std::move(kind), std::move(text)});
+void PhysicsGuard::tell(std::string kind, std::string sentence) {
+  log_event(log_, now_s(), std::move(kind), std::move(sentence));
 }
 
 std::string PhysicsGuard::name_of(std::size_t body) const {
@@ -94,7 +98,7 @@ void PhysicsGuard::roll() {
     if (std::ranges::find(bumped_, body) != bumped_.end()) continue;
     bumped_.push_back(body);
     ++record.rigid->bumps;
-    log("bump",
+    tell("bump",
         fmt::format("touches {} at ({:.2f}, {:.2f})", name_of(body), after.position.x, after.position.y));
   }
 }
@@ -149,14 +153,13 @@ void PhysicsGuard::follow(const FollowWaypoints& command) {
   if (waypoints.size() < 2) return;
   waypoints.back() = displaced_goal(waypoints, problem_.robot.radius_m, firing_map_.ground, firing_map_.rules,
                                     random_in_disk(arrival_rng_, problem_.errors.position_m));
-  ReportPath path{now_s(), 0.0, waypoints};
+  log_plan(log_, now_s(), waypoints);
   const Vec2 goal = waypoints.back();
-  log("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
+  tell("drive", fmt::format("drives to ({:.2f}, {:.2f})", goal.x, goal.y));
   bumped_.clear();
   for (std::size_t i = 1; i < waypoints.size(); ++i) drive_to(waypoints[i]);
   record.rigid->arrival_errors_m.push_back(distance(pose().position, goal));
-  path.end_s = now_s();
-  record.paths.push_back(std::move(path));
+  log_plan(log_, now_s(), {});
   sample();
 }
 
@@ -222,30 +225,32 @@ void PhysicsGuard::fire(const Fire& command) {
   const FlightSpace& space = firing_map_.space(command.target);
   const Shot actual = shot_with_errors(command.shot, problem_.errors.aim, gun_rng_);
   const Flight flight = launched(actual);
-  log("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));
+  tell("shot", fmt::format("shoots at {} with {:.2f} m/s", target.name, actual.speed_mps));
 
   const double fired_s = now_s();
+  const Pose2 fired_from = pose();
   const Impact impact = thrown(flight, command.target);
   const Impact expected = fly(flight, radius, space, target, problem_.world.floor_z_m);
-  ReportShot shot = shot_record(flight, impact, space, target, radius, contact_of(impact, command.target));
+  outrider_msgs::Shot shot = shot_message(flight, impact, space, target, radius, contact_of(impact, command.target));
   shot.target = target.name;
-  shot.attempt = ++attempts_[command.target];
-  shot.time_s = fired_s;
+  shot.attempt = static_cast<std::uint32_t>(++attempts_[command.target]);
+  set_pose(shot, fired_from, wrap_angle(fired_from.heading_rad + gun_yaw_rad_), gun_pitch_rad_);
   if (impact.hit) {
-    log("hit", fmt::format("hits {}", target.name));
+    tell("hit", fmt::format("hits {}", target.name));
   } else {
     const Vec3 at = impact.position;
     record.rigid->misses[command.target] =
         fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", shot.contact, at.x, at.y,
                     at.z, std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
-    log("miss", fmt::format("misses {}: {}", target.name, record.rigid->misses[command.target]));
+    tell("miss", fmt::format("misses {}: {}", target.name, record.rigid->misses[command.target]));
   }
   const bool same_solid = impact.solid.has_value() == expected.solid.has_value() &&
                           (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
   if (impact.hit == expected.hit && same_solid) ++record.rigid->as_foreseen;
   record.rigid->flight_error_m =
       std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
-  record.shots.push_back(std::move(shot));
+  ++record.shots;
+  log_.append(topic::shots, fired_s, std::move(shot));
   landed_.push_back({command.target, impact.hit, now_s()});
   sample();
 }

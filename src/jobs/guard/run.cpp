@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "guard_report.hpp"
+#include "guard_log.hpp"
 #include "outrider/jobs/guard/physics_robot.hpp"
+#include "outrider/log/append.hpp"
 
 namespace outrider {
 namespace {
@@ -27,14 +28,13 @@ GuardMission mission_of(const GuardRun& run, const GuardProblem& problem) {
   return {problem, run.firing_map, run.plan};
 }
 
-void add_aim_event(SimRecord& record, const MovingTargets& targets, const GuardProblem& problem) {
+void log_aim(Log& log, double time_s, const MovingTargets& targets, const GuardProblem& problem) {
   const Track& track = targets.tracks[targets.aimed_at];
-  record.events.push_back(
-      {record.end_s(), "lead",
-       fmt::format(
-           "expects {} at ({:.2f}, {:.2f}), {:.2f} m from where it was seen; a hit is {:.0f} % likely",
-           problem.targets[targets.aimed_at].name, targets.expected_at.x, targets.expected_at.y,
-           distance(targets.expected_at, track.back().position), 100.0 * targets.chance)});
+  log_event(log, time_s, "lead",
+            fmt::format(
+                "expects {} at ({:.2f}, {:.2f}), {:.2f} m from where it was seen; a hit is {:.0f} % likely",
+                problem.targets[targets.aimed_at].name, targets.expected_at.x, targets.expected_at.y,
+                distance(targets.expected_at, track.back().position), 100.0 * targets.chance));
 }
 
 /// How a failed target was missed by a rigid ball.
@@ -46,47 +46,49 @@ void add_misses(StopTasks& tasks, const RigidRecord& rigid) {
   }
 }
 
-Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, SimRecord& record,
-                 const RunWatch& watch) {
+/// `robot` logs what it does; `record` is its record.
+Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, const SimRecord& record,
+                 TargetLog& targets, Log& log, const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
   mission.tasks.stop = watch.stop;
-  Report report = opened_report(run);
-  double expected_hits = 0.0;
-  const auto show = [&] {
-    swap_entries(record, report);
-    list_targets(report, run, mission, record);
-    watch.show(report);
-    swap_entries(record, report);
-  };
-  const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command* command) {
+  double expected_hits = 0.0, now_s = 0.0;
+  const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation& seen, const Command* command) {
+    now_s = seen.time_s;
     watch.part(settled_part(mission));
-    if (watch.wanted()) show();
     if (run.walkers && command != nullptr && std::holds_alternative<AimGun>(*command)) {
-      add_aim_event(record, mission.moving, run.problem);
+      log_aim(log, now_s, mission.moving, run.problem);
       expected_hits += mission.moving.chance;
     }
+    targets.note(mission, now_s);
   });
-  if (watch.observer != nullptr) show();
   if (record.rigid) add_misses(mission.tasks, *record.rigid);
-  close_report(report, run, mission, record, expected_hits);
-  if (!ended || watch.stopped()) mark_cancelled(report, report.track.back().time_s);
+  targets.finish(mission, now_s);
+  if (mission.stores.stranded) log_event(log, now_s, "stranded", mission.stores.reason);
+  Report report = judged(run, mission, record, log, targets, now_s, expected_hits);
+  if (!ended || watch.stopped()) mark_cancelled(report, log, now_s);
   return report;
 }
 
 }  // namespace
 
-Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch) {
+Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) {
+  std::unique_ptr<RigidWorld> bodies;
   if (run.rigid) {
-    auto bodies = make_rigid_world(run.problem);
-    if (!bodies) return pass_on(bodies);
+    auto made = make_rigid_world(run.problem);
+    if (!made) return pass_on(made);
+    bodies = std::move(*made);
+  }
+  log_start(log, run);
+  TargetLog targets(log, run);
+  if (bodies) {
     GuardProblem yielding = run.problem;
     yielding.robot.radius_m *= way_radius;
-    PhysicsGuard robot(run.problem, run.firing_map, **bodies, run.seed);
-    return carry_out(run, yielding, robot, robot.record, watch);
+    PhysicsGuard robot(run.problem, run.firing_map, *bodies, log, run.seed);
+    return carry_out(run, yielding, robot, robot.record, targets, log, watch);
   }
-  SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), run.seed, target_params(run),
+  SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
                                          run.truth ? run.truth->levels : StoreLevels{});
-  return carry_out(run, run.problem, robot, robot.record, watch);
+  return carry_out(run, run.problem, robot, robot.record, targets, log, watch);
 }
 
 }  // namespace outrider

@@ -1,4 +1,7 @@
-#include "guard_report.hpp"
+#include "guard_log.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +14,19 @@
 namespace outrider {
 namespace {
 
-ReportSolid solid_entry(const Solid& solid, const World& world, const RobotModel& robot) {
+outrider_msgs::Solid solid_entry(const Solid& solid, const World& world, const RobotModel& robot) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Box3 box = bounds(solid);
   const double floor = world.floor_z_m;
   const Interval under = world.terrain ? world.terrain->heights_over(box.ground()) : Interval{floor, floor};
-  ReportSolid entry{solid.name,
+  outrider_msgs::Solid entry{solid.name,
                     std::string(kind(solid.shape)),
-                    footprint(solid, -inf, inf),
+                    rounded_of(footprint(solid, -inf, inf)),
                     box.low.z,
                     box.high.z,
                     !footprint(solid, under.low + 1e-3, under.high + robot.height_m).empty()};
-  if (!std::isfinite(entry.low_z_m)) entry.low_z_m = floor;  // the ground
-  if (!std::isfinite(entry.high_z_m)) entry.high_z_m = floor;
+  if (!std::isfinite(entry.low_z)) entry.low_z = floor;  // the ground
+  if (!std::isfinite(entry.high_z)) entry.high_z = floor;
   return entry;
 }
 
@@ -42,29 +45,30 @@ HeightField thinned(const HeightField& field, double most_posts) {
       .value();
 }
 
-ReportRelief relief_entry(const HeightField& field) {
-  ReportRelief entry{field.bounds().low, field.spacing_m(), field.columns(), field.rows(), {}};
-  for (int y = 0; y < field.rows(); ++y) {
-    for (int x = 0; x < field.columns(); ++x) entry.heights_m.push_back(field.post(x, y).z);
-  }
-  return entry;
-}
-
-ReportTerrain terrain_entry(const HeightField& field, const RobotModel& robot) {
+outrider_msgs::Terrain terrain_entry(const HeightField& field, const RobotModel& robot) {
   constexpr double most_posts_of_lines = 40'000.0, most_posts_of_relief = 10'000.0;
-  ReportTerrain entry{{}, steep_ground(field, robot.max_slope_rad), {}};
-  entry.relief = relief_entry(thinned(field, most_posts_of_relief));
+  outrider_msgs::Terrain entry;
+  entry.steep = rounded_of(steep_ground(field, robot.max_slope_rad));
+  const HeightField relief = thinned(field, most_posts_of_relief);
+  entry.origin = point_of(relief.bounds().low);
+  entry.spacing = point_of(relief.spacing_m());
+  entry.columns = static_cast<std::uint32_t>(relief.columns());
+  entry.rows = static_cast<std::uint32_t>(relief.rows());
+  for (int y = 0; y < relief.rows(); ++y) {
+    for (int x = 0; x < relief.columns(); ++x) entry.heights.push_back(relief.post(x, y).z);
+  }
   const HeightField drawn = thinned(field, most_posts_of_lines);
-  for (Contour& line : contours(drawn, contour_step(drawn))) {
-    entry.contours.push_back({line.height_m, std::move(line.points)});
+  for (const Contour& line : contours(drawn, contour_step(drawn))) {
+    entry.contours.push_back({line.height_m, points_of(line.points)});
   }
   return entry;
 }
 
-ReportSupplies supplies_entry(const Supplies& supplies) {
-  ReportSupplies entry{supplies.full(Store::water), supplies.full(Store::charge), {}, {}};
+outrider_msgs::Supplies supplies_entry(const Supplies& supplies) {
+  outrider_msgs::Supplies entry{supplies.full(Store::water), supplies.full(Store::charge), {}};
   for (const Station& station : supplies.stations) {
-    entry.stations.push_back({station.name, station.position, station.gives_water, station.gives_charge});
+    entry.stations.push_back(
+        {station.name, point_of(station.position), station.gives_water, station.gives_charge});
   }
   return entry;
 }
@@ -90,26 +94,22 @@ TargetSimParams target_params(const GuardRun& run) {
   return params;
 }
 
-Report opened_report(const GuardRun& run) {
+void log_start(Log& log, const GuardRun& run) {
   const GuardProblem& problem = true_problem(run);
-  Report report;
-  report.job = "guard";
-  report.seed = run.seed;
-  if (run.rigid) report.sim = "physics";
-  report.world_name = problem.world.name;
-  report.bounds = problem.world.bounds;
-  report.gravity_mps2 = problem.world.gravity_mps2;
-  report.robot_radius_m = problem.robot.radius_m;
-  report.gun_length_m = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
-  report.ball_radius_m = problem.gun.ball_radius_m;
-  report.margin_m = run.options.margin_m;
-  report.start = problem.start;
+  outrider_msgs::RunInfo info = run_info("guard", run.seed, problem.world, problem.robot.radius_m);
+  if (run.rigid) info.sim = "physics";
+  info.gravity = problem.world.gravity_mps2;
+  info.gun_length = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
+  info.ball_radius = problem.gun.ball_radius_m;
+  info.margin = run.options.margin_m;
+  log.append(topic::run, 0.0, std::move(info));
+  outrider_msgs::Solids solids;
   for (const Solid& solid : problem.world.solids) {
-    report.solids.push_back(solid_entry(solid, problem.world, problem.robot));
+    solids.solids.push_back(solid_entry(solid, problem.world, problem.robot));
   }
-  if (problem.world.terrain) report.terrain = terrain_entry(*problem.world.terrain, problem.robot);
-  if (problem.supplies.any()) report.supplies = supplies_entry(problem.supplies);
-  return report;
+  log.append(topic::solids, 0.0, std::move(solids));
+  if (problem.world.terrain) log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
+  if (problem.supplies.any()) log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));
 }
 
 }  // namespace outrider

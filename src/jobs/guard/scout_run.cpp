@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "guard_report.hpp"
+#include "guard_log.hpp"
 #include "outrider/core/rng.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 
 namespace outrider {
 namespace {
@@ -51,90 +54,68 @@ GuardProblem true_yard(const GuardProblem& truth, const FoundYard& found, const 
   return yard;
 }
 
-/// How often a straight of the track touches what stands there.
-double contacts(const Report& report, const CollisionMap& ground, double radius_m) {
+/// How often a straight of the path of the robot since `from_s` touches what stands there.
+double contacts(const Log& log, double from_s, const CollisionMap& ground, double radius_m) {
   double count = 0.0;
   bool touching = false;
-  for (std::size_t i = 1; i < report.track.size(); ++i) {
-    const bool touches =
-        !ground.segment_free({report.track[i - 1].pose.position, report.track[i].pose.position}, radius_m);
+  std::optional<Vec2> before;
+  for (const auto& pose : log.messages<geometry_msgs::PoseStamped>(topic::pose)) {
+    if (pose.time_s() < from_s) continue;
+    const Vec2 here = pose_of(pose.message.pose).position;
+    const bool touches = before && !ground.segment_free({*before, here}, radius_m);
     if (touches && !touching) ++count;
     touching = touches;
+    before = here;
   }
   return count;
 }
 
-ReportTarget never_shot_at(const Target& target, bool seen, double end_s) {
-  ReportTarget entry;
-  entry.name = target.name;
-  entry.status = "failed";
-  entry.reason = seen ? "seen where the map has something" : "not seen while exploring";
-  entry.centre = target.centre();
-  entry.size = target.size;
-  entry.yaw_rad = target.yaw_rad;
-  entry.done_s = end_s;
-  return entry;
+std::string why_unshot(bool seen) {
+  return seen ? "seen where the map has something" : "not seen while exploring";
 }
 
-/// All targets in the order of the yard; the report has those that were found.
-void add_other_targets(Report& report, const GuardProblem& truth, const ScoutedYard& yard, double end_s) {
-  std::vector<ReportTarget> all;
+/// Logs the targets that the robot did not find a place for.
+void log_other_targets(Log& log, const GuardProblem& truth, const ScoutedYard& yard) {
+  for (std::size_t i = 0; i < truth.targets.size(); ++i) {
+    if (std::ranges::count(yard.found.targets, i) > 0) continue;
+    const Target& target = truth.targets[i];
+    log.append(topic::targets, 0.0,
+               outrider_msgs::Target{target.name, "failed", why_unshot(yard.seen[i].has_value()),
+                                     vector_of(target.size), target.yaw_rad, 0, ""});
+    log.append(topic::target_positions, 0.0,
+               outrider_msgs::TargetPosition{target.name, point_of(target.centre()), point_of(xy(target.base))});
+  }
+}
+
+/// Returns the rows of all targets in the order of the yard; the report has those that were found, with times that
+/// count from the end of the exploration.
+Table all_targets(const Report& report, const GuardProblem& truth, const ScoutedYard& yard, double explore_s) {
+  const Table& found = table_named(report, "targets");
+  Table all = target_table();
   for (std::size_t i = 0; i < truth.targets.size(); ++i) {
     const auto at = std::ranges::find(yard.found.targets, i);
     if (at == yard.found.targets.end()) {
-      all.push_back(never_shot_at(truth.targets[i], yard.seen[i].has_value(), end_s));
-    } else {
-      all.push_back(report.targets[static_cast<std::size_t>(at - yard.found.targets.begin())]);
+      all.rows.push_back(
+          unshot_row(truth.targets[i].name, "failed", why_unshot(yard.seen[i].has_value()), explore_s));
+      continue;
     }
+    all.rows.push_back(found.rows[static_cast<std::size_t>(at - yard.found.targets.begin())]);
+    const auto done = std::ranges::find(all.columns, "done_s") - all.columns.begin();
+    TableValue& done_s = all.rows.back()[static_cast<std::size_t>(done)];
+    done_s = std::get<double>(done_s) + explore_s;
   }
-  report.targets = std::move(all);
+  return all;
 }
 
-template <class Entries>
-void append(Entries& to, const Entries& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-/// Lets the times begin with the end of the exploring.
-void delay(Report& report, double by_s) {
-  for (ReportTarget& target : report.targets) target.done_s += by_s;
-  for (ReportPath& path : report.paths) {
-    path.start_s += by_s;
-    path.end_s += by_s;
-  }
-  for (ReportShot& shot : report.shots) shot.time_s += by_s;
-  for (ReportEvent& event : report.events) event.time_s += by_s;
-  for (TrackSample& sample : report.track) sample.time_s += by_s;
-  if (!report.supplies) return;
-  for (ReportLevel& level : report.supplies->levels) level.time_s += by_s;
-  report.supplies->levels.insert(report.supplies->levels.begin(),
-                                 {0.0, report.supplies->tank, report.supplies->battery_j});
-}
-
-std::vector<ReportEvent> sightings(const GuardProblem& truth, const ScoutedYard& yard) {
-  std::vector<ReportEvent> events;
+void log_sightings(Log& log, const GuardProblem& truth, const ScoutedYard& yard) {
   for (std::size_t i = 0; i < yard.seen.size(); ++i) {
     if (!yard.seen[i]) continue;
     const SeenTarget& seen = *yard.seen[i];
-    events.push_back({seen.first_s, "seen",
-                      fmt::format("{} comes into sight; {} looks put it at ({:.2f}, {:.2f}), {:.0f} mm off",
-                                  truth.targets[i].name, seen.looks, seen.mean.x, seen.mean.y,
-                                  1e3 * distance(seen.mean, xy(truth.targets[i].base)))});
+    log_event(log, 0.0, "seen",
+              fmt::format("{} came into sight at {:.1f} s; {} looks put it at ({:.2f}, {:.2f}), {:.0f} mm off",
+                          truth.targets[i].name, seen.first_s, seen.looks, seen.mean.x, seen.mean.y,
+                          1e3 * distance(seen.mean, xy(truth.targets[i].base))));
   }
-  return events;
-}
-
-/// Puts the exploring before the guarding.
-void prepend(Report& report, Report explored, std::vector<ReportEvent> seen) {
-  for (TrackSample& sample : explored.track) sample.gun_yaw_rad = sample.pose.heading_rad;
-  append(explored.track, report.track);
-  append(explored.events, seen);
-  append(explored.events, report.events);
-  std::ranges::stable_sort(explored.events, {}, &ReportEvent::time_s);
-  report.track = std::move(explored.track);
-  report.events = std::move(explored.events);
-  report.explore = std::move(explored.explore);
-  report.start = explored.start;
 }
 
 void set(Report& report, std::string_view name, double value) {
@@ -143,17 +124,19 @@ void set(Report& report, std::string_view name, double value) {
   }
 }
 
-double count(const Report& report, std::string_view status) {
-  return static_cast<double>(std::ranges::count(report.targets, status, &ReportTarget::status));
+double count(const Table& targets, std::string_view status) {
+  return static_cast<double>(std::ranges::count_if(
+      targets.rows, [&](const auto& values) { return TableRow{targets, values}.text("status") == status; }));
 }
 
 /// Status and totals of the whole mission.
-void conclude(Report& report, const Report& explored, double touches, std::size_t seen) {
-  const double failed = count(report, "failed"), reached = count(report, "reached");
-  const auto targets = static_cast<double>(report.targets.size());
+void conclude(Report& report, const Report& explored, const Log& log, double touches, std::size_t seen) {
+  const Table& table = table_named(report, "targets");
+  const double failed = count(table, "failed"), reached = count(table, "reached");
+  const auto targets = static_cast<double>(table.rows.size());
   set(report, "targets", targets);
   set(report, "failed", failed);
-  set(report, "mission_s", report.track.back().time_s);
+  set(report, "mission_s", metric(report, "mission_s") + metric(explored, "time_s"));
   set(report, "driven_m", metric(report, "driven_m") + metric(explored, "distance_m"));
   set(report, "turned_rad", metric(report, "turned_rad") + metric(explored, "turned_rad"));
   report.metrics.emplace_back("seen", static_cast<double>(seen));
@@ -161,7 +144,7 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
   report.metrics.emplace_back("map_error_m", metric(explored, "map_error_m"));
   report.metrics.emplace_back("explore_s", metric(explored, "time_s"));
   report.metrics.emplace_back("contacts", touches);
-  const std::string dry = ran_dry(report);
+  const std::string dry = ran_dry(log);
   report.status = failed == 0.0 && touches == 0.0 && dry.empty() ? "done" : "not_done";
   report.reason = dry;
   if (!dry.empty()) return;
@@ -169,7 +152,7 @@ void conclude(Report& report, const Report& explored, double touches, std::size_
     report.reason =
         fmt::format("{} of {} targets seen, {} reached, {} failed, {} proven to be out of reach on the map",
                     seen, targets, reached, failed, targets - reached - failed) +
-        why_stranded(report);
+        why_stranded(log);
   } else if (touches > 0.0) {
     report.reason = "something was touched";
   }
@@ -181,36 +164,16 @@ StoreLevels levels_after(const Report& explored, const Supplies& supplies) {
   return {supplies.full(Store::water), supplies.full(Store::charge) - used_j};
 }
 
-/// Shows the guarding with the exploring before it.
-class WholeMission final : public RunObserver {
- public:
-  WholeMission(const Report& explored, double explore_s, RunObserver* inner)
-      : explored_(explored), explore_s_(explore_s), inner_(inner) {}
-
-  bool wants() override { return inner_->wants(); }
-  void see(const Report& guarding) override {
-    Report so_far = guarding;
-    delay(so_far, explore_s_);
-    prepend(so_far, explored_, {});
-    inner_->see(so_far);
-  }
-
- private:
-  const Report& explored_;
-  double explore_s_;
-  RunObserver* inner_;
-};
-
 }  // namespace
 
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           const RunWatch& watch) {
+                           Log& log, const RunWatch& watch) {
   ExploreTask explore = task.explore;
   explore.start = truth.start;
   explore.robot = truth.robot;
   TargetDetector detector(truth.targets, task.options, seed);
   std::vector<Vec2> stood;
-  auto run = run_explore(truth.world, explore, task.sensors, seed, watch,
+  auto run = run_explore(truth.world, explore, task.sensors, seed, log, watch,
                          [&](const ExploreMission& mission, const SimulatedRobot& robot) {
                            detector.look(mission, robot);
                            stood.push_back(mission.pose.position);
@@ -226,8 +189,8 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   return ScoutedYard{std::move(*run), std::move(detector.seen), std::move(*found)};
 }
 
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const FiringMap& firing_map,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard, const FiringMap& firing_map,
+                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed, Log& log,
                                  const RunWatch& watch) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
@@ -235,31 +198,32 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, co
   coarse.resolution_m = coarse_m;
   const auto true_map = build_firing_map(really, coarse, watch.budget(), RegionSearch::none);
   if (!true_map) return tl::unexpected<Fault>(true_map.error());
-  const double explore_s = metric(yard.run.report, "time_s");
-  WholeMission whole(yard.run.report, explore_s, watch.observer);
-  RunWatch guarding = watch;
-  if (watch.observer != nullptr) guarding.observer = &whole;
-  auto guarded =
+  const Report& explored = yard.run.report;
+  const double explore_s = metric(explored, "time_s");
+  log.begin_at(explore_s);
+  log_sightings(log, truth, yard);
+  auto report =
       run_guard({.problem = found,
                  .firing_map = firing_map,
                  .plan = plan,
                  .options = options,
                  .seed = seed,
-                 .truth = TrueYard{really, *true_map, levels_after(yard.run.report, truth.supplies)}},
-                guarding);
-  if (!guarded) return guarded;
-  Report report = std::move(*guarded);
+                 .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)}},
+                log, watch);
+  if (!report) return report;
+  log_other_targets(log, truth, yard);
+  report->tables = {all_targets(*report, truth, yard, explore_s)};
   const double touches =
-      metric(yard.run.report, "contacts") + contacts(report, true_map->ground, truth.robot.radius_m);
-  const bool cancelled = report.status == "cancelled";
-  delay(report, explore_s);
-  add_other_targets(report, truth, yard, explore_s);
+      metric(explored, "contacts") + contacts(log, explore_s, true_map->ground, truth.robot.radius_m);
   const auto seen = static_cast<std::size_t>(
       std::ranges::count_if(yard.seen, [](const auto& target) { return target.has_value(); }));
-  const auto events = sightings(truth, yard);
-  conclude(report, yard.run.report, touches, seen);
-  prepend(report, std::move(yard.run.report), events);
-  if (cancelled) mark_cancelled(report, report.track.back().time_s);
+  const bool cancelled = report->status == "cancelled";
+  const std::string why = report->reason;
+  conclude(*report, explored, log, touches, seen);
+  if (cancelled) {
+    report->status = "cancelled";
+    report->reason = why;
+  }
   return report;
 }
 

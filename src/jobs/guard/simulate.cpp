@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "outrider/log/append.hpp"
+
 namespace outrider {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double longest_walk_s = 7200.0;    // walkers stay at their last place
 
 Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& stops, const Policy& policy,
                              std::int64_t beam, const ArrivalOptions& arrivals, const GuardOptions& options,
-                             std::uint64_t seed, const RunWatch& watch) {
+                             std::uint64_t seed, Log& log, const RunWatch& watch) {
   const ArrivalPlan plan{yard,
                          stops,
                          policy.replan,
@@ -28,7 +30,7 @@ Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& st
                     .seed = seed,
                     .arrivals = plan,
                     .survival = {arrivals.leave, arrivals.walk_mps}},
-                   watch);
+                   log, watch);
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ Outcome<Report> run_arrivals(const ArrivalYard& yard, const PrecomputedStops& st
 Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                           const GuardPlan& plan, const std::vector<Intruder>& intruders,
                                           const ArrivalOptions& arrivals, const GuardOptions& options,
-                                          std::uint64_t seed, const RunWatch& watch) {
+                                          std::uint64_t seed, Log& log, const RunWatch& watch) {
   const auto policy = find_replan_policy(arrivals.policy);
   if (!policy) return tl::unexpected<Fault>(policy.error());
   const auto objective = find_objective(arrivals.objective);
@@ -45,13 +47,13 @@ Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Fir
   if (!yard) return tl::unexpected<Fault>(yard.error());
   const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
   if (!stops) return tl::unexpected<Fault>(stops.error());
-  return run_arrivals(*yard, *stops, {*policy, *objective}, arrivals.beam, arrivals, options, seed, watch);
+  return run_arrivals(*yard, *stops, {*policy, *objective}, arrivals.beam, arrivals, options, seed, log, watch);
 }
 
 Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& arrivals,
                                            const GuardOptions& options, std::uint64_t seed,
-                                           const RunWatch& watch) {
+                                           Log& log, const RunWatch& watch) {
   const auto yard = arrival_yard(problem, firing_map, settled_intruders(problem));
   if (!yard) return tl::unexpected<Fault>(yard.error());
   const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
@@ -60,23 +62,21 @@ Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const Fi
   quick.beam = std::min(arrivals.beam, played_beam);
   const auto [policy, expected] = best_policy(problem, *stops, quick, missions_played, watch.stop);
   if (watch.stopped()) return fault(FaultCode::cancelled, "it was cancelled while it chose how to plan");
-  auto report = run_arrivals(*yard, *stops, policy, quick.beam, arrivals, options, seed, watch);
+  log_event(log, 0.0, "plan",
+            fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",
+                        expected.mean_s, expected.error_s, policy.replan.name,
+                        policy.objective == ArrivalObjective::makespan ? "makespan" : "time inside"));
+  auto report = run_arrivals(*yard, *stops, policy, quick.beam, arrivals, options, seed, log, watch);
   if (!report) return report;
   report->metrics.emplace_back("expected_s", expected.mean_s);
   report->metrics.emplace_back("expected_error_s", expected.error_s);
-  report->events.insert(
-      report->events.begin(),
-      {0.0, "plan",
-       fmt::format("expects {:.1f} s, to a standard error of {:.1f} s; plans as {}, for the {}",
-                   expected.mean_s, expected.error_s, policy.replan.name,
-                   policy.objective == ArrivalObjective::makespan ? "makespan" : "time inside")});
   return report;
 }
 
 Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                         const std::vector<double>& weights, const std::vector<Track>& history,
                                         const WanderOptions& wander, const GuardOptions& options,
-                                        std::uint64_t seed, const RunWatch& watch) {
+                                        std::uint64_t seed, Log& log, const RunWatch& watch) {
   const auto walks = draw_walks(problem, firing_map, weights, wander, seed, longest_walk_s, watch.budget());
   if (!walks) return tl::unexpected<Fault>(walks.error());
   const auto plan = plan_moving(problem, firing_map, visit_map(problem, firing_map, history, wander), options,
@@ -89,7 +89,7 @@ Outcome<Report> simulate_moving_targets(const GuardProblem& problem, const Firin
                     .options = options,
                     .seed = seed,
                     .walkers = WalkerRun{*plan, *walks}},
-                   watch);
+                   log, watch);
 }
 
 }  // namespace outrider

@@ -53,15 +53,15 @@ std::string passing_lines(const Report& report) {
   return text;
 }
 
-std::string target_row(const ReportTarget& target, std::size_t width) {
-  if (target.shots == 0) {
-    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(target.name), width, printable(target.status),
-                       printable(target.reason));
+std::string target_row(const TableRow& row, std::size_t width) {
+  if (row.number("shots") == 0.0) {
+    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(row.text("name")), width, printable(row.text("status")),
+                       printable(row.text("reason")));
   }
   return fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6.1f}  {:>15}  {:>6.1f}  {:>6.1f}  {:>7.2f}\n",
-                     printable(target.name), width, target.status, target.shots, target.done_s,
-                     fmt::format("({:.2f}, {:.2f})", target.pose.position.x, target.pose.position.y),
-                     degrees(target.pitch_rad), target.speed_mps, target.clearance_m);
+                     printable(row.text("name")), width, printable(row.text("status")), row.number("shots"),
+                     row.number("done_s"), fmt::format("({:.2f}, {:.2f})", row.number("x"), row.number("y")),
+                     degrees(row.number("pitch_rad")), row.number("speed_mps"), row.number("clearance_m"));
 }
 
 /// How far the plan may be from the best, among the stops offered and from anywhere.
@@ -106,10 +106,13 @@ std::string guard_summary(const Report& report) {
                                  printable(report.world_name), metric(report, "reached"),
                                  metric(report, "targets"), duration_text(metric(report, "mission_s")));
   std::size_t width = 6;
-  for (const ReportTarget& target : report.targets) width = std::max(width, target.name.size());
+  const Table& targets = table_named(report, "targets");
+  for (const auto& values : targets.rows) {
+    width = std::max(width, TableRow{targets, values}.text("name").size());
+  }
   text += fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6}  {:>15}  {:>6}  {:>6}  {:>7}\n", "target", width,
                       "status", "shots", "at s", "from m", "pitch", "m/s", "clear m");
-  for (const ReportTarget& target : report.targets) text += target_row(target, width);
+  for (const auto& values : targets.rows) text += target_row({targets, values}, width);
   if (has_metric(report, "expected_hits")) return text + hunt_summary(report) + planning_line(report);
   if (has_metric(report, "intruder_seconds")) return text + watch_summary(report) + planning_line(report);
   text += fmt::format(
@@ -122,21 +125,6 @@ std::string guard_summary(const Report& report) {
   if (has_metric(report, "fills")) text += supply_line(report);
   if (has_metric(report, "shots_in_passing")) text += passing_lines(report);
   return text + planning_line(report);
-}
-
-std::vector<Table> guard_tables(const Report& report) {
-  Table table{"targets",
-              {"name", "status", "reason", "shots", "done_s", "x", "y", "heading_rad", "pitch_rad", "yaw_rad",
-               "speed_mps", "clearance_m"},
-              {}};
-  for (const ReportTarget& t : report.targets) {
-    const auto if_shot = [&](double value) { return t.shots == 0 ? std::nan("") : value; };
-    table.rows.push_back({t.name, t.status, t.reason, static_cast<double>(t.shots), t.done_s,
-                          if_shot(t.pose.position.x), if_shot(t.pose.position.y), if_shot(t.pose.heading_rad),
-                          if_shot(t.pitch_rad), if_shot(t.shot_yaw_rad), if_shot(t.speed_mps),
-                          if_shot(t.clearance_m)});
-  }
-  return {std::move(table)};
 }
 
 }  // namespace outrider

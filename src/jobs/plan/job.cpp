@@ -45,13 +45,13 @@ Outcome<Warnings> PlanJob::load() {
   return task->map.warnings;
 }
 
-Outcome<Run> PlanJob::run(const RunWatch& watch) {
+Status PlanJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1 + static_cast<int>(task->planners.size()));
-  if (auto ok = steps.next("preparing the map"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("preparing the map"); !ok) return ok;
   const auto question = question_of(*task);
   if (!question) return tl::unexpected<Fault>(question.error());
   if (question->queries.size() == 1) {
-    if (auto ok = check_query(*question->ground, question->queries.front()); !ok) return pass_on(ok);
+    if (auto ok = check_query(*question->ground, question->queries.front()); !ok) return ok;
   }
   Trace trace;
   const bool traces = task->settled.trace;
@@ -61,14 +61,13 @@ Outcome<Run> PlanJob::run(const RunWatch& watch) {
               .before = [&](std::string_view planner) { return steps.next(std::string(planner)); }},
              watch.budget());
   if (!found) return tl::unexpected<Fault>(found.error());
-  if (auto ok = check_single(*found); !ok) return pass_on(ok);
-  Run run{plan_report(*question, *found), plan_pictures(*question, *found, traces ? &trace : nullptr)};
-  run.tables = {table_of(*found)};
+  if (auto ok = check_single(*found); !ok) return ok;
+  run.report = plan_report(*question, *found);
+  run.files = plan_pictures(*question, *found, traces ? &trace : nullptr);
   run.report.world_name = printable(std::filesystem::path(task->settled.map).filename().string());
   run.report.settings = settled_settings(task->settled);
   if (traces) run.files.push_back({"trace.json", trace_json(trace, *question->ground->grid)});
-  watch.show(run.report);
-  return run;
+  return {};
 }
 
 Job plan_job() {
@@ -80,8 +79,7 @@ Job plan_job() {
           .file_sentence =
               "map: map_server YAML, SDF world, MovingAI .map, polygons .txt, PGM or PNG image; may "
               "be gzip-compressed",
-          .summary = plan_summary,
-          .run_summary = plan_run_summary};
+          .summary = plan_summary};
 }
 
 }  // namespace outrider

@@ -72,14 +72,9 @@ Report plan_report(const PlanQuestion& question, const PlanAnswer& answer) {
   const bool all =
       std::all_of(answer.rows.begin(), answer.rows.end(), [](const PlanRow& row) { return row.found(); });
   report.status = all ? "done" : "not_done";
-  report.bounds = question.ground->bounds();
-  report.robot_radius_m = question.ground->radius_m;
-  if (!question.queries.empty()) report.start.position = question.queries.front().from;
-  for (const PlanRow& row : answer.rows) {
-    if (row.found()) report.paths.push_back({0.0, 0.0, row.waypoints});
-  }
   add_metrics(report, answer);
   add_times(report, question, answer);
+  report.tables = {table_of(answer)};
   return report;
 }
 

@@ -3,14 +3,11 @@
 
 #include <string>
 
-#include "outrider/job/job.hpp"
+#include "outrider/report/report.hpp"
 
 namespace outrider {
 
-/// A line of the shortest path.
+/// A line for each row of the answer.
 std::string plan_summary(const Report& report);
-
-/// A line for each row of the answer, which is the first table of the run.
-std::string plan_run_summary(const Run& run);
 
 }  // namespace outrider

@@ -64,37 +64,33 @@ Outcome<Warnings> PursueJob::load() {
   return Warnings{};
 }
 
-Outcome<Run> PursueJob::run(const RunWatch& watch) {
+Status PursueJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 2);
-  if (auto ok = steps.next("planning and going"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("planning and going"); !ok) return ok;
   const std::string name = std::filesystem::path(scenario.map).filename().string();
   WallWatch laps;
   task->rules.budget.stop = watch.stop;
-  const auto look = [&](const PursuitRun& so_far) {
-    if (watch.wanted()) watch.show(pursuit_report(task->problem, so_far, name));
-  };
-  auto pursued = pursue(task->problem, task->robots, task->rules, laps, look);
-  if (!pursued && !is_proven_impossible(pursued.error())) return pass_on(pursued);
-  Report report;
-  if (pursued) {
-    const double first_s = pursued->first_feasible_s < 0.0 ? std::numeric_limits<double>::quiet_NaN()
-                                                           : pursued->first_feasible_s;
-    const bool stopped = watch.stopped();
-    if (!stopped) (void)steps.next("looking back with the whole future known");
-    if (!stopped) look_back(*pursued, *task, watch.budget());
-    report = pursuit_report(task->problem, *pursued, name);
-    report.machine_times = {
-        {"first_feasible_s", first_s}, {"planning_s", pursued->planning_s}, {"peak_mib", peak_mib()}};
-    if (stopped) mark_cancelled(report, static_cast<double>(pursued->state.time_s));
-  } else {
-    report = pursuit_report(task->problem, pursued.error(), name);
-    report.machine_times = {{"first_feasible_s", std::numeric_limits<double>::quiet_NaN()},
-                            {"planning_s", laps.lap_s()},
-                            {"peak_mib", peak_mib()}};
+  PursuitLog log(run.log, task->problem, static_cast<std::uint64_t>(scenario.seed), name);
+  auto pursued = pursue(task->problem, task->robots, task->rules, laps,
+                        [&](const PursuitRun& so_far) { log.note(so_far); });
+  constexpr double never = std::numeric_limits<double>::quiet_NaN();
+  if (!pursued) {
+    if (!is_proven_impossible(pursued.error())) return tl::unexpected<Fault>(pursued.error());
+    run.report = pursuit_report(pursued.error(), name);
+    run.report.machine_times = {
+        {"first_feasible_s", never}, {"planning_s", laps.lap_s()}, {"peak_mib", peak_mib()}};
+    return {};
   }
-  watch.show(report);
-  report.seed = static_cast<std::uint64_t>(scenario.seed);
-  return Run{std::move(report)};
+  const double first_s = pursued->first_feasible_s < 0.0 ? never : pursued->first_feasible_s;
+  const bool stopped = watch.stopped();
+  if (!stopped) (void)steps.next("looking back with the whole future known");
+  if (!stopped) look_back(*pursued, *task, watch.budget());
+  log.note(*pursued);
+  run.report = pursuit_report(task->problem, *pursued, name);
+  run.report.machine_times = {
+      {"first_feasible_s", first_s}, {"planning_s", pursued->planning_s}, {"peak_mib", peak_mib()}};
+  if (stopped) mark_cancelled(run.report, run.log, static_cast<double>(pursued->state.time_s));
+  return {};
 }
 
 Job pursue_job() {

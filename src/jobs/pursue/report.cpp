@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/topics.hpp"
+
 namespace outrider {
 namespace {
 
@@ -28,49 +32,13 @@ std::vector<double> drawn_costs(const PursuitProblem& problem, int block, int co
   return sums;
 }
 
-void draw_map(ReportPursuit& pursuit, const PursuitProblem& problem) {
+outrider_msgs::CostGrid drawn_map(const PursuitProblem& problem) {
   constexpr int most_cells = 500;
   const GridFrame& frame = problem.costs->frame;
   const int block = (std::max(frame.width, frame.height) + most_cells - 1) / most_cells;
-  pursuit.columns = (frame.width + block - 1) / block;
-  pursuit.rows = (frame.height + block - 1) / block;
-  pursuit.cell_m = block;
-  for (const double cost : drawn_costs(problem, block, pursuit.columns, pursuit.rows)) {
-    if (pursuit.cost_runs.empty() || pursuit.cost_runs[pursuit.cost_runs.size() - 2] != cost) {
-      pursuit.cost_runs.insert(pursuit.cost_runs.end(), {cost, 0.0});
-    }
-    pursuit.cost_runs.back() += 1.0;
-  }
-}
-
-std::vector<Vec2> centres(const PursuitProblem& problem, const std::vector<Cell>& cells) {
-  std::vector<Vec2> points;
-  for (const Cell cell : cells) points.push_back(problem.costs->frame.centre(cell));
-  return points;
-}
-
-Report scene(const PursuitProblem& problem, const std::string& name) {
-  Report report;
-  report.job = "pursue";
-  report.status = "not_done";
-  report.world_name = name;
-  report.bounds = problem.costs->frame.bounds();
-  report.start = {problem.costs->frame.centre(problem.start), 0.0};
-  report.pursuit.emplace();
-  draw_map(*report.pursuit, problem);
-  report.pursuit->target = centres(problem, problem.target);
-  return report;
-}
-
-/// Returns the cost paid until each second. It is computed again, because the state keeps only the sum.
-std::vector<double> paid_by_second(const PursuitProblem& problem, const PursuitState& state) {
-  std::vector<double> paid{0.0};
-  for (int s = 1; s <= state.time_s; ++s) {
-    const std::size_t duty = state.duties[static_cast<std::size_t>(s) - 1];
-    const Cell at = state.paths[duty][static_cast<std::size_t>(s) - 1];
-    paid.push_back(paid.back() + (*problem.costs)[at]);
-  }
-  return paid;
+  const int columns = (frame.width + block - 1) / block, rows = (frame.height + block - 1) / block;
+  return {point_of(frame.bounds().low), static_cast<double>(block), static_cast<std::uint32_t>(columns),
+          static_cast<std::uint32_t>(rows), drawn_costs(problem, block, columns, rows)};
 }
 
 std::string not_caught(const PursuitProblem& problem, const PursuitState& state) {
@@ -80,16 +48,60 @@ std::string not_caught(const PursuitProblem& problem, const PursuitState& state)
   return fmt::format("from second {} on no catch was possible any more", state.time_s);
 }
 
+std::string pose_topic(std::size_t robot) {
+  return robot == 0 ? std::string(topic::pose) : fmt::format("/robot_{}/pose", robot + 1);
+}
+
 }  // namespace
+
+PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t seed, const std::string& name)
+    : log_(log), problem_(problem) {
+  const Box2 bounds = problem.costs->frame.bounds();
+  outrider_msgs::RunInfo info;
+  info.job = "pursue";
+  info.seed = seed;
+  info.world = name;
+  info.low = point_of(bounds.low);
+  info.high = point_of(bounds.high);
+  log.append(topic::run, 0.0, std::move(info));
+  log.append(topic::cost_grid, 0.0, drawn_map(problem));
+  log_place(std::string(topic::pose), 0, problem.start);
+  for (std::size_t s = 0; s < problem.target.size(); ++s)
+    log_place(std::string(topic::target_pose), static_cast<int>(s), problem.target[s]);
+  log.append(topic::paid, 0.0, outrider_msgs::PaidCost{0.0});
+}
+
+void PursuitLog::log_place(const std::string& topic, int second, Cell cell) {
+  const auto time_s = static_cast<double>(second);
+  log_.append(topic, time_s, stamped(time_s, {problem_.costs->frame.centre(cell), 0.0}));
+}
+
+void PursuitLog::note(const PursuitRun& run) {
+  const PursuitState& state = run.state;
+  for (; second_ < state.time_s; ++second_) {
+    const auto s = static_cast<std::size_t>(second_);
+    paid_ += (*problem_.costs)[state.paths[state.duties[s]][s]];
+    for (std::size_t robot = 0; robot < state.paths.size(); ++robot) {
+      if (s == 0 && robot > 0) log_place(pose_topic(robot), 0, state.paths[robot][0]);
+      log_place(pose_topic(robot), second_ + 1, state.paths[robot][s + 1]);
+    }
+    log_.append(topic::paid, static_cast<double>(second_ + 1), outrider_msgs::PaidCost{paid_});
+  }
+  for (; moments_ < run.moments.size(); ++moments_) {
+    const PursuitMoment& moment = run.moments[moments_];
+    log_.append(topic::bounds, static_cast<double>(moment.time_s),
+                outrider_msgs::CostBound{static_cast<double>(moment.expansions),
+                                         moment.cost ? static_cast<double>(*moment.cost) : unknown,
+                                         static_cast<double>(moment.lower_bound)});
+  }
+}
 
 Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const std::string& name) {
   const PursuitState& state = run.state;
-  Report report = scene(problem, name);
-  if (state.caught) {
-    report.status = "done";
-  } else {
-    report.reason = not_caught(problem, state);
-  }
+  Report report;
+  report.world_name = name;
+  report.status = state.caught ? "done" : "not_done";
+  if (!state.caught) report.reason = not_caught(problem, state);
   const auto cost = static_cast<double>(state.cost), bound = static_cast<double>(run.lower_bound);
   report.metrics = {
       {"caught", state.caught ? 1.0 : 0.0},
@@ -105,18 +117,13 @@ Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, cons
       {"planning_calls", static_cast<double>(run.calls)},
       {"expansions", static_cast<double>(run.expansions)},
   };
-  for (const auto& path : state.paths) report.pursuit->robots.push_back(centres(problem, path));
-  report.pursuit->paid = paid_by_second(problem, state);
-  for (const PursuitMoment& moment : run.moments) {
-    report.pursuit->bounds.push_back(
-        {static_cast<double>(moment.time_s), static_cast<double>(moment.expansions),
-         moment.cost ? static_cast<double>(*moment.cost) : unknown, static_cast<double>(moment.lower_bound)});
-  }
   return report;
 }
 
-Report pursuit_report(const PursuitProblem& problem, const Fault& fault, const std::string& name) {
-  Report report = scene(problem, name);
+Report pursuit_report(const Fault& fault, const std::string& name) {
+  Report report;
+  report.world_name = name;
+  report.status = "not_done";
   report.reason = fault.sentence;
   report.metrics = {{"caught", 0.0},
                     {"catch_time_s", unknown},
@@ -125,8 +132,6 @@ Report pursuit_report(const PursuitProblem& problem, const Fault& fault, const s
                     {"lower_bound", unknown},
                     {"optimal", 0.0},
                     {"earliest_catch_s", unknown}};
-  report.pursuit->robots = {{report.start.position}};
-  report.pursuit->paid = {0.0};
   return report;
 }
 

@@ -6,12 +6,15 @@
 #include <map>
 #include <tuple>
 
-#include "opened.hpp"
 #include "outrider/io/g2o.hpp"
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
-#include "outrider/report/slam_record.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/slam/map_error.hpp"
+#include "recordings.hpp"
+#include "slam_log.hpp"
 #include "slam_picture.hpp"
 
 namespace outrider {
@@ -20,7 +23,6 @@ namespace {
 using NodeIndex = std::uint32_t;
 
 constexpr double step_s = 0.1;  // graphs have no times
-constexpr std::size_t most_waypoints = 4000;
 constexpr std::size_t most_events = 300;
 
 /// Makes the picture; loops are edges between poses that are not consecutive.
@@ -141,84 +143,88 @@ struct Solved {
   }
 };
 
-void add_landmarks(Report& report, const Solved& solved, const Ways& ways) {
+void log_landmarks(Log& log, double end_s, const Solved& solved, const Ways& ways, Box2& box) {
   const PoseGraph& graph = solved.input.graph;
-  std::map<NodeIndex, ReportLandmark> found;
+  std::map<NodeIndex, outrider_msgs::Landmark> found;
   for (const GraphEdge& edge : graph.edges) {
     if (!graph.nodes[edge.to].is_point && !graph.nodes[edge.from].is_point) continue;
     const bool to = graph.nodes[edge.to].is_point;
     const NodeIndex node = to ? edge.to : edge.from, pose = to ? edge.from : edge.to;
     const double time_s = graph.nodes[pose].is_point ? 0.0 : ways.time_s(pose);
     const auto [place, added] = found.try_emplace(node);
-    ReportLandmark& landmark = place->second;
-    landmark.first_s = added ? time_s : std::min(landmark.first_s, time_s);
+    outrider_msgs::Landmark& landmark = place->second;
+    landmark.first_seen = added ? time_s : std::min(landmark.first_seen, time_s);
     ++landmark.sightings;
   }
+  outrider_msgs::Landmarks message;
   for (auto& [node, landmark] : found) {
-    const Eigen::Matrix3d c = solved.covariance(node);
-    const ReportSigmas sigmas = sigmas_of(c(0, 0), c(0, 1), c(1, 1));
     landmark.id = id_of(graph, node);
-    landmark.position = solved.at(node);
-    landmark.sigma_x_m = sigmas.x_m;
-    landmark.sigma_y_m = sigmas.y_m;
-    landmark.correlation = sigmas.correlation;
-    if (!solved.input.truth.empty()) landmark.truth = solved.true_place(node);
-    report.slam->landmarks.push_back(landmark);
+    set_place(landmark, solved.at(node), solved.covariance(node).topLeftCorner<2, 2>());
+    if (!solved.input.truth.empty()) landmark.truth = point_of(solved.true_place(node));
+    box.include(solved.at(node));
+    message.landmarks.push_back(landmark);
   }
+  if (!found.empty()) log.append(topic::landmarks, end_s, std::move(message));
 }
 
-void add_loops(Report& report, const Solved& solved, const Ways& ways) {
-  std::vector<ReportLoop>& loops = report.slam->loops;
+/// Returns the number of loops.
+std::size_t log_loops(Log& log, double end_s, const Solved& solved, const Ways& ways) {
+  outrider_msgs::Loops message;
   for (const GraphEdge& edge : solved.input.graph.edges) {
     if (edge.kind != EdgeKind::pose || ways.follow(edge.from, edge.to)) continue;
-    loops.push_back(
-        {std::max(ways.time_s(edge.from), ways.time_s(edge.to)), solved.at(edge.from), solved.at(edge.to)});
+    message.loops.push_back({std::max(ways.time_s(edge.from), ways.time_s(edge.to)),
+                             point_of(solved.at(edge.from)), point_of(solved.at(edge.to))});
   }
-  std::ranges::sort(loops, {}, [](const ReportLoop& loop) {
-    return std::tuple(loop.time_s, loop.from.x, loop.from.y, loop.to.x, loop.to.y);
+  std::ranges::sort(message.loops, {}, [](const outrider_msgs::Loop& loop) {
+    return std::tuple(loop.closed, loop.from.x, loop.from.y, loop.to.x, loop.to.y);
   });
-  report.metrics.emplace_back("loops", static_cast<double>(loops.size()));
-  if (loops.size() > most_events) return;
-  for (const ReportLoop& loop : loops) report.events.push_back({loop.time_s, "loop", "a loop is closed"});
+  const std::size_t count = message.loops.size();
+  for (const outrider_msgs::Loop& loop : message.loops) {
+    if (count <= most_events) log_event(log, loop.closed, "loop", "a loop is closed");
+  }
+  log.append(topic::loops, end_s, std::move(message));
+  return count;
 }
 
-/// Adds the paths of several robots, in steps of equal time.
-void add_paths(Report& report, const Solved& solved, const Ways& ways) {
-  if (ways.all().size() < 2) return;
+/// Logs the paths of all robots but that of the longest path, in steps of equal time.
+void log_others(Log& log, double end_s, const Solved& solved, const Ways& ways, Box2& box) {
+  std::size_t robot = 1;
   for (const std::vector<NodeIndex>& way : ways.all()) {
-    if (way.size() < 2) continue;
-    const std::size_t every = (way.size() + most_waypoints - 1) / most_waypoints;
-    ReportPath path;
-    for (std::size_t i = 0; i < way.size(); i += every) {
-      path.waypoints.push_back(solved.at(way[i]));
-      path.end_s = step_s * static_cast<double>(i);
+    if (&way == &ways.main() || way.size() < 2) continue;
+    std::vector<double> times_s;
+    std::vector<Pose2> poses;
+    for (const NodeIndex node : way) {
+      times_s.push_back(ways.time_s(node));
+      poses.push_back(solved.solution.poses[node]);
+      box.include(solved.at(node));
     }
-    report.paths.push_back(std::move(path));
+    log.append(fmt::format("/robot_{}/trajectory", ++robot), end_s, path_of(times_s, poses));
   }
 }
 
-/// Makes the report. The longest path is the track. A graph is solved at once, so the believed poses are the
-/// final poses.
-Report report_of(const SlamScenario& scenario, const Solved& solved) {
-  Report report = opened(scenario);
+/// Logs the graph. The longest path is that of the robot. A graph is solved at once, so the believed poses are the
+/// final poses. Returns the metrics of the log.
+Metrics log_graph(Log& to, const SlamScenario& scenario, const Solved& solved) {
   const Ways ways(solved.input.graph);
   const std::vector<NodeIndex>& way = ways.main();
-  SlamRecord record(report, "pose_graph", 0.0);
+  SlamLog log(to, scenario, "pose_graph");
+  log_event(to, 0.0, "start", fmt::format("optimising starts at the {} guess", solved.solution.start));
   std::vector<Pose2> settled;
   std::vector<Vec2> reference;
   Pose2 odometry = solved.solution.poses[way.front()];
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (i > 0) odometry = compose(odometry, ways.motion(way[i - 1], way[i]));
     settled.push_back(solved.solution.poses[way[i]]);
-    record.note({ways.time_s(way[i]), settled.back(), solved.covariance(way[i]), odometry, false});
+    log.note({ways.time_s(way[i]), settled.back(), solved.covariance(way[i]), odometry, false});
     if (!solved.input.truth.empty()) reference.push_back(solved.true_place(way[i]));
   }
-  report.start = settled.front();
-  add_landmarks(report, solved, ways);
-  add_loops(report, solved, ways);
-  add_paths(report, solved, ways);
-  record.settle(settled, reference);
-  return report;
+  Box2 box;
+  log_landmarks(to, log.end_s(), solved, ways, box);
+  const std::size_t loops = log_loops(to, log.end_s(), solved, ways);
+  log_others(to, log.end_s(), solved, ways, box);
+  return {{"loops", static_cast<double>(loops)},
+          {"distance_m", log.settle(settled, reference, box)},
+          {"run_s", log.end_s()}};
 }
 
 Pose2 alignment_to_map(const GraphInput& input, const std::vector<Pose2>& poses) {
@@ -243,35 +249,33 @@ Metrics metrics_of(const GraphInput& input, const PoseGraphSolution& solution) {
 
 }  // namespace
 
-Outcome<Run> solve_graph(const SlamJob& job, GraphInput input, const RunWatch& watch) {
+Status solve_graph(const SlamJob& job, GraphInput input, Run& run, const RunWatch& watch) {
   const SlamScenario& scenario = job.scenario;
   if (scenario.measured_frame) input.graph = in_measured_frame(std::move(input.graph));
   RunSteps steps(watch, 1);
-  if (auto ok = steps.next("optimising"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("optimising"); !ok) return ok;
   const double began_s = wall_s();
   const auto solution = optimise(input.graph, scenario.graph, watch.budget());
   const double time_s = wall_s() - began_s;
   if (!solution) return tl::unexpected<Fault>(solution.error());
   const auto marginals = marginal_covariances(input.graph, solution->poses);
   const std::vector<Eigen::Matrix3d> covariances = marginals ? *marginals : std::vector<Eigen::Matrix3d>();
-  Report report =
-      report_of(scenario, {input, *solution, covariances, alignment_to_map(input, solution->poses)});
+  run.report.metrics = metrics_of(input, *solution);
+  const Metrics logged = log_graph(
+      run.log, scenario, {input, *solution, covariances, alignment_to_map(input, solution->poses)});
+  run.report.metrics.insert(run.report.metrics.end(), logged.begin(), logged.end());
   if (!solution->converged) {
-    report.status = "not_done";
-    report.reason = fmt::format("the cost still falls after {} steps; allow more by --graph-iterations",
-                                solution->iterations);
+    run.report.status = "not_done";
+    run.report.reason = fmt::format("the cost still falls after {} steps; allow more by --graph-iterations",
+                                    solution->iterations);
   }
-  conclude(report, metrics_of(input, *solution));
-  report.machine_times = {
+  run.report.machine_times = {
       {"time_s", time_s},
       {"max_step_s", time_s / static_cast<double>(std::max<std::int64_t>(1, solution->iterations))}};
-  report.events.insert(report.events.begin(),
-                       {0.0, "start", fmt::format("optimising starts at the {} guess", solution->start)});
-  Run run{std::move(report),
-          {{"track.csv", track_csv(solution->poses)},
-           {"slam.svg", to_svg(picture_of(input.graph, *solution, covariances))}}};
+  run.files = {{"track.csv", track_csv(solution->poses)},
+               {"slam.svg", to_svg(picture_of(input.graph, *solution, covariances))}};
   if (auto g2o = to_g2o(input.graph, solution->poses)) run.files.push_back({"graph.g2o", *g2o});
-  return run;
+  return {};
 }
 
 }  // namespace outrider

@@ -1,7 +1,8 @@
 #include "outrider/jobs/slam/job.hpp"
 
 #include "input.hpp"
-#include "opened.hpp"
+#include "recordings.hpp"
+#include "slam_log.hpp"
 #include "summary.hpp"
 
 namespace outrider {
@@ -21,11 +22,13 @@ Outcome<Warnings> SlamJob::load() {
   return Warnings{};
 }
 
-Outcome<Run> SlamJob::run(const RunWatch& watch) {
+Status SlamJob::run(Run& run, const RunWatch& watch) {
   SlamInput& input = input_->value;
-  if (auto* graph = std::get_if<GraphInput>(&input)) return solve_graph(*this, *graph, watch);
-  if (const auto* log = std::get_if<LaserLog>(&input)) return map_laser_log(*this, *log, watch);
-  return map_landmark_log(*this, std::get<LandmarkLog>(input), watch);
+  run.report.status = "done";
+  run.report.world_name = name_of(scenario);
+  if (auto* graph = std::get_if<GraphInput>(&input)) return solve_graph(*this, *graph, run, watch);
+  if (const auto* log = std::get_if<LaserLog>(&input)) return map_laser_log(*this, *log, run, watch);
+  return map_landmark_log(*this, std::get<LandmarkLog>(input), run, watch);
 }
 
 Job slam_job() {

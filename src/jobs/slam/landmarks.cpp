@@ -6,19 +6,23 @@
 #include <iterator>
 #include <map>
 
-#include "opened.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/slam/landmark_mission.hpp"
-#include "outrider/report/slam_record.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/robot/recorded_robot.hpp"
 #include "outrider/slam/map_error.hpp"
+#include "recordings.hpp"
+#include "slam_log.hpp"
 #include "slam_picture.hpp"
 
 namespace outrider {
 namespace {
 
+constexpr double map_every_s = 30.0;  // between two messages with all landmarks
 constexpr double reach_m = 0.5;  // largest distance between a true place and a landmark with a meaningless id
 
 std::vector<Vec2> places(const std::vector<Pose2>& poses) {
@@ -51,63 +55,58 @@ std::vector<double> times_of(const LandmarkLog& log) {
   return run_times(recorded_s);
 }
 
-double way_of(const LandmarkLog& log) {
-  double way_m = 0.0;
-  for (const LogStep& step : log.steps) way_m += scan_way_m(step.odometry);
-  return way_m;
-}
-
-/// Records the report during mapping and shows it to the observer.
+/// Logs the mapping.
 class Recorder {
  public:
-  Recorder(const SlamScenario& scenario, const LandmarkLog& log, RunObserver* observer)
-      : log_(log),
-        observer_(observer),
-        report_(opened(scenario)),
-        record_(report_, scenario.landmarks.engine, way_of(log)),
-        times_s_(times_of(log)) {
-    report_.start = log.start;
-  }
+  Recorder(Log& log, const SlamScenario& scenario, const LandmarkLog& recording)
+      : recording_(recording), log_(log, scenario, scenario.landmarks.engine), times_s_(times_of(recording)) {}
 
   void note(const LandmarkSlam& slam, std::size_t step, const StepOutcome& outcome, const Pose2& odometry) {
     const double time_s = times_s_[step];
-    record_.note({time_s, slam.pose(), slam.pose_covariance(), odometry, outcome.used > 0});
-    record_.note_scan([&] { return places_of(log_.steps[step].sightings); });
+    log_.note({time_s, slam.pose(), slam.pose_covariance(), odometry, outcome.used > 0});
+    outrider_msgs::Sightings seen;
+    for (const LandmarkSighting& sighting : recording_.steps[step].sightings)
+      seen.points.push_back(point_of(sighting.position));
+    if (!seen.points.empty()) log_.log().append(topic::sightings, time_s, std::move(seen));
     for (const std::int64_t id : outcome.added) {
       first_s_[id] = time_s;
-      add_event(time_s, "landmark", fmt::format("landmark {} is in the map", id));
+      log_event(log_.log(), time_s, "landmark", fmt::format("landmark {} is in the map", id));
     }
     for (const std::int64_t id : outcome.removed)
-      add_event(time_s, "removed", fmt::format("landmark {} is taken out of the map", id));
+      log_event(log_.log(), time_s, "removed", fmt::format("landmark {} is taken out of the map", id));
     if (outcome.lost != lost_)
-      add_event(time_s, outcome.lost ? "lost" : "found",
+      log_event(log_.log(), time_s, outcome.lost ? "lost" : "found",
                 outcome.lost ? "the robot is lost" : "the robot knows again where it is");
     lost_ = outcome.lost;
-    if (observer_ != nullptr && observer_->wants()) show(slam);
+    if (time_s < next_map_s_) return;
+    next_map_s_ = time_s + map_every_s;
+    log_.log().append(topic::landmarks, time_s, message_of(slam.landmarks()));
   }
 
-  /// Returns the final report. If landmarks are identified by id, `truth` has true places.
-  Report settled(const LandmarkSlam& slam, const LandmarkMap& map, const std::map<std::int64_t, Vec2>& truth,
-                 bool by_id) {
-    if (observer_ != nullptr) show(slam);
-    note_landmarks(map);
-    for (ReportLandmark& landmark : report_.slam->landmarks) {
-      if (by_id && truth.contains(landmark.id)) landmark.truth = truth.at(landmark.id);
-      if (!by_id) landmark.truth = nearest(truth, landmark.position);
+  /// Logs the final map and path, and returns the length of the path. If landmarks are identified by id, `truth`
+  /// has true places.
+  double settle(const LandmarkSlam& slam, const LandmarkMap& map, const std::map<std::int64_t, Vec2>& truth,
+                bool by_id) {
+    outrider_msgs::Landmarks landmarks = message_of(map);
+    Box2 box;
+    for (outrider_msgs::Landmark& landmark : landmarks.landmarks) {
+      const Vec2 place = vec2_of(landmark.position);
+      const auto known = by_id && truth.contains(landmark.id) ? std::optional(truth.at(landmark.id))
+                         : by_id                              ? std::nullopt
+                                                              : nearest(truth, place);
+      if (known) landmark.truth = point_of(*known);
+      box.include(place);
+      if (known) box.include(*known);
     }
+    log_.log().append(topic::landmarks, log_.end_s(), std::move(landmarks));
     std::vector<Pose2> poses = slam.trajectory();  // also those of an earlier run, and the start
-    poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(log_.steps.size()));
-    record_.settle(poses, {});
-    return std::move(report_);
+    poses.erase(poses.begin(), poses.end() - static_cast<std::ptrdiff_t>(recording_.steps.size()));
+    return log_.settle(poses, {}, box);
   }
+
+  [[nodiscard]] double end_s() const { return log_.end_s(); }
 
  private:
-  static std::vector<Vec2> places_of(const std::vector<LandmarkSighting>& sightings) {
-    std::vector<Vec2> result;
-    for (const LandmarkSighting& sighting : sightings) result.push_back(sighting.position);
-    return result;
-  }
-
   static std::optional<Vec2> nearest(const std::map<std::int64_t, Vec2>& truth, Vec2 place) {
     std::optional<Vec2> found;
     for (const auto& [id, there] : truth) {
@@ -116,38 +115,25 @@ class Recorder {
     return found;
   }
 
-  void add_event(double time_s, const char* kind, std::string text) {
-    report_.events.push_back({time_s, kind, std::move(text)});
-  }
-
-  void note_landmarks(const LandmarkMap& map) {
-    std::vector<ReportLandmark>& landmarks = report_.slam->landmarks;
-    landmarks.clear();
+  [[nodiscard]] outrider_msgs::Landmarks message_of(const LandmarkMap& map) const {
+    outrider_msgs::Landmarks message;
     for (const LandmarkEstimate& one : map) {
-      const ReportSigmas sigmas = sigmas_of(one.covariance(0, 0), one.covariance(0, 1), one.covariance(1, 1));
       const auto first = first_s_.find(one.id);
-      landmarks.push_back({one.id,
-                           first == first_s_.end() ? 0.0 : first->second,
-                           one.position,
-                           sigmas.x_m,
-                           sigmas.y_m,
-                           sigmas.correlation,
-                           static_cast<int>(one.sightings),
-                           {}});
+      outrider_msgs::Landmark landmark;
+      landmark.id = one.id;
+      landmark.first_seen = first == first_s_.end() ? 0.0 : first->second;
+      landmark.sightings = static_cast<std::uint32_t>(one.sightings);
+      set_place(landmark, one.position, one.covariance);
+      message.landmarks.push_back(landmark);
     }
+    return message;
   }
 
-  void show(const LandmarkSlam& slam) {
-    note_landmarks(slam.landmarks());
-    observer_->see(report_);
-  }
-
-  const LandmarkLog& log_;
-  RunObserver* observer_;
-  Report report_;
-  SlamRecord record_;
+  const LandmarkLog& recording_;
+  SlamLog log_;
   std::vector<double> times_s_;
   std::map<std::int64_t, double> first_s_;
+  double next_map_s_ = 0.0;
   bool lost_ = false;
 };
 
@@ -259,24 +245,26 @@ std::vector<NamedContent> files_of(const LandmarkMission& run, const LandmarkMap
 
 }  // namespace
 
-Outcome<Run> map_landmark_log(const SlamJob& job, LandmarkLog log, const RunWatch& watch) {
+Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const RunWatch& watch) {
   const LandmarkSlamOptions options = options_of(job, log);
   const std::size_t logged = log.steps.size();
-  Recorder recorder(job.scenario, log, watch.observer);
-  const auto run = run_log(job, options, log, recorder, watch);
-  if (!run) return tl::unexpected<Fault>(run.error());
-  const LandmarkMap map = run->slam.landmarks();
+  Recorder recorder(run.log, job.scenario, log);
+  const auto mapped = run_log(job, options, log, recorder, watch);
+  if (!mapped) return tl::unexpected<Fault>(mapped.error());
+  const LandmarkMap map = mapped->slam.landmarks();
   const std::string warning = options.unknown_ids ? std::string() : undo_exchange(log, map);
   const MapError error = options.unknown_ids ? map_error_by_place(map, log.true_landmarks, reach_m)
                                              : map_error(map, log.true_landmarks);
   const auto truth = truth_in_map(log, error);
-  Report report = recorder.settled(run->slam, map, truth, !options.unknown_ids);
-  if (!warning.empty()) report.warnings.push_back(warning);
-  conclude(report, metrics_of(options, *run, map.size(), error));
-  report.machine_times = times_of(*run);
-  if (log.steps.size() < logged)
-    mark_cancelled(report, report.track.empty() ? 0.0 : report.track.back().time_s);
-  return Run{std::move(report), files_of(*run, map, truth)};
+  if (!warning.empty()) run.report.warnings.push_back(warning);
+  run.report.metrics = metrics_of(options, *mapped, map.size(), error);
+  run.report.metrics.emplace_back("distance_m",
+                                  recorder.settle(mapped->slam, map, truth, !options.unknown_ids));
+  run.report.metrics.emplace_back("run_s", recorder.end_s());
+  run.report.machine_times = times_of(*mapped);
+  if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
+  run.files = files_of(*mapped, map, truth);
+  return {};
 }
 
 }  // namespace outrider

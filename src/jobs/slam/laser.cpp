@@ -1,21 +1,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "laser_picture.hpp"
-#include "opened.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
-#include "outrider/report/scan_map.hpp"
-#include "outrider/report/slam_record.hpp"
+#include "outrider/job/sensor_log.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
+#include "outrider/world/known_extent.hpp"
+#include "recordings.hpp"
+#include "scan_map.hpp"
+#include "slam_log.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr std::size_t most_cells = 150'000;       // maximum size of the map in the report
-constexpr std::size_t most_shown_cells = 40'000;  // maximum size of the map shown to observers
 
 /// Returns one line per scan: number, time (s), x, y (m), heading (rad).
 std::string track_csv(const LaserLog& log, const std::vector<Pose2>& poses) {
@@ -34,81 +37,69 @@ std::vector<double> times_of(const LaserLog& log) {
   return run_times(recorded_s);
 }
 
-double way_of(const LaserLog& log) {
-  double way_m = 0.0;
-  for (const LaserLogStep& step : log.steps) way_m += scan_way_m(step.motion);
-  return way_m;
-}
-
-/// Records the report during mapping and shows it to the observer.
+/// Logs the mapping.
 class Recorder {
  public:
-  Recorder(const SlamScenario& scenario, const LaserLog& log, RunObserver* observer)
-      : log_(log),
+  Recorder(Log& log, const SlamScenario& scenario, const LaserLog& recording)
+      : recording_(recording),
         options_(scenario.laser),
-        observer_(observer),
-        report_(opened(scenario)),
-        record_(report_, "laser", way_of(log)),
-        times_s_(times_of(log)),
-        map_(options_.map, options_.robot_T_laser) {}
+        log_(log, scenario, "laser"),
+        times_s_(times_of(recording)),
+        map_(options_.map, options_.robot_T_laser) {
+    log_mount(log, "laser", options_.robot_T_laser, 0.0);
+  }
 
   void note(const LaserSlam& slam, std::size_t step, const LaserSlamStep& outcome) {
-    const LaserLogStep& logged = log_.steps[step];
+    const LaserLogStep& logged = recording_.steps[step];
+    const double time_s = times_s_[step];
     odometry_ = compose(odometry_, logged.motion);
-    record_.note({times_s_[step], outcome.pose, slam.pose_covariance(), odometry_, outcome.closed_loop});
-    record_.note_scan([&] { return points_of(logged.scan, options_.robot_T_laser); });
+    log_.note({time_s, outcome.pose, slam.pose_covariance(), odometry_, outcome.closed_loop});
+    log_scan(log_.log(), time_s, logged.scan);
     if (outcome.kept || options_.trust_odometry)
-      map_.add(outcome.pose, logged.scan, times_s_[step], step + 1);
+      map_.add(log_.log(), outcome.pose, logged.scan, time_s, step + 1);
     if (outcome.lost)
-      report_.events.push_back({times_s_[step], "lost", "odometry is off by too much to match the scan"});
-    if (outcome.closed_loop) note_loops(slam, slam.trajectory());
-    if (observer_ != nullptr && observer_->wants()) show(slam);
+      log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
+    if (outcome.closed_loop) log_loops(slam, slam.trajectory());
   }
 
-  /// Returns the final report.
-  Report settled(const LaserRun& run) {
-    if (observer_ != nullptr) show(run.slam);
+  /// Logs the final map and path, and returns the length of the path.
+  double settle(const LaserRun& run) {
     std::vector<Pose2> poses = run.slam.trajectory();
-    note_loops(run.slam, poses);
-    map_.redraw(poses);
-    report_.slam->map = map_.drawn(most_cells);
+    log_loops(run.slam, poses);
+    map_.finish(log_.log(), poses, log_.end_s());
     poses.erase(poses.begin());  // before the first scan
-    record_.settle(poses, run.reference);
-    return std::move(report_);
+    const Grid<std::uint8_t> map = known_part(map_.map().occupancy());
+    return log_.settle(poses, run.reference, map.cells.empty() ? Box2{} : map.frame.bounds());
   }
+
+  [[nodiscard]] double end_s() const { return log_.end_s(); }
 
  private:
-  void note_loops(const LaserSlam& slam, const std::vector<Pose2>& poses) {
-    moved_ = true;
-    std::vector<ReportLoop>& loops = report_.slam->loops;
-    const std::size_t told = loops.size();
-    loops.clear();
+  void log_loops(const LaserSlam& slam, const std::vector<Pose2>& poses) {
+    outrider_msgs::Loops loops;
     for (const LaserLoop& loop : slam.closed_loops()) {
       const double then_s = times_s_[loop.from - 1], time_s = times_s_[loop.to - 1];
-      loops.push_back({time_s, poses[loop.from].position, poses[loop.to].position});
-      if (loops.size() > told)
-        report_.events.push_back(
-            {time_s, "loop", fmt::format("the place of {:.1f} s is recognised", then_s)});
+      loops.loops.push_back({time_s, point_of(poses[loop.from].position), point_of(poses[loop.to].position)});
+      if (loops.loops.size() <= told_) continue;
+      ++told_;
+      log_event(log_.log(), time_s, "loop", fmt::format("the place of {:.1f} s is recognised", then_s));
     }
+    if (!loops.loops.empty()) log_.log().append(topic::loops, log_.end_s(), std::move(loops));
   }
 
-  void show(const LaserSlam& slam) {
-    if (moved_) map_.redraw(slam.trajectory());
-    moved_ = false;
-    report_.slam->map = map_.drawn(most_shown_cells);
-    observer_->see(report_);
-  }
-
-  const LaserLog& log_;
+  const LaserLog& recording_;
   const LaserSlamOptions& options_;
-  RunObserver* observer_;
-  Report report_;
-  SlamRecord record_;
+  SlamLog log_;
   std::vector<double> times_s_;
   ScanMap map_;
   Pose2 odometry_;
-  bool moved_ = false;  ///< a loop has moved scans since the map was drawn
+  std::size_t told_ = 0;  ///< number of loops that are logged as events
 };
+
+double free_m2(const OccupancyMap& map) {
+  const double cell_m = map.frame().resolution_m;
+  return cell_m * cell_m * static_cast<double>(std::ranges::count(map.occupancy().cells, free_cell));
+}
 
 Metrics metrics_of(const LaserRun& run) {
   const auto number = [](auto value) { return static_cast<double>(value); };
@@ -118,6 +109,7 @@ Metrics metrics_of(const LaserRun& run) {
           {"steps_matched", number(run.matched)},
           {"steps_lost", number(run.lost)},
           {"loops", number(run.slam.loops())},
+          {"map_m2", free_m2(run.slam.map())},
           {"log_s", run.log_s}};
 }
 
@@ -136,10 +128,10 @@ Outcome<std::vector<NamedContent>> files_of(const LaserLog& log, const LaserRun&
 
 }  // namespace
 
-Outcome<Run> map_laser_log(const SlamJob& job, const LaserLog& log, const RunWatch& watch) {
-  Recorder recorder(job.scenario, log, watch.observer);
+Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
+  Recorder recorder(run.log, job.scenario, log);
   RunSteps steps(watch, 1);
-  if (auto ok = steps.next("mapping"); !ok) return pass_on(ok);
+  if (auto ok = steps.next("mapping"); !ok) return ok;
   const RunWatch inner = steps.inner();
   LaserWatch mapping;
   mapping.stop = watch.stop;
@@ -147,17 +139,19 @@ Outcome<Run> map_laser_log(const SlamJob& job, const LaserLog& log, const RunWat
   mapping.stepped = [&](const LaserSlam& slam, std::size_t step, const LaserSlamStep& outcome) {
     recorder.note(slam, step, outcome);
   };
-  const auto run = run_laser_log(log, job.scenario.laser, mapping, processor_s);
-  if (!run) return tl::unexpected<Fault>(run.error());
-  Report report = recorder.settled(*run);
-  conclude(report, metrics_of(*run));
-  const bool timed = run->log_s > 0.0 && run->time_s > 0.0;
-  report.machine_times = {{"time_s", run->time_s}, {"max_step_s", run->max_step_s}};
-  if (timed) report.machine_times.emplace_back("real_time_factor", run->log_s / run->time_s);
-  if (run->steps < log.steps.size()) mark_cancelled(report, report.track.back().time_s);
-  auto files = files_of(log, *run);
-  if (!files) return pass_on(files);
-  return Run{std::move(report), std::move(*files)};
+  const auto mapped = run_laser_log(log, job.scenario.laser, mapping, processor_s);
+  if (!mapped) return tl::unexpected<Fault>(mapped.error());
+  run.report.metrics = metrics_of(*mapped);
+  run.report.metrics.emplace_back("distance_m", recorder.settle(*mapped));
+  run.report.metrics.emplace_back("run_s", recorder.end_s());
+  const bool timed = mapped->log_s > 0.0 && mapped->time_s > 0.0;
+  run.report.machine_times = {{"time_s", mapped->time_s}, {"max_step_s", mapped->max_step_s}};
+  if (timed) run.report.machine_times.emplace_back("real_time_factor", mapped->log_s / mapped->time_s);
+  if (mapped->steps < log.steps.size()) mark_cancelled(run.report, run.log, recorder.end_s());
+  auto files = files_of(log, *mapped);
+  if (!files) return tl::unexpected<Fault>(files.error());
+  run.files = std::move(*files);
+  return {};
 }
 
 }  // namespace outrider

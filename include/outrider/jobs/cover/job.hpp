@@ -12,7 +12,7 @@ class CoverJob final : public JobTask {
  public:
   CoverJob() : JobTask("cover") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   CoverScenario scenario;
   std::optional<CoverTask> task;  ///< once loaded

@@ -12,7 +12,7 @@ class DriveJob final : public JobTask {
  public:
   DriveJob() : JobTask("drive") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   DriveScenario scenario;
   std::optional<DriveSetup> setup;  ///< once loaded

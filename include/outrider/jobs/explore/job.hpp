@@ -12,7 +12,7 @@ class ExploreJob final : public JobTask {
  public:
   ExploreJob() : JobTask("explore") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   ExploreScenario scenario;
   std::optional<ExploreSetup> setup;  ///< once loaded

@@ -25,11 +25,11 @@ struct ExploreRun {
   Pose2 true_pose;           ///< final true pose
 };
 
-/// Explores the world with a simulated robot and reports. The status is "done" if the exploration is
+/// Explores the world with a simulated robot, and logs the exploration. The status is "done" if the exploration is
 /// complete, the robot is home (if it has to return) and it touched nothing. A world that the robot can leave
 /// is open: there the robot turns back with the reason "leak" once its map is larger than the box of all
 /// obstacles plus twice the range of the laser, whatever most_extent allows. A pure function of its arguments
-/// except for machine_times. The map that an observer sees has at most 40,000 cells. Faults: those of begin()
+/// except for machine_times. Faults: those of begin()
 /// and of exploration_reference(). Metrics:
 ///   explored_fraction, map_error_m, mapped_free_m2   of reference.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end
@@ -40,8 +40,9 @@ struct ExploreRun {
 ///   returned_home                    1 when the true robot ended within 0.3 m of its start
 ///   home_error_m                     distance of its true from its believed position in the end
 ///   stuck, bad_scans, loops          how often it got stuck; unusable scans; closed loops
-/// and report.explore has the map, the beliefs, the decisions and the frontiers refused.
+/// and the table "refused" has the frontiers that were not explored.
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& task, const ExplorerSimParams& params,
-                                std::uint64_t seed, const RunWatch& watch = {}, const ScanHook& scanned = {});
+                                std::uint64_t seed, Log& log, const RunWatch& watch = {},
+                                const ScanHook& scanned = {});
 
 }  // namespace outrider

@@ -11,7 +11,7 @@ class GuardJob final : public JobTask {
  public:
   GuardJob() : JobTask("guard") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   GuardScenario scenario;  ///< options; holds the problem after load()
 

@@ -15,6 +15,7 @@
 #include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
 #include "outrider/robot/mission.hpp"
+#include "outrider/log/log.hpp"
 #include "outrider/sim/record.hpp"
 
 namespace outrider {
@@ -22,13 +23,13 @@ namespace outrider {
 class PhysicsGuard final : public Robot {
  public:
   /// The references must outlive the robot. The robot settles on its wheels before time 0.
-  PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies,
+  PhysicsGuard(const GuardProblem& problem, const FiringMap& firing_map, RigidWorld& bodies, Log& log,
                std::uint64_t seed);
 
   Observation sense() override;
   void act(const Command& command) override;
 
-  SimRecord record;  ///< actions so far, with the measurements of rigid bodies
+  SimRecord record;  ///< with the measurements of rigid bodies
 
  private:
   void follow(const FollowWaypoints& command);
@@ -41,7 +42,7 @@ class PhysicsGuard final : public Robot {
   void track(double duration_s, const ReferenceAt& at);
   void roll();
   void sample();
-  void log(std::string kind, std::string text);
+  void tell(std::string kind, std::string sentence);
   [[nodiscard]] double now_s() const;
   [[nodiscard]] Pose2 pose() const;
   [[nodiscard]] Flight launched(const Shot& shot) const;
@@ -52,6 +53,7 @@ class PhysicsGuard final : public Robot {
   const GuardProblem& problem_;
   const FiringMap& firing_map_;
   RigidWorld& bodies_;
+  Log& log_;
   WheelBase wheels_;
   Rng arrival_rng_;
   Rng gun_rng_;

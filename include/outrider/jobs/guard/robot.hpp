@@ -7,9 +7,9 @@
 
 namespace outrider {
 
-/// Makes the robot. The problem and the firing map must outlive it. All errors are drawn from named random
+/// Makes the robot. The problem, the firing map and the log must outlive it. All errors are drawn from named random
 /// streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most full.
-SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, std::uint64_t seed,
-                               TargetSimParams targets = {}, const StoreLevels& levels = {});
+SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
+                               std::uint64_t seed, TargetSimParams targets = {}, const StoreLevels& levels = {});
 
 }  // namespace outrider

@@ -39,8 +39,8 @@ struct GuardRun {
   bool rigid = false;                     ///< simulate rigid bodies
 };
 
-/// Simulates the mission and returns its report. The report is a pure function of the arguments, except for
-/// the watch. Its status is "done" if every target that can be hit was hit and no store fell below zero.
+/// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the arguments,
+/// except for the watch. Its status is "done" if every target that can be hit was hit and no store fell below zero.
 /// Metrics:
 ///   targets, reached, failed, unreachable, mission_s, driven_m, turned_rad, shots   always
 ///   planned_s, expected_s, lower_bound_s, gap, anywhere_lower_bound_s, anywhere_gap, tour_proven,
@@ -58,6 +58,6 @@ struct GuardRun {
 /// The bounds are those of arrival_bound.hpp. survived counts the hits that the intruder survived. chance is
 /// the mean of the predicted chances of the shots, expected_hits their sum. Faults: those of
 /// make_rigid_world(), if rigid bodies are simulated.
-Outcome<Report> run_guard(const GuardRun& run, const RunWatch& watch = {});
+Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -1,5 +1,5 @@
 // Simulates a mission in an unknown yard: the robot explores the yard, then guards it with the map that it
-// made. Both parts are in one report.
+// made. Both parts are in one log.
 //
 // While the robot explores, it looks for targets at each scan. It sees a target if the centre of the target
 // is within sight and no obstacle hides it in the plane of the range finder. It computes the position of the
@@ -32,16 +32,16 @@ struct ScoutedYard {
 /// Explores the yard of `truth`. After a stop request only `run` is set. Faults: those of run_explore() and
 /// found_yard(), and no_path if the robot is lost.
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           const RunWatch& watch = {});
+                           Log& log, const RunWatch& watch = {});
 
 /// Carries out a plan in the true yard. The plan was made for `yard.found`, with its firing map `firing_map`.
-/// The report begins with the exploration, and the times of the guard mission continue from there. The status
+/// The log has the exploration, and its times continue from there. The status
 /// is "done" if every target was seen, every target that can be hit was hit, and the robot touched no
 /// obstacle. Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
 /// contacts. mission_s, driven_m and turned_rad include the exploration. Faults: those of build_firing_map()
-/// for the true yard. The observer sees both parts, the exploration first.
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, ScoutedYard yard, const FiringMap& firing_map,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed,
+/// for the true yard.
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard, const FiringMap& firing_map,
+                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed, Log& log,
                                  const RunWatch& watch = {});
 
 }  // namespace outrider

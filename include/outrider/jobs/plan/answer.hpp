@@ -14,7 +14,6 @@
 #include <string_view>
 #include <vector>
 
-#include "outrider/job/table.hpp"
 #include "outrider/jobs/plan/ground.hpp"
 #include "outrider/jobs/plan/scenario.hpp"
 #include "outrider/report/report.hpp"

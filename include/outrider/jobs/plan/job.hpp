@@ -21,7 +21,7 @@ class PlanJob final : public JobTask {
  public:
   PlanJob() : JobTask("plan") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   PlanScenario scenario;
   std::optional<PlanTask> task;  ///< set by load()

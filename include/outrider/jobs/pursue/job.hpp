@@ -12,7 +12,7 @@ class PursueJob final : public JobTask {
  public:
   PursueJob() : JobTask("pursue") {}
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   PursuitScenario scenario;
   std::optional<PursuitTask> task;  ///< once loaded

@@ -1,21 +1,39 @@
-// pursuit_report() makes the report of a pursuit. It is a pure function of its arguments and contains no
-// wall-clock times, so the same run gives the same bytes.
+// PursuitLog logs a pursuit, and pursuit_report() tells what it came to. Both are pure functions of the run and use
+// no wall clock, so the same run gives the same bytes.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 #include "outrider/jobs/pursue/run.hpp"
+#include "outrider/log/log.hpp"
 #include "outrider/report/report.hpp"
 
 namespace outrider {
 
-/// Returns the report. Its status is "done" if the target was caught. A cell is 1 m. The map is drawn with at
-/// most 500 cells a side: a larger map is averaged over square blocks, and a block with more walls than free
-/// cells is a wall.
+/// Logs a pursuit. A cell is 1 m. The map is logged with at most 500 cells a side: a larger map is averaged over
+/// square blocks, and a block with more walls than free cells is a wall. Thread rule: one at a time.
+class PursuitLog {
+ public:
+  /// Logs what stands still, and the path of the target. The log and the problem must outlive this object.
+  PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t seed, const std::string& name);
+  /// Logs what is new in the run since the last call.
+  void note(const PursuitRun& run);
+
+ private:
+  void log_place(const std::string& topic, int second, Cell cell);
+
+  Log& log_;
+  const PursuitProblem& problem_;
+  int second_ = 0;  ///< up to which the places are logged
+  double paid_ = 0.0;
+  std::size_t moments_ = 0;
+};
+
+/// Returns the report. Its status is "done" if the target was caught.
 Report pursuit_report(const PursuitProblem& problem, const PursuitRun& run, const std::string& name);
 
 /// Returns the report of a pursuit that was proven impossible before it began.
-Report pursuit_report(const PursuitProblem& problem, const Fault& fault, const std::string& name);
+Report pursuit_report(const Fault& fault, const std::string& name);
 
 }  // namespace outrider

@@ -11,7 +11,7 @@ class SlamJob final : public JobTask {
   SlamJob();
   ~SlamJob() override;
   Outcome<Warnings> load() override;
-  Outcome<Run> run(const RunWatch& watch) override;
+  Status run(Run& run, const RunWatch& watch) override;
 
   SlamScenario scenario;
 

@@ -1,7 +1,10 @@
 // Table: named columns and rows of values, such as the targets of a run.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -26,6 +29,21 @@ struct Table {
   std::string name;
   std::vector<std::string> columns;           ///< names of the columns
   std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column
+};
+
+/// Gives access to the values of a row by the names of their columns. Throws std::out_of_range if there is no such
+/// column, and std::bad_variant_access if the value has another type.
+struct TableRow {
+  const Table& table;
+  const std::vector<TableValue>& values;
+
+  template <class Value>
+  [[nodiscard]] const Value& get(std::string_view column) const {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+    return std::get<Value>(values.at(static_cast<std::size_t>(found - table.columns.begin())));
+  }
+  [[nodiscard]] double number(std::string_view column) const { return get<double>(column); }
+  [[nodiscard]] const std::string& text(std::string_view column) const { return get<std::string>(column); }
 };
 
 }  // namespace outrider

@@ -1,0 +1,42 @@
+// MapLog: logs an occupancy map while it grows.
+//
+// The map is logged at most once a second of the run. It is logged whole, as nav_msgs/OccupancyGrid, when its
+// frame has changed or it was redrawn, and else as map_msgs/OccupancyGridUpdate: the smallest rectangle with all
+// changes. Thread rule: one at a time.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "outrider/log/log.hpp"
+#include "outrider/world/grid.hpp"
+
+namespace outrider {
+
+class MapLog {
+ public:
+  /// Notes a change. `occupancy` holds values of Occupancy. Only the cells with the indices `changed` may have
+  /// changed since the last call, or any cell if `redrawn` is true. O(cells changed), and O(cells of the rectangle)
+  /// once a second.
+  void note(Log& log, const Grid<std::uint8_t>& occupancy, bool redrawn, std::span<const std::size_t> changed,
+            double time_s);
+
+  /// Lets the next finish() log the whole map.
+  void redraw() { redrawn_ = true; }
+
+  /// Logs what was noted and not yet logged. Call it at the end of the run.
+  void finish(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
+
+ private:
+  void log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
+  void log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
+
+  GridFrame logged_{};     ///< frame of the newest whole map
+  bool begun_ = false;     ///< a whole map was logged
+  bool redrawn_ = false;   ///< the whole map must be logged
+  Cell low_{0, 0};         ///< corners of the rectangle of changes
+  Cell high_{-1, -1};
+  double next_s_ = 0.0;
+};
+
+}  // namespace outrider

@@ -1,0 +1,20 @@
+// Functions that log what stands still in a run: the job, the world and its solids.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "outrider/log/log.hpp"
+#include "outrider/log/scene_messages.hpp"
+#include "outrider/world/world.hpp"
+
+namespace outrider {
+
+/// Returns the description of a run in a world, with a robot that is a disk.
+outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world, double robot_radius_m);
+
+/// Logs the description, and the solids of the world that rise above the floor. Those that begin below
+/// `robot_height_m` above the floor block the robot. O(solids).
+void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m);
+
+}  // namespace outrider

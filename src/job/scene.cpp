@@ -1,0 +1,36 @@
+#include "outrider/job/scene.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
+
+namespace outrider {
+
+outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world, double robot_radius_m) {
+  outrider_msgs::RunInfo info;
+  info.job = std::move(job);
+  info.seed = seed;
+  info.world = world.name;
+  info.low = point_of(world.bounds.low);
+  info.high = point_of(world.bounds.high);
+  info.robot_radius = robot_radius_m;
+  return info;
+}
+
+void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m) {
+  log.append(topic::run, 0.0, std::move(info));
+  outrider_msgs::Solids solids;
+  for (const Solid& solid : world.solids) {
+    const Box3 box = bounds(solid);
+    const bool floor = std::holds_alternative<HalfSpaceShape>(solid.shape);
+    if (floor || box.high.z <= world.floor_z_m) continue;
+    solids.solids.push_back({solid.name, std::string(kind(solid.shape)),
+                             rounded_of(footprint(solid, box.low.z, box.high.z)), box.low.z, box.high.z,
+                             box.low.z < world.floor_z_m + robot_height_m});
+  }
+  log.append(topic::solids, 0.0, std::move(solids));
+}
+
+}  // namespace outrider

@@ -1,0 +1,65 @@
+// What a guard mission logs, and what it came to: status, metrics and the table of targets, by capability.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "outrider/jobs/guard/run.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/log_queue.hpp"
+
+namespace outrider {
+
+/// The yard as it really is.
+const GuardProblem& true_problem(const GuardRun& run);
+const FiringMap& true_map(const GuardRun& run);
+/// Returns the intruders that the simulation lets come, survive or walk.
+TargetSimParams target_params(const GuardRun& run);
+
+/// Logs what is known before anything happens: the run, the world, the terrain, the stations.
+void log_start(Log& log, const GuardRun& run);
+
+/// Logs what becomes of the targets, and where they are.
+class TargetLog {
+ public:
+  /// Logs the targets as they are at first. The references must outlive this object.
+  TargetLog(Log& log, const GuardRun& run);
+  /// Logs what has changed. Call it after each step of the mission.
+  void note(const GuardMission& mission, double time_s);
+  /// Logs where walkers are in the end.
+  void finish(const GuardMission& mission, double time_s);
+
+  /// Returns the name of a target or an intruder.
+  [[nodiscard]] const std::string& name(std::size_t who) const { return told_[who].name; }
+
+ private:
+  void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
+  void note_walker(const GuardMission& mission, std::size_t who);
+  [[nodiscard]] std::size_t targets() const { return told_.size(); }
+
+  Log& log_;
+  const GuardRun& run_;
+  LogQueue queue_;                          ///< when intruders come in and settle
+  std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
+  std::vector<double> heights_m_;           ///< by target: of its centre
+  std::vector<std::size_t> seen_;           ///< by walker: number of observations that are logged
+};
+
+/// Returns the first store that ran empty, in a sentence; empty if none did.
+std::string ran_dry(const Log& log);
+
+/// Returns what is added to the reason of a mission that ended because no station was left; else an empty text.
+std::string why_stranded(const Log& log);
+
+/// Returns the targets with their status, and the pose of the robot and the aim at the last shot.
+Table target_table();
+/// Returns the row of a target that was never shot at.
+std::vector<TableValue> unshot_row(const std::string& name, const std::string& status, const std::string& reason,
+                                   double done_s);
+
+/// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
+Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,
+              const TargetLog& targets, double end_s, double expected_hits);
+
+}  // namespace outrider

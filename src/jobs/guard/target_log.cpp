@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "guard_log.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
+
+namespace outrider {
+namespace {
+
+/// Returns where the robot, before its newest look at a walker, believed that the walker would be.
+Vec2 believed_at(const Track& track, std::size_t look, const WanderOptions& options) {
+  constexpr std::size_t most_known = 50;
+  const TimedPosition& seen = track[look];
+  if (look == 0) return seen.position;
+  const std::size_t first = look > most_known ? look - most_known : 0;
+  const Track known(track.begin() + static_cast<std::ptrdiff_t>(first),
+                    track.begin() + static_cast<std::ptrdiff_t>(look));
+  return straight_on(stride_of(known, options), seen.time_s).at(seen.time_s);
+}
+
+}  // namespace
+
+TargetLog::TargetLog(Log& log, const GuardRun& run) : log_(log), run_(run) {
+  const auto& targets = true_problem(run).targets;
+  const std::size_t count = run.arrivals ? run.arrivals->yard.intruders.size() : targets.size();
+  seen_.assign(count, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Intruder* const intruder = run.arrivals ? &run.arrivals->yard.intruders[i] : nullptr;
+    const Target& target = intruder != nullptr ? run.arrivals->yard.problem.targets[i] : targets[i];
+    const bool comes = intruder != nullptr && !intruder->entrance.empty();
+    heights_m_.push_back(target.centre().z);
+    told_.push_back({intruder != nullptr ? intruder->name : target.name, comes ? "outside" : "waiting", "",
+                     vector_of(target.size), target.yaw_rad, 0, comes ? intruder->entrance : ""});
+    log.append(topic::targets, 0.0, told_[i]);
+    const Vec2 settled = xy(target.base);
+    if (!comes) {
+      place(0.0, i, run.walkers ? run.walkers->walks[i].at(0.0) : settled, settled);
+      continue;
+    }
+    told_[i].status = "waiting";
+    queue_.note(intruder->enters_s, topic::targets, told_[i]);
+    queue_.note_event(intruder->enters_s, "enter",
+                      fmt::format("{} comes in by {}", intruder->name, intruder->entrance));
+    place(intruder->enters_s, i, intruder->from, intruder->from);
+    place(intruder->settles_s, i, settled, settled);
+  }
+  queue_.flush(log, 0.0);
+}
+
+void TargetLog::place(double time_s, std::size_t who, Vec2 at, Vec2 believed) {
+  queue_.note(time_s, topic::target_positions,
+              outrider_msgs::TargetPosition{told_[who].name, {at.x, at.y, heights_m_[who]}, point_of(believed)});
+}
+
+void TargetLog::note_walker(const GuardMission& mission, std::size_t who) {
+  const Track& track = mission.moving.tracks[who];
+  for (std::size_t& look = seen_[who]; look < track.size(); ++look) {
+    place(track[look].time_s, who, run_.walkers->walks[who].at(track[look].time_s),
+          believed_at(track, look, run_.walkers->plan.options));
+  }
+}
+
+void TargetLog::note(const GuardMission& mission, double time_s) {
+  for (std::size_t i = 0; run_.walkers && i < told_.size(); ++i) note_walker(mission, i);
+  queue_.flush(log_, time_s);
+  for (std::size_t i = 0; i < told_.size(); ++i) {
+    const TargetRecord& record = mission.tasks.records[i];
+    outrider_msgs::Target& told = told_[i];
+    const auto shots = static_cast<std::uint32_t>(record.shots);
+    const std::string_view status = to_string(record.status);
+    if (told.shots == shots && told.status == status && told.reason == record.reason) continue;
+    const bool changed = told.status != status;
+    told.shots = shots;
+    told.status = status;
+    told.reason = record.reason;
+    log_.append(topic::targets, changed && record.status != TargetStatus::waiting ? record.done_s : time_s, told);
+  }
+}
+
+void TargetLog::finish(const GuardMission& mission, double time_s) {
+  for (std::size_t i = 0; run_.walkers && i < told_.size(); ++i) {
+    const TargetRecord& record = mission.tasks.records[i];
+    const double last_s = record.status == TargetStatus::waiting ? time_s : record.done_s;
+    const Vec2 at = run_.walkers->walks[i].at(last_s);
+    place(last_s, i, at, at);
+  }
+  note(mission, time_s);
+}
+
+}  // namespace outrider

@@ -1,0 +1,84 @@
+#include "slam_log.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "outrider/job/sensor_log.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double step_s = 0.1;
+constexpr double least_going_on = 0.9;  // fraction of the steps of a recording whose times are used
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+std::vector<double> run_times(const std::vector<double>& recorded_s) {
+  std::vector<double> times;
+  if (recorded_s.empty()) return times;
+  double latest_s = recorded_s.front();
+  std::size_t going_on = 0;
+  for (const double time_s : recorded_s) {
+    going_on += time_s > latest_s ? 1 : 0;
+    latest_s = std::max(latest_s, time_s);
+    times.push_back(latest_s - recorded_s.front());
+  }
+  const double steps = static_cast<double>(times.size() - 1);
+  if (std::isfinite(times.back()) && static_cast<double>(going_on) >= least_going_on * steps) return times;
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = step_s * static_cast<double>(i);
+  return times;
+}
+
+std::string name_of(const SlamScenario& scenario) {
+  const std::string name = std::filesystem::path(scenario.log).filename().string();
+  return name.substr(0, name.find('.'));
+}
+
+void set_place(outrider_msgs::Landmark& landmark, Vec2 position, const Eigen::Matrix2d& covariance) {
+  landmark.position = point_of(position);
+  landmark.sigma_x = std::sqrt(std::max(0.0, covariance(0, 0)));
+  landmark.sigma_y = std::sqrt(std::max(0.0, covariance(1, 1)));
+  const double product = landmark.sigma_x * landmark.sigma_y;
+  landmark.correlation = product > 0.0 ? std::clamp(covariance(0, 1) / product, -1.0, 1.0) : 0.0;
+  landmark.truth = {unknown, unknown};
+}
+
+SlamLog::SlamLog(Log& log, const SlamScenario& scenario, const std::string& engine) : log_(log) {
+  info_.job = "slam";
+  info_.engine = engine;
+  info_.world = name_of(scenario);
+  info_.low = info_.high = {unknown, unknown};
+  info_.robot_radius = unknown;
+  log.append(topic::run, 0.0, info_);
+}
+
+void SlamLog::note(const Step& step) {
+  times_s_.push_back(step.time_s);
+  log_belief(log_, step.time_s, step.pose, step.covariance, step.recognised);
+  log_odometry(log_, step.time_s, step.odometry);
+}
+
+double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 box) {
+  double way_m = 0.0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (i > 0) way_m += distance(poses[i - 1].position, poses[i].position);
+    box.include(poses[i].position);
+  }
+  for (const Vec2 place : reference) box.include(place);
+  std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(times_s_.size(), poses.size())));
+  log_.append(topic::trajectory, end_s(), path_of(times_s, poses));
+  if (!reference.empty()) log_.append(topic::reference, end_s(), path_of(0.0, reference));
+  if (!box.empty()) box = box.grown(0.5 + 0.01 * norm(box.size()));
+  info_.low = point_of(box.low);
+  info_.high = point_of(box.high);
+  log_.append(topic::run, end_s(), info_);
+  return way_m;
+}
+
+}  // namespace outrider
