@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "flags.hpp"
+#include "live_log.hpp"
 #include "live_map.hpp"
-#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/io/confinement.hpp"
 #include "outrider/io/scenario.hpp"
@@ -51,23 +51,24 @@ class Viewers final : public LogSink {
   }
   LogSink* sink() { return live_.is_watched() || map_ ? this : nullptr; }
   void begin(const Log& log) override {
-    live_.begin(log);
     if (map_) map_->begin(log);
   }
-  void add_channel(const Channel&) override {}
+  void add_channel(const Channel& channel) override {
+    if (live_.is_watched()) live_.add_channel(channel);
+  }
   void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
     if (live_.is_watched()) live_.append(channel, time_ns, data);
     if (map_) map_->append(channel, time_ns, data);
   }
-  void finish(Log& log) {
-    log.remove_sink(*this);
-    begin(log);
-    if (live_.is_watched()) live_.finish();
+  void finish(Run& run) {
+    run.log.remove_sink(*this);
+    begin(run.log);
+    if (live_.is_watched()) live_.finish(result_text(run));
     if (map_) map_->finish();
   }
 
  private:
-  LiveReport live_;
+  LiveLog live_;
   std::optional<LiveMap> map_;
 };
 
@@ -104,7 +105,7 @@ Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& reques
   watch.progress = [&](const RunStep& step) { progress.show(step); };
   if (request.live) progress.end();
   auto run = run_task(job, task, watch);
-  if (run) viewers.finish(run->log);
+  if (run) viewers.finish(*run);
   return run;
 }
 

@@ -27,24 +27,6 @@ bool plays(const Run& run) {
   return std::ranges::any_of(run.log.channels(), moves);
 }
 
-/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which differ
-/// from run to run.
-std::string result_text(const Run& run) {
-  Report report = run.report;
-  report.machine_times.clear();
-  Json object = run_json<Json>(report);
-  for (const Table& table : report.tables) {
-    for (Json& row : object[table.name]) {
-      row.erase("time_s");
-      row.erase("build_s");
-    }
-  }
-  object.erase("files");
-  object["settings"] = Json::object();
-  for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
-  return json_text(object, 1) + "\n";
-}
-
 /// Returns true if the report has content; a run that was cancelled at once has none.
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
@@ -62,6 +44,22 @@ Outcome<std::string> log_text(Run& run, const std::string& result) {
 }
 
 }  // namespace
+
+std::string result_text(const Run& run) {
+  Report report = run.report;
+  report.machine_times.clear();
+  Json object = run_json<Json>(report);
+  for (const Table& table : report.tables) {
+    for (Json& row : object[table.name]) {
+      row.erase("time_s");
+      row.erase("build_s");
+    }
+  }
+  object.erase("files");
+  object["settings"] = Json::object();
+  for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
+  return json_text(object, 1) + "\n";
+}
 
 std::string text_of(const Job& job, const Report& report) {
   if (job.summary && has_parts(report)) return job.summary(report);
