@@ -1,4 +1,4 @@
-#include "live.hpp"
+#include "page_viewer.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -8,6 +8,7 @@ namespace outrider::server {
 namespace {
 
 constexpr std::size_t most_replies = 1024;
+constexpr std::size_t largest_frame = std::size_t{64} << 10U;  // of a log
 constexpr std::int64_t most_id = 1'000'000'000'000;
 constexpr std::chrono::hours longest_wait{1};       // a newer plan request or closing ends it sooner
 constexpr std::size_t most_waiting = 1000;          // viewers
@@ -33,28 +34,19 @@ std::string superseded(const Json& message) {
 
 }  // namespace
 
-Viewer::Viewer(Runs& runs, Shared& shared, std::string hello) : runs_(runs), shared_(shared) {
+PageViewer::PageViewer(Runs& runs, Shared& shared, std::string hello) : runs_(runs), shared_(shared) {
   replies_.push_back(std::move(hello));
 }
 
-void Viewer::wake() {
+void PageViewer::close() {
   {
     const std::lock_guard lock(mutex_);
-    awake_ = true;
-  }
-  changed_.notify_one();
-}
-
-void Viewer::close() {
-  {
-    const std::lock_guard lock(mutex_);
-    closed_ = true;
     planning_.request_stop();
   }
-  wake();
+  Viewer::close();
 }
 
-bool Viewer::receive(const std::string& text) {
+bool PageViewer::receive(const std::string& text) {
   const auto lease = shared_.values.take(memory_of_json(text));
   if (!lease) return false;
   auto parsed = parse_json(text, "message", most_values);
@@ -70,20 +62,11 @@ bool Viewer::receive(const std::string& text) {
   return true;
 }
 
-Status Viewer::obey(const Message& message) {
+Status PageViewer::obey(const Message& message) {
   Fields fields(*message, "");
   const std::string type = fields.text("type");
   const Json id = fields.has("id") ? Json(fields.integer("id", 0, most_id)) : Json();
-  if (type == "watch") {
-    const std::string run = fields.text("run");
-    const auto from = static_cast<std::uint64_t>(fields.integer("from", 0, 1'000'000'000, 0));
-    if (auto ok = fields.end(); !ok) return ok;
-    if (auto known = runs_.next(run, from); !known) return pass_on(known);
-    const std::lock_guard lock(mutex_);
-    run_ = run;
-    from_ = from;
-    return {};
-  }
+  if (type == "watch") return watch(fields);
   const Json* request = type == "plan" ? fields.object("request") : nullptr;
   if (type == "plan" && request == nullptr)
     fields.refuse("request", "expected an object, as POST /api/v1/plan");
@@ -92,45 +75,86 @@ Status Viewer::obey(const Message& message) {
   if (!known) return bad_input("expected watch, unwatch, runs, plan or ping", "type");
   if (type == "plan") want_plan(message);
   const std::lock_guard lock(mutex_);
-  if (type == "unwatch") run_.clear();
+  if (type == "unwatch") watch_ = {.generation = watch_.generation + 1};
   if (type == "runs") wants_list_ = true;
   if (type == "runs") list_seen_.reset();
   if (type == "ping") replies_.push_back(text_of(Json{{"type", "pong"}, {"id", id}}));
   return {};
 }
 
-void Viewer::want_plan(const Message& message) {
+Status PageViewer::watch(Fields& fields) {
+  const std::string run = fields.text("run");
+  const auto from = static_cast<std::uint64_t>(fields.integer("from", 0, 1'000'000'000, 0));
+  const auto log = static_cast<std::uint64_t>(fields.integer("log", 0, 1'000'000'000'000, 0));
+  if (auto ok = fields.end(); !ok) return ok;
+  if (auto known = runs_.next(run, from); !known) return pass_on(known);
+  const std::lock_guard lock(mutex_);
+  watch_ = {.run = run, .from = from, .log = log, .generation = watch_.generation + 1};
+  return {};
+}
+
+void PageViewer::want_plan(const Message& message) {
   const std::lock_guard lock(mutex_);
   if (plan_) replies_.push_back(superseded(*plan_));
   plan_ = message;
   if (std::chrono::steady_clock::now() - planning_since_ > patience) planning_.request_stop();
 }
 
-Viewer::Work Viewer::next_work() {
+PageViewer::Work PageViewer::next_work() {
   const std::lock_guard lock(mutex_);
-  Work work{std::exchange(replies_, {}), std::exchange(plan_, nullptr), run_, from_, false};
+  Work work{std::exchange(replies_, {}), std::exchange(plan_, nullptr), watch_, false};
   const std::uint64_t states = runs_.state_changes();
   work.list = wants_list_ && list_seen_ != states;
   if (wants_list_) list_seen_ = states;
-  if (closed_) work.plan.reset();
+  if (closed()) work.plan.reset();
   if (work.plan) planning_ = {};
   if (work.plan) planning_since_ = std::chrono::steady_clock::now();
   return work;
 }
 
-/// Sends one message of the watched run, if there is one.
-bool Viewer::send_run(const Work& work, const std::function<bool(const std::string&)>& send) {
-  if (work.run.empty()) return true;
-  const auto message = runs_.next(work.run, work.from);
-  if (!message || !message->text) return true;
-  if (!send(*message->text)) return false;
+/// Sends the next bytes of the log, if there are any. Before the first ones it says where they begin, and
+/// after the last ones why there are no more, unless that is because the mission has ended.
+bool PageViewer::send_log(Watch& watch, const GrowingLog* log, const SendFrame& send) {
+  const auto announce = [&](const std::string& stopped) {
+    Json message = {{"type", "log"}, {"run", watch.run}, {"from", watch.log}};
+    if (!stopped.empty()) message["stopped"] = stopped;
+    return send(FrameKind::text, text_of(message));
+  };
+  const std::string stopped = log == nullptr
+                                  ? "the live log of this run is not kept any more; fetch its log instead"
+                                  : log->stopped();
+  const std::string bytes = log == nullptr ? "" : log->part(watch.log, largest_frame);
+  if (!bytes.empty()) {
+    if (!std::exchange(watch.log_announced, true) && !announce({})) return false;
+    watch.log += bytes.size();
+    return send(FrameKind::binary, bytes);
+  }
+  if (stopped.empty() || std::exchange(watch.stop_announced, true)) return true;
+  return announce(stopped);
+}
+
+/// Sends the next message of the watched run and the next bytes of its log. The message `end` waits until all
+/// of the log is sent.
+bool PageViewer::send_run(Watch watch, const SendFrame& send) {
+  if (watch.run.empty()) return true;
+  const auto message = runs_.next(watch.run, watch.from);
+  if (!message) return true;
+  const bool begun = message->log != nullptr || message->log_gone;
+  const std::uint64_t log_before = watch.log;
+  if (begun && !send_log(watch, message->log.get(), send)) return false;
+  const bool more = watch.log != log_before;
+  const bool waits = message->last && more;
+  if (message->text && !waits) {
+    if (!send(FrameKind::text, *message->text)) return false;
+    watch.from = message->seq;
+  }
   const std::lock_guard lock(mutex_);
-  awake_ = true;  // more messages may follow
-  if (run_ == work.run && from_ == work.from) from_ = message->seq;
+  if (watch.generation == watch_.generation) watch_ = watch;
+  if (message->text || more) wake();
   return true;
 }
 
-std::string Viewer::answer(const Json& message) {
+std::string PageViewer::answer(const Json& message) {
   std::stop_token stop;
   {
     const std::lock_guard lock(mutex_);
@@ -152,76 +176,28 @@ std::string Viewer::answer(const Json& message) {
 }
 
 /// Sends the answer to a plan request. All viewers share a memory limit for answers that nobody has read.
-bool Viewer::send_plan(const Json& message, const std::function<bool(const std::string&)>& send) {
+bool PageViewer::send_plan(const Json& message, const SendFrame& send) {
   const std::string text = answer(message);
   const auto lease = shared_.answers.take(text.size());
-  if (lease) return send(text);
-  return send(error_text({FaultCode::budget_exhausted, "too many answers wait to be read; ask again", {}},
+  if (lease) return send(FrameKind::text, text);
+  return send(FrameKind::text,
+              error_text({FaultCode::budget_exhausted, "too many answers wait to be read; ask again", {}},
                          id_of(message)));
 }
 
-void Viewer::serve(const std::function<bool(const std::string&)>& send) {
-  for (;;) {
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [this] { return awake_ || closed_; });
-      if (closed_) return;
-      awake_ = false;
-    }
+void PageViewer::serve(const SendFrame& send) {
+  while (wait()) {
     const Work work = next_work();
     for (const std::string& reply : work.replies) {
-      if (!send(reply)) return;
+      if (!send(FrameKind::text, reply)) return;
     }
     if (work.list) {
       Json list = {{"type", "runs"}};
       list.update(runs_.list());
-      if (!send(text_of(list))) return;
+      if (!send(FrameKind::text, text_of(list))) return;
     }
-    if (!send_run(work, send)) return;
+    if (!send_run(work.watch, send)) return;
     if (work.plan && !send_plan(*work.plan, send)) return;
-  }
-}
-
-Live::Live(Runs& runs, Shared& shared, std::string version)
-    : runs_(runs),
-      shared_(shared),
-      hello_(text_of(Json{{"type", "hello"}, {"api", 1}, {"version", version}})),
-      register_(std::make_shared<Register>()) {
-  runs_.on_change([known = register_] {
-    std::vector<std::shared_ptr<Viewer>> viewers;
-    {
-      const std::lock_guard lock(known->mutex);
-      for (const auto& viewer : known->viewers) viewers.push_back(viewer.lock());
-    }
-    for (const auto& viewer : viewers) {
-      if (viewer) viewer->wake();
-    }
-  });
-}
-
-Live::~Live() {
-  runs_.on_change({});
-  close();
-}
-
-std::shared_ptr<Viewer> Live::open() {
-  auto viewer = std::make_shared<Viewer>(runs_, shared_, hello_);
-  const std::lock_guard lock(register_->mutex);
-  std::erase_if(register_->viewers, [](const auto& other) { return other.expired(); });
-  register_->viewers.push_back(viewer);
-  if (register_->closed) viewer->close();
-  return viewer;
-}
-
-void Live::close() {
-  std::vector<std::weak_ptr<Viewer>> viewers;
-  {
-    const std::lock_guard lock(register_->mutex);
-    register_->closed = true;
-    viewers = register_->viewers;
-  }
-  for (const auto& viewer : viewers) {
-    if (const auto one = viewer.lock()) one->close();
   }
 }
 
