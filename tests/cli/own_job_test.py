@@ -24,7 +24,7 @@ class OwnJob(ToolTest):
         picture = (self.folder / "run/patrol.svg").read_text()
         self.assertTrue(picture.startswith("<svg"))
         self.assertNotIn("reached", picture, "it has no targets to count")
-        replayed = self.run_tool("replay", "run/patrol.json", "--json")
+        replayed = self.run_tool("replay", "run", "--json")
         self.assertEqual(replayed.returncode, 0, replayed.stderr)
 
     def test_it_is_listed_described_and_in_the_schema(self):

@@ -180,7 +180,7 @@ class Plan(ToolTest):
             result = self.run_tool("plan", name, "--from", ends[0], "--to", ends[1], "--compare", "--out", "out")
             self.assertEqual(result.returncode, 0, result.stderr)
             picture = xml.etree.ElementTree.parse(self.folder / "out" / "plan.svg").getroot()
-            left = json.loads((self.folder / "out" / "plan.json").read_text())
+            left = json.loads((self.folder / "out" / "run.json").read_text())
             self.assertEqual([row["planner"] for row in left["rows"]], PLANNERS)
             self.assertEqual(len(picture.findall(f"{svg}polyline")), len(PLANNERS))
             texts = [t.text for t in picture.findall(f"{svg}text")]

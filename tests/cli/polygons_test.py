@@ -66,7 +66,7 @@ class Polygons(ToolTest):
         for name in ("plan.svg", "query_1.svg", "query_2.svg"):
             root = xml.etree.ElementTree.parse(self.folder / "out" / name).getroot()
             self.assertTrue(root.tag.endswith("svg"))
-        left = json.loads((self.folder / "out" / "plan.json").read_text())
+        left = json.loads((self.folder / "out" / "run.json").read_text())
         self.assertEqual([row["waypoints"] for row in left["rows"]], [row["waypoints"] for row in answer["rows"]])
 
     def test_one_query_points_and_polygonal(self):

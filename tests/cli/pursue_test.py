@@ -68,9 +68,9 @@ class Pursue(ToolTest):
         for ending in ("json", "svg", "html")[:2 + len(PAGE)]:
             self.assertEqual((self.folder / f"a/pursue.{ending}").read_bytes(),
                              (self.folder / f"b/pursue.{ending}").read_bytes())
-        replay = self.run_tool("replay", "a/pursue.json", "--json")
+        replay = self.run_tool("replay", "a/run.mcap", "--json")
         self.assertEqual(self.json_of(replay)["metrics"]["cost"], 11)
-        text = self.run_tool("replay", "a/pursue.json").stdout
+        text = self.run_tool("replay", "a/run.mcap").stdout
         self.assertIn("caught in second 3 for 11", text)
         self.assertIn("proven", text)
 

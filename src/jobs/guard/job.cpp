@@ -33,7 +33,8 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
                                      scenario.options, seed, log, watch);
   }
   if (arrivals.leave < 1.0) {
-    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log, watch);
+    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log,
+                                      watch);
   }
   return run_guard({.problem = problem,
                     .firing_map = firing_map,
@@ -44,8 +45,8 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
                    log, watch);
 }
 
-void finish(Run& run, Report report, double planning_s, const GuardScenario& scenario, const GuardProblem& problem,
-            const FiringMap& firing_map) {
+void finish(Run& run, Report report, double planning_s, const GuardScenario& scenario,
+            const GuardProblem& problem, const FiringMap& firing_map) {
   run.report = std::move(report);
   run.report.machine_times.insert(run.report.machine_times.begin(), {"planning_s", planning_s});
   if (scenario.regions) run.files.push_back({"firing_regions.svg", regions_svg(problem, firing_map)});

@@ -80,8 +80,8 @@ void expect_sound(const std::string& svg) {
   }
 }
 
-Report long_wander(std::size_t samples) {
-  Report report = test::sample_report();
+PageReport long_wander(std::size_t samples) {
+  PageReport report = test::sample_report();
   report.track.clear();
   Rng rng(7);
   TrackSample now{.pose = report.start};
@@ -103,7 +103,7 @@ TEST(AnimatedSvg, IsSoundAndSmall) {
 }
 
 TEST(AnimatedSvg, ShowsTheStripThatIsCovered) {
-  Report report;
+  PageReport report;
   report.track = {{0.0, {{1, 1}, 0.0}, 0, 0}, {2.0, {{3, 1}, 0.0}, 0, 0}, {4.0, {{3, 1}, 1.5}, 0, 0}};
   report.cover = ReportCover{.width_m = 0.8,
                              .area = {{{0, 0}, {4, 0}, {4, 2}, {0, 2}}, {{2, 1.6}, {2, 1.8}, {2.2, 1.6}}},
@@ -128,7 +128,7 @@ TEST(AnimatedSvg, StaysSmallForLongRuns) {
 }
 
 TEST(AnimatedSvg, MovesTheRobotAlongTheTrack) {
-  const Report report = test::sample_report();
+  const PageReport report = test::sample_report();
   const LoopClock clock(report, 24.0);
   std::vector<std::string> times;
   std::vector<std::string> places;
@@ -155,7 +155,7 @@ TEST(AnimatedSvg, MovesTheRobotAlongTheTrack) {
 }
 
 TEST(AnimatedSvg, LetsIntrudersComeAndGo) {
-  Report report = test::sample_report();
+  PageReport report = test::sample_report();
   ReportTarget& target = report.targets[0];
   ASSERT_EQ(target.status, "reached");
   target.visit = ReportVisit{"gate", {1.0, 2.0}, 0.25 * target.done_s, 0.5 * target.done_s};
@@ -180,8 +180,8 @@ TEST(AnimatedSvg, LetsIntrudersComeAndGo) {
 }
 
 TEST(AnimatedSvg, TakesAnyReport) {
-  expect_sound(to_animated_svg(Report{}, 10.0));
-  Report report = test::sample_report();
+  expect_sound(to_animated_svg(PageReport{}, 10.0));
+  PageReport report = test::sample_report();
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   report.world_name = "</title><script>&\x01\xff";
   report.targets[0].name = "<b>\"'";
@@ -236,7 +236,7 @@ TEST(Keyframes, SampleTurnsTheShorterWay) {
 }
 
 TEST(Keyframes, LoopClockGoesOnAndBack) {
-  const Report report = test::sample_report();
+  const PageReport report = test::sample_report();
   const LoopClock clock(report, 24.0);
   double before = -1.0;
   for (double t = 0.0; t <= clock.end_s(); t += 0.05) {

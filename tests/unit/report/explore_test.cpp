@@ -106,7 +106,7 @@ TEST(ExploreReport, ReadsBackByteEqual) {
 }
 
 TEST(ExploreReport, KeepsWhatTheRobotSensesWithAndWhatItStandsOn) {
-  Report report = test::sample_explore();
+  PageReport report = test::sample_explore();
   EXPECT_EQ(to_json(report).find("\"laser\""), std::string::npos);  // what is not known is left out
   report.explore->laser = ReportLaser{360, 3.5, 0.18, {{0.05, 0.0}, 0.1}};
   report.drive.emplace().camera = ReportCamera{1920, 1080, 701.1, 697.1, 962.4, 524.4, 0.1, 0.2};
@@ -132,7 +132,7 @@ TEST(ExploreReport, FaultsNameThePlace) {
 }
 
 TEST(ExploreReport, PictureGrowsAndEscapesNames) {
-  const Report report = test::sample_explore();
+  const PageReport report = test::sample_explore();
   const std::string picture = to_animated_svg(report, 12.0);
   if (const char* folder = std::getenv("OUTRIDER_PICTURES")) {
     std::ofstream(std::string(folder) + "/explore.svg") << picture;
@@ -144,7 +144,7 @@ TEST(ExploreReport, PictureGrowsAndEscapesNames) {
 }
 
 TEST(ExploreReport, PictureOfAMapThatIsCutShortIsStillOne) {
-  Report report = test::sample_explore();
+  PageReport report = test::sample_explore();
   report.explore->map.state_runs.resize(7);
   report.explore->map.known_runs = {99999, 1000000000};
   EXPECT_NE(to_animated_svg(report, 12.0).find("</svg>"), std::string::npos);

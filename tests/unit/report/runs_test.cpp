@@ -11,8 +11,8 @@
 namespace outrider {
 namespace {
 
-Report pursuit_of(int columns, int rows, std::vector<double> runs) {
-  Report report;
+PageReport pursuit_of(int columns, int rows, std::vector<double> runs) {
+  PageReport report;
   report.job = "pursue";
   report.status = "done";
   report.bounds = {{0.0, 0.0}, {3.0, 2.0}};

@@ -21,19 +21,18 @@ TEST_F(PlanJobTest, DefaultsDependOnTheKindOfMap) {
   const std::string yard = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/yard/yard.sdf";
   const auto on_cells = plan({{"map", grid}, {"from", "0.5,3.5"}, {"to", "5.5,3.5"}});
   ASSERT_TRUE(on_cells.has_value()) << to_string(on_cells.error());
-  EXPECT_EQ(on_cells->report.robot_radius_m, 0.0);
   EXPECT_EQ(text_of(*on_cells, 0, "planner"), "theta_star");
   EXPECT_EQ(setting(*on_cells, "radius"), "0 m");
   const auto on_polygons = plan({{"map", polygons}, {"query", "1"}});
   ASSERT_TRUE(on_polygons.has_value()) << to_string(on_polygons.error());
-  EXPECT_EQ(on_polygons->report.robot_radius_m, 0.18);
+  EXPECT_EQ(setting(*on_polygons, "radius"), "0.18 m");
   EXPECT_EQ(text_of(*on_polygons, 0, "planner"), "visibility_graph_reduced");
   EXPECT_EQ(setting(*on_polygons, "planner"), "visibility_graph_reduced");
   EXPECT_EQ(setting(*on_polygons, "model"), "corners");
   EXPECT_EQ(setting(*on_polygons, "resolution"), "0.05 m");
   const auto in_world = plan({{"map", yard}, {"from", "0,-6"}, {"to", "4,4"}});
   ASSERT_TRUE(in_world.has_value()) << to_string(in_world.error());
-  EXPECT_EQ(in_world->report.robot_radius_m, 0.26);
+  EXPECT_EQ(setting(*in_world, "radius"), "0.26 m");
   const auto given = plan({{"map", polygons},
                            {"query", "1"},
                            {"radius", "0.26"},
@@ -41,7 +40,7 @@ TEST_F(PlanJobTest, DefaultsDependOnTheKindOfMap) {
                            {"model", "cells"},
                            {"resolution", "0.1"}});
   ASSERT_TRUE(given.has_value()) << to_string(given.error());
-  EXPECT_EQ(given->report.robot_radius_m, 0.26);
+  EXPECT_EQ(setting(*given, "radius"), "0.26 m");
   EXPECT_EQ(text_of(*given, 0, "planner"), "theta_star");
   EXPECT_EQ(setting(*given, "resolution"), "0.1 m");
 }
@@ -57,21 +56,21 @@ TEST_F(PlanJobTest, AReportAFileAndATable) {
   EXPECT_EQ(report.status, "done");
   EXPECT_EQ(report.reason, "");
   EXPECT_EQ(report.world_name, "a.map");
-  EXPECT_EQ(report.bounds.high, (Vec2{6, 4}));
-  EXPECT_EQ(report.start.position, (Vec2{0.5, 3.5}));
   EXPECT_NEAR(metric(report, "cost"), cost, 1e-12);
   EXPECT_NEAR(metric(report, "length_m"), cost, 1e-12);
   EXPECT_EQ(metric(report, "paths"), 1.0);
   EXPECT_EQ(metric(report, "rows"), 1.0);
-  ASSERT_EQ(report.paths.size(), 1U);
-  EXPECT_EQ(report.paths[0].waypoints, waypoints_of(*run, 0));
+  ASSERT_EQ(report.tables.size(), 1U);
+  EXPECT_EQ(&table_named(report, "rows"), &report.tables[0]);
+  ASSERT_GE(waypoints_of(*run, 0).size(), 2U);
+  EXPECT_EQ(waypoints_of(*run, 0).front(), (Vec2{0.5, 3.5}));
+  EXPECT_EQ(waypoints_of(*run, 0).back(), (Vec2{5.5, 3.5}));
   EXPECT_TRUE(std::isnan(number_of(*run, 0, "query")));
   EXPECT_EQ(number_of(*run, 0, "optimal"), 1.0);
   EXPECT_EQ(text_of(*run, 0, "guarantee"), "grid_optimal");
   EXPECT_EQ(files_of(*run), Names{"plan.svg"});
   EXPECT_EQ(report.machine_times.front().first, "planning_s");
-  EXPECT_NE(plan_job().run_summary(*run).find("a_star"), std::string::npos);
-  EXPECT_NE(plan_job().summary(report).find("a.map: 1 of 1 paths found"), std::string::npos);
+  EXPECT_NE(plan_job().summary(report).find("a_star"), std::string::npos);
 }
 
 TEST_F(PlanJobTest, ThatThereIsNoPathIsAnAnswer) {
@@ -194,10 +193,11 @@ TEST_F(PlanJobTest, AStoppedRunIsCancelled) {
   watch.progress = [&](const RunStep& step) {
     if (step.name == "theta_star") source.request_stop();  // while it searches
   };
-  const auto run = task.run(watch);
-  ASSERT_FALSE(run.has_value());
-  EXPECT_EQ(run.error().code, FaultCode::cancelled);
-  EXPECT_EQ(task.run(watch).error().code, FaultCode::cancelled);
+  outrider::Run run;
+  const auto stopped = task.run(run, watch);
+  ASSERT_FALSE(stopped.has_value());
+  EXPECT_EQ(stopped.error().code, FaultCode::cancelled);
+  EXPECT_EQ(task.run(run, watch).error().code, FaultCode::cancelled);
   const auto whole = run_task(plan_job(), task, watch);
   EXPECT_EQ(whole->report.status, "cancelled");
 }
