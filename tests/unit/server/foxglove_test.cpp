@@ -112,6 +112,7 @@ class Client {
 
 class FoxgloveTest : public AppTest {
  protected:
+  FoxgloveTest() { write_tool(step_script); }  // the server must know where it is when it starts
   /// Starts a mission that writes the log in two parts: the first has `bytes` bytes.
   std::string start(const std::string& log, std::size_t bytes) {
     write("a.yaml", "job: guard\n");
