@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "flags.hpp"
+#include "live_log.hpp"
 #include "live_map.hpp"
-#include "live_report.hpp"
 #include "output.hpp"
 #include "outrider/io/confinement.hpp"
 #include "outrider/io/scenario.hpp"
@@ -70,7 +70,7 @@ Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const 
 Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request, RunLog& file,
                          const std::stop_token& stop) {
   Progress progress;
-  LiveReport live;
+  LiveLog live;
   std::optional<LiveMap> map;
   RunWatch watch;
   watch.stop = stop;
@@ -81,7 +81,7 @@ Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& reques
   if (request.live) progress.end();
   auto run = run_task(job, task, watch);
   if (!run) return run;
-  if (live.is_watched()) live.finish(run->log);
+  if (live.is_watched()) live.finish(result_text(*run));
   if (map) map->finish(run->log);
   return run;
 }

@@ -27,8 +27,11 @@ bool plays(const Run& run) {
   return std::ranges::any_of(run.log.channels(), moves);
 }
 
-/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which
-/// differ from run to run.
+/// Returns true if the report has content; a run that was cancelled at once has none.
+bool has_parts(const Report& report) { return !report.metrics.empty(); }
+
+}  // namespace
+
 std::string result_text(const Run& run) {
   Json object = run_json<Json>(without_machine_times(run.report));
   object.erase("files");
@@ -36,11 +39,6 @@ std::string result_text(const Run& run) {
   for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
   return json_text(object, 1) + "\n";
 }
-
-/// Returns true if the report has content; a run that was cancelled at once has none.
-bool has_parts(const Report& report) { return !report.metrics.empty(); }
-
-}  // namespace
 
 Outcome<PageReport> page_of(const Report& report, const Log& log) {
   return report_from_json(to_json(page_report(report, log)));

@@ -21,6 +21,10 @@ struct RunOutput {
 /// one.
 Status check(const RunOutput& output, bool folder_given);
 
+/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which
+/// differ from run to run.
+std::string result_text(const Run& run);
+
 /// Completes the log, and writes run.json, a moving picture unless the job has drawn one, the page, and the
 /// files of the job: all of them or none. A run without messages has no log. Writes nothing for a run that
 /// was cancelled before its mission began, so the files of an earlier run stay whole.

@@ -10,14 +10,14 @@
 
 namespace outrider::cli {
 
-Watcher::Watcher(const char* variable) {
+int watched_descriptor(const char* variable) {
   const char* text = std::getenv(variable);
   const std::string_view word = text == nullptr ? "" : text;
   int number = -1;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc{} || end != word.data() + word.size() || number <= 2) return;
-  descriptor_ = number;
+  if (error != std::errc{} || end != word.data() + word.size() || number <= 2) return -1;
   std::signal(SIGPIPE, SIG_IGN);  // the watching program may exit
+  return number;
 }
 
 void Watcher::send(std::string line) const {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "base64.hpp"
+#include "foxglove.hpp"
 #include "gunzip.hpp"
 #include "scenarios.hpp"
 
@@ -17,6 +18,7 @@ constexpr double requests_at_once = 2000.0;
 constexpr double refusals_per_second = 100.0;
 constexpr double refusals_at_once = 400.0;
 constexpr std::size_t most_plans_waiting = 16;
+constexpr std::string_view live_path = "/api/v1/live";
 constexpr std::string_view page_policy =
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "connect-src 'self'; worker-src 'self' blob:; object-src 'none'; frame-ancestors 'none'; "
@@ -124,7 +126,8 @@ std::span<const App::Endpoint> App::table() {
       {"GET", "/api/v1/runs", &App::list_runs},
       {"GET", "/api/v1/runs/{id}", &App::run_state},
       {"DELETE", "/api/v1/runs/{id}", &App::cancel_run},
-      {"GET", "/api/v1/runs/{id}/report", &App::run_report},
+      {"GET", "/api/v1/runs/{id}/log", &App::run_log},
+      {"GET", "/api/v1/runs/{id}/result", &App::run_result},
       {"GET", "/api/v1/live", &App::live_by_http},
   };
   return rows;
@@ -147,8 +150,28 @@ std::optional<Response> App::limit_rate(bool refused) {
 std::optional<Response> App::refuse_socket(const Request& request) {
   std::optional<Response> refused = refusal(request, settings_.token);
   if (auto limited = limit_rate(refused.has_value())) return limited;
-  if (request.path != "/api/v1/live") return not_found("the live interface is at /api/v1/live");
-  return refused;
+  if (refused || request.path == live_path) return refused;
+  if (request.path != "/" && request.path != "/foxglove") {
+    return not_found(
+        "there is no WebSocket here; the page opens /api/v1/live, and Foxglove opens / or /foxglove");
+  }
+  if (subprotocol(request).empty()) {
+    return error_response(400, "bad_input", "expected foxglove.websocket.v1 or foxglove.sdk.v1",
+                          "Sec-WebSocket-Protocol");
+  }
+  const std::string run = request.parameter("run");
+  if (const auto known = runs_.next(run, 0); !run.empty() && !known)
+    return not_found(known.error().sentence, run.substr(0, 64));
+  return std::nullopt;
+}
+
+std::string App::subprotocol(const Request& request) {
+  if (request.path == live_path) return {};
+  return foxglove::subprotocol_of(request.header("sec-websocket-protocol"));
+}
+
+std::shared_ptr<Viewer> App::open_viewer(const Request& request) {
+  return request.path == live_path ? live_.open() : live_.open_foxglove(request.parameter("run"));
 }
 
 std::optional<Response> App::refuse(const Request& request) {
@@ -171,6 +194,7 @@ Response App::answer(const Request& request) {
   } catch (const std::exception& broken) {
     response = error_response(500, "internal", std::string("this is a bug: ") + broken.what());
   }
+  apply_range(request, response);
   if (api || response.status != 200) add_headers(response, data_policy, "no-store");
   return response;
 }
@@ -319,7 +343,9 @@ Response App::run_state(const Request&, const Parts& parts) { return runs_.state
 
 Response App::cancel_run(const Request&, const Parts& parts) { return runs_.cancel(parts[0]); }
 
-Response App::run_report(const Request&, const Parts& parts) { return runs_.report(parts[0]); }
+Response App::run_log(const Request&, const Parts& parts) { return runs_.log(parts[0]); }
+
+Response App::run_result(const Request&, const Parts& parts) { return runs_.result(parts[0]); }
 
 Response App::live_by_http(const Request&, const Parts&) {
   return error_response(400, "bad_input", "this is a WebSocket; open it as one");

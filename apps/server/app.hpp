@@ -49,6 +49,10 @@ class App {
   std::optional<Response> refuse(const Request& request);
   /// Returns the refusal of a WebSocket, or nothing.
   std::optional<Response> refuse_socket(const Request& request);
+  /// Returns the subprotocol that a WebSocket speaks; empty for that of the page.
+  static std::string subprotocol(const Request& request);
+  /// Returns the viewer for a WebSocket that is not refused.
+  std::shared_ptr<Viewer> open_viewer(const Request& request);
   Live& live() { return live_; }
   Shared& shared() { return shared_; }
   /// Cancels all runs and closes every viewer.
@@ -81,7 +85,8 @@ class App {
   Response list_runs(const Request& request, const Parts& parts);
   Response run_state(const Request& request, const Parts& parts);
   Response cancel_run(const Request& request, const Parts& parts);
-  Response run_report(const Request& request, const Parts& parts);
+  Response run_log(const Request& request, const Parts& parts);
+  Response run_result(const Request& request, const Parts& parts);
   Response live_by_http(const Request& request, const Parts& parts);
   Response page_file(const Request& request);
   Outcome<KnownMap> map_of(const Json& request, const std::stop_token& stop);

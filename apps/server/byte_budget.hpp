@@ -13,7 +13,10 @@ namespace outrider::server {
 /// its budget.
 class ByteBudget {
  public:
-  explicit ByteBudget(std::size_t bytes) : left_(bytes) {}
+  explicit ByteBudget(std::size_t bytes) : all_(bytes), left_(bytes) {}
+
+  /// Returns how many bytes the budget has in total.
+  [[nodiscard]] std::size_t all() const { return all_; }
 
   /// Holds a number of bytes; the destructor gives them back.
   class Lease {
@@ -61,6 +64,7 @@ class ByteBudget {
     left_ += bytes;
   }
 
+  const std::size_t all_;
   std::mutex mutex_;
   std::size_t left_;
 };

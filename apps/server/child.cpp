@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <limits>
 
 extern char** environ;
 
@@ -21,8 +22,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_errors = std::size_t{64} << 10U;
-constexpr std::size_t longest_line = std::size_t{5} << 20U;  // LiveReport writes 4 MiB at most
-constexpr int telling_descriptor = 3;
+constexpr std::size_t longest_line = std::size_t{64} << 10U;
+constexpr std::size_t most_log_at_once = std::size_t{1} << 20U;  // more than a pipe holds
+constexpr int progress_descriptor = 3;
+constexpr int log_descriptor = 4;
 constexpr int poll_ms = 20;
 constexpr std::chrono::seconds grace{1};  // between SIGTERM and SIGKILL
 
@@ -49,14 +52,22 @@ class Reader {
   /// Appends the available data to `text`, and drops what exceeds `most`. Returns false at the end of the
   /// stream.
   bool read(std::string& text, std::size_t most) const {
+    return each_part(std::numeric_limits<std::size_t>::max(), [&](std::string_view part) {
+      text.append(part.substr(0, most - std::min(most, text.size())));
+    });
+  }
+  /// Passes on the available data in parts, until they are `enough`. Returns false at the end of the stream.
+  template <class OnPart>
+  bool each_part(std::size_t enough, OnPart on_part) const {
     std::array<char, 65536> buffer;  // NOLINT: read() fills it
-    for (;;) {
+    for (std::size_t done = 0; done < enough;) {
       const ssize_t count = ::read(ends_[0], buffer.data(), buffer.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return count < 0 && errno == EAGAIN;
-      text.append(buffer.data(),
-                  std::min(static_cast<std::size_t>(count), most - std::min(most, text.size())));
+      on_part(std::string_view(buffer.data(), static_cast<std::size_t>(count)));
+      done += static_cast<std::size_t>(count);
     }
+    return true;
   }
 
  private:
@@ -92,10 +103,10 @@ struct Start {
   char* const* environment;
   const char* folder;
   rlim_t memory_bytes;
-  int in, out, err, telling;
+  int in, out, err, progress, log;
 };
 
-/// Returns the environment for the child, with its folder and the descriptor for its progress.
+/// Returns the environment for the child, with its folder and the descriptors for its progress and its log.
 std::vector<std::string> environment(const std::string& folder) {
   std::vector<std::string> all = {"OUTRIDER_CONFINE=" + folder};
   const std::string_view ours[] = {
@@ -104,8 +115,8 @@ std::vector<std::string> environment(const std::string& folder) {
     const auto is_it = [&](std::string_view name) { return std::string_view(*entry).starts_with(name); };
     if (std::ranges::none_of(ours, is_it)) all.emplace_back(*entry);
   }
-  for (const std::string_view name : {ours[0], ours[1]})
-    all.push_back(std::string(name) + std::to_string(telling_descriptor));
+  all.push_back(std::string(ours[0]) + std::to_string(progress_descriptor));
+  all.push_back(std::string(ours[1]) + std::to_string(log_descriptor));
   return all;
 }
 
@@ -132,8 +143,9 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   for (const int number : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) ::signal(number, SIG_DFL);
   // Moves the descriptors to high numbers first, because one may have the number that another one needs.
   const int from[] = {::fcntl(start.in, F_DUPFD_CLOEXEC, 10), ::fcntl(start.out, F_DUPFD_CLOEXEC, 10),
-                      ::fcntl(start.err, F_DUPFD_CLOEXEC, 10), ::fcntl(start.telling, F_DUPFD_CLOEXEC, 10)};
-  for (int to = 0; to <= telling_descriptor; ++to) {
+                      ::fcntl(start.err, F_DUPFD_CLOEXEC, 10), ::fcntl(start.progress, F_DUPFD_CLOEXEC, 10),
+                      ::fcntl(start.log, F_DUPFD_CLOEXEC, 10)};
+  for (int to = 0; to <= log_descriptor; ++to) {
     if (::dup2(from[to], to) < 0) ::_exit(127);
   }
   ::execve(start.words[0], start.words, start.environment);
@@ -144,7 +156,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 void give_lines(std::string& pending, const std::function<void(std::string_view)>& on_line) {
   std::size_t begin = 0;
   for (std::size_t end = pending.find('\n'); end != std::string::npos; end = pending.find('\n', begin)) {
-    on_line(std::string_view(pending).substr(begin, end - begin));
+    if (on_line) on_line(std::string_view(pending).substr(begin, end - begin));
     begin = end + 1;
   }
   pending.erase(0, begin);
@@ -180,17 +192,17 @@ class Ending {
 }  // namespace
 
 ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
-                      const std::function<void(std::string_view line)>& on_line) {
+                      const ChildListener& listener) {
   ChildResult result;
-  Reader out, err, telling;
+  Reader out, err, progress, log;
   const Input input(program.input);
   std::vector<std::string> word_copies = program.words, variables = environment(program.folder);
   const std::vector<char*> word_pointers = pointers(word_copies), variable_pointers = pointers(variables);
   const pid_t parent = ::getpid();
   const Start start{word_pointers.data(), variable_pointers.data(), program.folder.c_str(),
                     program.memory_bytes, input.descriptor(),       out.writer(),
-                    err.writer(),         telling.writer()};
-  const bool room = std::min({start.in, start.out, start.err, start.telling}) >= 0;
+                    err.writer(),         progress.writer(),        log.writer()};
+  const bool room = std::min({start.in, start.out, start.err, start.progress, start.log}) >= 0;
   const pid_t child = room ? ::fork() : -1;
   if (child == 0) become(start, parent);
   if (child < 0) {
@@ -198,24 +210,30 @@ ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
     return result;
   }
   ::setpgid(child, child);  // also done here, because the child may not have run yet
-  for (Reader* reader : {&out, &err, &telling}) reader->close_writer();
+  for (Reader* reader : {&out, &err, &progress, &log}) reader->close_writer();
 
   Ending ending(child);
   const auto end = Clock::now() + program.limit;
   std::string pending;
   int status = 0;
   for (bool running = true; running;) {
-    std::array<pollfd, 3> waits = {
-        {{out.descriptor(), POLLIN, 0}, {err.descriptor(), POLLIN, 0}, {telling.descriptor(), POLLIN, 0}}};
+    std::array<pollfd, 4> waits = {{{out.descriptor(), POLLIN, 0},
+                                    {err.descriptor(), POLLIN, 0},
+                                    {progress.descriptor(), POLLIN, 0},
+                                    {log.descriptor(), POLLIN, 0}}};
     ::poll(waits.data(), waits.size(), poll_ms);
     result.timed_out = result.timed_out || Clock::now() > end;
     result.cancelled = result.cancelled || stop.stop_requested();
     if (result.cancelled || result.timed_out) ending.ask();
     running = !ending.ended(status);
-    const bool open = out.read(result.output, program.most_output_bytes);
-    err.read(result.errors, most_errors);
-    telling.read(pending, 2 * longest_line);
-    give_lines(pending, on_line);
+    bool open = out.read(result.output, program.most_output_bytes);
+    open = err.read(result.errors, most_errors) && open;
+    open = progress.read(pending, 2 * longest_line) && open;
+    give_lines(pending, listener.on_line);
+    const auto pass_on_log = [&](std::string_view part) {
+      if (listener.on_log) listener.on_log(part);
+    };
+    open = log.each_part(most_log_at_once, pass_on_log) && open;
     if (running && !open) ::usleep(1000 * poll_ms);  // polling a closed pipe would not wait
   }
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -1,5 +1,5 @@
-// A child process of the server. Collects its output, passes on each line of its progress, and ends it on
-// request.
+// A child process of the server. Collects its output, passes on its progress and its log as they come, and
+// ends it on request.
 //
 // Each mission is its own process: it can be ended at any moment, its memory is freed, and its faults do not
 // affect the server. It reads no file outside its folder, cannot exceed its memory and time limits, and ends
@@ -39,11 +39,16 @@ struct ChildResult {
   std::string errors;      ///< its standard error, at most 64 KiB
 };
 
-/// Runs the program until it ends, `stop` is raised, or the limit has passed. Calls `on_line` for each line
-/// that the program writes to the descriptor named by the variables OUTRIDER_PROGRESS and OUTRIDER_LIVE. It
-/// is called on the calling thread, which must live as long as the child. A program that writes lines waits
-/// at most as long as `on_line` takes.
+/// Receives what a program writes while it runs. Both functions are called on the thread of run_child().
+struct ChildListener {
+  std::function<void(std::string_view line)> on_line = {};  ///< a line of its progress: OUTRIDER_PROGRESS
+  std::function<void(std::string_view bytes)> on_log = {};  ///< bytes of its log: OUTRIDER_LIVE
+};
+
+/// Runs the program until it ends, `stop` is raised, or the limit has passed. The variables OUTRIDER_PROGRESS
+/// and OUTRIDER_LIVE name descriptors to which the program may write; the listener receives what comes there.
+/// A program that writes waits at most as long as the listener takes.
 ChildResult run_child(const ChildProgram& program, const std::stop_token& stop,
-                      const std::function<void(std::string_view line)>& on_line);
+                      const ChildListener& listener);
 
 }  // namespace outrider::server

@@ -39,9 +39,9 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-/// Returns the job that a report names in its first keys; empty for other JSON.
-std::string job_of_report(const std::string& head) {
-  if (head.find("\"outrider_report\"") == std::string::npos) return {};
+/// Returns the job that run.json names in its first keys; empty for other JSON.
+std::string job_of_result(const std::string& head) {
+  if (head.find("\"status\"") == std::string::npos) return {};
   std::size_t at = head.find("\"job\"");
   if (at == std::string::npos) return {};
   at = head.find('"', head.find(':', at));
@@ -136,9 +136,10 @@ Outcome<std::string> Folder::text(std::string_view path, std::size_t most_bytes)
 
 Folder::Kind Folder::kind_of(const std::string& path) const {
   const std::string extension = lower_extension(path);
-  if (extension == ".json") {
-    std::string job = job_of_report(first_bytes(path, 400));
-    return {job.empty() ? "other" : "report", job};
+  if (extension == ".mcap") return {"log", {}};
+  if (fs::path(path).filename() == "run.json") {
+    std::string job = job_of_result(first_bytes(path, 400));
+    return {job.empty() ? "other" : "result", job};
   }
   if (extension == ".yaml" || extension == ".yml") {
     const std::string head = first_bytes(path, 4000);
@@ -212,7 +213,7 @@ nlohmann::ordered_json Folder::list() const {
 Response Folder::read(std::string_view path) const {
   auto file = open_file(path);
   if (!file) return not_found("there is no such file", std::string(path.substr(0, 200)));
-  if (file->bytes() > largest_served_bytes) {
+  if (file->bytes() > largest_served_bytes && !path.ends_with(".mcap")) {
     return error_response(413, "too_large",
                           fmt::format("the file is larger than {} MiB", largest_served_bytes >> 20U),
                           std::string(path.substr(0, 200)));

@@ -50,9 +50,9 @@ class Folder {
   [[nodiscard]] bool holds(const std::filesystem::path& place) const;
 
   /// Returns {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}, sorted by path. The kind
-  /// is scenario, report, map or other, by name and first bytes.
+  /// is scenario, log, result, map or other, by name and first bytes.
   [[nodiscard]] nlohmann::ordered_json list() const;
-  /// Returns a response that streams the file.
+  /// Returns a response that streams the file: at most 64 MiB, and a log of any size.
   [[nodiscard]] Response read(std::string_view path) const;
   /// Returns the content of a file beneath the folder.
   [[nodiscard]] Outcome<std::string> text(std::string_view path, std::size_t most_bytes) const;

@@ -11,9 +11,12 @@ std::string_view without_port(std::string_view host) {
   return host.substr(0, host.find(':'));
 }
 
+bool opens_socket(const Request& request) {
+  return !request.header("sec-websocket-key").empty() || !request.header("upgrade").empty();
+}
+
 bool changes_something(const Request& request) {
-  const bool socket = !request.header("sec-websocket-key").empty() || !request.header("upgrade").empty();
-  return socket || (request.method != "GET" && request.method != "HEAD");
+  return opens_socket(request) || (request.method != "GET" && request.method != "HEAD");
 }
 
 /// Returns the token of the request: `Authorization: Bearer T`, else ?token=T.
@@ -52,11 +55,12 @@ std::optional<Response> refusal(const Request& request, const std::string& token
   const auto origin = request.headers.find("origin");
   const bool ours = origin == request.headers.end() || origin->second == "http://" + host ||
                     origin->second == "https://" + host;
-  if (changes_something(request) && !ours) {
+  const bool trusted = same_secret(token_shown(request), token);
+  if (changes_something(request) && !ours && !(trusted && opens_socket(request))) {
     return error_response(403, "forbidden", "the request comes from a page of another site", "Origin");
   }
-  const bool guarded = !token.empty() && request.path.starts_with("/api");
-  if (guarded && !same_secret(token_shown(request), token)) {
+  const bool guarded = !token.empty() && (request.path.starts_with("/api") || opens_socket(request));
+  if (guarded && !trusted) {
     return error_response(401, "unauthorized",
                           "the token is missing or wrong; send 'Authorization: Bearer TOKEN' or ?token=TOKEN",
                           "token");

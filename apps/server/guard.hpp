@@ -3,8 +3,9 @@
 // A page of another site, open in the same browser, can send requests here, but it cannot choose the Origin
 // and Host headers that the browser adds. So without a token the Host must name this machine's loopback,
 // which prevents DNS rebinding. Every request that changes something, and every WebSocket, must come from our
-// own origin or from no page at all. With a token, every request to the interface must show it; then the Host
-// may be any name under which the server is reached.
+// own origin or from no page at all. With a token, every request to the interface and every WebSocket must
+// show it; then the Host may be any name under which the server is reached, and a WebSocket may come from any
+// page, since a page that knows the token was given it.
 #pragma once
 
 #include <chrono>

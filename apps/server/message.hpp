@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -47,13 +48,25 @@ class OpenFile {
   std::uintmax_t bytes_;
 };
 
+/// A part of a file, in bytes.
+struct ByteRange {
+  std::uintmax_t first = 0;
+  std::uintmax_t count = 0;
+};
+
 struct Response {
   int status = 200;
   std::string type = "application/json";
   std::string body;
   std::vector<std::pair<std::string, std::string>> headers;
   std::shared_ptr<const OpenFile> file = nullptr;  ///< if set, sent instead of the body
+  std::optional<ByteRange> range = {};  ///< the part of the file that is sent; all of it if not set
 };
+
+/// Makes the response with a file the answer to the header Range of its request: status 206 with the part
+/// that is asked for, 416 if the file has no such part. Other responses, several ranges at once, and what
+/// cannot be understood stay as they are. Source: RFC 9110, section 14.
+void apply_range(const Request& request, Response& response);
 
 /// Decodes percent-encoding such as %41. Faults on a percent sign without two hexadecimal digits.
 Outcome<std::string> percent_decoded(std::string_view text);

@@ -117,7 +117,7 @@ ReadFiles reading_in_a_child(const ReaderSettings& settings) {
                                          .limit = settings.limit,
                                          .memory_bytes = settings.memory_bytes,
                                          .most_output_bytes = most_answer_bytes},
-                                        stop, [](std::string_view) {});
+                                        stop, {});
     return answer_of(child, settings);
   };
 }

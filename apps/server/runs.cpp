@@ -1,15 +1,13 @@
 #include "runs.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
 #include "outrider/job/run_job.hpp"
+#include "run.hpp"
 #include "run_messages.hpp"
 
 namespace outrider::server {
@@ -18,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_messages = 50'000;
-constexpr std::size_t most_message_bytes = std::size_t{16} << 20U;
 constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
 
 /// Returns the start time of the server, which becomes part of its run ids.
@@ -27,57 +24,7 @@ std::string moment() {
   return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
 }
 
-/// Opens the report of a mission; null if there is none that can be served.
-std::shared_ptr<const OpenFile> open_report(const fs::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
-  struct stat status{};
-  if (descriptor < 0) return nullptr;
-  const bool known = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-  auto opened =
-      std::make_shared<const OpenFile>(descriptor, known ? static_cast<std::uintmax_t>(status.st_size) : 0);
-  const bool is_report = opened->part(0, 64).find("outrider_report") != std::string::npos;
-  return is_report && opened->bytes() <= largest_served_bytes ? opened : nullptr;
-}
-
-Response no_such_run(const std::string& id) {
-  return not_found("there is no such run; the server keeps the newest 32", id.substr(0, 64));
-}
-
 }  // namespace
-
-struct Runs::Run {
-  std::string id;
-  std::string scenario;  // as the user named it
-  std::string text;      // the scenario to run
-  bool unsaved = false;  // the text came with the request
-  fs::path out;
-  std::string job;
-  std::optional<std::int64_t> seed;
-  std::string state = "queued";
-  Fault fault{FaultCode::bad_input, {}, {}};
-  Json progress;
-  Json summary;
-  bool has_report = false;
-  std::stop_source stop;
-  std::vector<std::shared_ptr<const std::string>> log;  // starts with number 1; null: replaced by a newer one
-  std::size_t log_bytes = 0;
-  std::map<std::string, std::size_t> newest;  // log index of the newest progress and map
-
-  [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
-  [[nodiscard]] Json json() const {
-    return {{"id", id},
-            {"state", state},
-            {"scenario", scenario},
-            {"job", job},
-            {"seed", seed ? Json(*seed) : Json()},
-            {"progress", progress},
-            {"seq", log.size()},
-            {"error", fault.sentence},
-            {"where", fault.where},
-            {"has_report", has_report},
-            {"summary", summary}};
-  }
-};
 
 Outcome<RunRequest> run_request(const Json& request) {
   Fields fields(request, "");
@@ -94,7 +41,11 @@ Outcome<RunRequest> run_request(const Json& request) {
 }
 
 Runs::Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs)
-    : folder_(folder), settings_(std::move(settings)), jobs_(jobs), prefix_(moment()) {
+    : folder_(folder),
+      settings_(std::move(settings)),
+      jobs_(jobs),
+      live_logs_(settings_.live_logs_bytes),
+      prefix_(moment()) {
   for (std::size_t i = 0; i < settings_.at_once; ++i) {
     workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
   }
@@ -225,33 +176,6 @@ void Runs::cancel_all() {
   for (const std::string& id : ids) (void)cancel(id);
 }
 
-Response Runs::report(const std::string& id) {
-  fs::path file;
-  {
-    const std::lock_guard lock(mutex_);
-    const RunPtr run = find(id);
-    if (!run) return no_such_run(id);
-    if (!run->has_report) {
-      return not_found(run->ended() ? "this run left no report" : "the report comes when the run has ended",
-                       id);
-    }
-    file = run->out / (run->job + ".json");
-  }
-  auto opened = open_report(file);
-  if (!opened) return error_response(500, "internal", "the report of this run is gone", id.substr(0, 64));
-  return {200, "application/json", {}, {}, std::move(opened)};
-}
-
-Outcome<Runs::Message> Runs::next(const std::string& id, std::uint64_t from) {
-  const std::lock_guard lock(mutex_);
-  const RunPtr run = find(id);
-  if (!run) return bad_input("there is no such run; the server keeps the newest 32", "run");
-  for (std::uint64_t i = from; i < run->log.size(); ++i) {
-    if (run->log[i]) return Message{i + 1, run->log[i]};
-  }
-  return Message{from, nullptr};
-}
-
 void Runs::report(const RunPtr& run, Json message) {
   const std::string type = message["type"];
   message["run"] = run->id;
@@ -261,17 +185,14 @@ void Runs::report(const RunPtr& run, Json message) {
     const bool last = type == "end";
     if (type == "state") run->state = message["state"].get<std::string>();
     if (type == "state" || last) ++states_;
-    const bool full = run->log.size() >= most_messages || run->log_bytes > most_message_bytes;
-    if (full && !last) return;
+    if (run->messages.size() >= most_messages && !last) return;
     auto text = std::make_shared<const std::string>(
-        fmt::format("{{\"seq\":{},{}", run->log.size() + 1, std::string_view(body).substr(1)));
-    run->log_bytes += text->size();
-    if (type == "progress" || type == "map") {
-      const auto [before, first] = run->newest.try_emplace(type, run->log.size());
-      if (!first) run->log_bytes -= std::exchange(run->log[before->second], nullptr)->size();
-      before->second = run->log.size();
+        fmt::format("{{\"seq\":{},{}", run->messages.size() + 1, std::string_view(body).substr(1)));
+    if (type == "progress") {
+      if (run->newest_progress) run->messages[*run->newest_progress] = nullptr;
+      run->newest_progress = run->messages.size();
     }
-    run->log.push_back(std::move(text));
+    run->messages.push_back(std::move(text));
   }
   call_on_change();
 }
@@ -297,40 +218,36 @@ void Runs::work(const std::stop_token& stop) {
 }
 
 void Runs::carry_out(const RunPtr& run) {
+  const fs::path file = run->out.string() + ".mcap";
+  auto log = std::make_shared<GrowingLog>(file, settings_.live_log_bytes, live_logs_);
+  {
+    const std::lock_guard lock(mutex_);
+    run->live_log = std::move(log);
+  }
   report(run, {{"type", "state"}, {"state", "running"}});
   ChildProgram program;
-  // The mission works in the folder, so its report equals that of `outrider run` there.
+  // The mission works in the folder, so its result equals that of `outrider run` there.
   program.words = {settings_.tool, "run", run->scenario, "--json", "--out", run->out.string(), "--stdin"};
   if (run->seed) program.words.insert(program.words.end(), {"--seed", std::to_string(*run->seed)});
   program.folder = folder_.root().string();
   program.input = run->text;
   program.limit = settings_.limit;
   program.memory_bytes = settings_.memory_bytes;
-  const auto on_line = [&](std::string_view line) { receive(run, line); };
-  conclude(run, run_child(program, run->stop.get_token(), on_line));
+  const ChildListener listener = {[&](std::string_view line) { receive(run, line); },
+                                  [&](std::string_view bytes) { receive_log(run, bytes); }};
+  conclude(run, run_child(program, run->stop.get_token(), listener));
 }
 
-/// Handles a line from the mission: its progress, or news of its report.
+/// Handles a line from the mission, which tells its progress.
 void Runs::receive(const RunPtr& run, std::string_view line) {
-  Json value = Json::parse(line, nullptr, false);
-  if (auto progress = progress_of(value)) {
-    {
-      const std::lock_guard lock(mutex_);
-      run->progress = *progress;
-    }
-    progress->emplace("type", "progress");
-    report(run, std::move(*progress));
-    return;
+  auto progress = progress_of(Json::parse(line, nullptr, false));
+  if (!progress) return;  // the tool writes no such line
+  {
+    const std::lock_guard lock(mutex_);
+    run->progress = *progress;
   }
-  if (auto omitted = omitted_of(value)) {
-    report(run, std::move(*omitted));
-    return;
-  }
-  try {
-    for (Json& message : messages_of(std::move(value))) report(run, std::move(message));
-  } catch (const Json::exception&) {
-    return;  // the tool writes no such line
-  }
+  progress->emplace("type", "progress");
+  report(run, std::move(*progress));
 }
 
 void Runs::conclude(const RunPtr& run, const ChildResult& child) {
@@ -339,11 +256,13 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
   if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths on the server
-  const bool has_report = open_report(run->out / (run->job + ".json")) != nullptr;
+  const bool has_log = file_of(run, "run.mcap") || run->live_log->bytes() > 0;
+  const bool has_result = file_of(run, "run.json").has_value();
   {
     const std::lock_guard lock(mutex_);
     run->summary = std::move(conclusion.summary);
-    run->has_report = has_report;
+    run->has_log = has_log;
+    run->has_result = has_result;
   }
   end(run, conclusion.state, std::move(conclusion.fault));
 }
@@ -363,6 +282,7 @@ void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
   Json message;
   {
     const std::lock_guard lock(mutex_);
+    if (run->live_log) run->live_log->end();
     run->state = state;
     run->text.clear();
     run->fault = std::move(fault);

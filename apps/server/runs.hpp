@@ -1,9 +1,9 @@
-// Missions that the page started. They wait in a queue, a limited number runs at once, and each has a log of
-// messages for viewers.
+// Missions that the page started. They wait in a queue, a limited number runs at once, and each has messages
+// about its state, and a log, for viewers.
 //
-// A log only grows, and a viewer keeps its position in it as a number. So a mission never waits for a viewer.
-// A viewer that comes late, reconnects or is slow continues from its position. Only the newest progress and
-// map messages are kept. A full log (50,000 messages or 16 MiB) takes only the final message.
+// Both only grow, and a viewer keeps its position in each as a number. So a mission never waits for a viewer.
+// A viewer that comes late, reconnects or is slow continues from its position. Of the progress messages only
+// the newest is kept. The live logs of old runs make room for those of new ones.
 //
 // The text of a scenario is read once, when its run is requested, and passed to the mission; later changes to
 // the file have no effect. The mission opens other files beneath the folder only (child.hpp). Thread rule:
@@ -27,6 +27,7 @@
 #include "child.hpp"
 #include "fields.hpp"
 #include "folder.hpp"
+#include "growing_log.hpp"
 #include "outrider/job/job.hpp"
 #include "temporary_folder.hpp"
 
@@ -38,7 +39,9 @@ struct RunSettings {
   std::size_t waiting = 16;  ///< missions in the queue; more are refused
   std::size_t kept = 32;     ///< ended missions; older ones are forgotten
   std::chrono::seconds limit{1800};
-  std::size_t memory_bytes = std::size_t{4} << 30U;  ///< for one mission
+  std::size_t memory_bytes = std::size_t{4} << 30U;        ///< for one mission
+  std::uint64_t live_log_bytes = std::uint64_t{1} << 30U;  ///< that are kept of the live log of a run
+  std::size_t live_logs_bytes = std::size_t{2} << 30U;     ///< that are kept of all live logs together
 };
 
 struct RunRequest {
@@ -65,15 +68,23 @@ class Runs {
   Response state(const std::string& id);
   Json list();
   Response cancel(const std::string& id);
-  Response report(const std::string& id);
+  /// Responds with the log that a run left: run.mcap, or what came of it until the mission was killed.
+  Response log(const std::string& id);
+  /// Responds with run.json of a run.
+  Response result(const std::string& id);
   void cancel_all();
 
   struct Message {
     std::uint64_t seq = 0;
     std::shared_ptr<const std::string> text;  ///< null if there is none yet
+    bool last = false;                        ///< the message `end`: the log has all of its bytes
+    std::shared_ptr<const GrowingLog> log;    ///< null if the run has not begun, or its live log is gone
+    bool log_gone = false;                    ///< the live log made room for others
   };
-  /// Returns the first kept message after number `from`. Fault: there is no such run.
+  /// Returns the first kept message after number `from`, and the live log. Fault: there is no such run.
   Outcome<Message> next(const std::string& id, std::uint64_t from);
+  /// Returns the id of the newest run that has begun and whose live log is kept; empty if there is none.
+  std::string newest_begun();
 
   /// Returns a counter that grows with every change of a state, which changes list().
   [[nodiscard]] std::uint64_t state_changes() const { return states_; }
@@ -90,6 +101,9 @@ class Runs {
   void conclude(const RunPtr& run, const ChildResult& child);
   void give_up(const RunPtr& run, const char* reason) noexcept;
   void receive(const RunPtr& run, std::string_view line);
+  void receive_log(const RunPtr& run, std::string_view bytes);
+  bool forget_oldest_live_log();
+  std::optional<std::filesystem::path> file_of(const RunPtr& run, const char* name) const;
   void report(const RunPtr& run, Json message);
   void end(const RunPtr& run, const std::string& state, Fault fault);
   RunPtr find(const std::string& id);  // call with the lock held
@@ -99,6 +113,7 @@ class Runs {
   const Folder& folder_;
   RunSettings settings_;
   const std::vector<Job>& jobs_;
+  ByteBudget live_logs_;
   std::string prefix_;  // makes ids differ from those of earlier servers
   std::optional<TemporaryFolder> home_;
   std::mutex mutex_;  // guards the members below, and every run

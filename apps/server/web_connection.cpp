@@ -129,7 +129,8 @@ void WebConnection::on_head(const ErrorCode& error) {
       return respond(error_response(503, "too_many", fmt::format("{} viewers watch already", most_sockets)));
     }
     stream_.expires_never();
-    std::make_shared<WebSocket>(std::move(stream_), host_)->start(parser_.release());
+    std::make_shared<WebSocket>(std::move(stream_), host_, host_.app.open_viewer(request_))
+        ->start(parser_.release(), host_.app.subprotocol(request_));
     return;
   }
   if (auto refused = host_.app.refuse(request_)) return respond(std::move(*refused));
@@ -210,7 +211,8 @@ void WebConnection::respond(Response response) {
     if (!lease) response = error_response(503, "too_many", "too many answers wait to be read; ask again");
   }
   response_ = std::move(response);
-  const std::uintmax_t bytes = response_.file ? response_.file->bytes() : response_.body.size();
+  const std::uintmax_t whole = response_.file ? response_.file->bytes() : response_.body.size();
+  const std::uintmax_t bytes = response_.range ? response_.range->count : whole;
   length_ = request_.method == "HEAD" ? 0 : bytes;
   deadline_ = Clock::now() + longest_answer + std::chrono::seconds(length_ / slowest_bytes_per_s);
   part_ = head_of(response_, bytes);
@@ -230,7 +232,8 @@ void WebConnection::write_part() {
         if (error || Clock::now() > self->deadline_) return;
         if (self->sent_ == self->length_) return self->send_close();
         const std::size_t most = std::min<std::uintmax_t>(chunk_bytes, self->length_ - self->sent_);
-        self->part_ = self->response_.file ? self->response_.file->part(self->sent_, most)
+        const std::uintmax_t begin = self->response_.range ? self->response_.range->first : 0;
+        self->part_ = self->response_.file ? self->response_.file->part(begin + self->sent_, most)
                                            : self->response_.body.substr(self->sent_, most);
         if (self->part_.empty()) return;  // file was truncated; the client can tell
         self->sent_ += self->part_.size();

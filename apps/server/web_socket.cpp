@@ -17,8 +17,11 @@ constexpr double messages_at_once = 600.0;
 
 }  // namespace
 
-WebSocket::WebSocket(beast::tcp_stream stream, WebHost& host)
-    : host_(host), stream_(std::move(stream)), rate_(messages_per_second, messages_at_once) {
+WebSocket::WebSocket(beast::tcp_stream stream, WebHost& host, std::shared_ptr<Viewer> viewer)
+    : host_(host),
+      stream_(std::move(stream)),
+      viewer_(std::move(viewer)),
+      rate_(messages_per_second, messages_at_once) {
   host_.sockets.insert(this);
   ++host_.open_sockets;
 }
@@ -29,26 +32,30 @@ WebSocket::~WebSocket() {
 }
 
 void WebSocket::drop() {
-  if (viewer_) viewer_->close();
+  viewer_->close();
   ErrorCode ignored;
   beast::get_lowest_layer(stream_).socket().close(ignored);
 }
 
-void WebSocket::start(const beast::http::request<beast::http::buffer_body>& upgrade) {
+void WebSocket::start(const beast::http::request<beast::http::buffer_body>& upgrade,
+                      const std::string& subprotocol) {
   stream_.set_option(websocket::stream_base::timeout{patience, patience, true});
   stream_.read_message_max(largest_message_bytes);
   stream_.auto_fragment(false);
-  stream_.text(true);
+  if (!subprotocol.empty()) {
+    stream_.set_option(websocket::stream_base::decorator([subprotocol](websocket::response_type& response) {
+      response.set(beast::http::field::sec_websocket_protocol, subprotocol);
+    }));
+  }
   stream_.async_accept(upgrade, [self = shared_from_this()](const ErrorCode& error) {
     if (!error) self->begin();
   });
 }
 
 void WebSocket::begin() {
-  viewer_ = host_.app.live().open();
   // Keeps io.run() going while the thread lives, because finish() must run.
   writer_ = std::thread([self = shared_from_this(), work = asio::make_work_guard(host_.io)]() mutable {
-    self->viewer_->serve([&](const std::string& text) { return self->write(text); });
+    self->viewer_->serve([&](FrameKind kind, const std::string& data) { return self->write(kind, data); });
     asio::io_context& io = self->host_.io;
     asio::post(io, [self = std::move(self)] { self->finish(); });
   });
@@ -81,10 +88,11 @@ void WebSocket::receive() {
 }
 
 /// Waits until the message is sent; returns false if the client is gone. Call it on the writing thread.
-bool WebSocket::write(const std::string& text) {
+bool WebSocket::write(FrameKind kind, const std::string& data) {
   std::promise<bool> sent;
   asio::post(host_.io, [&] {
-    stream_.async_write(asio::buffer(text),
+    stream_.binary(kind == FrameKind::binary);
+    stream_.async_write(asio::buffer(data),
                         [&](const ErrorCode& error, std::size_t) { sent.set_value(!error); });
   });
   return sent.get_future().get();

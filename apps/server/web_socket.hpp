@@ -19,12 +19,14 @@ namespace outrider::server {
 /// is read. A ping without an answer reveals a client that does not read.
 class WebSocket : public std::enable_shared_from_this<WebSocket> {
  public:
-  WebSocket(boost::beast::tcp_stream stream, WebHost& host);
+  WebSocket(boost::beast::tcp_stream stream, WebHost& host, std::shared_ptr<Viewer> viewer);
   WebSocket(const WebSocket&) = delete;
   WebSocket& operator=(const WebSocket&) = delete;
   ~WebSocket();
 
-  void start(const boost::beast::http::request<boost::beast::http::buffer_body>& upgrade);
+  /// Accepts the upgrade; names the subprotocol unless it is empty.
+  void start(const boost::beast::http::request<boost::beast::http::buffer_body>& upgrade,
+             const std::string& subprotocol);
   /// Closes the connection at once.
   void drop();
 
@@ -32,7 +34,7 @@ class WebSocket : public std::enable_shared_from_this<WebSocket> {
   void begin();
   void read();
   void receive();
-  bool write(const std::string& text);
+  bool write(FrameKind kind, const std::string& data);
   void finish();
 
   WebHost& host_;

@@ -52,20 +52,22 @@ std::string ChannelTable::check() const {
   return {};
 }
 
+Channel ChannelTable::channel(const ChannelRecord& record) const {
+  Channel channel;
+  channel.topic = record.topic;
+  channel.encoding = record.encoding;
+  channel.metadata = record.metadata;
+  if (const auto schema = schemas_.find(record.schema_id); schema != schemas_.end()) {
+    channel.type = schema->second.name;
+    channel.schema_encoding = schema->second.encoding;
+    channel.schema = schema->second.data;
+  }
+  return channel;
+}
+
 std::vector<Channel> ChannelTable::channels() const {
   std::vector<Channel> all;
-  for (const auto& [id, record] : channels_) {
-    Channel channel;
-    channel.topic = record.topic;
-    channel.encoding = record.encoding;
-    channel.metadata = record.metadata;
-    if (const auto schema = schemas_.find(record.schema_id); schema != schemas_.end()) {
-      channel.type = schema->second.name;
-      channel.schema_encoding = schema->second.encoding;
-      channel.schema = schema->second.data;
-    }
-    all.push_back(std::move(channel));
-  }
+  for (const auto& [id, record] : channels_) all.push_back(channel(record));
   return all;
 }
 

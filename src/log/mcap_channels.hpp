@@ -25,6 +25,9 @@ class ChannelTable {
   /// Returns a complaint if a channel names a schema that does not exist, else an empty text.
   [[nodiscard]] std::string check() const;
 
+  /// Returns the channel of a record, with its schema if that is in the table.
+  [[nodiscard]] Channel channel(const ChannelRecord& record) const;
+
   /// Returns all channels in the order of their ids.
   [[nodiscard]] std::vector<Channel> channels() const;
 

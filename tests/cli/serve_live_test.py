@@ -2,6 +2,7 @@
 import socket
 import time
 
+from mcap_log import McapLog
 from serve_case import Serve
 from server_client import Server, WebSocket
 from tool import costly_cases, main
@@ -17,27 +18,64 @@ class Live(Serve):
             told = [message for message in one.until("end") if message["type"] != "runs"]
             for message in told:
                 self.valid("Live" + message["type"].capitalize(), message)
-            numbers = [message["seq"] for message in told]
+            numbers = [message["seq"] for message in told if message["type"] != "log"]
             self.assertEqual(numbers, sorted(set(numbers)))
             self.assertEqual(told[-1]["seq"], server.json("GET", f"/api/v1/runs/{run}")["seq"])
-            report = server.json("GET", f"/api/v1/runs/{run}/report")
-            self.assertEqual([event for m in told if m["type"] == "events" for event in m["events"]], report["events"])
-            self.assertEqual([row for m in told if m["type"] == "samples" for row in m["rows"]], report["track"])
-            self.assertEqual({"state", "progress", "scene", "growth", "end"} - {message["type"] for message in told}, set())
-            scene = next(message["report"] for message in told if message["type"] == "scene")
-            self.assertEqual(scene["world"], report["world"])
-            targets = [m["report"]["targets"] for m in told if m["type"] == "growth" and "targets" in m["report"]]
-            self.assertEqual(targets[-1], report["targets"])
+            self.assertEqual({message["type"] for message in told}, {"state", "progress", "log", "end"})
+            self.assertEqual([message["from"] for message in told if message["type"] == "log"], [0])
+            self.assertTrue(told[-1]["has_log"] and told[-1]["has_result"])
+
+            log = McapLog(one.log)
+            self.assertTrue(log.complete)
+            self.assertEqual(log.attachments["run.json"], server.request("GET", f"/api/v1/runs/{run}/result")[2])
+            self.assertGreater(len(log.of("/pose")), 10)
+            stored = server.request("GET", f"/api/v1/runs/{run}/log")[2]
+            self.assertEqual((stored[:8], stored[-8:]), (one.log[:8], one.log[-8:]))
 
             # A second viewer comes when it is over, leaves in the middle, and comes back for the rest.
             two.send({"type": "watch", "run": run, "from": 0})
             begin = [two.receive() for _ in range(2)]
+            while len(two.log) < 1000:
+                two.log += two.next()[1]
             two.close()
+            seen = [message for message in begin if "seq" in message]
             with WebSocket(server) as again:
-                again.send({"type": "watch", "run": run, "from": begin[-1]["seq"]})
+                again.send({"type": "watch", "run": run, "from": seen[-1]["seq"], "log": 1000})
                 rest = again.until("end")
-            steady = [m for m in told if m["type"] != "progress"]
-            self.assertEqual([m for m in begin + rest if m["type"] != "progress"], steady)
+            self.assertEqual(two.log[:1000] + again.log, one.log)
+            steady = [m for m in told if m["type"] not in ("progress", "log")]
+            self.assertEqual([m for m in seen + rest if m["type"] not in ("progress", "log")], steady)
+
+    def test_the_log_comes_while_the_mission_runs(self):
+        with Server(self.folder) as server, WebSocket(server) as viewer:
+            run = self.started(server, {"scenario": "long.yaml"})
+            viewer.send({"type": "watch", "run": run})
+            viewer.connection.settimeout(20)
+            while not McapLog(viewer.log).messages:
+                opcode, data = viewer.next()
+                viewer.log += data if opcode == 2 else b""
+            self.still_running(server, run)
+            self.assertIn("/run", {message.topic for message in McapLog(viewer.log).messages})
+            self.assertEqual(server.json("GET", f"/api/v1/runs/{run}/log", status=404)["code"], "not_found")
+            server.json("DELETE", f"/api/v1/runs/{run}")
+            self.assertEqual(viewer.until("end")[-1]["state"], "cancelled")
+
+    def test_parts_of_a_log(self):
+        size = 3 << 30  # a hole, which takes no place on the disk
+        with open(self.folder / "long.mcap", "wb") as file:
+            file.truncate(size - 4)
+            file.seek(size - 4)
+            file.write(b"tail")
+        with Server(self.folder) as server:
+            files = self.valid("Files", server.json("GET", "/api/v1/files"))["files"]
+            self.assertEqual([(one["path"], one["bytes"]) for one in files if one["kind"] == "log"], [("long.mcap", size)])
+            status, headers, body = server.request("GET", "/api/v1/files/long.mcap", Range="bytes=-8")
+            self.assertEqual((status, body), (206, b"\0\0\0\0tail"))
+            self.assertEqual(headers["content-range"], f"bytes {size - 8}-{size - 1}/{size}")
+            status, headers, body = server.request("HEAD", "/api/v1/files/long.mcap")
+            self.assertEqual((status, headers["content-length"], headers["accept-ranges"]), (200, str(size), "bytes"))
+            status, headers, body = server.request("GET", "/api/v1/files/long.mcap", Range=f"bytes={size}-")
+            self.assertEqual((status, headers["content-range"]), (416, f"bytes */{size}"))
 
     def test_plans_while_dragging(self):
         with Server(self.folder) as server, WebSocket(server) as viewer:
@@ -97,7 +135,7 @@ class Live(Serve):
                 with WebSocket(server) as viewer:
                     viewer.send({"type": "watch", "run": run, "from": last})
                     if i % 3:  # some leave at once
-                        last = viewer.receive()["seq"]
+                        last = viewer.receive().get("seq", last)
                         last = 0 if last == server.json("GET", f"/api/v1/runs/{run}")["seq"] else last
             server.json("GET", "/api/v1/version")
 

@@ -52,13 +52,14 @@ class Interface(Serve):
         with Server(self.folder) as server:
             run = self.valid("Run", server.json("POST", "/api/v1/runs", {"scenario": "court.yaml", "seed": 9}, status=202))
             ended = self.valid("Run", server.wait(run["id"]))
-            self.assertEqual((ended["job"], ended["seed"], ended["has_report"]), ("guard", 9, True))
-            report = server.json("GET", f"/api/v1/runs/{run['id']}/report")
+            self.assertEqual((ended["job"], ended["seed"], ended["has_log"], ended["has_result"]),
+                             ("guard", 9, True, True))
             direct = self.run_tool("run", "court.yaml", "--seed", "9", "--out", "out")
             self.assertEqual(ended["state"], "done" if direct.returncode == 0 else "not_done")
-            self.assertEqual(server.request("GET", f"/api/v1/runs/{run['id']}/report")[2],
-                             (self.folder / "out/guard.json").read_bytes())
-            self.assertGreater(len(report["track"]), 1)
+            for what, name in (("log", "run.mcap"), ("result", "run.json")):
+                status, headers, body = server.request("GET", f"/api/v1/runs/{run['id']}/{what}")
+                self.assertEqual((status, body), (200, (self.folder / "out" / name).read_bytes()), what)
+            self.assertEqual(server.request("GET", f"/api/v1/runs/{run['id']}/log", Range="bytes=0-7")[2], (self.folder / "out/run.mcap").read_bytes()[:8])
 
             unsaved = server.json("POST", "/api/v1/runs", {"text": COURT.replace("seed: 4", "seed: x")}, status=202)
             refused = server.wait(unsaved["id"])

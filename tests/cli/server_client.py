@@ -97,18 +97,20 @@ class Server:
 
 
 class WebSocket:
-    """One end of /api/v1/live."""
+    """One end of /api/v1/live, or of another place; `log` gathers the binary messages that receive() passes."""
 
-    def __init__(self, server, query="", hello=True, **headers):
+    def __init__(self, server, query="", hello=True, path="/api/v1/live", **headers):
         self.connection = server.connect()
         self.buffer = b""
+        self.log = b""
+        self.head = ""
         key = base64.b64encode(os.urandom(16)).decode()
         lines = {"Host": f"127.0.0.1:{server.port}", "Upgrade": "websocket", "Connection": "Upgrade",
                  "Sec-WebSocket-Key": key, "Sec-WebSocket-Version": "13"}
         lines.update({name.replace("_", "-"): value for name, value in headers.items()})
-        head = f"GET /api/v1/live{query} HTTP/1.1\r\n" + "".join(f"{k}: {v}\r\n" for k, v in lines.items())
+        head = f"GET {path}{query} HTTP/1.1\r\n" + "".join(f"{k}: {v}\r\n" for k, v in lines.items())
         self.connection.sendall(head.encode() + b"\r\n")
-        answer = self._until(b"\r\n\r\n").decode()
+        answer = self.head = self._until(b"\r\n\r\n").decode()
         self.status = int(answer.split()[1])
         if self.status != 101:
             self.close()
@@ -161,8 +163,8 @@ class WebSocket:
     def send(self, message):
         self.frame(1, json.dumps(message).encode())
 
-    def receive(self):
-        """The next message."""
+    def next(self):
+        """(opcode, data) of the next message: 1 text, 2 binary."""
         while True:
             first, second = self._take(2)
             size = second & 0x7f
@@ -173,10 +175,18 @@ class WebSocket:
             data = self._take(size)
             if first & 0x0f == 8:
                 raise ConnectionError("the server ended the connection")
-            if first & 0x0f == 1:
-                return json.loads(data)
+            if first & 0x0f in (1, 2):
+                return first & 0x0f, data
             if first & 0x0f == 9:
                 self.frame(10, data)
+
+    def receive(self):
+        """The next message that is text."""
+        while True:
+            opcode, data = self.next()
+            if opcode == 1:
+                return json.loads(data)
+            self.log += data
 
     def until(self, kind):
         """All messages up to the first of this type."""

@@ -1,4 +1,4 @@
-// Where a log is written to while it grows: a file, or a string. Thread rule: one sink, one thread.
+// Where a log is written to while it grows: a file, a pipe, or a string. Thread rule: one sink, one thread.
 #pragma once
 
 #include <memory>
@@ -28,6 +28,11 @@ class ByteSink {
 /// Makes or empties a file. What was written is the system's at once: it stays when the process is killed.
 /// Fault: cannot_write with the path.
 Outcome<std::unique_ptr<ByteSink>> make_file_sink(const std::string& path);
+
+/// Writes to an open descriptor, such as a pipe, and waits while the pipe is full. The sink has a duplicate
+/// of the descriptor, which itself stays open. Fault: cannot_write if no such descriptor is open. A process
+/// that does not ignore SIGPIPE ends when it writes to a pipe that nobody reads.
+Outcome<std::unique_ptr<ByteSink>> make_descriptor_sink(int descriptor);
 
 /// Appends to a string, which outlives the sink.
 std::unique_ptr<ByteSink> make_string_sink(std::string& bytes);

@@ -52,7 +52,9 @@ TEST_F(AppTest, FilesHaveAKind) {
   write("a/gains.yaml", "wheels: 1\n");
   write("a/dance.yaml", "job: dance\n");
   write("a/map.yaml", "image: map.pgm\n");
-  write("out/run.json", "{\"outrider_report\": 1, \"status\": \"done\", \"job\": \"guard\"}");
+  write("out/run.json", "{\"status\": \"done\", \"job\": \"guard\"}");
+  write("out/run.mcap", "");
+  write("a/run.json", "{}");
   write("out/other.json", "{}");
   write("room.txt", "(0,0)\n---\n");
   write("notes.txt", "notes");
@@ -64,15 +66,11 @@ TEST_F(AppTest, FilesHaveAKind) {
     kinds[file["path"].get<std::string>()] =
         file["kind"].get<std::string>() + " " + file.value("job", std::string());
   }
-  const std::map<std::string, std::string> expected = {{"a/dance.yaml", "other dance"},
-                                                       {"a/gains.yaml", "other "},
-                                                       {"a/map.yaml", "map "},
-                                                       {"a/plain.yaml", "other "},
-                                                       {"a/scenario.yaml", "scenario cover"},
-                                                       {"notes.txt", "other "},
-                                                       {"out/other.json", "other "},
-                                                       {"out/run.json", "report guard"},
-                                                       {"room.txt", "map "}};
+  const std::map<std::string, std::string> expected = {
+      {"a/dance.yaml", "other dance"}, {"a/gains.yaml", "other "},   {"a/map.yaml", "map "},
+      {"a/plain.yaml", "other "},      {"a/run.json", "other "},     {"a/scenario.yaml", "scenario cover"},
+      {"notes.txt", "other "},         {"out/other.json", "other "}, {"out/run.json", "result guard"},
+      {"out/run.mcap", "log "},        {"room.txt", "map "}};
   EXPECT_EQ(kinds, expected);
 }
 

@@ -44,6 +44,25 @@ TEST(Guard, OriginsOfWhatChangesSomething) {
   EXPECT_EQ(status(socket), 403);
 }
 
+TEST(Guard, WebSocketsOfThoseWhoWereGivenTheToken) {
+  const std::string token = "0123456789abcdef";
+  Request socket{"GET", "/", {}, {{"host", "robot.example"}, {"origin", "https://app.foxglove.dev"}}, {}};
+  EXPECT_EQ(status(socket, token), 200) << "a page needs no token, and no origin";
+  socket.headers["upgrade"] = "websocket";
+  EXPECT_EQ(status(socket, token), 403);
+  socket.query = "token=" + token;
+  EXPECT_EQ(status(socket, token), 200);
+  socket.headers.erase("origin");
+  EXPECT_EQ(status(socket, token), 200);
+  socket.query = {};
+  EXPECT_EQ(status(socket, token), 401);
+  Request saving = socket;
+  saving.method = "PUT";
+  saving.query = "token=" + token;
+  saving.headers = {{"host", "robot.example"}, {"origin", "https://app.foxglove.dev"}};
+  EXPECT_EQ(status(saving, token), 403) << "only a WebSocket";
+}
+
 TEST(Guard, Tokens) {
   const std::string token = "0123456789abcdef";
   Request asked = request("GET", "robot.example:8080");
