@@ -35,6 +35,13 @@ std::string wide(const Sheet& sheet, double width_m) {
   return fmt::format("stroke-width:{:.1f}px", sheet.px_per_m * width_m);
 }
 
+/// Draws where the centre of the robot cannot be: areas grown by its radius.
+void draw_rim(Sheet& sheet, const std::string& areas, double radius_m) {
+  if (areas.empty() || !(radius_m > 0.0)) return;
+  sheet.put("rim", areas, "", "", wide(sheet, 2.0 * radius_m));
+  sheet.put("close", "M0 0", area_sample, "no room for the robot's centre");
+}
+
 void draw_coverage(Sheet& sheet, const Log& log, double width_m) {
   const auto* area = log.latest<outrider_msgs::CoverageArea>(topic::coverage_area);
   if (area == nullptr) return;
@@ -82,10 +89,7 @@ void draw_solids(Sheet& sheet, const std::vector<outrider_msgs::Solid>& solids, 
     if (solid.blocks_driving) all += path;
   }
   if (mapped) return sheet.put("truth", all, area_sample, "true solid");
-  if (radius_m > 0.0) {
-    sheet.put("rim", all, "", "", wide(sheet, 2.0 * radius_m));
-    sheet.put("close", "M0 0", area_sample, "no room for the robot's centre");
-  }
+  draw_rim(sheet, all, radius_m);
   for (const auto& [share, path] : levels) {
     const std::string tone = mixed(0xcfd7dd, 0x5d6d7a, share);
     sheet.put("solid", path, area_sample, share == 1.0 ? "solid; the taller, the darker" : "",
@@ -98,20 +102,19 @@ void draw_solids(Sheet& sheet, const std::vector<outrider_msgs::Solid>& solids, 
 
 void draw_ground(Sheet& sheet, const Log& log) {
   const auto* info = log.latest<outrider_msgs::RunInfo>(topic::run);
+  const double radius_m = info == nullptr ? 0.0 : info->robot_radius;
   const bool mapped = log.latest<nav_msgs::OccupancyGrid>(topic::map) != nullptr;
   draw_coverage(sheet, log, info == nullptr ? 0.0 : info->coverage_width);
   if (const auto* terrain = log.latest<outrider_msgs::Terrain>(topic::terrain)) draw_terrain(sheet, *terrain);
   const auto* solids = log.latest<outrider_msgs::Solids>(topic::solids);
-  if (solids != nullptr)
-    draw_solids(sheet, solids->solids, info == nullptr ? 0.0 : info->robot_radius, mapped);
-  const auto* walls = log.latest<outrider_msgs::Outlines>(topic::walls);
-  if (walls == nullptr || (mapped && solids != nullptr)) return;
-  const std::string path = areas(sheet, walls->outlines);
-  if (!mapped && info != nullptr && info->robot_radius > 0.0) {
-    sheet.put("rim", path, "", "", wide(sheet, 2.0 * info->robot_radius));
-    sheet.put("close", "M0 0", area_sample, "no room for the robot's centre");
+  if (solids != nullptr && !solids->solids.empty()) {
+    return draw_solids(sheet, solids->solids, radius_m, mapped);
   }
-  sheet.put(mapped ? "truth" : "cells full", path, area_sample, "wall");
+  const auto* walls = log.latest<outrider_msgs::Outlines>(topic::walls);
+  if (walls == nullptr) return;
+  const std::string path = areas(sheet, walls->outlines);
+  if (!mapped) draw_rim(sheet, path, radius_m);
+  sheet.put(mapped ? "truth" : "full", path, area_sample, "wall");
 }
 
 }  // namespace outrider::picture

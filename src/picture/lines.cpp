@@ -163,15 +163,18 @@ void draw_plans(Sheet& sheet, const Log& log) {
     if (!channel.topic.starts_with(topic::plan_of)) continue;
     path.clear();
     double length_m = 0.0;
-    for (const auto& plan : log.messages<nav_msgs::Path>(channel.topic)) {
+    const auto& plans = log.messages<nav_msgs::Path>(channel.topic);
+    for (const auto& plan : plans) {
       const std::vector<Vec2> points = track_of(plan.message).points;
       path += sheet.line(points);
       length_m += length_of(points);
     }
-    const double width = std::max(1.5, 5.0 - 0.5 * static_cast<double>(drawn));
+    const std::string paths = plans.size() == 1 ? "" : fmt::format("{} paths, ", plans.size());
     sheet.put("track", path, line_sample,
-              fmt::format("{}: {:.2f} m", channel.topic.substr(topic::plan_of.size()), length_m),
-              fmt::format("stroke:{};stroke-width:{:.1f}", colours[drawn++ % colours.size()], width));
+              fmt::format("{}: {}{:.2f} m", channel.topic.substr(topic::plan_of.size()), paths, length_m),
+              fmt::format("stroke:{};stroke-width:{:.1f}", colours[drawn % colours.size()],
+                          std::max(1.2, 4.0 - 0.4 * static_cast<double>(drawn))));
+    ++drawn;
   }
 }
 
@@ -199,6 +202,8 @@ void draw_lines(Sheet& sheet, const Log& log) {
   sheet.put("reference", sheet.line(track_on(log, topic::reference).points), line_sample, "reference");
   sheet.put("target", sheet.line(track_on(log, topic::target_pose).points), line_sample, "target");
   draw_belief(sheet, log);
+  const double radius_m = info == nullptr ? 0.0 : info->robot_radius;
+  for (const Pose2& start : track_on(log, topic::start).poses) draw_robot(sheet, start, radius_m, "start");
   const auto topics = main_topics(log);
   for (std::size_t i = 0; i < topics.size(); ++i) {
     const Track track = track_on(log, topics[i]);
@@ -210,8 +215,8 @@ void draw_lines(Sheet& sheet, const Log& log) {
                 fmt::format("stroke:{}", colours[i % colours.size()]));
     }
     draw_arrows(sheet, track);
-    draw_robot(sheet, track.poses.front(), info == nullptr ? 0.0 : info->robot_radius, "start");
-    draw_robot(sheet, track.poses.back(), info == nullptr ? 0.0 : info->robot_radius, "end");
+    draw_robot(sheet, track.poses.front(), radius_m, "start");
+    draw_robot(sheet, track.poses.back(), radius_m, "end");
   }
   if (const auto* loops = log.latest<outrider_msgs::Loops>(topic::loops)) {
     std::string path;

@@ -7,6 +7,7 @@
 
 #include "draw.hpp"
 #include "outrider/core/text.hpp"
+#include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
@@ -69,7 +70,8 @@ void draw(Sheet& sheet, const Log& log) {
   draw_marks(sheet, log);
 }
 
-/// Returns the corners that the run gives, or else the box of everything that can be drawn.
+/// Returns the corners that the run gives, or else the box of everything that can be drawn; with the true
+/// track.
 Box2 drawn_box(const Log& log) {
   Box2 box;
   if (const auto* info = log.latest<outrider_msgs::RunInfo>(topic::run))
@@ -79,6 +81,9 @@ Box2 drawn_box(const Log& log) {
     draw(probe, log);
     box =
         probe.seen.empty() ? Box2{{0.0, 0.0}, {0.0, 0.0}} : probe.seen.grown(0.03 * norm(probe.seen.size()));
+  }
+  for (const Pose2& pose : poses_of(log)) {
+    if (finite(pose)) box.include(pose.position);
   }
   return box.size().x > 0.0 && box.size().y > 0.0 ? box : box.grown(1.0);
 }

@@ -105,8 +105,8 @@ struct TargetPosition {
   }
 };
 
-/// From where a target can be hit. The cells of the grid have the share of the permitted error, in percent, that a
-/// shot from there forgives: 1 to 100, 0 if no shot hits from there, -1 if the robot cannot get there.
+/// From where a target can be hit. The cells of the grid have the share of the permitted error, in percent,
+/// that a shot from there forgives: 1 to 100, 0 if no shot hits from there, -1 if the robot cannot get there.
 struct FiringRegion {
   std::string target;
   nav_msgs::OccupancyGrid grid;

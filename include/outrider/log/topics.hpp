@@ -16,6 +16,8 @@ inline constexpr std::string_view joints = "/joint_states";      ///< sensor_msg
 inline constexpr std::string_view scan = "/scan";                ///< sensor_msgs/LaserScan
 inline constexpr std::string_view camera = "/camera/camera_info";  ///< sensor_msgs/CameraInfo
 inline constexpr std::string_view plan = "/plan";  ///< nav_msgs/Path: path of the present drive
+/// geometry_msgs/PoseWithCovarianceStamped: start of a planned path
+inline constexpr std::string_view start = "/initialpose";
 /// The prefix of topics with nav_msgs/Path: the paths of the planner of that name, one message for each query
 inline constexpr std::string_view plan_of = "/plan/";
 inline constexpr std::string_view goal = "/goal_pose";         ///< geometry_msgs/PoseStamped

@@ -4,7 +4,8 @@
 //
 //   ground     /run (corners of the plan), /map with /map_updates, /costmap, /expanded, /cost_grid,
 //              /firing_regions, /coverage_area, /walls, /terrain, /solids
-//   lines      /plan and /plan/NAME, /reference, /odom, /belief with ellipses of two standard deviations,
+//   lines      /plan and /plan/NAME, /initialpose, /reference, /odom, /belief with ellipses of two standard
+//   deviations,
 //              /target_pose, every .../pose and .../trajectory, /loops
 //   marks      /landmarks, /tags, /waypoints, /goal_pose, /refusals, /supplies, /target_positions, /shots,
 //              /targets, and the robot at its start and at its end, drawn to size

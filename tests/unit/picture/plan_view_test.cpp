@@ -113,7 +113,6 @@ TEST(PlanView, DrawsTheGround) {
   Log log = run_log();
   const outrider_msgs::Outline square{points_of({{1.0, 1.0}, {4.0, 1.0}, {4.0, 4.0}})};
   const outrider_msgs::RoundedPolygon disk{points_of({{7.0, 7.0}}), 0.5};
-  log.append(topic::walls, 0.0, outrider_msgs::Outlines{{square}});
   log.append(topic::solids, 0.0,
              outrider_msgs::Solids{
                  {{"hut", "box", {disk}, 0.0, 2.0, true}, {"roof", "box", {disk}, 2.0, 3.0, false}}});
@@ -125,10 +124,26 @@ TEST(PlanView, DrawsTheGround) {
              outrider_msgs::CoverageArea{{square}, {square}, {square}, {square}, {}});
   const std::string svg = plan_view(log);
   for (const char* words :
-       {"wall", "solid; the taller, the darker", "overhead, not in the way", "too steep to drive on",
+       {"solid; the taller, the darker", "overhead, not in the way", "too steep to drive on",
         "contours from 0.5 to 1.5 m", "out of reach", "missed", "covered more than once"}) {
     EXPECT_TRUE(legend(svg, words)) << words;
   }
+}
+
+TEST(PlanView, DrawsWallsWhereThereAreNoSolids) {
+  Log log = run_log();
+  const outrider_msgs::Outline square{points_of({{1.0, 1.0}, {4.0, 1.0}, {4.0, 4.0}})};
+  log.append(topic::walls, 0.0, outrider_msgs::Outlines{{square}});
+  const std::string svg = plan_view(log);
+  EXPECT_TRUE(legend(svg, "wall"));
+  EXPECT_TRUE(legend(svg, "no room for the robot's centre"));
+}
+
+TEST(PlanView, ShowsATrackThatLeavesTheWorld) {
+  Log log = run_log();
+  log_pose(log, 0.0, {{1.0, 1.0}, 0.0});
+  log_pose(log, 1.0, {{21.0, 1.0}, 0.0});
+  EXPECT_TRUE(has(plan_view(log, {.width_px = 250.0}), "L210 90\"")) << "21 m at 10 px/m";
 }
 
 TEST(PlanView, DrawsPathsTracksAndBeliefs) {
