@@ -9,6 +9,7 @@
 #include "outrider/core/text.hpp"
 #include "outrider/log/mcap_sink.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/picture/plan_view.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
@@ -89,18 +90,19 @@ Outcome<WrittenFiles> write_run(const Job& job, Run& run, const RunOutput& outpu
   };
   const std::string result = result_text(run);
   add("result", "run.json", result);
-  if (plays(run)) {
+  if (!run.log.channels().empty()) {
     auto log = log_text(run, result);
     if (!log) return pass_on(log);
     add("log", "run.mcap", std::move(*log));
+    add("picture", "run.svg", plan_view(run.log));
+  }
+  if (plays(run)) {
     const std::string report = to_json(page_report(run.report, run.log));
     add("report", name + ".json", report);
-    const bool drawn = std::ranges::count(run.files, name + ".svg", &NamedContent::path) > 0;
-    if (output.html || !drawn) {
+    if (output.html) {
       auto stored = report_from_json(report);
       if (!stored) return pass_on(stored);
-      if (!drawn) add("picture", name + ".svg", to_animated_svg(*stored, job.picture_s));
-      if (output.html) add("page", name + ".html", to_html(*stored, page::viewer()));
+      add("page", name + ".html", to_html(*stored, page::viewer()));
     }
   }
   for (const NamedContent& file : run.files) add(file.path, file.path, file.content);

@@ -19,8 +19,8 @@ struct RunOutput {
 /// one.
 Status check(const RunOutput& output, bool folder_given);
 
-/// Writes run.json, the log, a moving picture unless the job has drawn one, the page, and the files of the job: all of
-/// them or none. A run in which nothing moves has no log. Writes nothing for a run that was cancelled before its
+/// Writes run.json, the log, its plan view run.svg, the page, and the files of the job: all of them or none. A run in
+/// which nothing moves has no page. Writes nothing for a run that was cancelled before its
 /// mission began, so the files of an earlier run stay whole.
 Outcome<WrittenFiles> write_run(const Job& job, Run& run, const RunOutput& output);
 
