@@ -14,14 +14,14 @@
 namespace outrider::picture {
 namespace {
 
-constexpr int steps = 10, full = steps, none = -1;
+constexpr std::int16_t steps = 10, full = steps, none = -1;
 
 /// A grid of steps on a scale of colours, 0 to 9, or `full`, or `none`, which is not drawn.
 struct Cells {
   Pose2 origin;
   double cell_m = 1.0;
   std::size_t columns = 0, rows = 0;
-  std::vector<int> steps = {};
+  std::vector<std::int16_t> steps = {};
 };
 
 /// The colours of the first and the last step, and the words of the legend for them and for `full`.
@@ -30,8 +30,9 @@ struct Scale {
   std::string first, last, full = {};
 };
 
-int step_of(double share) {
-  return std::isfinite(share) ? std::clamp(static_cast<int>(share * steps), 0, steps - 1) : none;
+std::int16_t step_of(double share) {
+  if (!std::isfinite(share)) return none;
+  return static_cast<std::int16_t>(std::clamp(share * steps, 0.0, steps - 1.0));
 }
 
 /// Returns a path for each step of merged horizontal runs, in cells. A block has the highest step in it.
@@ -39,7 +40,7 @@ std::array<std::string, steps + 1> runs_of(const Cells& cells, std::size_t block
   std::array<std::string, steps + 1> paths;
   for (std::size_t y = 0; y < cells.rows; y += block) {
     const std::size_t top = std::min(y + block, cells.rows);
-    std::vector<int> row((cells.columns + block - 1) / block, none);
+    std::vector<std::int16_t> row((cells.columns + block - 1) / block, none);
     for (std::size_t i = y * cells.columns; i < top * cells.columns; ++i) {
       row[i % cells.columns / block] = std::max(row[i % cells.columns / block], cells.steps[i]);
     }
@@ -82,7 +83,8 @@ Cells cells_of(const nav_msgs::OccupancyGrid* grid, const StepOf& step_of_percen
   if (grid == nullptr) return {};
   const auto& info = grid->info;
   Cells cells{pose_of(info.origin), static_cast<double>(info.resolution), info.width, info.height};
-  for (const std::int8_t percent : grid->data) cells.steps.push_back(step_of_percent(percent));
+  for (const std::int8_t percent : grid->data)
+    cells.steps.push_back(static_cast<std::int16_t>(step_of_percent(percent)));
   return cells;
 }
 
@@ -97,7 +99,7 @@ Cells final_map(const Log& log) {
       const std::size_t x = static_cast<std::size_t>(update.x) + i % update.width;
       const std::size_t y = static_cast<std::size_t>(update.y) + i / update.width;
       if (x < map.columns && y * map.columns + x < map.steps.size())
-        map.steps[y * map.columns + x] = step(update.data[i]);
+        map.steps[y * map.columns + x] = static_cast<std::int16_t>(step(update.data[i]));
     }
   }
   return map;
@@ -110,7 +112,7 @@ void draw_costs(Sheet& sheet, const Log& log) {
   if (grid == nullptr) return;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double cost : grid->costs) {
-    if (cost >= 0.0) low = std::min(low, cost), high = std::max(high, cost);
+    if (cost >= 0.0 && std::isfinite(cost)) low = std::min(low, cost), high = std::max(high, cost);
   }
   const double span = std::max(1e-12, std::log1p(high) - std::log1p(low));
   Cells cells{{vec2_of(grid->origin), 0.0}, grid->resolution, grid->width, grid->height};
@@ -130,10 +132,12 @@ void draw_firing_regions(Sheet& sheet, const Log& log) {
   for (const auto& region : regions) {
     const auto& data = region.message.grid.data;
     for (std::size_t i = 0; i < std::min(data.size(), count.steps.size()); ++i)
-      count.steps[i] += data[i] > 0 ? 1 : 0;
+      count.steps[i] = static_cast<std::int16_t>(count.steps[i] + (data[i] > 0 ? 1 : 0));
   }
   const int most = std::max(1, count.steps.empty() ? 0 : std::ranges::max(count.steps));
-  for (int& step : count.steps) step = step < 0 ? none : step_of(static_cast<double>(step) / most);
+  for (std::int16_t& step : count.steps) {
+    if (step > 0) step = step_of(0.1 + 0.9 * static_cast<double>(step) / most);
+  }
   put(sheet, count,
       {0xf4f8fc, 0x3d85bd, "no target in range",
        fmt::format("{} of {} targets in range", most, regions.size())});
