@@ -139,7 +139,7 @@ void draw_firing_regions(Sheet& sheet, const Log& log) {
     if (step > 0) step = step_of(0.1 + 0.9 * static_cast<double>(step) / most);
   }
   put(sheet, count,
-      {0xf4f8fc, 0x3d85bd, "no target in range",
+      {0xf8f6fb, 0x9482bd, "no target in range",
        fmt::format("{} of {} targets in range", most, regions.size())});
 }
 
