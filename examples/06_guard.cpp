@@ -1,8 +1,9 @@
-// Runs a whole mission without a file: a yard, two cats, a plan, its execution, and the report.
+// Runs a whole mission without a file: a yard, two cats, a plan, its execution, the report and the log.
 #include <fmt/format.h>
 
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/report/json.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 
 using namespace outrider;
 
@@ -20,21 +21,25 @@ int main() {
   if (!firing_map) return 1;
   const auto plan = plan_guard(problem, *firing_map, options, {});
   if (!plan) return 1;
+  Log log;
   const auto run = run_guard(
-      {.problem = problem, .firing_map = *firing_map, .plan = *plan, .options = options, .seed = 1});
+      {.problem = problem, .firing_map = *firing_map, .plan = *plan, .options = options, .seed = 1}, log);
   if (!run) return 1;
-  const Report& report = *run;
 
-  fmt::print("{}: {} stops\n", report.status, plan->stops.size());
-  for (const ReportTarget& target : report.targets) {
-    fmt::print("{}: {} after {} shots\n", target.name, target.status, target.shots);
+  fmt::print("{}: {} stops\n", run->status, plan->stops.size());
+  for (const auto& row : table_named(*run, "targets").rows) {
+    fmt::print("{}: {} after {} shots\n", std::get<std::string>(row[0]), std::get<std::string>(row[1]),
+               std::get<double>(row[3]));
   }
-  const auto again = report_from_json(to_json(report));
-  fmt::print("the report reads back: {}\n", again && to_json(*again) == to_json(report));
+  for (const auto& [time_ns, shot] : log.messages<outrider_msgs::Shot>(topic::shots)) {
+    fmt::print("{:.1f} s: a shot at {}, which {}\n", seconds(time_ns), shot.target,
+               shot.hit ? "hits" : "misses");
+  }
 }
 
 // Prints:
 // done: 1 stops
 // tom: reached after 1 shots
 // felix: reached after 1 shots
-// the report reads back: true
+// 2.3 s: a shot at felix, which hits
+// 3.6 s: a shot at tom, which hits

@@ -10,8 +10,8 @@
 #include "outrider/io/values.hpp"
 #include "outrider/io/world_file.hpp"
 #include "outrider/job/run_job.hpp"
+#include "outrider/job/scene.hpp"
 #include "outrider/jobs/catalog.hpp"
-#include "outrider/report/world_scene.hpp"
 #include "outrider/robot/mission.hpp"
 #include "outrider/sim/simulated_robot.hpp"
 #include "tool.hpp"
@@ -64,26 +64,34 @@ class PatrolJob final : public JobTask {
     return std::move(loaded->warnings);
   }
 
-  Outcome<Run> run(const RunWatch& watch) override {
+  Status run(Run& run, const RunWatch& watch) override {
+    log_scene(run.log, run_info("patrol", static_cast<std::uint64_t>(seed_), world_, robot_.radius_m), world_,
+              robot_.height_m);
     const CollisionMap ground = CollisionMap::of(world_, robot_.height_m);
     const ShotRules level;
     const Rng rng(static_cast<std::uint64_t>(seed_));
-    SimulatedRobot robot(WaypointBody(robot_, {ground, level}, start_, errors_, rng.child("arrival")));
+    SimulatedRobot robot(run.log,
+                         WaypointBody(robot_, {ground, level}, start_, errors_, rng.child("arrival")));
     PatrolMission mission{points_, points_.size() * static_cast<std::size_t>(rounds_)};
-    Report report = world_scene("patrol", static_cast<std::uint64_t>(seed_), world_, start_, robot_.radius_m,
-                                robot_.height_m);
-    const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
-      watch.part(static_cast<double>(mission.sent) / static_cast<double>(mission.visits));
-      if (!watch.wanted()) return;
-      swap_entries(robot.record, report);  // for the live view
-      watch.show(report);
-      swap_entries(robot.record, report);
+    std::size_t made = 0;  // judged by where the robot really is, not by where it was sent
+    std::size_t judged = 0;
+    const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation&, const Command* next) {
+      const std::size_t arrived = next ? mission.sent - 1 : mission.sent;
+      for (; judged < arrived; ++judged) {
+        const Vec2 point = points_[judged % points_.size()];
+        if (distance(robot.pose().position, point) <= errors_.position_m + 1e-9) ++made;
+      }
+      watch.part(static_cast<double>(arrived) / static_cast<double>(mission.visits));
     });
-    swap_entries(robot.record, report);
-    watch.show(report);
-    conclude(report, robot.record, mission.visits);
-    if (!ended) mark_cancelled(report, report.track.back().time_s);
-    return Run{std::move(report)};
+    Report& report = run.report;
+    report.world_name = world_.name;
+    report.status = made == mission.visits ? "done" : "not_done";
+    if (made < mission.visits) report.reason = fmt::format("{} of {} visits were made", made, mission.visits);
+    report.metrics = {{"visits", static_cast<double>(made)},
+                      {"time_s", robot.time_s()},
+                      {"driven_m", robot.record.driven_m}};
+    if (!ended) mark_cancelled(report, run.log, robot.time_s());
+    return {};
   }
 
  protected:
@@ -99,20 +107,6 @@ class PatrolJob final : public JobTask {
   }
 
  private:
-  /// Judges the run by where the robot really went, not by where it was sent.
-  void conclude(Report& report, const SimRecord& record, std::size_t visits) const {
-    std::size_t made = 0;
-    for (std::size_t i = 0; i < report.paths.size(); ++i) {
-      const Vec2 point = points_[i % points_.size()];
-      if (distance(report.paths[i].waypoints.back(), point) <= errors_.position_m + 1e-9) ++made;
-    }
-    report.status = made == visits ? "done" : "not_done";
-    if (made < visits) report.reason = fmt::format("{} of {} visits were made", made, visits);
-    report.metrics = {{"visits", static_cast<double>(made)},
-                      {"time_s", report.track.back().time_s},
-                      {"driven_m", record.driven_m}};
-  }
-
   std::string world_file_, start_text_ = "0.5,0.5,0";
   std::string text_ = "2.5,0.5 2.5,2.5 0.5,2.5 0.5,0.5";
   std::int64_t rounds_ = 3, seed_ = 1;

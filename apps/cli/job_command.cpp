@@ -43,34 +43,6 @@ OptionGroup describe(JobRequest& request) {
             &request.threads}}};
 }
 
-/// Passes the log to both possible viewers: a program behind OUTRIDER_LIVE, and a map on the terminal.
-class Viewers final : public LogSink {
- public:
-  explicit Viewers(bool map) {
-    if (map) map_.emplace();
-  }
-  LogSink* sink() { return live_.is_watched() || map_ ? this : nullptr; }
-  void begin(const Log& log) override {
-    live_.begin(log);
-    if (map_) map_->begin(log);
-  }
-  void add_channel(const Channel&) override {}
-  void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
-    if (live_.is_watched()) live_.append(channel, time_ns, data);
-    if (map_) map_->append(channel, time_ns, data);
-  }
-  void finish(Log& log) {
-    log.remove_sink(*this);
-    begin(log);
-    if (live_.is_watched()) live_.finish();
-    if (map_) map_->finish();
-  }
-
- private:
-  LiveReport live_;
-  std::optional<LiveMap> map_;
-};
-
 /// Reads the scenario, then the flags, which override it.
 Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const Command& words) {
   const bool yaml = request.file.ends_with(".yaml") || request.file.ends_with(".yml");
@@ -94,17 +66,23 @@ Status read_arguments(const Job& job, JobTask& task, JobRequest& request, const 
   return change(task, {{std::string(job.file_option), request.file}});
 }
 
-Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request,
+/// Runs the task. The sinks are its log file, a program behind OUTRIDER_LIVE, and a map on the terminal.
+Outcome<Run> run_watched(const Job& job, JobTask& task, const JobRequest& request, RunLog& file,
                          const std::stop_token& stop) {
   Progress progress;
-  Viewers viewers(request.live);
+  LiveReport live;
+  std::optional<LiveMap> map;
   RunWatch watch;
   watch.stop = stop;
-  watch.sink = viewers.sink();
+  if (!request.output.folder.empty()) watch.sinks.push_back(&file);
+  if (live.is_watched()) watch.sinks.push_back(&live);
+  if (request.live) watch.sinks.push_back(&map.emplace());
   watch.progress = [&](const RunStep& step) { progress.show(step); };
   if (request.live) progress.end();
   auto run = run_task(job, task, watch);
-  if (run) viewers.finish(run->log);
+  if (!run) return run;
+  if (live.is_watched()) live.finish(run->log);
+  if (map) map->finish(run->log);
   return run;
 }
 
@@ -118,9 +96,10 @@ int execute(const Job& job, JobRequest& request, const Command& words, const std
   if (request.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.threads));
   }
-  auto run = run_watched(job, *task, request, stop);
+  RunLog log(request.output.folder, scenario_text(task->options()));
+  auto run = run_watched(job, *task, request, log, stop);
   if (!run) return print_fault(run.error(), json);
-  const auto files = write_run(job, *run, request.output);
+  const auto files = write_run(job, *run, log, request.output);
   if (!files) return print_fault(files.error(), json);
   if (files->empty() && !request.output.folder.empty()) {
     run->report.warnings.push_back("it was cancelled before it began, so nothing was written to " +

@@ -105,8 +105,9 @@ void LiveMap::append(std::size_t, std::int64_t, std::string_view) {
   draw();
 }
 
-void LiveMap::finish() {
-  if (terminal_ && log_ != nullptr) draw();
+void LiveMap::finish(const Log& log) {
+  log_ = &log;
+  if (terminal_) draw();
   log_ = nullptr;
 }
 
@@ -116,8 +117,7 @@ void LiveMap::draw() {
   if (occupancy.cells.empty()) return;
   std::vector<MapSign> signs;
   const auto& poses = log_->messages<geometry_msgs::PoseStamped>(topic::pose);
-  if (!poses.empty())
-    signs.push_back({pose_of(poses.front().message.pose).position, "\x1b[1;32m⌂\x1b[0m"});
+  if (!poses.empty()) signs.push_back({pose_of(poses.front().message.pose).position, "\x1b[1;32m⌂\x1b[0m"});
   if (const auto* goal = log_->latest<geometry_msgs::PoseStamped>(topic::goal))
     signs.push_back({pose_of(goal->pose).position, "\x1b[1;35m×\x1b[0m"});
   if (const auto* belief = log_->latest<geometry_msgs::PoseWithCovarianceStamped>(topic::belief))

@@ -35,7 +35,7 @@ class LiveMap final : public LogSink {
   void add_channel(const Channel&) override {}
   void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override;
   /// Draws the map a last time.
-  void finish();
+  void finish(const Log& log);
 
  private:
   void draw();

@@ -12,12 +12,13 @@ constexpr std::size_t longest_line = std::size_t{4} << 20U;
 
 }  // namespace
 
-void LiveReport::append(std::size_t, std::int64_t, std::string_view) {
-  if (std::chrono::steady_clock::now() >= next_) send();
+void LiveReport::append(std::size_t, std::int64_t time_ns, std::string_view) {
+  if (time_ns > 0 && std::chrono::steady_clock::now() >= next_) send();  // the scene is whole then
 }
 
-void LiveReport::finish() {
-  if (log_ != nullptr && !log_->channels().empty()) send();
+void LiveReport::finish(const Log& log) {
+  log_ = &log;
+  if (!log.channels().empty()) send();
   log_ = nullptr;
 }
 

@@ -21,7 +21,7 @@ class LiveReport final : public LogSink {
   /// Returns true if a program watches.
   [[nodiscard]] bool is_watched() const { return watcher_.is_there(); }
   /// Writes the last line.
-  void finish();
+  void finish(const Log& log);
 
   void begin(const Log& log) override { log_ = &log; }
   void add_channel(const Channel&) override {}

@@ -7,7 +7,7 @@
 
 #include "output.hpp"
 #include "outrider/core/text.hpp"
-#include "outrider/log/mcap_sink.hpp"
+#include "outrider/io/files.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/picture/plan_view.hpp"
 #include "outrider/report/json.hpp"
@@ -28,18 +28,10 @@ bool plays(const Run& run) {
   return std::ranges::any_of(run.log.channels(), moves);
 }
 
-/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which differ
-/// from run to run.
+/// Returns the text of run.json: the printed JSON with the settings, and without the machine times, which
+/// differ from run to run.
 std::string result_text(const Run& run) {
-  Report report = run.report;
-  report.machine_times.clear();
-  Json object = run_json<Json>(report);
-  for (const Table& table : report.tables) {
-    for (Json& row : object[table.name]) {
-      row.erase("time_s");
-      row.erase("build_s");
-    }
-  }
+  Json object = run_json<Json>(without_machine_times(run.report));
   object.erase("files");
   object["settings"] = Json::object();
   for (const auto& [key, value] : run.report.settings) object["settings"][key] = value;
@@ -49,20 +41,11 @@ std::string result_text(const Run& run) {
 /// Returns true if the report has content; a run that was cancelled at once has none.
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
 
-/// Returns the run as an MCAP file with run.json in it.
-Outcome<std::string> log_text(Run& run, const std::string& result) {
-  std::string bytes;
-  auto writer = McapWriter::begin(make_string_sink(bytes));
-  if (!writer) return pass_on(writer);
-  McapSink sink(std::move(*writer));
-  run.log.add_sink(sink);
-  run.log.remove_sink(sink);
-  if (auto ok = sink.writer().attach("run.json", "application/json", result); !ok) return pass_on(ok);
-  if (auto ok = sink.finish(); !ok) return pass_on(ok);
-  return bytes;
-}
-
 }  // namespace
+
+Outcome<PageReport> page_of(const Report& report, const Log& log) {
+  return report_from_json(to_json(page_report(report, log)));
+}
 
 std::string text_of(const Job& job, const Report& report) {
   if (job.summary && has_parts(report)) return job.summary(report);
@@ -78,35 +61,37 @@ Status check(const RunOutput& output, bool folder_given) {
   return folder_given ? check_folder(output.folder) : Status{};
 }
 
-Outcome<WrittenFiles> write_run(const Job& job, Run& run, const RunOutput& output) {
+Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output) {
   const bool begun = run.report.status != "cancelled" || has_parts(run.report);
   if (output.folder.empty() || !begun) return WrittenFiles{};
   const std::string name(job.name);
-  std::vector<NamedText> texts;
+  std::vector<NamedContent> files;
+  std::vector<FileToRename> complete;
   WrittenFiles written;
   const auto add = [&](const std::string& what, const std::string& file, std::string text) {
     written.emplace_back(what, output.folder + "/" + file);
-    texts.emplace_back(file, std::move(text));
+    files.push_back({output.folder + "/" + file, std::move(text)});
   };
   const std::string result = result_text(run);
   add("result", "run.json", result);
-  if (!run.log.channels().empty()) {
-    auto log = log_text(run, result);
-    if (!log) return pass_on(log);
-    add("log", "run.mcap", std::move(*log));
+  const auto log_path = log.finish(result);
+  if (!log_path) return tl::unexpected<Fault>(log_path.error());
+  if (!log_path->empty()) {
+    complete.push_back({output.folder + "/run.mcap", *log_path});
+    written.emplace_back("log", complete.back().path);
     add("picture", "run.svg", plan_view(run.log));
   }
   if (plays(run)) {
-    const std::string report = to_json(page_report(run.report, run.log));
-    add("report", name + ".json", report);
-    if (output.html) {
-      auto stored = report_from_json(report);
-      if (!stored) return pass_on(stored);
-      add("page", name + ".html", to_html(*stored, page::viewer()));
-    }
+    auto page = page_of(run.report, run.log);
+    if (!page) return pass_on(page);
+    add("report", name + ".json", to_json(*page));
+    if (output.html) add("page", name + ".html", to_html(*page, page::viewer()));
   }
   for (const NamedContent& file : run.files) add(file.path, file.path, file.content);
-  if (auto ok = write_files(output.folder, texts); !ok) return pass_on(ok);
+  if (auto ok = make_folder(output.folder); !ok) return pass_on(ok);
+  std::rotate(files.begin(), files.begin() + 1, files.end());  // run.json comes last: where it is, all are
+  if (auto ok = outrider::write_files(files, complete); !ok) return pass_on(ok);
+  log.release();
   return written;
 }
 

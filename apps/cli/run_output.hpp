@@ -6,6 +6,8 @@
 
 #include "outrider/job/job.hpp"
 #include "outrider/job/run_json.hpp"
+#include "outrider/report/page_report.hpp"
+#include "run_log.hpp"
 
 namespace outrider::cli {
 
@@ -19,10 +21,13 @@ struct RunOutput {
 /// one.
 Status check(const RunOutput& output, bool folder_given);
 
-/// Writes run.json, the log, its plan view run.svg, the page, and the files of the job: all of them or none. A run in
-/// which nothing moves has no page. Writes nothing for a run that was cancelled before its
-/// mission began, so the files of an earlier run stay whole.
-Outcome<WrittenFiles> write_run(const Job& job, Run& run, const RunOutput& output);
+/// Completes the log, and writes run.json, its plan view run.svg, the page, and the
+/// files of the job: all of them or none. A run without messages has no log. Writes nothing for a run that
+/// was cancelled before its mission began, so the files of an earlier run stay whole.
+Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output);
+
+/// Returns the run as the page shows it.
+Outcome<PageReport> page_of(const Report& report, const Log& log);
 
 /// Returns the report as text for people.
 std::string text_of(const Job& job, const Report& report);

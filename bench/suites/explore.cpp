@@ -101,7 +101,9 @@ Outcome<StrategyRow> measured(const BenchWorld& world, const std::string& strate
   ExploreTask task = world.setup.task;
   task.explore.strategy = strategy;
   for (std::int64_t seed = 1; seed <= seeds; ++seed) {
-    const auto run = run_explore(world.setup.world, task, world.setup.sim, static_cast<std::uint64_t>(seed));
+    Log log;
+    const auto run =
+        run_explore(world.setup.world, task, world.setup.sim, static_cast<std::uint64_t>(seed), log);
     if (!run) return tl::unexpected<Fault>(run.error());
     ++row.runs;
     row.done += run->report.status == "done" ? 1 : 0;

@@ -10,6 +10,7 @@
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/run.hpp"
+#include "outrider/report/page_report.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 
@@ -41,7 +42,7 @@ struct GuardRow {
 };
 
 /// Splits the time by what changes between consecutive samples of the track.
-Shares shares_of(const Report& report) {
+Shares shares_of(const PageReport& report) {
   Shares shares;
   for (std::size_t i = 1; i < report.track.size(); ++i) {
     const TrackSample& a = report.track[i - 1];
@@ -88,11 +89,11 @@ Outcome<std::vector<GuardPlanner>> chosen_planners(const GuardRequest& request) 
   return planners;
 }
 
-GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report,
-                double planning_s) {
+GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Report& report, const Log& log,
+                std::uint64_t seed, double planning_s) {
   return {std::filesystem::path(yard.world).stem().string(),
           std::string(planner.name),
-          report.seed,
+          seed,
           metric(report, "reached"),
           metric(report, "failed"),
           metric(report, "unreachable"),
@@ -101,7 +102,7 @@ GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Re
           metric(report, "planned_s"),
           metric(report, "lower_bound_s"),
           metric(report, "mission_s"),
-          shares_of(report),
+          shares_of(page_report(report, log)),
           {}};
 }
 
@@ -121,10 +122,10 @@ Status measure_yard(const GuardRequest& request, const GuardScenario& yard,
     if (!plan) return pass_on(plan);
     const double planning_s = survey_s + planning.seconds();
     for (std::int64_t seed = 1; seed <= request.seeds; ++seed) {
-      const Report report =
-          run_guard({yard.problem, *firing_map, *plan, yard.options, static_cast<std::uint64_t>(seed)})
-              .value();
-      rows.push_back(row_of(yard, planner, report, planning_s));
+      const auto number = static_cast<std::uint64_t>(seed);
+      Log log;
+      const Report report = run_guard({yard.problem, *firing_map, *plan, yard.options, number}, log).value();
+      rows.push_back(row_of(yard, planner, report, log, number, planning_s));
     }
   }
   for (std::size_t i = first; i < rows.size(); ++i) {

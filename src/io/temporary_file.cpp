@@ -100,6 +100,20 @@ Outcome<TemporaryFile> TemporaryFile::write(const std::string& path, std::string
   return file;
 }
 
+Outcome<TemporaryFile> TemporaryFile::adopt(const std::string& path, const std::string& written) {
+  auto final_name = destination(path);
+  if (!final_name) return pass_on(final_name);
+  TemporaryFile file;
+  file.descriptor_ = ::open(written.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file.descriptor_ < 0) return cannot_write(errno, path);
+  file.name_ = written;
+  file.path_ = path;
+  file.final_name_ = std::move(*final_name);
+  keep_mode(file.descriptor_, file.final_name_);
+  if (const int error = write_all(file.descriptor_, {}); error != 0) return cannot_write(error, path);
+  return file;
+}
+
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : path_(std::move(other.path_)),
       final_name_(std::move(other.final_name_)),

@@ -16,6 +16,9 @@ class TemporaryFile {
   /// Writes the content beside `path`, with the mode of an existing file there, and waits for the disk.
   static Outcome<TemporaryFile> write(const std::string& path, std::string_view content);
 
+  /// Takes a complete file beside `path` as the temporary one, and waits for the disk.
+  static Outcome<TemporaryFile> adopt(const std::string& path, const std::string& written);
+
   TemporaryFile(TemporaryFile&& other) noexcept;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile();

@@ -42,12 +42,17 @@ Status write_file(const std::string& path, std::string_view content) {
   return file->finish(file->rename() ? 0 : errno);
 }
 
-Status write_files(const std::vector<NamedContent>& files) {
+Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete) {
   std::set<std::filesystem::path> folders;
   for (const NamedContent& file : files) folders.insert(std::filesystem::path(file.path).parent_path());
   for (const auto& folder : folders) remove_abandoned_files(folder);
   std::vector<TemporaryFile> written;
-  written.reserve(files.size());
+  written.reserve(files.size() + complete.size());
+  for (const auto& [path, written_as] : complete) {
+    auto file = TemporaryFile::adopt(path, written_as);
+    if (!file) return pass_on(file);
+    written.push_back(std::move(*file));
+  }
   for (const auto& [path, content] : files) {
     auto file = TemporaryFile::write(path, content);
     if (!file) return pass_on(file);

@@ -47,7 +47,8 @@ Table table_of(const std::string& name, const Json& rows) {
       for (const auto& [column, value] : row.items()) table.columns.push_back(column);
     }
     std::vector<TableValue> values;
-    for (const std::string& column : table.columns) values.push_back(value_of(row.contains(column) ? row[column] : Json()));
+    for (const std::string& column : table.columns)
+      values.push_back(value_of(row.contains(column) ? row[column] : Json()));
     table.rows.push_back(std::move(values));
   }
   return table;
@@ -64,8 +65,10 @@ Report report_of(const Json& object) {
   report.job = object.at("job").get<std::string>();
   report.world_name = object.at("world").get<std::string>();
   report.reason = object.at("reason").get<std::string>();
-  for (const auto& [name, value] : object.at("metrics").items()) report.metrics.emplace_back(name, number_of(value));
-  for (const auto& [name, value] : object.at("settings").items()) report.settings.emplace_back(name, value.get<std::string>());
+  for (const auto& [name, value] : object.at("metrics").items())
+    report.metrics.emplace_back(name, number_of(value));
+  for (const auto& [name, value] : object.value("settings", Json::object()).items())
+    report.settings.emplace_back(name, value.get<std::string>());
   report.warnings = object.at("warnings").get<std::vector<std::string>>();
   for (const auto& [name, value] : object.items()) {
     if (name != "warnings" && is_table(value)) report.tables.push_back(table_of(name, value));
@@ -79,12 +82,15 @@ Outcome<Report> read_run_json(const std::string& text, const std::string& name) 
   const Json object = Json::parse(text, nullptr, false);
   if (!object.is_object()) return bad_input("it is not a JSON object; a run leaves it as run.json", name);
   if (object.contains("outrider_report")) {
-    return bad_input("it is a report of an older version; run the job again with --out DIR, which leaves DIR/run.mcap", name);
+    return bad_input(
+        "it is a report of an older version; run the job again with --out DIR, which leaves DIR/run.mcap",
+        name);
   }
   try {
     return report_of(object);
   } catch (const Json::exception&) {
-    return bad_input("it is not the run.json of a run: a key is missing or has the wrong type; run the job again", name);
+    return bad_input(
+        "it is not the run.json of a run: a key is missing or has the wrong type; run the job again", name);
   }
 }
 

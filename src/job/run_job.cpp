@@ -110,7 +110,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
   }
   Run run;
   run.report.job = job.name;
-  if (watch.sink != nullptr) run.log.add_sink(*watch.sink);
+  for (LogSink* sink : watch.sinks) run.log.add_sink(*sink);
   const auto cancelled = [&](const std::string& sentence) {
     run.report.status = "cancelled";
     run.report.reason = sentence;
@@ -120,6 +120,7 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch) {
   auto warnings = task.load();
   if (!warnings) return pass_on(warnings);
   const auto done = task.run(run, watch);
+  for (LogSink* sink : watch.sinks) run.log.remove_sink(*sink);
   if (!done && done.error().code == FaultCode::cancelled) return cancelled(done.error().sentence);
   if (!done) return tl::unexpected<Fault>(done.error());
   Report& report = run.report;

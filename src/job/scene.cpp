@@ -8,7 +8,8 @@
 
 namespace outrider {
 
-outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world, double robot_radius_m) {
+outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world,
+                                double robot_radius_m) {
   outrider_msgs::RunInfo info;
   info.job = std::move(job);
   info.seed = seed;

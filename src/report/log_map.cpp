@@ -16,12 +16,18 @@ std::uint8_t occupancy_of(std::int8_t percent) {
   return percent >= 50 ? occupied_cell : free_cell;
 }
 
+/// Returns the map; an empty one if the message does not have as many cells as it says.
 Grid<std::uint8_t> grid_of(const nav_msgs::OccupancyGrid& message) {
+  constexpr std::uint64_t most = std::numeric_limits<int>::max();
   Grid<std::uint8_t> grid;
+  const std::uint64_t cells = std::uint64_t{message.info.width} * message.info.height;
+  if (cells != message.data.size() || message.info.width > most || message.info.height > most) return grid;
   // The resolution is logged in single precision.
   const double resolution_m = std::round(1e6 * static_cast<double>(message.info.resolution)) / 1e6;
-  grid.frame = {{message.info.origin.position.x, message.info.origin.position.y}, resolution_m,
-                static_cast<int>(message.info.width), static_cast<int>(message.info.height)};
+  grid.frame = {{message.info.origin.position.x, message.info.origin.position.y},
+                resolution_m,
+                static_cast<int>(message.info.width),
+                static_cast<int>(message.info.height)};
   for (const std::int8_t percent : message.data) grid.cells.push_back(occupancy_of(percent));
   return grid;
 }
@@ -43,8 +49,10 @@ void LogMap::read(const Log& log, const Changed& changed) {
     }
     const auto& [time_ns, update] = updates[updates_++];
     std::vector<std::size_t> cells;
-    for (std::size_t i = 0; i < update.data.size(); ++i) {
-      const Cell cell{update.x + static_cast<int>(i % update.width), update.y + static_cast<int>(i / update.width)};
+    for (std::size_t i = 0; update.width > 0 && i < update.data.size(); ++i) {
+      const Cell cell{update.x + static_cast<int>(i % update.width),
+                      update.y + static_cast<int>(i / update.width)};
+      if (!grid_.contains(cell)) continue;
       cells.push_back(grid_.frame.index(cell));
       grid_.cells[cells.back()] = occupancy_of(update.data[i]);
     }

@@ -11,9 +11,8 @@ namespace outrider {
 ReportMap page_map(const Log& log) {
   Discovery discovery;
   LogMap map;
-  map.read(log, [&](const Grid<std::uint8_t>& grid, bool whole, std::span<const std::size_t> cells, double time_s) {
-    discovery.note(grid, whole, cells, time_s);
-  });
+  map.read(log, [&](const Grid<std::uint8_t>& grid, bool whole, std::span<const std::size_t> cells,
+                    double time_s) { discovery.note(grid, whole, cells, time_s); });
   return map.grid().cells.empty() ? ReportMap{} : discovery.map(map.grid());
 }
 

@@ -53,16 +53,16 @@ void add_scene(PageReport& page, const Log& log) {
   }
   if (const auto* all = log.latest<outrider_msgs::Solids>(topic::solids)) {
     for (const auto& solid : all->solids) {
-      page.solids.push_back({solid.name, solid.kind, shapes(solid.footprint), solid.low_z, solid.high_z,
-                             solid.blocks_driving});
+      page.solids.push_back(
+          {solid.name, solid.kind, shapes(solid.footprint), solid.low_z, solid.high_z, solid.blocks_driving});
     }
   }
   if (const auto* ground = log.latest<outrider_msgs::Terrain>(topic::terrain)) {
     ReportTerrain terrain{{}, shapes(ground->steep), {}};
     for (const auto& line : ground->contours) terrain.contours.push_back({line.height, vec2s(line.points)});
-    terrain.relief = ReportRelief{vec2_of(ground->origin), vec2_of(ground->spacing),
-                                  static_cast<int>(ground->columns), static_cast<int>(ground->rows),
-                                  ground->heights};
+    terrain.relief =
+        ReportRelief{vec2_of(ground->origin), vec2_of(ground->spacing), static_cast<int>(ground->columns),
+                     static_cast<int>(ground->rows), ground->heights};
     page.terrain = std::move(terrain);
   }
 }
@@ -73,7 +73,8 @@ void add_track(PageReport& page, const Log& log) {
   std::size_t joint = 0;
   for (const auto& pose : log.messages<geometry_msgs::PoseStamped>(topic::pose)) {
     TrackSample sample{pose.time_s(), pose_of(pose.message.pose), 0.0, 0.0};
-    if (joint < joints.size() && joints[joint].time_ns == pose.time_ns) {
+    if (joint < joints.size() && joints[joint].time_ns == pose.time_ns &&
+        joints[joint].message.position.size() == 2) {
       sample.gun_yaw_rad = joints[joint].message.position[0];
       sample.gun_pitch_rad = joints[joint].message.position[1];
       ++joint;
@@ -143,6 +144,7 @@ void add_places(ReportTarget& target, const std::vector<Stamped<outrider_msgs::T
 
 void add_targets(PageReport& page, const Log& log) {
   std::map<std::string, std::size_t> numbers;
+  const double never_s = log.end_s() + 1.0;  // of an intruder that has not come
   for (const auto& stamped : log.messages<outrider_msgs::Target>(topic::targets)) {
     const outrider_msgs::Target& now = stamped.message;
     const auto [found, added] = numbers.try_emplace(now.name, page.targets.size());
@@ -154,7 +156,8 @@ void add_targets(PageReport& page, const Log& log) {
     target.size = vec3(now.size);
     target.yaw_rad = now.yaw;
     target.shots = static_cast<int>(now.shots);
-    if (!now.entrance.empty() && !target.visit) target.visit = ReportVisit{now.entrance, {}, 0.0, 0.0};
+    if (!now.entrance.empty() && !target.visit)
+      target.visit = ReportVisit{now.entrance, {}, never_s, never_s};
   }
   std::vector<std::vector<Stamped<outrider_msgs::TargetPosition>>> places(page.targets.size());
   for (const auto& place : log.messages<outrider_msgs::TargetPosition>(topic::target_positions)) {
@@ -191,8 +194,11 @@ void add_drive(PageReport& page, const Log& log) {
   drive.loop = waypoints->closed_loop ? "closed" : "open";
   for (const auto& one : waypoints->waypoints) {
     const bool reached = std::isfinite(one.reached);
-    drive.stops.push_back({{vec2_of(one.position), one.heading}, one.stop, one.reached,
-                           reached ? vec2_of(one.error) : Vec2{}, reached ? one.heading_error : 0.0});
+    drive.stops.push_back({{vec2_of(one.position), one.heading},
+                           one.stop,
+                           one.reached,
+                           reached ? vec2_of(one.error) : Vec2{},
+                           reached ? one.heading_error : 0.0});
   }
   if (const auto* tags = log.latest<outrider_msgs::Tags>(topic::tags)) {
     for (const auto& tag : tags->tags) {
@@ -202,8 +208,14 @@ void add_drive(PageReport& page, const Log& log) {
   drive.beliefs = beliefs_of(log);
   const auto* camera = log.latest<sensor_msgs::CameraInfo>(topic::camera);
   if (camera == nullptr) return;
-  drive.camera = {static_cast<int>(camera->width), static_cast<int>(camera->height), camera->k[0], camera->k[4],
-                  camera->k[2], camera->k[5], 0.0, 0.0};
+  drive.camera = {static_cast<int>(camera->width),
+                  static_cast<int>(camera->height),
+                  camera->k[0],
+                  camera->k[4],
+                  camera->k[2],
+                  camera->k[5],
+                  0.0,
+                  0.0};
   for (const auto& stamped : log.messages<tf2_msgs::TFMessage>(topic::static_transforms)) {
     for (const auto& one : stamped.message.transforms) {
       if (one.child_frame_id != "camera") continue;
@@ -225,7 +237,8 @@ void add_explore(PageReport& page, const Log& log) {
   const auto& plans = log.messages<nav_msgs::Path>(topic::plan);
   std::size_t goal = 0, plan = 0;
   for (const auto& stamped : log.messages<outrider_msgs::Decision>(topic::decisions)) {
-    ReportDecision entry{stamped.time_s(), stamped.message.kind, {}, {}, static_cast<int>(stamped.message.frontiers)};
+    ReportDecision entry{
+        stamped.time_s(), stamped.message.kind, {}, {}, static_cast<int>(stamped.message.frontiers)};
     if (goal < goals.size()) entry.goal = pose_of(goals[goal++].message.pose);
     while (plan < plans.size() && plans[plan].time_ns < stamped.time_ns) ++plan;
     if (plan < plans.size()) {
@@ -239,7 +252,8 @@ void add_explore(PageReport& page, const Log& log) {
     explore.refused.push_back({vec2_of(one.message.position), one.message.reason});
   }
   const double end_s = explore.beliefs.empty() ? 0.0 : explore.beliefs.back().time_s;
-  std::erase_if(page.paths, [&](const ReportPath& path) { return path.start_s <= end_s; });  // they are decisions
+  std::erase_if(page.paths,
+                [&](const ReportPath& path) { return path.start_s < end_s; });  // they are decisions
 }
 
 void add_cover(PageReport& page, const Log& log) {
@@ -287,9 +301,11 @@ void add_pursuit(PageReport& page, const Log& log) {
     if (way.empty()) break;
     pursuit.robots.push_back(std::move(way));
   }
-  for (const auto& one : log.messages<outrider_msgs::PaidCost>(topic::paid)) pursuit.paid.push_back(one.message.paid);
+  for (const auto& one : log.messages<outrider_msgs::PaidCost>(topic::paid))
+    pursuit.paid.push_back(one.message.paid);
   for (const auto& one : log.messages<outrider_msgs::CostBound>(topic::bounds)) {
-    pursuit.bounds.push_back({one.time_s(), one.message.expansions, one.message.cost, one.message.lower_bound});
+    pursuit.bounds.push_back(
+        {one.time_s(), one.message.expansions, one.message.cost, one.message.lower_bound});
   }
   page.track.clear();
 }

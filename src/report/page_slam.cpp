@@ -126,7 +126,8 @@ void add_other_robots(PageReport& page, const Log& log) {
     page.paths.push_back({0.0, end_s, places_of(path)});
     return true;
   };
-  for (int robot = 2; add(log.latest<nav_msgs::Path>("/robot_" + std::to_string(robot) + "/trajectory"));) ++robot;
+  for (int robot = 2; add(log.latest<nav_msgs::Path>("/robot_" + std::to_string(robot) + "/trajectory"));)
+    ++robot;
   if (!page.paths.empty()) add(log.latest<nav_msgs::Path>(topic::trajectory));
 }
 
@@ -139,11 +140,12 @@ std::vector<ReportBelief> beliefs_of(const Log& log) {
   for (const auto& stamped : log.messages<geometry_msgs::PoseWithCovarianceStamped>(topic::belief)) {
     const auto& c = stamped.message.pose.covariance;
     const double x = std::sqrt(std::max(0.0, c[0])), y = std::sqrt(std::max(0.0, c[7]));
-    const bool corrected = correction < corrections.size() && corrections[correction].time_ns == stamped.time_ns;
+    const bool corrected =
+        correction < corrections.size() && corrections[correction].time_ns == stamped.time_ns;
     if (corrected) ++correction;
     beliefs.push_back({stamped.time_s(), pose_of(stamped.message.pose.pose), x, y,
-                       x * y > 0.0 ? std::clamp(c[1] / (x * y), -1.0, 1.0) : 0.0, std::sqrt(std::max(0.0, c[35])),
-                       corrected});
+                       x * y > 0.0 ? std::clamp(c[1] / (x * y), -1.0, 1.0) : 0.0,
+                       std::sqrt(std::max(0.0, c[35])), corrected});
   }
   return beliefs;
 }
@@ -163,7 +165,8 @@ void add_slam(PageReport& page, const Log& log) {
   const auto* settled = log.latest<nav_msgs::Path>(topic::trajectory);
   for (std::size_t i = 0; i < slam.beliefs.size(); ++i) {
     const bool known = settled != nullptr && i < settled->poses.size();
-    page.track.push_back({slam.beliefs[i].time_s, known ? pose_of(settled->poses[i].pose) : slam.beliefs[i].pose});
+    page.track.push_back(
+        {slam.beliefs[i].time_s, known ? pose_of(settled->poses[i].pose) : slam.beliefs[i].pose});
   }
   if (!page.track.empty()) page.start = page.track.front().pose;
   if (const auto* loops = log.latest<outrider_msgs::Loops>(topic::loops)) {
@@ -175,8 +178,14 @@ void add_slam(PageReport& page, const Log& log) {
   }
   if (const auto* map = log.latest<outrider_msgs::Landmarks>(topic::landmarks)) {
     for (const auto& one : map->landmarks) {
-      slam.landmarks.push_back({one.id, one.first_seen, vec2_of(one.position), one.sigma_x, one.sigma_y,
-                                one.correlation, static_cast<int>(one.sightings), {}});
+      slam.landmarks.push_back({one.id,
+                                one.first_seen,
+                                vec2_of(one.position),
+                                one.sigma_x,
+                                one.sigma_y,
+                                one.correlation,
+                                static_cast<int>(one.sightings),
+                                {}});
       if (std::isfinite(one.truth.x)) slam.landmarks.back().truth = vec2_of(one.truth);
     }
   }

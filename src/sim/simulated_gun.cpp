@@ -21,7 +21,7 @@ bool hits_by_reference_rule(const Flight& flight, const Target& target, double u
 }  // namespace
 
 outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, const FlightSpace& space,
-                       const Target& target, double ball_radius_m, std::string contact) {
+                                 const Target& target, double ball_radius_m, std::string contact) {
   outrider_msgs::Shot shot;
   shot.flight = impact.time_s;
   shot.muzzle = point_of(flight.muzzle);

@@ -60,7 +60,7 @@ class AnyBytes(ToolTest):
     def test_names_of_files_and_folders(self):
         guard = ["--start", "0,-2,90", *COARSE, "--out", b"guard" + EVIL]
         self.harmless("guard", "--world", EVIL + b".sdf", "--targets", EVIL + b".txt", *guard)
-        self.harmless("replay", b"guard" + EVIL + b"/guard.json", "--svg", EVIL + b".svg")
+        self.harmless("replay", b"guard" + EVIL + b"/run.mcap", "--svg", EVIL + b".svg")
         self.harmless("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE, "--pddl", EVIL)
         self.harmless("run", EVIL + b".yaml")
         self.harmless("plan", EVIL + b".map", "--from", "0.5,3.5", "--to", "5.5,3.5", "--out", b"paths" + EVIL)
@@ -77,14 +77,14 @@ class AnyBytes(ToolTest):
         if os.path.exists(published):
             self.put(EVIL + b"map_1.txt", open(published, "rb").read())
             self.harmless("plan", EVIL + b"map_1.txt", "--query", "1", "--out", "polygons")
-            plan = json.loads((self.folder / "polygons/plan.json").read_text(encoding="utf-8"))
+            plan = json.loads((self.folder / "polygons/run.json").read_text(encoding="utf-8"))
             self.assertIn("\ufffd", json.dumps(plan, ensure_ascii=False))
         folder = b"in" + EVIL[:6]
         os.mkdir(os.path.join(os.fsencode(self.folder), folder))
         self.put(folder + b"/small.map", MAP.encode())
         self.put(folder + b"/plan.yaml", b'job: plan\nmap: small.map\nfrom: "0.5,3.5"\nto: "5.5,3.5"\nplanner: a_star\nradius: 0\n')
         self.harmless("run", folder + b"/plan.yaml", "--out", "grid")
-        json.loads((self.folder / "grid/plan.json").read_text(encoding="utf-8"))
+        json.loads((self.folder / "grid/run.json").read_text(encoding="utf-8"))
 
     def test_names_in_files(self):
         guard = ["--start", "0,-2,90", *COARSE]
@@ -95,8 +95,8 @@ class AnyBytes(ToolTest):
         run = self.run_tool("guard", "--world", "yard.sdf", "--targets", "targets.txt", "--start", "0,-2,90", *COARSE,
                             "--out", "told")
         self.assertEqual(run.returncode, 0, run.stderr)
-        report = json.loads((self.folder / "told/guard.json").read_text())
-        report["world"]["name"] = "yard\x1b[2J\nforged: all well"
+        report = json.loads((self.folder / "told/run.json").read_text())
+        report["world"] = "yard\x1b[2J\nforged: all well"
         report["targets"][0]["name"] = "cat\nforged"
         self.write("forged.json", json.dumps(report))
         self.harmless("replay", "forged.json")

@@ -28,7 +28,7 @@ class Words(ToolTest):
     def test_missing_words(self):
         self.refused(says=["--help"])
         self.refused("run", says=["scenario: it is missing"])
-        self.refused("replay", says=["report: it is missing"])
+        self.refused("replay", says=["run: it is missing"])
         self.refused("plan", "small.map", "--from", "1,1", says=["to: it is missing"])
         self.refused("guard", "--seed", says=["--seed: its value is missing"])
         self.refused("guard", says=["world", "SDF"])
@@ -117,7 +117,7 @@ class Output(ToolTest):
         self.assertEqual(self.tree(), before)
         said = json.loads(full.stdout)
         self.assertEqual((said["status"], said["code"]), ("not_written", "cannot_write"))
-        self.assertIn("out/guard.", said["where"])
+        self.assertIn("out/run.", said["where"])
 
     def test_killed_while_it_writes(self):
         """All old files or all new ones; the two runs differ by their seed, which stands in each."""

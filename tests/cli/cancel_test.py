@@ -64,7 +64,7 @@ class Cancel(ToolTest):
         self.assertIn("cancelled", output)
         self.assertIn("nothing was written to out", errors)
         self.assertEqual(self.tree(), before)
-        self.assertEqual(self.run_tool("replay", "out/guard.json").returncode, 0)
+        self.assertEqual(self.run_tool("replay", "out").returncode, 0)
 
 
 if __name__ == "__main__":

@@ -80,8 +80,7 @@ class Cover(ToolTest):
 
     def test_files(self):
         self.cover("room.txt", "--out", "out", "--tracking-error", "0.005")
-        for name in ("cover.svg", "driven.svg"):
-            self.assertTrue(ElementTree.parse(self.folder / "out" / name).getroot().tag.endswith("svg"))
+        self.assertTrue(ElementTree.parse(self.folder / "out/run.svg").getroot().tag.endswith("svg"))
         areas = {f["properties"]["name"]: f for f in
                  json.loads((self.folder / "out/areas.geojson").read_text())["features"]}
         for feature in areas.values():
@@ -115,12 +114,12 @@ class Cover(ToolTest):
     def test_the_report_is_replayed(self):
         summary = self.run_tool("cover", "room.txt", "--out", "out", *PAGE).stdout
         self.assertEqual([path.name for path in self.folder.glob("out/*.html")], ["cover.html"] * len(PAGE))
-        result = self.run_tool("replay", "out/cover.json", "--svg", "moving.svg")
+        result = self.run_tool("replay", "out/run.mcap", "--svg", "moving.svg")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertTrue(summary.startswith(result.stdout.split("\n\n  picture")[0]))
         self.assertTrue(ElementTree.parse(self.folder / "moving.svg").getroot().tag.endswith("svg"))
-        answer = flat(self.json_of(self.run_tool("replay", "out/cover.json", "--json")))
-        self.assertEqual((answer["job"], answer["report"]), ("cover", "out/cover.json"))
+        answer = flat(self.json_of(self.run_tool("replay", "out/run.mcap", "--json")))
+        self.assertEqual((answer["job"], answer["log"]), ("cover", "out/run.mcap"))
         self.assertGreater(answer["covered_fraction"], 0.995)
 
     def test_people_get_a_summary(self):

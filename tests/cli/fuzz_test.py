@@ -74,7 +74,7 @@ class Fuzz(ToolTest):
     def test_reports(self):
         self.run_tool(*self.guard("--out", "out"))
         rng = random.Random(5)
-        text = (self.folder / "out/guard.json").read_text()
+        text = (self.folder / "out/run.json").read_text()
         for _ in range(RUNS // 2):
             content = mutated(rng, text)
             self.write("m.json", content)

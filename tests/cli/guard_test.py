@@ -46,7 +46,7 @@ class Guard(ToolTest):
         self.assertEqual(summary["status"], "done")
         self.assertEqual([t["status"] for t in summary["targets"]], ["reached"] * 3)
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
-                         ["guard.html", "guard.json", "guard.svg"][not PAGE:])
+                         ["guard.html", "guard.json", "run.json", "run.mcap", "run.svg"][not PAGE:])
         report = json.loads((self.folder / summary["files"].get("report")).read_text())
         self.assertEqual(report["status"], "done")
         self.assertEqual(len(report["targets"]), 3)
@@ -129,29 +129,29 @@ class Replay(ToolTest):
         self.summary = self.json_of(self.run_tool(*self.guard("--json", "--out", "out", *PAGE)))
 
     def test_tells_what_the_run_told(self):
-        result = self.run_tool("replay", "out/guard.json", "--json")
+        result = self.run_tool("replay", "out/run.mcap", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         again = self.json_of(result)
         del self.summary["metrics"]["planning_s"]  # no report holds it: it differs from run to run
-        self.summary["files"] = {"report": self.summary["files"]["report"]}  # a replay knows of no other
+        self.summary["files"] = {"log": self.summary["files"]["log"]}  # a replay knows of no other
         self.assertEqual(again, self.summary)
-        text = self.run_tool("replay", "out/guard.json").stdout
+        text = self.run_tool("replay", "out/run.mcap").stdout
         self.assertTrue(text.startswith("court: 3 of 3 targets reached in "), text)
 
     def test_makes_the_picture(self):
-        result = self.run_tool("replay", "out/guard.json", "--svg", "picture.svg")
+        result = self.run_tool("replay", "out/run.mcap", "--svg", "picture.svg")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/guard.svg").read_bytes())
+        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/run.svg").read_bytes())
         self.assertTrue((self.folder / "picture.svg").read_text().startswith("<svg"))
 
     @unittest.skipIf(PAGE, "this tool has a page")
     def test_says_that_it_has_no_page(self):
-        self.refused("replay", "out/guard.json", "--html", "page.html", says=["--html", NO_PAGE, "npm"])
+        self.refused("replay", "out/run.mcap", "--html", "page.html", says=["--html", NO_PAGE, "npm"])
         self.refused(*self.guard("--out", "more", "--html"), says=["--html", NO_PAGE, "npm"])
 
     @unittest.skipUnless(PAGE, f"this tool was {NO_PAGE}")
     def test_makes_the_page(self):
-        result = self.run_tool("replay", "out/guard.json", "--html", "page.html")
+        result = self.run_tool("replay", "out/run.mcap", "--html", "page.html")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual((self.folder / "page.html").read_bytes(), (self.folder / "out/guard.html").read_bytes())
         page = (self.folder / "page.html").read_text()
@@ -161,27 +161,29 @@ class Replay(ToolTest):
 
     def test_reads_compressed_reports(self):
         import gzip
-        self.write("r.json.gz", gzip.compress((self.folder / "out/guard.json").read_bytes()))
+        self.write("r.json.gz", gzip.compress((self.folder / "out/run.json").read_bytes()))
         self.assertEqual(self.run_tool("replay", "r.json.gz").returncode, 0)
 
     def test_refuses_what_is_no_report(self):
-        report = (self.folder / "out/guard.json").read_text()
-        self.write("old.json", report.replace('"outrider_report": 1', '"outrider_report": 99')
-                   .replace('"outrider_report":1', '"outrider_report":99'))
-        self.refused("replay", "old.json", says=["old.json", "99"])
+        self.refused("replay", "out/guard.json", says=["out/guard.json", "older version", "--out DIR", "run.mcap"])
+        report = (self.folder / "out/run.json").read_text()
+        self.refused("replay", "out/run.json", "--svg", "p.svg", says=["out/run.json", "run.mcap"])
         self.write("cut.json", report[:len(report) // 2])
         self.refused("replay", "cut.json", "--svg", "p.svg", says=["cut.json", "JSON"])
         self.write("other.json", '{"type": "FeatureCollection"}')
-        self.refused("replay", "other.json", says=["other.json", "outrider_report"])
+        self.refused("replay", "other.json", says=["other.json", "run.json", "run the job again"])
         self.write("list.json", "[]")
         self.refused("replay", "list.json", says=["list.json"])
         self.refused("replay", "none.json", says=["none.json", "no such file"])
-        self.refused("replay", "out", says=["out", "folder"])
+        (self.folder / "bare").mkdir()
+        self.refused("replay", "bare", says=["bare", "folder", "run.mcap"])
+        for path in ("out", "out/run.json"):
+            self.assertIn("3 of 3 targets reached", self.run_tool("replay", path).stdout)
 
     def test_refuses_to_write_where_it_cannot(self):
-        self.refused("replay", "out/guard.json", "--svg", "nowhere/p.svg", says=["nowhere/p.svg", "make it first"])
-        self.refused("replay", "out/guard.json", "--svg", "out", says=["out", "folder"])
-        self.refused("replay", "out/guard.json", "--svg", "", says=["empty"])
+        self.refused("replay", "out/run.mcap", "--svg", "nowhere/p.svg", says=["nowhere/p.svg", "make it first"])
+        self.refused("replay", "out/run.mcap", "--svg", "out", says=["out", "folder"])
+        self.refused("replay", "out/run.mcap", "--svg", "", says=["empty"])
 
 
 class Reference(ToolTest):
@@ -198,7 +200,7 @@ class Reference(ToolTest):
             summary = self.json_of(result)
             Guard.check_summary(self, summary)
             self.assertEqual(summary["metrics"]["targets"], 24)
-            self.assertEqual(self.run_tool("replay", pathlib.Path(name) / "guard.json").returncode, 0)
+            self.assertEqual(self.run_tool("replay", name).returncode, 0)
 
     def test_the_bundled_scenario_loads(self):
         result = self.run_tool("run", SOURCE / "scenarios/yard/yard.yaml", "--json", "--plan-resolution", "0.4",

@@ -50,7 +50,7 @@ PAGE = [] if NO_PAGE in subprocess.run([TOOL, "replay", "none.json", "--html", "
 
 def flat(answer):
     """The answer with its metrics beside its other keys, and the path of its report."""
-    return {**answer["metrics"], **answer, "report": answer["files"].get("report")}
+    return {**answer["metrics"], **answer, **{name: answer["files"].get(name) for name in ("report", "log")}}
 
 
 class ToolTest(unittest.TestCase):

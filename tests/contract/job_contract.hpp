@@ -10,13 +10,15 @@
 #include <tbb/global_control.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/report/json.hpp"
+#include "outrider/job/run_json.hpp"
+#include "outrider/log/mcap_sink.hpp"
 #include "support/data.hpp"
 
 namespace outrider::test {
@@ -35,30 +37,40 @@ inline std::vector<KeyedOption> keyed_options(JobTask& task) {
   return all;
 }
 
-/// All of a run that must repeat: its report but for how long the machine took, and the names of its files.
-inline std::string bytes_of_run(const Outcome<Run>& run) {
-  if (!run) return to_string(run.error());
-  Report report = run->report;
-  report.machine_times.clear();
-  std::string bytes = to_json(report);
-  for (const NamedContent& file : run->files) bytes += "\n" + file.path;
+/// The log of a run as an MCAP file.
+inline std::string bytes_of_log(Log& log) {
+  std::string bytes;
+  McapSink sink(McapWriter::begin(make_string_sink(bytes)).value());
+  log.add_sink(sink);
+  log.remove_sink(sink);
+  EXPECT_TRUE(sink.finish());
   return bytes;
+}
+
+/// All of a run that must repeat: its report but for how long the machine took, its log, and the names of its
+/// files.
+inline std::string bytes_of_run(Outcome<Run> run) {
+  if (!run) return to_string(run.error());
+  const Report report = without_machine_times(run->report);
+  std::string bytes = run_json<nlohmann::ordered_json>(report).dump();
+  for (const auto& [key, value] : report.settings) bytes += "\n" + key + " = " + value;
+  for (const NamedContent& file : run->files) bytes += "\n" + file.path;
+  return bytes + bytes_of_log(run->log);
 }
 
 inline Outcome<Run> run_scenario(const Job& job, const std::string& scenario, const RunWatch& watch = {}) {
   return run_job({job}, scenario, {}, watch);
 }
 
-/// Who never wants to look is asked after every step, and may raise the token then.
-struct StoppingObserver final : RunObserver {
+/// Counts the messages of a run, and may raise the token at one of them.
+struct StoppingSink final : LogSink {
   std::stop_source stop;
-  int at = 0;  ///< raised when it is asked for the at-th time; 0: never
-  int asked = 0;
-  bool wants() override {
-    if (++asked == at) stop.request_stop();
-    return false;
+  int at = 0;  ///< raised at the at-th message; 0: never
+  int messages = 0;
+  void add_channel(const Channel&) override {}
+  void append(std::size_t, std::int64_t, std::string_view) override {
+    if (++messages == at) stop.request_stop();
   }
-  void see(const Report&) override {}
 };
 
 /// A token that is raised before the run ends it before anything is done.
@@ -70,11 +82,12 @@ inline void stops_at_once(const Job& job, const std::string& scenario) {
   const auto task = job.blank();
   ASSERT_TRUE(read_scenario(*task, scenario));
   ASSERT_TRUE(task->load());
-  const auto run = task->run(watch);
-  if (run) {
-    EXPECT_EQ(run->report.status, "cancelled");
+  Run run;
+  const auto done = task->run(run, watch);
+  if (done) {
+    EXPECT_EQ(run.report.status, "cancelled");
   } else {
-    EXPECT_EQ(run.error().code, FaultCode::cancelled) << to_string(run.error());
+    EXPECT_EQ(done.error().code, FaultCode::cancelled) << to_string(done.error());
   }
   const auto told = run_scenario(job, scenario, watch);
   ASSERT_TRUE(told) << to_string(told.error());
@@ -84,27 +97,23 @@ inline void stops_at_once(const Job& job, const std::string& scenario) {
 }
 
 /// A run whose token was raised under way is cancelled, or was over: then it is the run that nobody stopped.
-inline void expect_cancelled_or_done(const Outcome<Run>& run, const std::string& undisturbed) {
+inline void expect_cancelled_or_done(Outcome<Run> run, const std::string& undisturbed) {
   ASSERT_TRUE(run) << to_string(run.error());
   if (run->report.status != "cancelled") {
-    EXPECT_EQ(bytes_of_run(run), undisturbed);
+    EXPECT_EQ(bytes_of_run(std::move(run)), undisturbed);
     return;
   }
   EXPECT_FALSE(run->report.reason.empty());
-  const auto read = report_from_json(to_json(run->report));
-  if (!run->report.metrics.empty()) {
-    EXPECT_TRUE(read) << to_string(read.error());
-  }
 }
 
 inline void stops_midway(const Job& job, const std::string& scenario) {
-  int steps = 0, looks = 0;
+  int steps = 0;
   RunWatch watch;
-  StoppingObserver counter;
-  watch.observer = &counter;
+  StoppingSink counter;
+  watch.sinks = {&counter};
   watch.progress = [&](const RunStep&) { ++steps; };
   const std::string undisturbed = bytes_of_run(run_scenario(job, scenario, watch));
-  looks = counter.asked;
+  const int messages = counter.messages;
   EXPECT_GT(steps, 0) << "it tells nothing of its progress";
   for (const int at : std::set{1, (steps + 1) / 2, steps}) {
     SCOPED_TRACE(fmt::format("stopped at progress {} of {}", at, steps));
@@ -115,34 +124,30 @@ inline void stops_midway(const Job& job, const std::string& scenario) {
     stopping.progress = [&](const RunStep&) {
       if (++told == at) stop.request_stop();
     };
-    const auto run = run_scenario(job, scenario, stopping);
-    expect_cancelled_or_done(run, undisturbed);
+    auto run = run_scenario(job, scenario, stopping);
     if (at == 1 && run) {
       EXPECT_EQ(run->report.status, "cancelled");
     }
+    expect_cancelled_or_done(std::move(run), undisturbed);
   }
-  for (const int at : std::set{1, (looks + 1) / 2}) {
-    if (at > looks || at == 0) continue;
-    SCOPED_TRACE(fmt::format("stopped at look {} of {}", at, looks));
-    StoppingObserver observer;
-    observer.at = at;
+  for (const int at : std::set{1, (messages + 1) / 2}) {
+    if (at > messages || at == 0) continue;
+    SCOPED_TRACE(fmt::format("stopped at message {} of {}", at, messages));
+    StoppingSink sink;
+    sink.at = at;
     RunWatch stopping;
-    stopping.stop = observer.stop.get_token();
-    stopping.observer = &observer;
-    const auto run = run_scenario(job, scenario, stopping);
-    expect_cancelled_or_done(run, undisturbed);
-    if (run) {
-      EXPECT_EQ(run->report.status, "cancelled");
-    }
+    stopping.stop = sink.stop.get_token();
+    stopping.sinks = {&sink};
+    expect_cancelled_or_done(run_scenario(job, scenario, stopping), undisturbed);
   }
 }
 
 /// The same bytes each time, on one thread and on two, and whoever looks on.
 inline void repeats(const Job& job, const std::string& scenario) {
-  const auto first = run_scenario(job, scenario);
+  auto first = run_scenario(job, scenario);
   ASSERT_TRUE(first) << to_string(first.error());
   EXPECT_TRUE(first->report.status == "done" || first->report.status == "not_done") << first->report.status;
-  const std::string bytes = bytes_of_run(first);
+  const std::string bytes = bytes_of_run(std::move(first));
   EXPECT_EQ(bytes_of_run(run_scenario(job, scenario)), bytes);
   for (const std::size_t threads : {1U, 2U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

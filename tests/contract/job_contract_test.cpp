@@ -2,6 +2,7 @@
 #include "job_contract.hpp"
 
 #include "outrider/jobs/catalog.hpp"
+#include "outrider/log/append.hpp"
 
 namespace outrider {
 namespace {
@@ -80,18 +81,17 @@ class Count final : public JobTask {
     if (!text) return pass_on(text);
     return Warnings{};
   }
-  Outcome<Run> run(const RunWatch& watch) override {
+  Status run(Run& run, const RunWatch& watch) override {
     RunSteps steps(watch, 1);
-    if (auto ok = steps.next("counting"); !ok) return pass_on(ok);
-    Report report;
-    report.job = job;
-    report.status = "done";
-    for (std::int64_t i = 0; i < to && report.status == "done"; ++i) {
-      report.metrics = {{"count", static_cast<double>(i + 1)}};
-      if (watch.wanted()) watch.show(report);
-      if (watch.stopped()) mark_cancelled(report, static_cast<double>(i));
+    if (auto ok = steps.next("counting"); !ok) return ok;
+    run.report.status = "done";
+    for (std::int64_t i = 0; i < to && run.report.status == "done"; ++i) {
+      const auto time_s = static_cast<double>(i);
+      run.report.metrics = {{"count", time_s + 1.0}};
+      log_event(run.log, time_s, "count", "one more");
+      if (watch.stopped()) mark_cancelled(run.report, run.log, time_s);
     }
-    return Run{std::move(report)};
+    return {};
   }
 
  protected:

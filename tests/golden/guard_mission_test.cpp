@@ -22,7 +22,7 @@ struct Mission {
   std::optional<FiringMap> firing_map;
   GuardPlan plan;
 
-  [[nodiscard]] Report run(std::uint64_t seed) const {
+  [[nodiscard]] PageReport run(std::uint64_t seed) const {
     return testing::run_still(scenario.problem, *firing_map, plan, scenario.options, seed);
   }
 };
@@ -49,7 +49,7 @@ Mission our_yard() {
 }
 
 /// Flies every shot of a report again, in small steps; the contact must be where the report says.
-void expect_replays(const Mission& mission, const Report& report) {
+void expect_replays(const Mission& mission, const PageReport& report) {
   const GuardProblem& problem = mission.scenario.problem;
   for (const ReportShot& shot : report.shots) {
     const auto target = std::find_if(problem.targets.begin(), problem.targets.end(),
@@ -72,7 +72,7 @@ void expect_replays(const Mission& mission, const Report& report) {
   }
 }
 
-void expect_counts(const Report& report, double reached, double unreachable) {
+void expect_counts(const PageReport& report, double reached, double unreachable) {
   EXPECT_EQ(metric(report, "reached"), reached);
   EXPECT_EQ(metric(report, "failed"), 0.0);
   EXPECT_EQ(metric(report, "unreachable"), unreachable);
@@ -83,7 +83,7 @@ void expect_counts(const Report& report, double reached, double unreachable) {
 
 TEST(OurYard, IsGuardedButForTheCatInTheShed) {
   const Mission mission = our_yard();
-  const Report report = mission.run(static_cast<std::uint64_t>(mission.scenario.seed));
+  const PageReport report = mission.run(static_cast<std::uint64_t>(mission.scenario.seed));
   expect_counts(report, 23, 1);
   expect_replays(mission, report);
   for (const ReportTarget& target : report.targets) {
@@ -122,7 +122,7 @@ TEST_P(ReferenceWorld, LosesNoTargetWhateverTheSeed) {
   const Mission mission = prepared(scenario);
   EXPECT_TRUE(mission.plan.unreachable.empty());
   for (int seed = 1; seed <= testing::part_of(5); ++seed) {
-    const Report report = mission.run(static_cast<std::uint64_t>(seed));
+    const PageReport report = mission.run(static_cast<std::uint64_t>(seed));
     expect_counts(report, 24, 0);
     expect_replays(mission, report);
     RecordProperty("mission_s_" + std::to_string(seed), std::to_string(metric(report, "mission_s")));

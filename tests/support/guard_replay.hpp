@@ -10,8 +10,9 @@
 #include <set>
 
 #include "outrider/jobs/guard/problem.hpp"
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 #include "support/fine_flight.hpp"
+#include "support/paged.hpp"
 
 namespace outrider::testing {
 
@@ -76,7 +77,7 @@ inline Target box_in(const GuardProblem& problem, const ReportTarget& target, do
 using BoxAt = std::function<Target(const ReportTarget&, const ReportShot&, double time_s)>;
 
 /// Flies every shot of a report in fine steps through the yard as it really is.
-inline Replayed replay_shots(const Report& report, const GuardProblem& truth, const BoxAt& box_at,
+inline Replayed replay_shots(const PageReport& report, const GuardProblem& truth, const BoxAt& box_at,
                              double step_m = 5e-4) {
   Replayed told;
   const FineLaw law{truth.world.gravity_mps2, truth.air.drag_per_m, truth.air.wind()};
@@ -121,7 +122,7 @@ inline Replayed replay_shots(const Report& report, const GuardProblem& truth, co
 }
 
 /// Every target has one final status and as many shots as the report has of it; the totals are theirs.
-inline void expect_everybody_accounted_for(const Report& report, std::size_t targets) {
+inline void expect_everybody_accounted_for(const PageReport& report, std::size_t targets) {
   ASSERT_EQ(report.targets.size(), targets);
   std::set<std::string> names;
   double reached = 0.0, failed = 0.0, unreachable = 0.0;
@@ -165,7 +166,7 @@ struct Ledger {
 
 /// Counts the stores from the track, the shots and the fills of a report, from full ones at its start.
 /// Expects the robot to stand at the station when it fills, and the fill to take the time that it must.
-inline Ledger count_stores(const Report& report, const GuardProblem& truth) {
+inline Ledger count_stores(const PageReport& report, const GuardProblem& truth) {
   const Supplies& supplies = truth.supplies;
   constexpr double endless = std::numeric_limits<double>::infinity();
   const double tank = supplies.tank > 0.0 ? supplies.tank : endless;
@@ -224,7 +225,8 @@ inline Ledger count_stores(const Report& report, const GuardProblem& truth) {
 }
 
 /// The ledger is what the report says, to within `slack_j`, and nothing ran dry in a mission that is done.
-inline Ledger expect_sound_stores(const Report& report, const GuardProblem& truth, double slack_j = 1e-3) {
+inline Ledger expect_sound_stores(const PageReport& report, const GuardProblem& truth,
+                                  double slack_j = 1e-3) {
   const Ledger ledger = count_stores(report, truth);
   EXPECT_TRUE(report.supplies.has_value() && !report.supplies->levels.empty());
   if (!report.supplies || report.supplies->levels.empty()) return ledger;

@@ -1,32 +1,36 @@
-// Guard missions of each kind in one call.
+// Guard missions of each kind in one call, as the page reads them.
 #pragma once
 
 #include "outrider/jobs/guard/run.hpp"
+#include "support/paged.hpp"
 
 namespace outrider::testing {
 
-inline Report run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
-                        const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
-  return run_guard({problem, firing_map, plan, options, seed}, watch).value();
+inline PageReport carried_out(const GuardRun& run, const RunWatch& watch) {
+  return paged(watch, [&](Log& log) { return run_guard(run, log, watch); }).value();
 }
 
-inline Report run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                           const Survival& survival = {}, const RunWatch& watch = {}) {
-  const GuardPlan none;
-  return run_guard({plan.yard.problem, plan.yard.firing_map, none, options, seed, plan, survival}, watch)
-      .value();
+inline PageReport run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
+                            const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
+  return carried_out({problem, firing_map, plan, options, seed}, watch);
 }
 
-inline Report run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
-                          std::uint64_t seed, const RunWatch& watch = {}) {
+inline PageReport run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                               const Survival& survival = {}, const RunWatch& watch = {}) {
   const GuardPlan none;
-  const GuardRun run{.problem = plan.problem,
-                     .firing_map = plan.firing_map,
-                     .plan = none,
-                     .options = options,
-                     .seed = seed,
-                     .walkers = WalkerRun{plan, walks}};
-  return run_guard(run, watch).value();
+  return carried_out({plan.yard.problem, plan.yard.firing_map, none, options, seed, plan, survival}, watch);
+}
+
+inline PageReport run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks,
+                              const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
+  const GuardPlan none;
+  return carried_out({.problem = plan.problem,
+                      .firing_map = plan.firing_map,
+                      .plan = none,
+                      .options = options,
+                      .seed = seed,
+                      .walkers = WalkerRun{plan, walks}},
+                     watch);
 }
 
 }  // namespace outrider::testing

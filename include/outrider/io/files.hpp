@@ -39,10 +39,17 @@ struct NamedContent {
   std::string content;
 };
 
+/// A file that is complete under another name in the same folder.
+struct FileToRename {
+  std::string path;  ///< its name from now on
+  std::string written_as;
+};
+
 /// Writes files that belong together. All of them are on the disk under temporary names before the first is
 /// renamed. They are renamed in the given order, so put a file that refers to the others last. If the process
 /// is killed at any moment, even by SIGKILL, either all old files or all new files remain, because a separate
 /// short-lived process does the renaming.
-Status write_files(const std::vector<NamedContent>& files);
+/// `complete` files are renamed together with them, first.
+Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete = {});
 
 }  // namespace outrider

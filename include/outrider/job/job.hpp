@@ -49,9 +49,10 @@ class JobTask {
   /// file and line, or with the key of the option.
   virtual Outcome<Warnings> load() = 0;
 
-  /// Plans the task and carries it out. Call load() first, and give an empty run, whose log may have sinks. The
-  /// result is a pure function of the task, except for Report::machine_times. A run that is stopped during its
-  /// mission has the part done, with the status "cancelled"; if it is stopped earlier, the fault is `cancelled`.
+  /// Plans the task and carries it out. Call load() first, and give an empty run, whose log may have sinks.
+  /// The result is a pure function of the task, except for Report::machine_times. A run that is stopped
+  /// during its mission has the part done, with the status "cancelled"; if it is stopped earlier, the fault
+  /// is `cancelled`.
   virtual Status run(Run& run, const RunWatch& watch) = 0;
 
   std::string job;              ///< the value of the key `job`

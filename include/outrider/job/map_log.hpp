@@ -1,8 +1,8 @@
 // MapLog: logs an occupancy map while it grows.
 //
 // The map is logged at most once a second of the run. It is logged whole, as nav_msgs/OccupancyGrid, when its
-// frame has changed or it was redrawn, and else as map_msgs/OccupancyGridUpdate: the smallest rectangle with all
-// changes. Thread rule: one at a time.
+// frame has changed or it was redrawn, and else as map_msgs/OccupancyGridUpdate: the smallest rectangle with
+// all changes. Thread rule: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ namespace outrider {
 
 class MapLog {
  public:
-  /// Notes a change. `occupancy` holds values of Occupancy. Only the cells with the indices `changed` may have
-  /// changed since the last call, or any cell if `redrawn` is true. O(cells changed), and O(cells of the rectangle)
-  /// once a second.
+  /// Notes a change. `occupancy` holds values of Occupancy. Only the cells with the indices `changed` may
+  /// have changed since the last call, or any cell if `redrawn` is true. O(cells changed), and O(cells of the
+  /// rectangle) once a second.
   void note(Log& log, const Grid<std::uint8_t>& occupancy, bool redrawn, std::span<const std::size_t> changed,
             double time_s);
 
@@ -31,12 +31,13 @@ class MapLog {
   void log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
   void log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
 
-  GridFrame logged_{};     ///< frame of the newest whole map
-  bool begun_ = false;     ///< a whole map was logged
-  bool redrawn_ = false;   ///< the whole map must be logged
-  Cell low_{0, 0};         ///< corners of the rectangle of changes
+  GridFrame logged_{};    ///< frame of the newest whole map
+  bool begun_ = false;    ///< a whole map was logged
+  bool redrawn_ = false;  ///< the whole map must be logged
+  Cell low_{0, 0};        ///< corners of the rectangle of changes
   Cell high_{-1, -1};
   double next_s_ = 0.0;
+  double updated_s_ = -1.0;  ///< time of the newest update
 };
 
 }  // namespace outrider

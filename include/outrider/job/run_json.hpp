@@ -1,6 +1,7 @@
 // The JSON form of a run. The command line tool prints it with --json, and the server sends it.
 //
-//   {"status", "job", "world", "reason", "metrics": {...}, the tables by their names, "files": {...}, "warnings":
+//   {"status", "job", "world", "reason", "metrics": {...}, the tables by their names, "files": {...},
+//   "warnings":
 //   [...]}
 //
 // Unknown numbers are null; whole numbers have no decimal point. `Json` is any type with the interface of
@@ -83,8 +84,11 @@ Json run_json(const Report& report, const WrittenFiles& files = {}) {
   for (const auto& [name, value] : report.metrics) metrics[name] = number_json<Json>(value);
   for (const auto& [name, value] : report.machine_times) metrics[name] = number_json<Json>(value);
   for (const auto& [name, path] : files) paths[name] = path;
-  Json object = {
-      {"status", report.status}, {"job", report.job}, {"world", report.world_name}, {"reason", report.reason}, {"metrics", metrics}};
+  Json object = {{"status", report.status},
+                 {"job", report.job},
+                 {"world", report.world_name},
+                 {"reason", report.reason},
+                 {"metrics", metrics}};
   for (const Table& table : report.tables) object[table.name] = table_json<Json>(table);
   object["files"] = std::move(paths);
   object["warnings"] = report.warnings;

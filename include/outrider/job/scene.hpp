@@ -11,7 +11,8 @@
 namespace outrider {
 
 /// Returns the description of a run in a world, with a robot that is a disk.
-outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world, double robot_radius_m);
+outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world,
+                                double robot_radius_m);
 
 /// Logs the description, and the solids of the world that rise above the floor. Those that begin below
 /// `robot_height_m` above the floor block the robot. O(solids).

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "outrider/core/budget.hpp"
 #include "outrider/log/log.hpp"
@@ -23,7 +24,7 @@ struct RunStep {
 struct RunWatch {
   std::stop_token stop = {};
   std::function<void(const RunStep&)> progress = {};  ///< called on the thread of the run
-  LogSink* sink = nullptr;  ///< receives the messages of the log as they are appended; may be null
+  std::vector<LogSink*> sinks = {};  ///< receive the messages of the log as they are appended
 
   /// Returns a budget that is limited by the stop token only.
   [[nodiscard]] Budget budget() const;
@@ -34,8 +35,8 @@ struct RunWatch {
   }
 };
 
-/// Sets the status of a report to "cancelled" and logs it. `time_s` is the mission time at which the mission was
-/// stopped.
+/// Sets the status of a report to "cancelled" and logs it. `time_s` is the mission time at which the mission
+/// was stopped.
 void mark_cancelled(Report& report, Log& log, double time_s);
 
 /// Reports the steps of a run to a watch, in order.

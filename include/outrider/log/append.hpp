@@ -16,12 +16,14 @@ void log_pose(Log& log, double time_s, const Pose2& pose);
 
 /// Appends the believed pose. `covariance` is that of x, y and heading: m^2, m rad, rad^2. If an observation
 /// corrected the belief since the one before, the pose is appended to /corrections, too.
-void log_belief(Log& log, double time_s, const Pose2& pose, const Eigen::Matrix3d& covariance, bool corrected);
+void log_belief(Log& log, double time_s, const Pose2& pose, const Eigen::Matrix3d& covariance,
+                bool corrected);
 
 /// Appends the path that the robot drives from now on; no points: none.
 void log_plan(Log& log, double time_s, const std::vector<Vec2>& points);
 
-/// Appends the direction of the barrel: yaw in the map, counter-clockwise from +x, and pitch up from the horizon.
+/// Appends the direction of the barrel: yaw in the map, counter-clockwise from +x, and pitch up from the
+/// horizon.
 void log_gun(Log& log, double time_s, double yaw_rad, double pitch_rad);
 
 /// Appends something that happened: its kind, such as "shot", and one sentence.

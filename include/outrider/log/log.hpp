@@ -72,6 +72,9 @@ class Log {
   /// Lets the times of all further messages count from `time_s`, for a mission that follows another one.
   void begin_at(double time_s) { origin_ns_ = nanoseconds(time_s); }
 
+  /// Returns the time that a message has in the log, for its header.
+  [[nodiscard]] double time_of(double time_s) const { return seconds(origin_ns_) + time_s; }
+
   /// Appends a message to the channel, which the first message makes. Expects the type of the earlier
   /// messages of the channel; a time before that of the newest one counts as that time.
   template <class Message>

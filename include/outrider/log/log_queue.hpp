@@ -1,5 +1,5 @@
-// LogQueue: messages that are known before their time, such as the hit of a ball in flight. They are logged in the
-// order of time once their time has come.
+// LogQueue: messages that are known before their time, such as the hit of a ball in flight. They are logged
+// in the order of time once their time has come.
 #pragma once
 
 #include <algorithm>

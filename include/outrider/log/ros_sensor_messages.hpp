@@ -1,5 +1,5 @@
-// The standard ROS messages of sensors and joints. Fields, their order and their meaning are those of ROS 2 (Humble
-// and later); units are SI.
+// The standard ROS messages of sensors and joints. Fields, their order and their meaning are those of ROS 2
+// (Humble and later); units are SI.
 #pragma once
 
 #include <array>

@@ -12,9 +12,10 @@ namespace outrider {
 
 class LogMap {
  public:
-  /// Receives the map after each message: whether it was logged whole, the indices of the cells in the message, and
-  /// the time.
-  using Changed = std::function<void(const Grid<std::uint8_t>&, bool whole, std::span<const std::size_t>, double time_s)>;
+  /// Receives the map after each message: whether it was logged whole, the indices of the cells in the
+  /// message, and the time.
+  using Changed =
+      std::function<void(const Grid<std::uint8_t>&, bool whole, std::span<const std::size_t>, double time_s)>;
 
   /// Applies the messages since the last call, in the order of time. O(cells in them).
   void read(const Log& log, const Changed& changed = {});

@@ -1,4 +1,5 @@
-// PageReport: a run as the page and the pictures read it, made from its log. docs/report.md describes its JSON.
+// PageReport: a run as the page and the pictures read it, made from its log. docs/report.md describes its
+// JSON.
 //
 // Times are seconds on the run's own clock. Yaw and heading angles are in the world frame, counter-clockwise
 // from +x. Pitch counts up from the horizon. An unknown number is NaN.
@@ -378,8 +379,8 @@ struct PageReport {
   std::optional<ReportSlam> slam = {};    ///< of the job slam
 };
 
-/// Returns the run of a log as the page reads it. Of a long path at most 5000 rows are kept, of a map at most 150,000
-/// cells, and of the scans at most 400.
+/// Returns the run of a log as the page reads it. Of a long path at most 5000 rows are kept, of a map at most
+/// 150,000 cells, and of the scans at most 400.
 PageReport page_report(const Report& report, const Log& log);
 
 }  // namespace outrider

@@ -1,7 +1,9 @@
-// Report: what a run came to: status, metrics, tables and settings. run.json is its text. What happened in the run
-// is in its log.
+// Report: what a run came to: status, metrics, tables and settings. run.json is its text. What happened in
+// the run is in its log.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -14,12 +16,12 @@ namespace outrider {
 
 /// What a run came to.
 struct Report {
-  std::string status;      ///< "done", "not_done" or "cancelled"
-  std::string job;         ///< "guard", ...
-  std::string reason;      ///< why it is not done; empty when it is
-  std::string world_name;  ///< name of the world, the map or the log
+  std::string status;                                         ///< "done", "not_done" or "cancelled"
+  std::string job;                                            ///< "guard", ...
+  std::string reason;                                         ///< why it is not done; empty when it is
+  std::string world_name;                                     ///< name of the world, the map or the log
   std::vector<std::pair<std::string, std::string>> settings;  ///< option name -> value with unit
-  std::vector<std::string> warnings;  ///< what was repaired or is uncertain in the input
+  std::vector<std::string> warnings;                    ///< what was repaired or is uncertain in the input
   std::vector<std::pair<std::string, double>> metrics;  ///< in display order
   /// Processing times by name. They are displayed and never stored, because they differ from run to run.
   std::vector<std::pair<std::string, double>> machine_times = {};
@@ -35,6 +37,18 @@ inline double metric(const Report& report, std::string_view name,
     }
   }
   return otherwise;
+}
+
+/// Returns the report without its processing times, so that the same task has the same report.
+inline Report without_machine_times(Report report) {
+  report.machine_times.clear();
+  for (Table& table : report.tables) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (std::ranges::count(table.machine_times, table.columns[i]) == 0) continue;
+      for (auto& row : table.rows) row[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return report;
 }
 
 /// Returns the value of a setting as text; empty if the report has none of that name.

@@ -29,10 +29,12 @@ struct Table {
   std::string name;
   std::vector<std::string> columns;           ///< names of the columns
   std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column
+  /// Columns of numbers that are processing times. They are displayed and never stored.
+  std::vector<std::string> machine_times = {};
 };
 
-/// Gives access to the values of a row by the names of their columns. Throws std::out_of_range if there is no such
-/// column, and std::bad_variant_access if the value has another type.
+/// Gives access to the values of a row by the names of their columns. Throws std::out_of_range if there is no
+/// such column, and std::bad_variant_access if the value has another type.
 struct TableRow {
   const Table& table;
   const std::vector<TableValue>& values;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "outrider/ballistics/moving_target.hpp"
+#include "outrider/log/gun_messages.hpp"
 #include "outrider/robot/observation.hpp"
 #include "outrider/sim/execution_errors.hpp"
-#include "outrider/log/gun_messages.hpp"
 
 namespace outrider {
 
@@ -23,10 +23,10 @@ struct GunScene {
   }
 };
 
-/// Makes the message of a shot, without its target, attempt and pose of the robot. `contact` names what the ball
-/// touched first.
+/// Makes the message of a shot, without its target, attempt and pose of the robot. `contact` names what the
+/// ball touched first.
 outrider_msgs::Shot shot_message(const Flight& flight, const Impact& impact, const FlightSpace& space,
-                       const Target& target, double ball_radius_m, std::string contact);
+                                 const Target& target, double ball_radius_m, std::string contact);
 
 /// Sets the pose of the robot and the direction of the barrel, with its yaw in the map.
 void set_pose(outrider_msgs::Shot& shot, const Pose2& robot, double gun_yaw_rad, double gun_pitch_rad);

@@ -56,6 +56,9 @@ class SimulatedRobot final : public Robot {
   }
   [[nodiscard]] const SimulatedDevices& devices() const { return devices_; }
 
+  /// Returns the messages that are logged once their time has come. Others may add to them.
+  LogQueue& queue() { return queue_; }
+
   SimRecord record;  ///< filled for a WaypointBody only
 
  private:

@@ -9,9 +9,9 @@
 #include "outrider/ballistics/moving_target.hpp"
 #include "outrider/ballistics/target.hpp"
 #include "outrider/core/rng.hpp"
+#include "outrider/log/log_queue.hpp"
 #include "outrider/robot/observation.hpp"
 #include "outrider/sim/intruders.hpp"
-#include "outrider/log/log_queue.hpp"
 
 namespace outrider {
 

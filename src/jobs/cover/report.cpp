@@ -92,11 +92,10 @@ std::string counted(std::size_t count, std::string_view what) {
 
 void log_events(Log& log, const CoverRun& run) {
   const CoverPlan& plan = run.plan;
-  log_event(
-      log, 0.0, "plan",
-       fmt::format("the {} track of {:.2f} m has {}, {} with {}, and {}", plan.method, plan.sums.length_m,
-                   counted(plan.laps, "lap"), counted(plan.cells, "cell"), counted(plan.lanes, "lane"),
-                   counted(plan.sums.stops, "turn")));
+  log_event(log, 0.0, "plan",
+            fmt::format("the {} track of {:.2f} m has {}, {} with {}, and {}", plan.method,
+                        plan.sums.length_m, counted(plan.laps, "lap"), counted(plan.cells, "cell"),
+                        counted(plan.lanes, "lane"), counted(plan.sums.stops, "turn")));
   std::size_t laps = 0, cells = 0;
   for (const std::size_t piece : plan.begins) {
     if (piece >= run.drive.ends_s.size()) break;
@@ -159,8 +158,8 @@ void log_cover(Log& log, const CoverProblem& problem, const CoverRun& run, std::
   info.coverage_width = problem.width_m;
   log.append(topic::run, 0.0, std::move(info));
   const auto planned = points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad);
-  outrider_msgs::CoverageArea area{outlines_of(outlines(ground.area)), outlines_of(outlines(ground.reach)), {}, {},
-                                   points_of(planned)};
+  outrider_msgs::CoverageArea area{
+      outlines_of(outlines(ground.area)), outlines_of(outlines(ground.reach)), {}, {}, points_of(planned)};
   log.append(topic::coverage_area, 0.0, area);
   for (const Pass& pass : passes_of(run.plan, run.drive))
     log.append(topic::coverage_passes, pass.start_s, outrider_msgs::CoveragePass{pass.role, pass.end_s});

@@ -15,8 +15,8 @@ Outcome<Warnings> DriveJob::load() {
 Status DriveJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("driving"); !ok) return ok;
-  run.report = run_drive(setup->task, setup->sim, setup->rendered, static_cast<std::uint64_t>(scenario.seed), run.log,
-                         steps.inner());
+  run.report = run_drive(setup->task, setup->sim, setup->rendered, static_cast<std::uint64_t>(scenario.seed),
+                         run.log, steps.inner());
   if (setup->plan) {
     run.report.metrics.emplace_back("path_m", length_of(*setup->plan));
     run.report.metrics.emplace_back("path_clearance_m", setup->path_clearance_m);

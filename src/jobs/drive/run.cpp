@@ -71,11 +71,16 @@ void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
 /// Logs the drive.
 class Recorder {
  public:
-  Recorder(const DriveTask& task, const CollisionMap& ground, Log& log) : task_(task), ground_(ground), log_(log) {
+  Recorder(const DriveTask& task, const CollisionMap& ground, Log& log)
+      : task_(task), ground_(ground), log_(log) {
     waypoints_.closed_loop = task.closed_loop;
     for (const Waypoint& waypoint : task.waypoints) {
-      waypoints_.waypoints.push_back({point_of(waypoint.pose.position), waypoint.pose.heading_rad, waypoint.stop,
-                                      unknown, {unknown, unknown}, unknown});
+      waypoints_.waypoints.push_back({point_of(waypoint.pose.position),
+                                      waypoint.pose.heading_rad,
+                                      waypoint.stop,
+                                      unknown,
+                                      {unknown, unknown},
+                                      unknown});
     }
     log.append(topic::waypoints, 0.0, waypoints_);
   }
@@ -173,8 +178,8 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
 
 }  // namespace
 
-Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed, Log& log,
-                 const RunWatch& watch) {
+Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
+                 Log& log, const RunWatch& watch) {
   log_start(log, task, seed);
   const CollisionMap ground = CollisionMap::of(task.world, task.eye.height_m);
   SimulatedRobot robot = simulated_robot(task, params, rendered, seed);
@@ -185,7 +190,8 @@ Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rende
     watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
   });
   if (mission.end == DriveEnd::lost || mission.end == DriveEnd::stuck) {
-    log_event(log, mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+    log_event(log, mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck",
+              mission.reason);
   }
   Report report = judged(mission, robot, recorder);
   if (!finished) mark_cancelled(report, log, robot.time_s());

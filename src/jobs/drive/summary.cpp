@@ -11,8 +11,8 @@ namespace outrider {
 namespace {
 
 std::string stop_line(std::size_t number, const TableRow& row) {
-  std::string text = fmt::format("  {:>3}  {:>7.3f} {:>7.3f} {:>6.1f}  ", number, row.number("x"), row.number("y"),
-                                 degrees(wrap_angle(row.number("heading_rad"))));
+  std::string text = fmt::format("  {:>3}  {:>7.3f} {:>7.3f} {:>6.1f}  ", number, row.number("x"),
+                                 row.number("y"), degrees(wrap_angle(row.number("heading_rad"))));
   if (row.number("stop") == 0.0) return text + "passed by\n";
   if (std::isnan(row.number("reached_s"))) return text + "not reached\n";
   return text + fmt::format("{:>6.1f}  {:>8.1f} {:>8.1f} {:>8.2f}\n", row.number("reached_s"),
@@ -34,7 +34,8 @@ std::string drive_summary(const Report& report) {
       fmt::format("{}, {} loop: {} of {} stops reached in {}\n\n", printable(report.world_name), loop,
                   reached, stops, duration_text(metric(report, "time_s")));
   text += "       x, m    y, m     deg       s  off x, mm    y, mm      deg\n";
-  for (std::size_t i = 0; i < waypoints.rows.size(); ++i) text += stop_line(i + 1, {waypoints, waypoints.rows[i]});
+  for (std::size_t i = 0; i < waypoints.rows.size(); ++i)
+    text += stop_line(i + 1, {waypoints, waypoints.rows[i]});
   text += fmt::format("\n  driven     {:.3f} m, {:.3f} times the straight legs\n", metric(report, "driven_m"),
                       metric(report, "driven_m") / std::max(metric(report, "ideal_m"), 1e-9));
   text += fmt::format("  turned     {:.3f} rad, {:.3f} times the least\n", metric(report, "turned_rad"),

@@ -28,8 +28,8 @@ Outcome<Warnings> ExploreJob::load() {
 Status ExploreJob::run(Run& run, const RunWatch& watch) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("exploring"); !ok) return ok;
-  auto explored = run_explore(setup->world, setup->task, setup->sim, static_cast<std::uint64_t>(scenario.seed),
-                              run.log, steps.inner());
+  auto explored = run_explore(setup->world, setup->task, setup->sim,
+                              static_cast<std::uint64_t>(scenario.seed), run.log, steps.inner());
   if (!explored) return tl::unexpected<Fault>(explored.error());
   run.report = std::move(explored->report);
   auto map = map_server_text({explored->map, 0.0}, "map.pgm");

@@ -183,7 +183,8 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
 }  // namespace
 
 Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, const ExplorerSimParams& params,
-                                std::uint64_t seed, Log& log, const RunWatch& watch, const ScanHook& scanned) {
+                                std::uint64_t seed, Log& log, const RunWatch& watch,
+                                const ScanHook& scanned) {
   SimulatedRobot robot = simulated_explorer(world, given.start, given.robot, params, seed);
   const auto reference = exploration_reference(robot.devices().laser->finder(),
                                                robot.body<TwistBody>().ground(), given.start.position);

@@ -36,27 +36,30 @@ class TargetLog {
  private:
   void place(double time_s, std::size_t who, Vec2 at, Vec2 believed);
   void note_walker(const GuardMission& mission, std::size_t who);
+  /// Logs where a walker was when it was hit, or in the end.
+  void place_last(double time_s, std::size_t who);
   [[nodiscard]] std::size_t targets() const { return told_.size(); }
 
   Log& log_;
   const GuardRun& run_;
-  LogQueue queue_;                          ///< when intruders come in and settle
+  LogQueue queue_;  ///< what is known before its time, such as when intruders come in
   std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
-  std::vector<double> heights_m_;           ///< by target: of its centre
-  std::vector<std::size_t> seen_;           ///< by walker: number of observations that are logged
+  std::vector<double> heights_m_;            ///< by target: of its centre
+  std::vector<std::size_t> seen_;            ///< by walker: number of observations that are logged
 };
 
 /// Returns the first store that ran empty, in a sentence; empty if none did.
 std::string ran_dry(const Log& log);
 
-/// Returns what is added to the reason of a mission that ended because no station was left; else an empty text.
+/// Returns what is added to the reason of a mission that ended because no station was left; else an empty
+/// text.
 std::string why_stranded(const Log& log);
 
 /// Returns the targets with their status, and the pose of the robot and the aim at the last shot.
 Table target_table();
 /// Returns the row of a target that was never shot at.
-std::vector<TableValue> unshot_row(const std::string& name, const std::string& status, const std::string& reason,
-                                   double done_s);
+std::vector<TableValue> unshot_row(const std::string& name, const std::string& status,
+                                   const std::string& reason, double done_s);
 
 /// Returns what the mission came to. `expected_hits` is the sum of the chances of all shots at walkers.
 Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord& record, const Log& log,

@@ -33,7 +33,8 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
                                      scenario.options, seed, log, watch);
   }
   if (arrivals.leave < 1.0) {
-    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log, watch);
+    return simulate_surviving_targets(problem, firing_map, plan, arrivals, scenario.options, seed, log,
+                                      watch);
   }
   return run_guard({.problem = problem,
                     .firing_map = firing_map,

@@ -64,8 +64,8 @@ double reached_by_reference_rule(const Log& log, const TargetLog& targets, std::
   return reached;
 }
 
-Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord& record, double by_reference_rule,
-                      double end_s) {
+Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord& record,
+                      double by_reference_rule, double end_s) {
   return {{"targets", tally.targets},
           {"reached", tally.reached},
           {"failed", tally.failed},
@@ -134,7 +134,8 @@ Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& ta
 
 /// How often a store was filled, and how low each was at least.
 Metrics supply_metrics(const Log& log, const Supplies& supplies, const StoreKeeper& keeper) {
-  Metrics metrics = {{"fills", number(events_of(log, "fill").size())}, {"unplanned_fills", number(keeper.detours)}};
+  Metrics metrics = {{"fills", number(events_of(log, "fill").size())},
+                     {"unplanned_fills", number(keeper.detours)}};
   double water = supplies.full(Store::water), charge_j = supplies.full(Store::charge);
   for (const auto& [time_ns, level] : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
     water = std::min(water, level.water);
@@ -180,15 +181,25 @@ std::string reason_of(const GuardRun& run, const Tally& tally) {
 
 /// Returns the row of a target in the table. The clearance of a hit is that of its flight.
 std::vector<TableValue> row_of(const std::string& name, const TargetRecord& record, const Log& log) {
-  if (record.shots == 0) return unshot_row(name, std::string(to_string(record.status)), record.reason, record.done_s);
+  if (record.shots == 0)
+    return unshot_row(name, std::string(to_string(record.status)), record.reason, record.done_s);
   const Shot aim = record.shot ? record.shot->shot : Shot{};
   double clearance_m = record.shot ? record.shot->clearance_m : 0.0;
   for (const auto& [time_ns, shot] : shots_of(log)) {
     if (shot.target == name && shot.hit) clearance_m = shot.clearance;
   }
   const Pose2& pose = record.pose;
-  return {name, std::string(to_string(record.status)), record.reason, number(record.shots), record.done_s,
-          pose.position.x, pose.position.y, pose.heading_rad, aim.pitch_rad, aim.yaw_rad, aim.speed_mps,
+  return {name,
+          std::string(to_string(record.status)),
+          record.reason,
+          number(record.shots),
+          record.done_s,
+          pose.position.x,
+          pose.position.y,
+          pose.heading_rad,
+          aim.pitch_rad,
+          aim.yaw_rad,
+          aim.speed_mps,
           clearance_m};
 }
 
@@ -201,8 +212,8 @@ Table target_table() {
           {}};
 }
 
-std::vector<TableValue> unshot_row(const std::string& name, const std::string& status, const std::string& reason,
-                                   double done_s) {
+std::vector<TableValue> unshot_row(const std::string& name, const std::string& status,
+                                   const std::string& reason, double done_s) {
   const double none = std::nan("");
   return {name, status, reason, 0.0, done_s, none, none, none, none, none, none, none};
 }
@@ -210,8 +221,10 @@ std::vector<TableValue> unshot_row(const std::string& name, const std::string& s
 std::string ran_dry(const Log& log) {
   constexpr double rounding = 1e-9;
   for (const auto& levels : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
-    if (levels.message.water < -rounding) return fmt::format("the tank was empty at {:.1f} s", levels.time_s());
-    if (levels.message.charge < -rounding) return fmt::format("the battery was empty at {:.1f} s", levels.time_s());
+    if (levels.message.water < -rounding)
+      return fmt::format("the tank was empty at {:.1f} s", levels.time_s());
+    if (levels.message.charge < -rounding)
+      return fmt::format("the battery was empty at {:.1f} s", levels.time_s());
   }
   return {};
 }
@@ -227,10 +240,11 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   report.world_name = true_problem(run).world.name;
   const auto& records = mission.tasks.records;
   const Tally tally = tally_of(run, records, end_s);
-  report.metrics = run.arrivals  ? arrival_metrics(run, mission, tally, record, end_s)
-                   : run.walkers ? walker_metrics(records, tally, record, end_s, expected_hits)
-                                 : still_metrics(run.plan, tally, record,
-                                                 reached_by_reference_rule(log, targets, records.size()), end_s);
+  report.metrics = run.arrivals ? arrival_metrics(run, mission, tally, record, end_s)
+                   : run.walkers
+                       ? walker_metrics(records, tally, record, end_s, expected_hits)
+                       : still_metrics(run.plan, tally, record,
+                                       reached_by_reference_rule(log, targets, records.size()), end_s);
   const auto add = [&](const Metrics& more) {
     report.metrics.insert(report.metrics.end(), more.begin(), more.end());
   };
@@ -239,7 +253,8 @@ Report judged(const GuardRun& run, const GuardMission& mission, const SimRecord&
   if (run.options.shoot_on_the_move) add(passing_metrics(log));
   if (record.rigid) add(rigid_metrics(*record.rigid));
   Table table = target_table();
-  for (std::size_t i = 0; i < records.size(); ++i) table.rows.push_back(row_of(targets.name(i), records[i], log));
+  for (std::size_t i = 0; i < records.size(); ++i)
+    table.rows.push_back(row_of(targets.name(i), records[i], log));
   report.tables = {std::move(table)};
   const std::string dry = ran_dry(log);
   report.status = tally.reached + tally.unreachable == tally.targets && dry.empty() ? "done" : "not_done";

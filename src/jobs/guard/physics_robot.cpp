@@ -99,7 +99,7 @@ void PhysicsGuard::roll() {
     bumped_.push_back(body);
     ++record.rigid->bumps;
     tell("bump",
-        fmt::format("touches {} at ({:.2f}, {:.2f})", name_of(body), after.position.x, after.position.y));
+         fmt::format("touches {} at ({:.2f}, {:.2f})", name_of(body), after.position.x, after.position.y));
   }
 }
 
@@ -231,7 +231,8 @@ void PhysicsGuard::fire(const Fire& command) {
   const Pose2 fired_from = pose();
   const Impact impact = thrown(flight, command.target);
   const Impact expected = fly(flight, radius, space, target, problem_.world.floor_z_m);
-  outrider_msgs::Shot shot = shot_message(flight, impact, space, target, radius, contact_of(impact, command.target));
+  outrider_msgs::Shot shot =
+      shot_message(flight, impact, space, target, radius, contact_of(impact, command.target));
   shot.target = target.name;
   shot.attempt = static_cast<std::uint32_t>(++attempts_[command.target]);
   set_pose(shot, fired_from, wrap_angle(fired_from.heading_rad + gun_yaw_rad_), gun_pitch_rad_);

@@ -30,11 +30,11 @@ GuardMission mission_of(const GuardRun& run, const GuardProblem& problem) {
 
 void log_aim(Log& log, double time_s, const MovingTargets& targets, const GuardProblem& problem) {
   const Track& track = targets.tracks[targets.aimed_at];
-  log_event(log, time_s, "lead",
-            fmt::format(
-                "expects {} at ({:.2f}, {:.2f}), {:.2f} m from where it was seen; a hit is {:.0f} % likely",
-                problem.targets[targets.aimed_at].name, targets.expected_at.x, targets.expected_at.y,
-                distance(targets.expected_at, track.back().position), 100.0 * targets.chance));
+  log_event(
+      log, time_s, "lead",
+      fmt::format("expects {} at ({:.2f}, {:.2f}), {:.2f} m from where it was seen; a hit is {:.0f} % likely",
+                  problem.targets[targets.aimed_at].name, targets.expected_at.x, targets.expected_at.y,
+                  distance(targets.expected_at, track.back().position), 100.0 * targets.chance));
 }
 
 /// How a failed target was missed by a rigid ball.
@@ -46,21 +46,32 @@ void add_misses(StopTasks& tasks, const RigidRecord& rigid) {
   }
 }
 
+/// Notes when intruders come in.
+void note_entrances(LogQueue& queue, const GuardRun& run) {
+  if (!run.arrivals) return;
+  for (const Intruder& intruder : run.arrivals->yard.intruders) {
+    if (intruder.entrance.empty()) continue;
+    queue.note_event(intruder.enters_s, "enter",
+                     fmt::format("{} comes in by {}", intruder.name, intruder.entrance));
+  }
+}
+
 /// `robot` logs what it does; `record` is its record.
 Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, const SimRecord& record,
                  TargetLog& targets, Log& log, const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
   mission.tasks.stop = watch.stop;
   double expected_hits = 0.0, now_s = 0.0;
-  const bool ended = run_mission(mission, robot, watch.stop, [&](const Observation& seen, const Command* command) {
-    now_s = seen.time_s;
-    watch.part(settled_part(mission));
-    if (run.walkers && command != nullptr && std::holds_alternative<AimGun>(*command)) {
-      log_aim(log, now_s, mission.moving, run.problem);
-      expected_hits += mission.moving.chance;
-    }
-    targets.note(mission, now_s);
-  });
+  const bool ended =
+      run_mission(mission, robot, watch.stop, [&](const Observation& seen, const Command* command) {
+        now_s = seen.time_s;
+        watch.part(settled_part(mission));
+        if (run.walkers && command != nullptr && std::holds_alternative<AimGun>(*command)) {
+          log_aim(log, now_s, mission.moving, run.problem);
+          expected_hits += mission.moving.chance;
+        }
+        targets.note(mission, now_s);
+      });
   if (record.rigid) add_misses(mission.tasks, *record.rigid);
   targets.finish(mission, now_s);
   if (mission.stores.stranded) log_event(log, now_s, "stranded", mission.stores.reason);
@@ -88,6 +99,7 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
   }
   SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
                                          run.truth ? run.truth->levels : StoreLevels{});
+  note_entrances(robot.queue(), run);
   return carry_out(run, run.problem, robot, robot.record, targets, log, watch);
 }
 

@@ -1,5 +1,5 @@
-#include "guard_log.hpp"
 #include "outrider/job/scene.hpp"
+#include "guard_log.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
@@ -20,11 +20,11 @@ outrider_msgs::Solid solid_entry(const Solid& solid, const World& world, const R
   const double floor = world.floor_z_m;
   const Interval under = world.terrain ? world.terrain->heights_over(box.ground()) : Interval{floor, floor};
   outrider_msgs::Solid entry{solid.name,
-                    std::string(kind(solid.shape)),
-                    rounded_of(footprint(solid, -inf, inf)),
-                    box.low.z,
-                    box.high.z,
-                    !footprint(solid, under.low + 1e-3, under.high + robot.height_m).empty()};
+                             std::string(kind(solid.shape)),
+                             rounded_of(footprint(solid, -inf, inf)),
+                             box.low.z,
+                             box.high.z,
+                             !footprint(solid, under.low + 1e-3, under.high + robot.height_m).empty()};
   if (!std::isfinite(entry.low_z)) entry.low_z = floor;  // the ground
   if (!std::isfinite(entry.high_z)) entry.high_z = floor;
   return entry;
@@ -108,7 +108,8 @@ void log_start(Log& log, const GuardRun& run) {
     solids.solids.push_back(solid_entry(solid, problem.world, problem.robot));
   }
   log.append(topic::solids, 0.0, std::move(solids));
-  if (problem.world.terrain) log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
+  if (problem.world.terrain)
+    log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
   if (problem.supplies.any()) log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));
 }
 

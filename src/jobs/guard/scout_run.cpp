@@ -82,14 +82,16 @@ void log_other_targets(Log& log, const GuardProblem& truth, const ScoutedYard& y
     log.append(topic::targets, 0.0,
                outrider_msgs::Target{target.name, "failed", why_unshot(yard.seen[i].has_value()),
                                      vector_of(target.size), target.yaw_rad, 0, ""});
-    log.append(topic::target_positions, 0.0,
-               outrider_msgs::TargetPosition{target.name, point_of(target.centre()), point_of(xy(target.base))});
+    log.append(
+        topic::target_positions, 0.0,
+        outrider_msgs::TargetPosition{target.name, point_of(target.centre()), point_of(xy(target.base))});
   }
 }
 
-/// Returns the rows of all targets in the order of the yard; the report has those that were found, with times that
-/// count from the end of the exploration.
-Table all_targets(const Report& report, const GuardProblem& truth, const ScoutedYard& yard, double explore_s) {
+/// Returns the rows of all targets in the order of the yard; the report has those that were found, with times
+/// that count from the end of the exploration.
+Table all_targets(const Report& report, const GuardProblem& truth, const ScoutedYard& yard,
+                  double explore_s) {
   const Table& found = table_named(report, "targets");
   Table all = target_table();
   for (std::size_t i = 0; i < truth.targets.size(); ++i) {
@@ -111,10 +113,11 @@ void log_sightings(Log& log, const GuardProblem& truth, const ScoutedYard& yard)
   for (std::size_t i = 0; i < yard.seen.size(); ++i) {
     if (!yard.seen[i]) continue;
     const SeenTarget& seen = *yard.seen[i];
-    log_event(log, 0.0, "seen",
-              fmt::format("{} came into sight at {:.1f} s; {} looks put it at ({:.2f}, {:.2f}), {:.0f} mm off",
-                          truth.targets[i].name, seen.first_s, seen.looks, seen.mean.x, seen.mean.y,
-                          1e3 * distance(seen.mean, xy(truth.targets[i].base))));
+    log_event(
+        log, 0.0, "seen",
+        fmt::format("{} came into sight at {:.1f} s; {} looks put it at ({:.2f}, {:.2f}), {:.0f} mm off",
+                    truth.targets[i].name, seen.first_s, seen.looks, seen.mean.x, seen.mean.y,
+                    1e3 * distance(seen.mean, xy(truth.targets[i].base))));
   }
 }
 
@@ -166,8 +169,8 @@ StoreLevels levels_after(const Report& explored, const Supplies& supplies) {
 
 }  // namespace
 
-Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           Log& log, const RunWatch& watch) {
+Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed, Log& log,
+                           const RunWatch& watch) {
   ExploreTask explore = task.explore;
   explore.start = truth.start;
   explore.robot = truth.robot;
@@ -189,8 +192,9 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   return ScoutedYard{std::move(*run), std::move(detector.seen), std::move(*found)};
 }
 
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard, const FiringMap& firing_map,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed, Log& log,
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
+                                 const FiringMap& firing_map, const GuardPlan& plan,
+                                 const GuardOptions& options, std::uint64_t seed, Log& log,
                                  const RunWatch& watch) {
   const GuardProblem& found = yard.found.problem;
   const GuardProblem really = true_yard(truth, yard.found, found.start);
@@ -202,16 +206,15 @@ Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& y
   const double explore_s = metric(explored, "time_s");
   log.begin_at(explore_s);
   log_sightings(log, truth, yard);
-  auto report =
-      run_guard({.problem = found,
-                 .firing_map = firing_map,
-                 .plan = plan,
-                 .options = options,
-                 .seed = seed,
-                 .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)}},
-                log, watch);
-  if (!report) return report;
   log_other_targets(log, truth, yard);
+  auto report = run_guard({.problem = found,
+                           .firing_map = firing_map,
+                           .plan = plan,
+                           .options = options,
+                           .seed = seed,
+                           .truth = TrueYard{really, *true_map, levels_after(explored, truth.supplies)}},
+                          log, watch);
+  if (!report) return report;
   report->tables = {all_targets(*report, truth, yard, explore_s)};
   const double touches =
       metric(explored, "contacts") + contacts(log, explore_s, true_map->ground, truth.robot.radius_m);

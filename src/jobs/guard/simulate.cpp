@@ -47,13 +47,14 @@ Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Fir
   if (!yard) return tl::unexpected<Fault>(yard.error());
   const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());
   if (!stops) return tl::unexpected<Fault>(stops.error());
-  return run_arrivals(*yard, *stops, {*policy, *objective}, arrivals.beam, arrivals, options, seed, log, watch);
+  return run_arrivals(*yard, *stops, {*policy, *objective}, arrivals.beam, arrivals, options, seed, log,
+                      watch);
 }
 
 Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& arrivals,
-                                           const GuardOptions& options, std::uint64_t seed,
-                                           Log& log, const RunWatch& watch) {
+                                           const GuardOptions& options, std::uint64_t seed, Log& log,
+                                           const RunWatch& watch) {
   const auto yard = arrival_yard(problem, firing_map, settled_intruders(problem));
   if (!yard) return tl::unexpected<Fault>(yard.error());
   const auto stops = precompute_stops(problem, firing_map, plan, arrivals, watch.budget());

@@ -55,8 +55,8 @@ std::string passing_lines(const Report& report) {
 
 std::string target_row(const TableRow& row, std::size_t width) {
   if (row.number("shots") == 0.0) {
-    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(row.text("name")), width, printable(row.text("status")),
-                       printable(row.text("reason")));
+    return fmt::format("  {:<{}}  {:<11}  {}\n", printable(row.text("name")), width,
+                       printable(row.text("status")), printable(row.text("reason")));
   }
   return fmt::format("  {:<{}}  {:<11}  {:>5}  {:>6.1f}  {:>15}  {:>6.1f}  {:>6.1f}  {:>7.2f}\n",
                      printable(row.text("name")), width, printable(row.text("status")), row.number("shots"),

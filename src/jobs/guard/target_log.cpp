@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -42,8 +40,6 @@ TargetLog::TargetLog(Log& log, const GuardRun& run) : log_(log), run_(run) {
     }
     told_[i].status = "waiting";
     queue_.note(intruder->enters_s, topic::targets, told_[i]);
-    queue_.note_event(intruder->enters_s, "enter",
-                      fmt::format("{} comes in by {}", intruder->name, intruder->entrance));
     place(intruder->enters_s, i, intruder->from, intruder->from);
     place(intruder->settles_s, i, settled, settled);
   }
@@ -51,8 +47,9 @@ TargetLog::TargetLog(Log& log, const GuardRun& run) : log_(log), run_(run) {
 }
 
 void TargetLog::place(double time_s, std::size_t who, Vec2 at, Vec2 believed) {
-  queue_.note(time_s, topic::target_positions,
-              outrider_msgs::TargetPosition{told_[who].name, {at.x, at.y, heights_m_[who]}, point_of(believed)});
+  queue_.note(
+      time_s, topic::target_positions,
+      outrider_msgs::TargetPosition{told_[who].name, {at.x, at.y, heights_m_[who]}, point_of(believed)});
 }
 
 void TargetLog::note_walker(const GuardMission& mission, std::size_t who) {
@@ -63,29 +60,33 @@ void TargetLog::note_walker(const GuardMission& mission, std::size_t who) {
   }
 }
 
+void TargetLog::place_last(double time_s, std::size_t who) {
+  if (!run_.walkers) return;
+  const Vec2 at = run_.walkers->walks[who].at(time_s);
+  place(time_s, who, at, at);
+}
+
 void TargetLog::note(const GuardMission& mission, double time_s) {
-  for (std::size_t i = 0; run_.walkers && i < told_.size(); ++i) note_walker(mission, i);
-  queue_.flush(log_, time_s);
   for (std::size_t i = 0; i < told_.size(); ++i) {
     const TargetRecord& record = mission.tasks.records[i];
     outrider_msgs::Target& told = told_[i];
+    if (run_.walkers && told.status == "waiting") note_walker(mission, i);
     const auto shots = static_cast<std::uint32_t>(record.shots);
     const std::string_view status = to_string(record.status);
     if (told.shots == shots && told.status == status && told.reason == record.reason) continue;
-    const bool changed = told.status != status;
+    const bool ended = told.status != status && record.status != TargetStatus::waiting;
     told.shots = shots;
     told.status = status;
     told.reason = record.reason;
-    log_.append(topic::targets, changed && record.status != TargetStatus::waiting ? record.done_s : time_s, told);
+    queue_.note(ended ? record.done_s : time_s, topic::targets, told);
+    if (ended) place_last(record.done_s, i);
   }
+  queue_.flush(log_, time_s);
 }
 
 void TargetLog::finish(const GuardMission& mission, double time_s) {
-  for (std::size_t i = 0; run_.walkers && i < told_.size(); ++i) {
-    const TargetRecord& record = mission.tasks.records[i];
-    const double last_s = record.status == TargetStatus::waiting ? time_s : record.done_s;
-    const Vec2 at = run_.walkers->walks[i].at(last_s);
-    place(last_s, i, at, at);
+  for (std::size_t i = 0; i < told_.size(); ++i) {
+    if (mission.tasks.records[i].status == TargetStatus::waiting) place_last(time_s, i);
   }
   note(mission, time_s);
 }

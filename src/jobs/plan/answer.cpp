@@ -220,7 +220,8 @@ Table table_of(const PlanAnswer& answer) {
                "build_s",
                "waypoints",
                "pieces"},
-              {}};
+              {},
+              {"time_s", "build_s"}};
   for (const PlanRow& row : answer.rows) {
     std::vector<TableArc> pieces;
     for (const PathPiece& p : row.pieces) pieces.push_back({p.from, p.to, p.centre, p.turn_rad});

@@ -16,6 +16,11 @@ std::string head(bool numbered) {
                      "exposure", "legs", "expansions", "ms", numbered ? "  goal" : "");
 }
 
+/// Returns a processing time in milliseconds; "-" if it was not stored.
+std::string milliseconds_text(double time_s) {
+  return std::isfinite(time_s) ? fmt::format("{:.2f}", 1e3 * time_s) : "-";
+}
+
 std::string line(const TableRow& row, bool numbered) {
   const Vec2 to = row.get<Vec2>("to");
   const std::string goal = numbered ? fmt::format("  {:g},{:g}", to.x, to.y) : "";
@@ -25,11 +30,11 @@ std::string line(const TableRow& row, bool numbered) {
   if (row.text("status") != "done")
     return fmt::format("{} {}{}\n", before, printable(row.text("reason")), goal);
   const std::size_t points = row.get<std::vector<Vec2>>("waypoints").size();
-  return fmt::format("{} {:>11.3f} {:>11.3f} {:>11.3f} {:<4} {:>8.3f} {:>9.3f} {:>5} {:>10.0f} {:>10.2f}{}\n",
+  return fmt::format("{} {:>11.3f} {:>11.3f} {:>11.3f} {:<4} {:>8.3f} {:>9.3f} {:>5} {:>10.0f} {:>10}{}\n",
                      before, row.number("length_m"), row.number("cost"), row.number("lower_bound"),
                      row.text("cost_unit"), row.number("clearance_m"), row.number("exposure"),
-                     points == 0 ? 0 : points - 1, row.number("expansions"), 1e3 * row.number("time_s"),
-                     goal);
+                     points == 0 ? 0 : points - 1, row.number("expansions"),
+                     milliseconds_text(row.number("time_s")), goal);
 }
 
 }  // namespace

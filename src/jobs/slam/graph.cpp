@@ -183,8 +183,8 @@ void log_others(Log& log, double end_s, const Solved& solved, const Ways& ways, 
   }
 }
 
-/// Logs the graph. The longest path is that of the robot. A graph is solved at once, so the believed poses are the
-/// final poses. Returns the metrics of the log.
+/// Logs the graph. The longest path is that of the robot. A graph is solved at once, so the believed poses
+/// are the final poses. Returns the metrics of the log.
 Metrics log_graph(Log& to, const SlamScenario& scenario, const Solved& solved) {
   const Ways ways(solved.input.graph);
   const std::vector<NodeIndex>& way = ways.main();
@@ -242,8 +242,8 @@ Status solve_graph(const SlamJob& job, GraphInput input, Run& run, const RunWatc
   const auto marginals = marginal_covariances(input.graph, solution->poses);
   const std::vector<Eigen::Matrix3d> covariances = marginals ? *marginals : std::vector<Eigen::Matrix3d>();
   run.report.metrics = metrics_of(input, *solution);
-  const Metrics logged = log_graph(
-      run.log, scenario, {input, *solution, covariances, alignment_to_map(input, solution->poses)});
+  const Metrics logged =
+      log_graph(run.log, scenario, {input, *solution, covariances, alignment_to_map(input, solution->poses)});
   run.report.metrics.insert(run.report.metrics.end(), logged.begin(), logged.end());
   if (!solution->converged) {
     run.report.status = "not_done";

@@ -52,7 +52,9 @@ std::vector<double> times_of(const LandmarkLog& log) {
 class Recorder {
  public:
   Recorder(Log& log, const SlamScenario& scenario, const LandmarkLog& recording)
-      : recording_(recording), log_(log, scenario, scenario.landmarks.engine), times_s_(times_of(recording)) {}
+      : recording_(recording),
+        log_(log, scenario, scenario.landmarks.engine),
+        times_s_(times_of(recording)) {}
 
   void note(const LandmarkSlam& slam, std::size_t step, const StepOutcome& outcome, const Pose2& odometry) {
     const double time_s = times_s_[step];
@@ -76,8 +78,8 @@ class Recorder {
     log_.log().append(topic::landmarks, time_s, message_of(slam.landmarks()));
   }
 
-  /// Logs the final map and path, and returns the length of the path. If landmarks are identified by id, `truth`
-  /// has true places.
+  /// Logs the final map and path, and returns the length of the path. If landmarks are identified by id,
+  /// `truth` has true places.
   double settle(const LandmarkSlam& slam, const LandmarkMap& map, const std::map<std::int64_t, Vec2>& truth,
                 bool by_id) {
     outrider_msgs::Landmarks landmarks = message_of(map);

@@ -6,8 +6,8 @@
 
 #include "outrider/io/map_server.hpp"
 #include "outrider/job/clock.hpp"
-#include "outrider/jobs/slam/laser_run.hpp"
 #include "outrider/job/sensor_log.hpp"
+#include "outrider/jobs/slam/laser_run.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
@@ -68,8 +68,7 @@ class Recorder {
     log_scan(log_.log(), time_s, logged.scan);
     if (outcome.kept || options_.trust_odometry)
       map_.add(log_.log(), outcome.pose, logged.scan, time_s, step + 1);
-    if (outcome.lost)
-      log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
+    if (outcome.lost) log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
     if (outcome.closed_loop) log_loops(slam, slam.trajectory());
   }
 

@@ -1,8 +1,8 @@
 // ScanMap: the occupancy map of the scans of a recording, logged while it grows.
 //
-// add() draws a scan at its believed pose. After loops have moved the poses, finish() draws all scans again at the
-// settled poses. The map equals that of LaserSlam if the scans, the poses and their order are equal. Thread rule: one
-// at a time.
+// add() draws a scan at its believed pose. After loops have moved the poses, finish() draws all scans again
+// at the settled poses. The map equals that of LaserSlam if the scans, the poses and their order are equal.
+// Thread rule: one at a time.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,10 @@ class ScanMap {
   ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser)
       : options_(options), robot_T_laser_(robot_T_laser), map_(options) {}
 
-  /// Adds a scan. `pose_number` is the index of its pose in the argument of finish(). The scan must outlive the map.
-  void add(Log& log, const Pose2& world_T_robot, const LaserScan& scan, double time_s, std::size_t pose_number);
+  /// Adds a scan. `pose_number` is the index of its pose in the argument of finish(). The scan must outlive
+  /// the map.
+  void add(Log& log, const Pose2& world_T_robot, const LaserScan& scan, double time_s,
+           std::size_t pose_number);
   /// Draws all scans again at these poses, and logs the map. O(cells that all scans cross).
   void finish(Log& log, const std::vector<Pose2>& poses, double time_s);
 

@@ -71,7 +71,8 @@ double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>&
     box.include(poses[i].position);
   }
   for (const Vec2 place : reference) box.include(place);
-  std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(times_s_.size(), poses.size())));
+  std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                       times_s_.size(), poses.size())));
   log_.append(topic::trajectory, end_s(), path_of(times_s, poses));
   if (!reference.empty()) log_.append(topic::reference, end_s(), path_of(0.0, reference));
   if (!box.empty()) box = box.grown(0.5 + 0.01 * norm(box.size()));

@@ -1,7 +1,7 @@
 // SlamLog: what the job slam logs while it maps a recording.
 //
-// Each step of the recording gives a belief and the pose by odometry alone. settle() logs the final path and a
-// reference. Thread rule: one at a time.
+// Each step of the recording gives a belief and the pose by odometry alone. settle() logs the final path and
+// a reference. Thread rule: one at a time.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,9 @@
 
 namespace outrider {
 
-/// Returns the time of each step since the first one, s. A time that goes back counts as the one before. A recording
-/// without times, or whose times increase in fewer than nine of ten steps, gets 0.1 s for each step. O(steps).
+/// Returns the time of each step since the first one, s. A time that goes back counts as the one before. A
+/// recording without times, or whose times increase in fewer than nine of ten steps, gets 0.1 s for each
+/// step. O(steps).
 std::vector<double> run_times(const std::vector<double>& recorded_s);
 
 /// Returns the name of the recording.
@@ -40,8 +41,8 @@ class SlamLog {
   };
   void note(const Step& step);
 
-  /// Logs the final path, with one pose for each step, and a reference in the same frame, which may be empty. Logs the
-  /// bounds of everything, `others` included. Returns the length of the path, m.
+  /// Logs the final path, with one pose for each step, and a reference in the same frame, which may be empty.
+  /// Logs the bounds of everything, `others` included. Returns the length of the path, m.
   double settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 others = {});
 
   [[nodiscard]] double end_s() const { return times_s_.empty() ? 0.0 : times_s_.back(); }

@@ -62,15 +62,15 @@ TEST(CarmenLog, RefusesBrokenLinesByTheirNumber) {
       {"ODOM 1 2\n", "robot.log:1", "ODOM x y heading"},
       {"ODOM\n", "robot.log:1", "ODOM x y heading"},
       {"ODOM 1 2 inf\n", "robot.log:1", "'inf'"},
-      {"PARAM a b\nFLASER 3 1 2\n", "robot.log:2", "expected 10"},
+      {"PARAM a b\nFLASER 3 1 2\n", "robot.log:2", "10 are expected"},
       {"FLASER\n", "robot.log:1", "number of beams"},
       {"FLASER -1 0 0 0 0 0 0 0 h 0\n", "robot.log:1", "'-1'"},
       {"FLASER 99999999999 1\n", "robot.log:1", "'99999999999'"},
       {"FLASER 1 one 0 0 0 0 0 0 0 h 0\n", "robot.log:1", "'one'"},
       {"FLASER 1 1 0 0 x 0 0 0 0 h 0\n", "robot.log:1", "'x'"},
       {"FLASER 1 1 0 0 0 0 0 0 now h 0\n", "robot.log:1", "'now'"},
-      {"ODOM 1 2 3\n", "robot.log", "FLASER line at least"},
-      {"", "robot.log", "FLASER line at least"},
+      {"ODOM 1 2 3\n", "robot.log", "at least one FLASER line"},
+      {"", "robot.log", "at least one FLASER line"},
   };
   for (const auto& c : cases) {
     const auto log = read(c.text);

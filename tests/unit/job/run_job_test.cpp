@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "outrider/log/append.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -17,21 +18,22 @@ class Count final : public JobTask {
     return Warnings{"counting is slow"};
   }
 
-  Outcome<Run> run(const RunWatch& watch) override {
+  Status run(Run& run, const RunWatch& watch) override {
     RunSteps steps(watch, 1);
-    if (auto ok = steps.next("counting"); !ok) return pass_on(ok);
-    Report report;
-    report.job = job;
+    if (auto ok = steps.next("counting"); !ok) return ok;
+    Report& report = run.report;
     report.status = "done";
+    run.files = {{"list.txt", list}};
     for (std::int64_t i = 0; i < to; ++i) {
       steps.inner().part(static_cast<double>(i + 1) / static_cast<double>(to));
       report.metrics = {{"count", static_cast<double>(i + 1)}};
+      log_event(run.log, static_cast<double>(i + 1), "number", std::to_string(i + 1));
       if (watch.stopped()) {
-        mark_cancelled(report, static_cast<double>(i + 1));
+        mark_cancelled(report, run.log, static_cast<double>(i + 1));
         break;
       }
     }
-    return Run{std::move(report), {{"list.txt", list}}};
+    return {};
   }
 
   std::int64_t to = 3;
@@ -63,6 +65,25 @@ TEST(RunJob, ReadsChangesAndRuns) {
   const std::vector<std::pair<std::string, std::string>> settings = {
       {"job", "count"}, {"to", "5"}, {"list", run->files.front().content}, {"pace.every", "2 s"}};
   EXPECT_EQ(run->report.settings, settings);
+}
+
+/// Counts the messages of a run that it receives.
+class Counter final : public LogSink {
+ public:
+  void add_channel(const Channel& channel) override { topics.push_back(channel.topic); }
+  void append(std::size_t, std::int64_t, std::string_view) override { ++messages; }
+  std::vector<std::string> topics;
+  int messages = 0;
+};
+
+TEST(RunJob, ASinkReceivesTheMessagesOfTheLog) {
+  Count task;
+  Counter counter;
+  const auto run = run_task(counting.front(), task, {.sinks = {&counter}});
+  ASSERT_TRUE(run) << to_string(run.error());
+  EXPECT_EQ(counter.topics, std::vector<std::string>{"/rosout"});
+  EXPECT_EQ(counter.messages, 3);
+  EXPECT_EQ(events_of(run->log, "number").size(), 3U);
 }
 
 TEST(RunJob, RefusesWithTheKeyAndTheNearestOne) {
@@ -111,6 +132,8 @@ TEST(RunJob, StoppedBeforeOrInTheMiddleItIsCancelled) {
   ASSERT_TRUE(middle);
   EXPECT_EQ(middle->report.status, "cancelled");
   EXPECT_EQ(metric(middle->report, "count"), 6.0) << "what was done is kept";
+  ASSERT_EQ(events_of(middle->log, "cancelled").size(), 1U);
+  EXPECT_EQ(events_of(middle->log, "cancelled")[0].time_s(), 6.0);
   const auto before = run_task(counting.front(), task, watch);
   ASSERT_TRUE(before);
   EXPECT_EQ(before->report.status, "cancelled");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "outrider/log/ros_messages.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
 
 namespace outrider {
 namespace {

@@ -1,14 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 
 #include "outrider/core/rng.hpp"
 #include "outrider/report/discovery.hpp"
 #include "outrider/report/json.hpp"
-#include "outrider/report/pictures.hpp"
 #include "sample_explore.hpp"
 #include "support/random_cases.hpp"
 
@@ -106,7 +103,7 @@ TEST(ExploreReport, ReadsBackByteEqual) {
 }
 
 TEST(ExploreReport, KeepsWhatTheRobotSensesWithAndWhatItStandsOn) {
-  Report report = test::sample_explore();
+  PageReport report = test::sample_explore();
   EXPECT_EQ(to_json(report).find("\"laser\""), std::string::npos);  // what is not known is left out
   report.explore->laser = ReportLaser{360, 3.5, 0.18, {{0.05, 0.0}, 0.1}};
   report.drive.emplace().camera = ReportCamera{1920, 1080, 701.1, 697.1, 962.4, 524.4, 0.1, 0.2};
@@ -129,27 +126,6 @@ TEST(ExploreReport, FaultsNameThePlace) {
   const auto report = report_from_json(text);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().where, "explore.map.state_runs");
-}
-
-TEST(ExploreReport, PictureGrowsAndEscapesNames) {
-  const Report report = test::sample_explore();
-  const std::string picture = to_animated_svg(report, 12.0);
-  if (const char* folder = std::getenv("OUTRIDER_PICTURES")) {
-    std::ofstream(std::string(folder) + "/explore.svg") << picture;
-  }
-  EXPECT_NE(picture.find("three &lt;rooms&gt;"), std::string::npos);
-  EXPECT_NE(picture.find("no place &lt;near&gt; it"), std::string::npos);
-  EXPECT_NE(picture.find("<animate"), std::string::npos);
-  EXPECT_EQ(picture.find("nan"), std::string::npos);
-}
-
-TEST(ExploreReport, PictureOfAMapThatIsCutShortIsStillOne) {
-  Report report = test::sample_explore();
-  report.explore->map.state_runs.resize(7);
-  report.explore->map.known_runs = {99999, 1000000000};
-  EXPECT_NE(to_animated_svg(report, 12.0).find("</svg>"), std::string::npos);
-  report.explore->map.columns = report.explore->map.rows = 1000000000;
-  EXPECT_NE(to_animated_svg(report, 12.0).find("</svg>"), std::string::npos);
 }
 
 }  // namespace

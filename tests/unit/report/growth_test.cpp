@@ -15,8 +15,8 @@ namespace outrider {
 namespace {
 
 /// Everything that a report may tell of, in one.
-Report everything() {
-  Report report = test::sample_report();
+PageReport everything() {
+  PageReport report = test::sample_report();
   report.explore = test::sample_explore().explore;
   ReportDrive& drive = report.drive.emplace();
   drive.loop = "closed";
@@ -52,7 +52,7 @@ void cut(std::vector<T>& list, double part) {
 }
 
 /// The report when that part of it had happened; the targets stand as they end from the middle on.
-Report at(Report report, double part) {
+PageReport at(PageReport report, double part) {
   cut(report.paths, part);
   cut(report.shots, part);
   cut(report.events, part);
@@ -90,7 +90,7 @@ void replace(std::vector<T>& old, const std::vector<T>& by) {
   if (!by.empty()) old = by;
 }
 
-void join(Report& joined, const Report& delta) {
+void join(PageReport& joined, const PageReport& delta) {
   append(joined.paths, delta.paths);
   append(joined.shots, delta.shots);
   append(joined.events, delta.events);
@@ -117,15 +117,15 @@ void join(Report& joined, const Report& delta) {
 }
 
 TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
-  const Report whole = everything();
-  Report expected = whole;
+  const PageReport whole = everything();
+  PageReport expected = whole;
   expected.status = "running";
   expected.reason.clear();
   expected.metrics.clear();
   Rng rng(7);
   for (int i = 0; i < testing::cases(20); ++i) {
     ReportGrowth growth;
-    Report joined = growth.delta(at(whole, 0.0));
+    PageReport joined = growth.delta(at(whole, 0.0));
     EXPECT_EQ(joined.job, whole.job);
     EXPECT_EQ(joined.solids.size(), whole.solids.size());
     std::vector<double> parts(static_cast<std::size_t>(i % 7));
@@ -133,7 +133,7 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
     std::ranges::sort(parts);
     parts.push_back(1.0);
     for (const double part : parts) {
-      const Report delta = growth.delta(at(whole, part));
+      const PageReport delta = growth.delta(at(whole, part));
       EXPECT_EQ(delta.job, "");
       EXPECT_TRUE(delta.solids.empty());
       join(joined, delta);
@@ -145,7 +145,7 @@ TEST(ReportGrowth, PutTogetherInAnyPartsItIsTheReport) {
 TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
   ReportGrowth growth;
   growth.delta(everything());
-  const Report nothing = growth.delta(everything());
+  const PageReport nothing = growth.delta(everything());
   EXPECT_TRUE(nothing.track.empty() && nothing.events.empty() && nothing.shots.empty() &&
               nothing.paths.empty());
   EXPECT_TRUE(nothing.targets.empty() && nothing.drive->stops.empty() && nothing.drive->beliefs.empty());
@@ -158,11 +158,11 @@ TEST(ReportGrowth, WhatIsToldIsNotToldAgain) {
 
 TEST(ReportGrowth, AnotherJobBeginsAnewAndItsListsGoOn) {
   ReportGrowth growth;
-  Report report = everything();
+  PageReport report = everything();
   report.job = "explore";
   growth.delta(at(report, 0.5));
   report.job = "guard";
-  const Report delta = growth.delta(report);
+  const PageReport delta = growth.delta(report);
   EXPECT_EQ(delta.job, "guard");
   EXPECT_EQ(delta.solids.size(), report.solids.size());
   EXPECT_EQ(delta.track.size(), report.track.size() - at(report, 0.5).track.size());

@@ -27,7 +27,7 @@ std::string embedded(const std::string& page) {
 }
 
 TEST(ReplayPage, HoldsTheWholeReport) {
-  const Report report = test::sample_report();
+  const PageReport report = test::sample_report();
   const auto back = report_from_json(embedded(to_html(report, viewer)));
   ASSERT_TRUE(back) << to_string(back.error());
   EXPECT_EQ(to_json(*back), to_json(report));
@@ -38,7 +38,7 @@ TEST(ReplayPage, NamesCannotBreakOut) {
   for (const std::string name :
        {"</script><script>alert(1)</script>", "<!--<script>", "</title><img onerror=alert(1)>",
         "@TITLE@ @REPORT@", "\"'`&<>", "]]>", "\xE2\x80\xA8", "\xff\xfe</script>"}) {
-    Report report = test::sample_report();
+    PageReport report = test::sample_report();
     report.world_name = report.job = report.reason = name;
     report.targets[0].name = report.solids[2].name = report.shots[0].contact = name;
     report.metrics.emplace_back(name, 1.0);
@@ -57,7 +57,7 @@ TEST(ReplayPage, NamesCannotBreakOut) {
 }
 
 TEST(ReplayPage, FillsEachMarkerOnce) {
-  Report report = test::sample_report();
+  PageReport report = test::sample_report();
   report.world_name = "@REPORT@";
   const std::string page = to_html(report, viewer);
   EXPECT_TRUE(page.starts_with("<!doctype html><title>guard: @REPORT@</title>"));
@@ -67,7 +67,7 @@ TEST(ReplayPage, FillsEachMarkerOnce) {
 
 TEST(ReplayPage, IsTheSameTwice) {
   EXPECT_EQ(to_html(test::sample_report(), viewer), to_html(test::sample_report(), viewer));
-  EXPECT_FALSE(to_html(Report{}, viewer).empty());
+  EXPECT_FALSE(to_html(PageReport{}, viewer).empty());
 }
 
 }  // namespace

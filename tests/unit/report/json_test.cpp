@@ -40,7 +40,7 @@ TEST(ReportJson, ReadsBackByteEqual) {
 }
 
 TEST(ReportJson, KeepsShotsAndTargetsExactly) {
-  const Report before = test::sample_report();
+  const PageReport before = test::sample_report();
   const auto after = report_from_json(to_json(before));
   ASSERT_TRUE(after);
   EXPECT_EQ(after->seed, before.seed);
@@ -73,10 +73,10 @@ TEST(ReportJson, KeepsShotsAndTargetsExactly) {
 }
 
 TEST(ReportJson, ReadsBackTheEmptyReport) {
-  const auto report = report_from_json(to_json(Report{}));
+  const auto report = report_from_json(to_json(PageReport{}));
   ASSERT_TRUE(report) << to_string(report.error());
   EXPECT_TRUE(report->bounds.empty());
-  EXPECT_EQ(to_json(*report), to_json(Report{}));
+  EXPECT_EQ(to_json(*report), to_json(PageReport{}));
 }
 
 TEST(ReportJson, HasItsKeysInOrderEachOnALine) {
@@ -93,7 +93,7 @@ TEST(ReportJson, HasItsKeysInOrderEachOnALine) {
 TEST(ReportJson, WritesNumbersThatAreNoneAsNull) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   constexpr double endless = std::numeric_limits<double>::infinity();
-  Report report = test::sample_report();
+  PageReport report = test::sample_report();
   report.metrics.emplace_back("ratio", none);
   report.targets[0].clearance_m = endless;
   report.targets[1].pose = {{none, none}, none};
@@ -160,7 +160,7 @@ TEST(ReportJson, RefusesWhatIsNoReport) {
 }
 
 TEST(ReportJson, MendsNamesThatAreNoUtf8) {
-  Report report = test::sample_report();
+  PageReport report = test::sample_report();
   report.targets[0].name = "cat \xff\xfe";
   report.world_name = "a \"quoted\"\n\x01 yard";
   const std::string text = to_json(report);

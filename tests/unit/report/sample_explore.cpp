@@ -31,7 +31,7 @@ bool seen(Vec2 from, Vec2 to) {
   return true;
 }
 
-void drive(Report& report) {
+void drive(PageReport& report) {
   double time_s = 0.0;
   for (std::size_t leg = 0; leg + 1 < way.size(); ++leg) {
     const Vec2 along = way[leg + 1] - way[leg];
@@ -50,8 +50,8 @@ void drive(Report& report) {
 
 }  // namespace
 
-Report sample_explore() {
-  Report report;
+PageReport sample_explore() {
+  PageReport report;
   report.job = "explore";
   report.status = "done";
   report.reason = "complete";

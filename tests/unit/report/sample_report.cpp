@@ -102,7 +102,7 @@ class Run {
     report_.track.push_back(now_);
   }
 
-  Report finished() {
+  PageReport finished() {
     for (const Intruder& cat : intruders) guard(cat);
     report_.status = "not_done";
     report_.job = "guard";
@@ -272,7 +272,7 @@ class Run {
     shot.profile.push_back({"ground", {{-1e3, -1e3}, {1e3, -1e3}, {1e3, 0}, {-1e3, 0}}});
   }
 
-  Report report_;
+  PageReport report_;
   TrackSample now_;
   double driven_ = 0.0;
   double turned_ = 0.0;
@@ -280,6 +280,6 @@ class Run {
 
 }  // namespace
 
-Report sample_report() { return Run().finished(); }
+PageReport sample_report() { return Run().finished(); }
 
 }  // namespace outrider::test

@@ -2,10 +2,10 @@
 // every status, a drive between the shots, flights that are true parabolas and end on true boxes.
 #pragma once
 
-#include "outrider/report/report.hpp"
+#include "outrider/report/page_report.hpp"
 
 namespace outrider::test {
 
-Report sample_report();
+PageReport sample_report();
 
 }  // namespace outrider::test

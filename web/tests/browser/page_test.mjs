@@ -180,7 +180,7 @@ const cases = {
   },
 
   async "the viewer is one file that shows the same, dark, on a phone"() {
-    const page = await open(`file://${makeViewer(folder, "reports/yard.json")}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
+    const page = await open(`file://${makeViewer(folder)}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict"), /targets reached/);
     await frames(page);
@@ -189,7 +189,7 @@ const cases = {
   },
 
   async "frames of a film are the same twice, and the SVG looks as the view does"() {
-    const page = await open(`file://${makeViewer(folder, "reports/yard.json")}#?t=20`);
+    const page = await open(`file://${makeViewer(folder)}#?t=20`);
     await page.waitForSelector(".targets tbody");
     await frames(page);
     const film = (from, to) => saved(page, async () => {

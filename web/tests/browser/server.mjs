@@ -34,9 +34,10 @@ export async function serve(folder) {
   return { url, stop: () => new Promise((resolve) => { child.on("exit", resolve); child.kill("SIGTERM"); }) };
 }
 
-/** The viewer as one file, of a report. */
-export function makeViewer(folder, report) {
+/** The viewer as one file, of a run of the yard. */
+export function makeViewer(folder) {
   const page = join(folder, "viewer.html");
-  execFileSync(tool, ["replay", join(folder, report), "--html", page], { stdio: "ignore" });
+  execFileSync(tool, ["run", join(folder, "yard/yard.yaml"), "--out", join(folder, "yard-run")], { stdio: "ignore" });
+  execFileSync(tool, ["replay", join(folder, "yard-run"), "--html", page], { stdio: "ignore" });
   return page;
 }

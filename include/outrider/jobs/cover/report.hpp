@@ -1,4 +1,5 @@
-// cover_report() and log_cover() tell what a coverage run came to. They are pure functions of their arguments.
+// cover_report() and log_cover() tell what a coverage run came to. They are pure functions of their
+// arguments.
 #pragma once
 
 #include <cstdint>

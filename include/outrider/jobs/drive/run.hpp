@@ -12,8 +12,8 @@
 
 namespace outrider {
 
-/// Drives the task with a simulated robot, and logs the drive. If `rendered` is true, images are rendered and tags
-/// are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
+/// Drives the task with a simulated robot, and logs the drive. If `rendered` is true, images are rendered and
+/// tags are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
 /// (sim/tag_model.hpp). The status is "done" if the robot reached every waypoint and touched nothing. A pure
 /// function of its arguments. `watch` receives the fraction of the stops that are
 /// reached. Metrics:
@@ -23,8 +23,8 @@ namespace outrider {
 ///   time_s                 until the last stop
 ///   clearance_m            smallest distance of the robot's disk to an obstacle or the edge, at most 1
 /// and the table "waypoints" has the waypoints with the errors at them.
-Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed, Log& log,
-                 const RunWatch& watch = {});
+Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
+                 Log& log, const RunWatch& watch = {});
 
 /// Returns runs for the calibration of that robot. For each direction and each of 5 durations it drives
 /// `repeats` times from rest to rest with a full battery at the speeds of the task. The measured ends have

@@ -25,12 +25,11 @@ struct ExploreRun {
   Pose2 true_pose;           ///< final true pose
 };
 
-/// Explores the world with a simulated robot, and logs the exploration. The status is "done" if the exploration is
-/// complete, the robot is home (if it has to return) and it touched nothing. A world that the robot can leave
-/// is open: there the robot turns back with the reason "leak" once its map is larger than the box of all
-/// obstacles plus twice the range of the laser, whatever most_extent allows. A pure function of its arguments
-/// except for machine_times. Faults: those of begin()
-/// and of exploration_reference(). Metrics:
+/// Explores the world with a simulated robot, and logs the exploration. The status is "done" if the
+/// exploration is complete, the robot is home (if it has to return) and it touched nothing. A world that the
+/// robot can leave is open: there the robot turns back with the reason "leak" once its map is larger than the
+/// box of all obstacles plus twice the range of the laser, whatever most_extent allows. A pure function of
+/// its arguments except for machine_times. Faults: those of begin() and of exploration_reference(). Metrics:
 ///   explored_fraction, map_error_m, mapped_free_m2   of reference.hpp; seeable_m2 and reachable_m2, too
 ///   time_s, distance_m, turned_rad   of the true robot, until the end
 ///   decisions, max_decision_s        number of decisions, and the longest one in processor time,

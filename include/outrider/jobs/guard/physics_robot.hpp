@@ -14,8 +14,8 @@
 #include "outrider/core/rng.hpp"
 #include "outrider/jobs/guard/firing_map.hpp"
 #include "outrider/jobs/guard/rigid_world.hpp"
-#include "outrider/robot/mission.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/robot/mission.hpp"
 #include "outrider/sim/record.hpp"
 
 namespace outrider {

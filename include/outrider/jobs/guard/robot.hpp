@@ -7,9 +7,11 @@
 
 namespace outrider {
 
-/// Makes the robot. The problem, the firing map and the log must outlive it. All errors are drawn from named random
-/// streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most full.
+/// Makes the robot. The problem, the firing map and the log must outlive it. All errors are drawn from named
+/// random streams of the seed: arrival, gun, timing, survival, sight. The stores begin at `levels`, at most
+/// full.
 SimulatedRobot simulated_guard(const GuardProblem& problem, const FiringMap& firing_map, Log& log,
-                               std::uint64_t seed, TargetSimParams targets = {}, const StoreLevels& levels = {});
+                               std::uint64_t seed, TargetSimParams targets = {},
+                               const StoreLevels& levels = {});
 
 }  // namespace outrider

@@ -39,9 +39,9 @@ struct GuardRun {
   bool rigid = false;                     ///< simulate rigid bodies
 };
 
-/// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the arguments,
-/// except for the watch. Its status is "done" if every target that can be hit was hit and no store fell below zero.
-/// Metrics:
+/// Simulates and logs the mission, and returns what it came to. Log and report are pure functions of the
+/// arguments, except for the watch. Its status is "done" if every target that can be hit was hit and no store
+/// fell below zero. Metrics:
 ///   targets, reached, failed, unreachable, mission_s, driven_m, turned_rad, shots   always
 ///   planned_s, expected_s, lower_bound_s, gap, anywhere_lower_bound_s, anywhere_gap, tour_proven,
 ///   stops_offered, stops, places, reached_by_reference_rule                         still targets

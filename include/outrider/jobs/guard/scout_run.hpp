@@ -31,8 +31,8 @@ struct ScoutedYard {
 
 /// Explores the yard of `truth`. After a stop request only `run` is set. Faults: those of run_explore() and
 /// found_yard(), and no_path if the robot is lost.
-Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed,
-                           Log& log, const RunWatch& watch = {});
+Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed, Log& log,
+                           const RunWatch& watch = {});
 
 /// Carries out a plan in the true yard. The plan was made for `yard.found`, with its firing map `firing_map`.
 /// The log has the exploration, and its times continue from there. The status
@@ -40,8 +40,9 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
 /// obstacle. Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
 /// contacts. mission_s, driven_m and turned_rad include the exploration. Faults: those of build_firing_map()
 /// for the true yard.
-Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard, const FiringMap& firing_map,
-                                 const GuardPlan& plan, const GuardOptions& options, std::uint64_t seed, Log& log,
+Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
+                                 const FiringMap& firing_map, const GuardPlan& plan,
+                                 const GuardOptions& options, std::uint64_t seed, Log& log,
                                  const RunWatch& watch = {});
 
 }  // namespace outrider

@@ -20,8 +20,8 @@ Outcome<Report> simulate_arriving_targets(const GuardProblem& problem, const Fir
 /// precompute_stops().
 Outcome<Report> simulate_surviving_targets(const GuardProblem& problem, const FiringMap& firing_map,
                                            const GuardPlan& plan, const ArrivalOptions& arrivals,
-                                           const GuardOptions& options, std::uint64_t seed,
-                                           Log& log, const RunWatch& watch = {});
+                                           const GuardOptions& options, std::uint64_t seed, Log& log,
+                                           const RunWatch& watch = {});
 
 /// Simulates intruders that walk about. Their walks are drawn from the seed; the visit map is learned from
 /// the history. Faults: those of draw_walks() and plan_moving().

@@ -1,5 +1,5 @@
-// PursuitLog logs a pursuit, and pursuit_report() tells what it came to. Both are pure functions of the run and use
-// no wall clock, so the same run gives the same bytes.
+// PursuitLog logs a pursuit, and pursuit_report() tells what it came to. Both are pure functions of the run
+// and use no wall clock, so the same run gives the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace outrider {
 
-/// Logs a pursuit. A cell is 1 m. The map is logged with at most 500 cells a side: a larger map is averaged over
-/// square blocks, and a block with more walls than free cells is a wall. Thread rule: one at a time.
+/// Logs a pursuit. A cell is 1 m. The map is logged with at most 500 cells a side: a larger map is averaged
+/// over square blocks, and a block with more walls than free cells is a wall. Thread rule: one at a time.
 class PursuitLog {
  public:
   /// Logs what stands still, and the path of the target. The log and the problem must outlive this object.

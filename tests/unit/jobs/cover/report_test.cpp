@@ -5,6 +5,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/cover/mission.hpp"
 #include "outrider/report/json.hpp"
+#include "outrider/report/page_report.hpp"
 #include "support/cover_areas.hpp"
 #include "support/random_cases.hpp"
 
@@ -28,7 +29,7 @@ CoverRun run_of(const CoverProblem& problem, const char* method, std::uint64_t s
 struct Case {
   CoverProblem problem;
   CoverRun run;
-  Report report;
+  PageReport report;
 };
 
 std::vector<Case> made_cases() {
@@ -41,7 +42,9 @@ std::vector<Case> made_cases() {
   std::vector<Case> cases;
   for (const CoverProblem& problem : problems) {
     CoverRun run = run_of(problem, cases.empty() ? "spiral" : "boustrophedon", 3);
-    Report report = cover_report(problem, run, 3, "area");
+    Log log;
+    log_cover(log, problem, run, 3, "area");
+    PageReport report = page_report(cover_report(problem, run, "area"), log);
     cases.push_back({problem, std::move(run), std::move(report)});
   }
   return cases;
@@ -53,12 +56,12 @@ const std::vector<Case>& all_cases() {
 }
 
 /// The way until then.
-std::vector<Vec2> way_until(const std::vector<TrackSample>& track, double time_s) {
+std::vector<Vec2> way_until(const std::vector<TimedPose>& track, double time_s) {
   std::vector<Vec2> way;
   for (std::size_t i = 0; i < track.size() && track[i].time_s <= time_s; ++i)
     way.push_back(track[i].pose.position);
   if (way.size() < track.size()) {
-    const TrackSample &a = track[way.size() - 1], &b = track[way.size()];
+    const TimedPose &a = track[way.size() - 1], &b = track[way.size()];
     const double part = (time_s - a.time_s) / (b.time_s - a.time_s);
     way.push_back(a.pose.position + part * (b.pose.position - a.pose.position));
   }
@@ -67,7 +70,13 @@ std::vector<Vec2> way_until(const std::vector<TrackSample>& track, double time_s
 
 TEST(CoverReport, TheTrackIsTheDrive) {
   for (const auto& [problem, run, report] : all_cases()) {
-    const auto& track = report.track;
+    const auto& track = run.drive.track;
+    ASSERT_EQ(report.track.size(), track.size());
+    for (std::size_t i = 0; i < track.size(); ++i) {
+      EXPECT_EQ(nanoseconds(report.track[i].time_s), nanoseconds(track[i].time_s));
+      EXPECT_EQ(report.track[i].pose.position, track[i].pose.position);
+      EXPECT_NEAR(wrap_angle(report.track[i].pose.heading_rad - track[i].pose.heading_rad), 0.0, 1e-12);
+    }
     EXPECT_EQ(track.front().time_s, 0.0);
     EXPECT_EQ(track.front().pose.position, report.start.position);
     EXPECT_EQ(track.back().time_s, run.drive.time_s);
@@ -77,7 +86,7 @@ TEST(CoverReport, TheTrackIsTheDrive) {
       length += distance(track[i - 1].pose.position, track[i].pose.position);
     EXPECT_NEAR(length, run.drive.length_m, 1e-9 * length);
     std::size_t found = 0;  // every point of the way, at its time
-    for (const TrackSample& sample : track) {
+    for (const TimedPose& sample : track) {
       if (found < run.drive.way.size() && sample.time_s == run.drive.times_s[found]) {
         EXPECT_EQ(sample.pose.position, run.drive.way[found]);
         ++found;
@@ -91,9 +100,10 @@ TEST(CoverReport, TheTrackIsTheDrive) {
 TEST(CoverReport, TheTrackKeepsTheLimitsOfTheRobot) {
   for (const auto& [problem, run, report] : all_cases()) {
     const Pace& pace = problem.pace;
+    const auto& track = run.drive.track;
     double speed_before = 0.0, rate_before = 0.0, span_before = 0.0;
-    for (std::size_t i = 1; i < report.track.size(); ++i) {
-      const TrackSample &a = report.track[i - 1], &b = report.track[i];
+    for (std::size_t i = 1; i < track.size(); ++i) {
+      const TimedPose &a = track[i - 1], &b = track[i];
       const double span = b.time_s - a.time_s;
       ASSERT_GT(span, 0.0);
       const double way = distance(a.pose.position, b.pose.position), speed = way / span;
@@ -131,7 +141,7 @@ TEST(CoverReport, WhatIsCoveredByThenAgreesWithARaster) {
     const Box2 box = bounds_of(run.plan.ground.reach);
     const double cell = box.size().x / 120.0;
     for (const std::size_t i : {0U, 17U, 41U}) {
-      const auto way = way_until(report.track, rows[i].time_s);
+      const auto way = way_until(run.drive.track, rows[i].time_s);
       double covered = 0.0, overlap = 0.0;
       for (double x = box.low.x + 0.5 * cell; x < box.high.x; x += cell) {
         for (double y = box.low.y + 0.5 * cell; y < box.high.y; y += cell) {
@@ -153,7 +163,9 @@ TEST(CoverReport, PassesAndEventsTellTheWholeDrive) {
     const auto& passes = report.cover->passes;
     EXPECT_EQ(passes.front().start_s, 0.0);
     EXPECT_EQ(passes.back().end_s, run.drive.time_s);
-    for (std::size_t i = 1; i < passes.size(); ++i) EXPECT_EQ(passes[i].start_s, passes[i - 1].end_s);
+    for (std::size_t i = 1; i < passes.size(); ++i) {
+      EXPECT_EQ(nanoseconds(passes[i].start_s), nanoseconds(passes[i - 1].end_s));
+    }
     const auto count = [](const auto& all, const auto& is) {
       return static_cast<std::size_t>(std::ranges::count_if(all, is));
     };

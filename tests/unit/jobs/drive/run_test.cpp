@@ -8,6 +8,7 @@
 #include "outrider/report/json.hpp"
 #include "support/costly_cases.hpp"
 #include "support/curious.hpp"
+#include "support/paged.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -41,7 +42,7 @@ struct Worst {
   double position_m = 0.0;
   double heading_rad = 0.0;
 };
-Worst worst_of(const Report& report) {
+Worst worst_of(const PageReport& report) {
   Worst worst;
   for (const ReportStop& stop : report.drive->stops) {
     worst.position_m = std::max({worst.position_m, std::abs(stop.error.x), std::abs(stop.error.y)});
@@ -50,8 +51,16 @@ Worst worst_of(const Report& report) {
   return worst;
 }
 
+PageReport driven(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
+                  const RunWatch& watch = {}) {
+  const auto run = testing::paged(watch, [&](Log& log) -> Outcome<Report> {
+    return run_drive(task, params, rendered, seed, log, watch);
+  });
+  return run.value();
+}
+
 void expect_arrives(const DriveTask& task, std::uint64_t seed, double most_ratio) {
-  const Report report = run_drive(task, faults(), false, seed);
+  const PageReport report = driven(task, faults(), false, seed);
   ASSERT_EQ(report.status, "done") << report.reason;
   EXPECT_LE(worst_of(report).position_m, 0.03) << seed;
   EXPECT_LE(worst_of(report).heading_rad, 0.03) << seed;
@@ -82,7 +91,7 @@ TEST(DriveRun, RenderedImagesSayTheSame) {
   DriveTask task = waypoints();
   task.waypoints = {{{{0.5, 0}, 0}}, {{{0.5, 0.5}, pi / 4}}};
   task.eye.rate_hz = 5.0;
-  const Report report = run_drive(task, faults(), true, 1);
+  const PageReport report = driven(task, faults(), true, 1);
   ASSERT_EQ(report.status, "done") << report.reason;
   EXPECT_LE(worst_of(report).position_m, 0.03);
   EXPECT_LE(worst_of(report).heading_rad, 0.03);
@@ -101,8 +110,8 @@ TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
   calibrated.calibration = fit->calibration;
   for (int seed = 1; seed <= testing::cases(20); ++seed) {
     const auto number = static_cast<std::uint64_t>(seed);
-    const Worst before = worst_of(run_drive(raw, faults(), false, number));
-    const Worst after = worst_of(run_drive(calibrated, faults(), false, number));
+    const Worst before = worst_of(driven(raw, faults(), false, number));
+    const Worst after = worst_of(driven(calibrated, faults(), false, number));
     EXPECT_GT(before.position_m, 0.1);
     EXPECT_LE(before.position_m, 0.3048);
     EXPECT_LE(before.heading_rad, radians(30.0));
@@ -114,7 +123,7 @@ TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
 TEST(DriveRun, ABlindedRobotStopsAndSaysSo) {
   DriveSimParams params = faults();
   params.sight.blind_from_s = 8.0;
-  const Report report = run_drive(waypoints(), params, false, 1);
+  const PageReport report = driven(waypoints(), params, false, 1);
   EXPECT_EQ(report.status, "not_done");
   EXPECT_NE(report.reason.find("lost: the belief"), std::string::npos) << report.reason;
   const Pose2 last = report.track.back().pose, before = report.track[report.track.size() - 2].pose;
@@ -126,7 +135,7 @@ TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
   for (int seed = 1; seed <= testing::cases(5); ++seed) {
     DriveSimParams params = faults();
     params.kidnapping.at_s = 6.0;
-    const Report report = run_drive(waypoints(), params, false, static_cast<std::uint64_t>(seed));
+    const PageReport report = driven(waypoints(), params, false, static_cast<std::uint64_t>(seed));
     EXPECT_EQ(report.status, "not_done");
     EXPECT_NE(report.reason.find("lost"), std::string::npos) << report.reason;
     EXPECT_EQ(report.events.back().kind, "lost");
@@ -134,12 +143,12 @@ TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
 }
 
 TEST(DriveRun, SameSeedSameBytes) {
-  const Report report = run_drive(waypoints(), faults(), false, 7);
+  const PageReport report = driven(waypoints(), faults(), false, 7);
   const std::string once = to_json(report);
   testing::Curious curious;
-  EXPECT_EQ(once, to_json(run_drive(waypoints(), faults(), false, 7, {.observer = &curious})));
+  EXPECT_EQ(once, to_json(driven(waypoints(), faults(), false, 7, {.sinks = {&curious}})));
   curious.expect_to_have_seen(report);
-  EXPECT_NE(once, to_json(run_drive(waypoints(), faults(), false, 8)));
+  EXPECT_NE(once, to_json(driven(waypoints(), faults(), false, 8)));
   const auto read = report_from_json(once);
   ASSERT_TRUE(read);
   EXPECT_EQ(to_json(*read), once);

@@ -6,6 +6,7 @@
 
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
+#include "support/paged.hpp"
 
 namespace outrider {
 namespace {
@@ -33,9 +34,10 @@ ExploreTask task_at(Pose2 start) {
 }
 
 TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 3);
+  Log log;
+  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
   ASSERT_TRUE(run) << run.error().sentence;
-  const Report& report = run->report;
+  const PageReport report = page_report(run->report, log);
   EXPECT_EQ(report.status, "done") << report.reason;
   EXPECT_EQ(run->stop_reason, "complete");
   EXPECT_GE(metric(report, "explored_fraction"), 0.99);
@@ -53,20 +55,22 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
 }
 
 TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
-  const auto one = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4);
+  Log log, watched;
+  const auto one = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log);
   int scans = 0;
   double part = 0.0;
   RunWatch watch;
   watch.progress = [&](const RunStep& step) { part = std::max(part, step.part); };
   testing::Curious curious;
-  watch.observer = &curious;
-  const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch,
+  watched.add_sink(curious);
+  const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
                                [&](const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
-  EXPECT_EQ(to_json(one->report), to_json(two->report));
+  const PageReport report = page_report(one->report, log);
+  EXPECT_EQ(to_json(report), to_json(page_report(two->report, watched)));
   EXPECT_EQ(one->map.cells, two->map.cells);
-  curious.expect_to_have_seen(one->report);
-  EXPECT_EQ(curious.events().size(), one->report.events.size());
+  curious.expect_to_have_seen(report);
+  EXPECT_EQ(curious.events().size(), report.events.size());
   EXPECT_EQ(static_cast<std::size_t>(scans) + 1, two->track.size());
   EXPECT_GT(part, 0.3);
 }
@@ -76,7 +80,8 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
   RunWatch watch;
   watch.stop = source.get_token();
   int scans = 0;
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watch,
+  Log log;
+  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log, watch,
                                [&](const ExploreMission&, const SimulatedRobot&) {
                                  if (++scans == 20) source.request_stop();
                                });
@@ -90,7 +95,8 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
 TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
   World open = room();
   open.solids[3] = box("east", {3.0, 0.0}, {3.1, 1.0});  // of the wall to 2.0
-  const auto run = run_explore(open, task_at({{0.5, 0.5}, 1.0}), {}, 3);
+  Log log;
+  const auto run = run_explore(open, task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
   ASSERT_TRUE(run) << run.error().sentence;
   EXPECT_EQ(run->stop_reason, "leak");
   EXPECT_EQ(run->report.status, "not_done");
@@ -100,14 +106,16 @@ TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
 }
 
 TEST(ExploreRun, TellsTheTimesOfThinking) {
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 5);
+  Log log;
+  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 5, log);
   ASSERT_TRUE(run);
   EXPECT_GT(metric(run->report, "max_decision_s"), 0.0);
   EXPECT_GE(metric(run->report, "max_step_s"), metric(run->report, "max_decision_s"));
 }
 
 TEST(ExploreRun, RefusesAStartInsideAWall) {
-  const auto run = run_explore(room(), task_at({{1.55, 0.5}, 0.0}), {}, 1);
+  Log log;
+  const auto run = run_explore(room(), task_at({{1.55, 0.5}, 0.0}), {}, 1, log);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, FaultCode::start_blocked);
 }

@@ -54,7 +54,7 @@ ArrivalYard crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uin
 
 /// Nobody is lost, nobody is shot at before it is there, and nobody does better than the bound.
 void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, const ReplanPolicy& policy,
-                 const Report& report) {
+                 const PageReport& report) {
   double failed = 0.0;
   for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
     const ReportTarget& target = report.targets[i];
@@ -65,7 +65,7 @@ void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, 
     failed += target.status == "failed" ? 1.0 : 0.0;
     if (!can_be_hit) continue;
     EXPECT_NE(target.status, "unreachable");
-    EXPECT_GE(target.done_s, watch.intruders[i].settles_s);
+    EXPECT_GE(nanoseconds(target.done_s), nanoseconds(watch.intruders[i].settles_s));
   }
   EXPECT_EQ(metric(report, "failed"), failed);
   EXPECT_EQ(report.status == "done", failed == 0.0);
@@ -73,7 +73,7 @@ void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, 
     const auto one = std::find_if(watch.intruders.begin(), watch.intruders.end(),
                                   [&](const Intruder& i) { return i.name == shot.target; });
     ASSERT_NE(one, watch.intruders.end());
-    EXPECT_GE(shot.time_s, one->settles_s);
+    EXPECT_GE(nanoseconds(shot.time_s), nanoseconds(one->settles_s));
   }
   EXPECT_GE(metric(report, "intruder_seconds"), metric(report, "intruder_seconds_bound")) << policy.name;
   EXPECT_GE(metric(report, "makespan_s"), metric(report, "makespan_bound_s")) << policy.name;
@@ -88,12 +88,12 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
       for (const ReplanPolicy& policy : replan_policies()) {
         const auto objective = seed % 2 == 0 ? ArrivalObjective::makespan : ArrivalObjective::time_inside;
         const ArrivalPlan plan{watch, yard.precomputed, policy, objective, 3, 50};
-        const Report report = testing::run_arrivals(plan, quick(), seed);
+        const PageReport report = testing::run_arrivals(plan, quick(), seed);
         expect_laws(watch, yard.precomputed, policy, report);
         EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
         testing::Curious curious;
         EXPECT_EQ(to_json(report),
-                  to_json(testing::run_arrivals(plan, quick(), seed, {}, {.observer = &curious})));
+                  to_json(testing::run_arrivals(plan, quick(), seed, {}, {.sinks = {&curious}})));
         curious.expect_to_have_seen(report);
         const auto back = report_from_json(to_json(report));
         ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -134,7 +134,8 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
     ASSERT_TRUE(watch.has_value());
     const auto policy = find_replan_policy("each_arrival");
     const ArrivalPlan plan{*watch, yard.precomputed, *policy};
-    auto robot = simulated_guard(watch->problem, watch->firing_map, 1, {.intruders = watch->intruders});
+    Log log;
+    auto robot = simulated_guard(watch->problem, watch->firing_map, log, 1, {.intruders = watch->intruders});
     GuardMission mission(plan);
     bool aimed = false;
     while (const auto command = mission.step(robot.sense())) {
@@ -143,11 +144,11 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
       robot.act(*command);
       const auto* follow = std::get_if<FollowWaypoints>(&*command);
       if (follow == nullptr) continue;
-      const auto& driven = robot.record.paths.back().waypoints;
-      ASSERT_LE(driven.size(), follow->waypoints.size());
-      if (driven.size() == follow->waypoints.size()) continue;
+      const auto& way = follow->waypoints;
+      const Vec2 here = robot.pose().position;
+      if (distance(here, way.back()) <= yard.problem.errors.position_m) continue;
       ++shortened;
-      EXPECT_EQ(driven.back(), follow->waypoints[driven.size() - 1]);
+      EXPECT_NE(std::find(way.begin() + 1, way.end() - 1, here), way.end() - 1);
     }
     EXPECT_EQ(mission.tasks.records[0].status, TargetStatus::reached);
     EXPECT_EQ(mission.tasks.records[1].status, TargetStatus::reached);
@@ -160,7 +161,7 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   Rng rng(53);
   for (int y = 0; y < cases(5); ++y) {
     const Yard yard = random_yard(rng, y % 2 == 0);
-    Report still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
+    PageReport still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
     std::vector<Intruder> all;
     for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
       all.push_back({"", t, "gate", {}, 0.0, 0.0});
@@ -169,7 +170,7 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
     ASSERT_TRUE(watch.has_value());
     for (const ReplanPolicy& policy : replan_policies()) {
       const ArrivalPlan plan{*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 50};
-      Report report = testing::run_arrivals(plan, quick(), 1);
+      PageReport report = testing::run_arrivals(plan, quick(), 1);
       expect_laws(*watch, yard.precomputed, policy, report);
       EXPECT_EQ(metric(report, "unreachable"), metric(still, "unreachable"));
       if (policy.name == "groups") continue;
@@ -191,7 +192,7 @@ TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   const Yard yard = random_yard(rng, true);
   const auto watch = arrival_yard(yard.problem, yard.firing_map, {});
   ASSERT_TRUE(watch.has_value());
-  const Report report =
+  const PageReport report =
       testing::run_arrivals({*watch, yard.precomputed, replan_policies().front()}, quick(), 1);
   EXPECT_EQ(report.status, "done");
   EXPECT_EQ(metric(report, "mission_s"), 0.0);
@@ -209,7 +210,7 @@ TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const ArrivalYard watch = crowd(yard, 12, 0.2, seed);
     for (const ReplanPolicy& policy : replan_policies()) {
-      const Report report = testing::run_arrivals(
+      const PageReport report = testing::run_arrivals(
           {watch, yard.precomputed, policy, ArrivalObjective::time_inside, 2, 50}, quick(), seed);
       sums[std::string(policy.name)] += metric(report, "intruder_seconds");
     }

@@ -151,17 +151,21 @@ TEST(Capabilities, WhatIsAcceptedRuns) {
       if (i != k) ask_for(job.scenario, at(k));
       ASSERT_EQ(asked_of(job.scenario), i == k ? std::vector{at(i)} : (std::vector{at(i), at(k)}));
       if (job.scenario.sim == "physics" && !make_rigid_world(job.scenario.problem)) continue;  // no engine
-      const auto run = job.run({});
-      ASSERT_TRUE(run) << to_string(run.error());
+      outrider::Run run;
+      const auto done = job.run(run, {});
+      ASSERT_TRUE(done) << to_string(done.error());
       ++runs;
-      const Report& report = run->report;
+      const Report& report = run.report;
       EXPECT_TRUE(report.status == "done" || (report.status == "not_done" && !report.reason.empty()))
           << report.status << ": " << report.reason;
       EXPECT_GT(metric(report, "reached"), 0.0) << report.reason;
-      EXPECT_EQ(report.targets.size(), at(i) == Capability::arrivals ? 3U : 2U);
-      for (const ReportTarget& target : report.targets) {
-        EXPECT_TRUE(target.status == "reached" || target.status == "failed" || target.status == "unreachable")
-            << target.name << " is " << target.status;
+      const Table& targets = table_named(report, "targets");
+      EXPECT_EQ(targets.rows.size(), at(i) == Capability::arrivals ? 3U : 2U);
+      for (const auto& values : targets.rows) {
+        const TableRow target{targets, values};
+        const std::string& status = target.text("status");
+        EXPECT_TRUE(status == "reached" || status == "failed" || status == "unreachable")
+            << target.text("name") << " is " << status;
       }
     }
   }

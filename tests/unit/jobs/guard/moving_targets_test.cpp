@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "outrider/jobs/guard/robot.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
 #include "support/guard_runs.hpp"
@@ -155,11 +157,11 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
     const auto plan =
         plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    const Report report = testing::run_walkers(*plan, *walks, quick(), seed);
+    const PageReport report = testing::run_walkers(*plan, *walks, quick(), seed);
     EXPECT_EQ(report.status, "done") << report.reason;
     testing::Curious curious;
     EXPECT_EQ(to_json(report),
-              to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.observer = &curious})));
+              to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.sinks = {&curious}})));
     curious.expect_to_have_seen(report);
     const auto back = report_from_json(to_json(report));
     ASSERT_TRUE(back.has_value()) << to_string(back.error());
@@ -205,7 +207,8 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const auto plan =
         plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value());
-    auto robot = simulated_guard(problem, *firing_map, 1, {.walks = walks, .look_s = wander.look_s});
+    Log log;
+    auto robot = simulated_guard(problem, *firing_map, log, 1, {.walks = walks, .look_s = wander.look_s});
     robot.act(Wait{0.75});  // two looks: the way is known
     GuardMission mission(*plan);
     const auto command = mission.step(robot.sense());
@@ -213,7 +216,7 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     ++shots;
     robot.act(*command);
     robot.act(*mission.step(robot.sense()));
-    EXPECT_TRUE(robot.record.shots.back().hit);
+    EXPECT_TRUE(log.latest<outrider_msgs::Shot>(topic::shots)->hit);
   }
   EXPECT_GT(shots, 0);
 }
@@ -231,14 +234,25 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   const auto plan =
       plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
   ASSERT_TRUE(plan.has_value());
-  const Report report = testing::run_walkers(*plan, walks, quick(), 1);
-  ASSERT_EQ(report.shots.size(), 1U);
+  const GuardPlan none;
+  Log log;
+  const auto report = run_guard({.problem = plan->problem,
+                                 .firing_map = plan->firing_map,
+                                 .plan = none,
+                                 .options = quick(),
+                                 .seed = 1,
+                                 .walkers = WalkerRun{*plan, walks}},
+                                log);
+  ASSERT_TRUE(report) << to_string(report.error());
+  ASSERT_EQ(log.messages<outrider_msgs::Shot>(topic::shots).size(), 1U);
   const auto still =
       best_shot(firing_map->rules, firing_map->space(0), problem.targets[0], problem.start.position, 0.0);
   ASSERT_TRUE(still.has_value());
-  EXPECT_EQ(report.targets[0].speed_mps, still->shot.speed_mps);
-  EXPECT_EQ(report.targets[0].pitch_rad, still->shot.pitch_rad);
-  EXPECT_EQ(report.targets[0].status, "reached");
+  const Table& targets = table_named(*report, "targets");
+  const TableRow target{targets, targets.rows.at(0)};
+  EXPECT_EQ(target.number("speed_mps"), still->shot.speed_mps);
+  EXPECT_EQ(target.number("pitch_rad"), still->shot.pitch_rad);
+  EXPECT_EQ(target.text("status"), "reached");
 }
 
 /// Knowing where they like to be shortens their stay, on average.
@@ -259,8 +273,8 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
-    const Report a = testing::run_walkers(*learned, *walks, quick(), seed);
-    const Report b = testing::run_walkers(*unlearned, *walks, quick(), seed);
+    const PageReport a = testing::run_walkers(*learned, *walks, quick(), seed);
+    const PageReport b = testing::run_walkers(*unlearned, *walks, quick(), seed);
     with_map += metric(a, "intruder_seconds");
     without += metric(b, "intruder_seconds");
     expected += metric(a, "expected_hits");

@@ -4,6 +4,9 @@
 #include "outrider/jobs/guard/passing_plan.hpp"
 #include "outrider/jobs/guard/robot.hpp"
 #include "outrider/jobs/guard/run.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
 #include "support/guard_runs.hpp"
@@ -59,7 +62,7 @@ TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
   const Planned p = planned(problem);
-  const Report report = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
+  const PageReport report = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
   EXPECT_NEAR(metric(report, "mission_s"), p.plan.cost_s, 1e-6);
   EXPECT_EQ(metric(report, "reached"), 5.0);
   EXPECT_EQ(metric(report, "shots"), 5.0);
@@ -67,7 +70,7 @@ TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
 }
 
 /// The robot's place and velocity by the track, at a time between two samples.
-Platform seen_at(const Report& report, double time_s) {
+Platform seen_at(const PageReport& report, double time_s) {
   for (std::size_t i = 1; i < report.track.size(); ++i) {
     const TrackSample& a = report.track[i - 1];
     const TrackSample& b = report.track[i];
@@ -83,7 +86,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   const Planned p = planned(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
-    const Report report =
+    const PageReport report =
         testing::run_still(p.problem, p.firing_map, p.plan, quick(), static_cast<std::uint64_t>(seed));
     EXPECT_EQ(metric(report, "reached"), 5.0);
     for (const ReportShot& shot : report.shots) {
@@ -108,7 +111,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     testing::Curious curious;
     EXPECT_EQ(to_json(report),
               to_json(testing::run_still(p.problem, p.firing_map, p.plan, quick(),
-                                         static_cast<std::uint64_t>(seed), {.observer = &curious})));
+                                         static_cast<std::uint64_t>(seed), {.sinks = {&curious}})));
     curious.expect_to_have_seen(report);
     EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
     EXPECT_EQ(curious.events().size(), report.events.size());
@@ -125,21 +128,25 @@ TEST(PassingRun, WhoIsMissedInPassingIsShotAtFromRest) {
   shaky.errors.aim = {0.12, 0.05};
   int missed = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    auto robot = simulated_guard(shaky, p.firing_map, seed);
+    Log log;
+    auto robot = simulated_guard(shaky, p.firing_map, log, seed);
     GuardMission mission(p.problem, p.firing_map, p.plan);
     while (const auto command = mission.step(robot.sense())) robot.act(*command);
     for (std::size_t t = 0; t < mission.tasks.records.size(); ++t) {
       const TargetRecord& record = mission.tasks.records[t];
       EXPECT_NE(record.status, TargetStatus::waiting);
-      std::vector<const ReportShot*> shots;
-      for (const ReportShot& shot : robot.record.shots) {
-        if (shot.target == p.problem.targets[t].name) shots.push_back(&shot);
+      std::vector<const outrider_msgs::Shot*> shots;
+      for (const auto& shot : log.messages<outrider_msgs::Shot>(topic::shots)) {
+        if (shot.message.target == p.problem.targets[t].name) shots.push_back(&shot.message);
       }
       EXPECT_EQ(shots.size(), static_cast<std::size_t>(record.shots));
       ASSERT_FALSE(shots.empty());
       EXPECT_EQ(shots.back()->hit, record.status == TargetStatus::reached);
-      for (std::size_t k = 1; k < shots.size(); ++k) EXPECT_FALSE(shots[k]->platform_velocity_mps);
-      missed += shots.front()->platform_velocity_mps && !shots.front()->hit ? 1 : 0;
+      const auto drives = [](const outrider_msgs::Shot& shot) {
+        return vec2_of(shot.platform_velocity) != Vec2{};
+      };
+      for (std::size_t k = 1; k < shots.size(); ++k) EXPECT_FALSE(drives(*shots[k]));
+      missed += drives(*shots.front()) && !shots.front()->hit ? 1 : 0;
     }
   }
   EXPECT_GT(missed, 0);

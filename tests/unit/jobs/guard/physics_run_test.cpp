@@ -9,6 +9,7 @@
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
 #include "support/guard_yard.hpp"
+#include "support/paged.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -26,25 +27,25 @@ class RunGuardInPhysics : public ::testing::Test {
     if (!ok) GTEST_SKIP() << ok.error().sentence;
   }
 
-  static Report run(const GuardProblem& problem, std::uint64_t seed, RunObserver* observer = nullptr) {
+  static PageReport run(const GuardProblem& problem, std::uint64_t seed, LogSink* sink = nullptr) {
     const auto firing_map = build_firing_map(problem, quick());
     EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
     const auto plan = plan_guard(problem, *firing_map, quick(), {});
     EXPECT_TRUE(plan.has_value());
     double last = 0.0;
     RunWatch watch;
-    watch.observer = observer;
+    if (sink != nullptr) watch.sinks = {sink};
     watch.progress = [&](const RunStep& step) {
       EXPECT_GE(step.part, last);
       last = step.part;
     };
-    auto report = run_guard({.problem = problem,
-                             .firing_map = *firing_map,
-                             .plan = *plan,
-                             .options = quick(),
-                             .seed = seed,
-                             .rigid = true},
-                            watch);
+    const GuardRun guard{.problem = problem,
+                         .firing_map = *firing_map,
+                         .plan = *plan,
+                         .options = quick(),
+                         .seed = seed,
+                         .rigid = true};
+    auto report = testing::paged(watch, [&](Log& log) { return run_guard(guard, log, watch); });
     EXPECT_TRUE(report.has_value()) << report.error().sentence;
     EXPECT_EQ(last, 1.0);
     return std::move(*report);
@@ -57,7 +58,7 @@ TEST_F(RunGuardInPhysics, HitsWhatThePlanPromises) {
     auto problem = testing::random_guard_problem(rng, 8, 4, 2.5);
     const bool exact = i % 2 == 0;
     if (exact) problem.errors = {0.0, 0.0, {0.0, 0.0}};
-    const Report report = run(problem, static_cast<std::uint64_t>(i));
+    const PageReport report = run(problem, static_cast<std::uint64_t>(i));
     EXPECT_EQ(report.sim, "physics");
     EXPECT_EQ(metric(report, "failed"), 0.0);
     // The wheels take a little longer than the profiles, and come as near as this.
@@ -85,7 +86,7 @@ TEST_F(RunGuardInPhysics, GivesTheSameBytesTwice) {
   const auto problem = testing::random_guard_problem(rng, 8, 4, 2.5);
   const std::string first = to_json(run(problem, 5));
   testing::Curious curious;
-  const Report again = run(problem, 5, &curious);
+  const PageReport again = run(problem, 5, &curious);
   EXPECT_EQ(first, to_json(again));
   curious.expect_to_have_seen(again);
   EXPECT_NE(first, to_json(run(problem, 6)));
@@ -96,7 +97,7 @@ TEST_F(RunGuardInPhysics, SaysWhatAMissTouchedAndWhere) {
   auto problem = testing::random_guard_problem(rng, 4, 3, 2.5);
   problem.errors.aim = {0.4, 0.3};
   problem.tries = 2;
-  const Report report = run(problem, 1);
+  const PageReport report = run(problem, 1);
   int missed = 0;
   for (const ReportShot& shot : report.shots) {
     if (shot.hit) continue;

@@ -4,6 +4,9 @@
 
 #include <array>
 
+#include "outrider/log/append.hpp"
+#include "outrider/log/gun_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "support/costly_cases.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
@@ -16,6 +19,8 @@ using testing::cases;
 using testing::floor_at;
 using testing::own_duration;
 using testing::random_guard_problem;
+
+Vec3 vec3_of(const auto& v) { return {v.x, v.y, v.z}; }
 
 GuardProblem open_yard() {
   GuardProblem problem;
@@ -35,7 +40,8 @@ FiringMap site_of(const GuardProblem& problem) {
 TEST(SimulatedGuard, ArrivesUniformlyWithinTheErrors) {
   const GuardProblem problem = open_yard();
   const FiringMap firing_map = site_of(problem);
-  auto robot = simulated_guard(problem, firing_map, 5);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 5);
   const int drives = 4000;
   std::array<int, 4> rings{};
   std::array<int, 4> quadrants{};
@@ -68,7 +74,8 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
   for (int i = 0; i < cases(5); ++i) {
     const auto problem = random_guard_problem(rng, 10, 0, 2.0);
     const FiringMap firing_map = site_of(problem);
-    auto robot = simulated_guard(problem, firing_map, static_cast<std::uint64_t>(i));
+    Log log;
+    auto robot = simulated_guard(problem, firing_map, log, static_cast<std::uint64_t>(i));
     for (int k = 0; k < 300; ++k) {
       const std::size_t cell = rng.below(firing_map.frame.size());
       const Vec2 goal = firing_map.frame.centre(firing_map.frame.cell(cell));
@@ -80,8 +87,8 @@ TEST(SimulatedGuard, NeverArrivesInsideAnObstacle) {
       EXPECT_GE(firing_map.ground.clearance(robot.sense().odometry.position, 1.0),
                 problem.robot.radius_m - 2e-9);
     }
-    for (const TrackSample& sample : robot.record.track) {
-      EXPECT_GE(firing_map.ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+    for (const Pose2& pose : poses_of(log)) {
+      EXPECT_GE(firing_map.ground.clearance(pose.position, 1.0), problem.robot.radius_m - 2e-9);
     }
   }
 }
@@ -90,7 +97,8 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
   GuardProblem problem = open_yard();
   problem.errors = {0.0, 0.0, {0.0, 0.0}};
   const FiringMap firing_map = site_of(problem);
-  auto robot = simulated_guard(problem, firing_map, 1);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 1);
   const std::vector<Vec2> way{{0, 0}, {0.3, 0.3}, {0.3, 3.0}, {-2.0, 3.0}, {-2.0, -1.0}};
   robot.act(FollowWaypoints{way});
   double time = 0.0;
@@ -109,21 +117,26 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
   EXPECT_NEAR(robot.record.driven_m, driven, 1e-9);
   EXPECT_NEAR(robot.record.turned_rad, turned, 1e-9);
   EXPECT_EQ(robot.sense().odometry.position, way.back());
-  ASSERT_EQ(robot.record.paths.size(), 1U);
-  EXPECT_NEAR(robot.record.paths[0].end_s, time, 1e-9);
+  const auto& plans = log.messages<nav_msgs::Path>(topic::plan);
+  ASSERT_EQ(plans.size(), 2U);
+  EXPECT_EQ(plans[0].message.poses.size(), way.size());
+  EXPECT_TRUE(plans[1].message.poses.empty()) << "the drive is over";
+  EXPECT_NEAR(plans[1].time_s(), time, 1e-9);
 
   // Between samples: time goes on, speeds and accelerations stay within the limits.
-  const auto& track = robot.record.track;
+  const auto& track = log.messages<geometry_msgs::PoseStamped>(topic::pose);
+  const auto poses = poses_of(log);
   double before = 0.0;
   for (std::size_t i = 1; i < track.size(); ++i) {
-    const double dt = track[i].time_s - track[i - 1].time_s;
-    ASSERT_GE(dt, 0.0);
-    EXPECT_LE(dt, 0.1 + 1e-9);
-    if (dt < 1e-9) continue;
-    const double speed = distance(track[i].pose.position, track[i - 1].pose.position) / dt;
+    constexpr double rounded_s = 1e-9;  // the times in a log are whole nanoseconds
+    const double dt = seconds(track[i].time_ns - track[i - 1].time_ns) + rounded_s;
+    ASSERT_GE(dt, rounded_s);
+    EXPECT_LE(dt, 0.1 + 1e-9 + 2.0 * rounded_s);
+    if (dt <= 2.0 * rounded_s) continue;
+    const double speed = distance(poses[i].position, poses[i - 1].position) / dt;
     EXPECT_LE(speed, 0.8 + 1e-9);
     EXPECT_LE(speed - before, 0.8 * 0.1 + 1e-6);
-    EXPECT_LE(testing::own_angle(track[i].pose.heading_rad - track[i - 1].pose.heading_rad) / dt, 0.8 + 1e-9);
+    EXPECT_LE(testing::own_angle(poses[i].heading_rad - poses[i - 1].heading_rad) / dt, 0.8 + 1e-9);
     before = speed;
   }
 }
@@ -131,7 +144,8 @@ TEST(SimulatedGuard, MovesAsItsModelAndAddsItUp) {
 TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
   const GuardProblem problem = open_yard();
   const FiringMap firing_map = site_of(problem);
-  auto robot = simulated_guard(problem, firing_map, 1);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 1);
   robot.act(FollowWaypoints{{{0, 0}, {1, 1}}});
   const double begin = robot.sense().time_s;
   const double heading = robot.sense().odometry.heading_rad;
@@ -147,7 +161,8 @@ TEST(SimulatedGuard, BringsTheBarrelWhereItIsTold) {
 TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
   const GuardProblem problem = open_yard();
   const FiringMap firing_map = site_of(problem);
-  auto robot = simulated_guard(problem, firing_map, 9);
+  Log log;
+  auto robot = simulated_guard(problem, firing_map, log, 9);
   const Shot shot{0.0, 0.2, 6.5};
   robot.act(AimGun{0.0, 0.2});
   const int shots = 2000;
@@ -158,12 +173,12 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
     const Observation seen = robot.sense();
     ASSERT_EQ(seen.shots.size(), 1U);
     EXPECT_TRUE(robot.sense().shots.empty()) << "told once";
-    const ReportShot& fired = robot.record.shots.back();
+    const auto& [time_ns, fired] = log.messages<outrider_msgs::Shot>(topic::shots).back();
     EXPECT_EQ(seen.shots[0].hit, fired.hit);
-    EXPECT_EQ(fired.attempt, i + 1);
-    EXPECT_DOUBLE_EQ(fired.time_s, before);
-    EXPECT_DOUBLE_EQ(seen.time_s, before + fired.flight_s);
-    const Vec3 v = fired.velocity_mps;
+    EXPECT_EQ(fired.attempt, static_cast<std::uint32_t>(i + 1));
+    EXPECT_EQ(time_ns, nanoseconds(before));
+    EXPECT_DOUBLE_EQ(seen.time_s, before + fired.flight);
+    const Vec3 v = vec3_of(fired.velocity);
     const std::array<double, 3> error{std::atan2(v.y, v.x) / 0.01,
                                       (std::atan2(v.z, std::hypot(v.x, v.y)) - 0.2) / 0.01,
                                       (norm(v) / 6.5 - 1.0) / 0.01};
@@ -173,10 +188,10 @@ TEST(SimulatedGuard, ShotsStrayUniformlyWithinTheErrorsAndReplayExactly) {
     }
     if (i % (shots / testing::part_of(100)) != 0) continue;
     const Solid target = solid_of(problem.targets[0]);
-    const auto fine =
-        testing::fly_fine(fired.muzzle, v, 9.8, 0.01, firing_map.space(0).solids(), &target, -1.0, 5e-6);
+    const auto fine = testing::fly_fine(vec3_of(fired.muzzle), v, 9.8, 0.01, firing_map.space(0).solids(),
+                                        &target, -1.0, 5e-6);
     EXPECT_EQ(fine.hit, fired.hit);
-    EXPECT_LT(norm(fine.position - fired.contact_point), 1.1e-5);
+    EXPECT_LT(norm(fine.position - vec3_of(fired.contact_point)), 1.1e-5);
     EXPECT_EQ(fired.contact, fine.hit ? "cat" : firing_map.space(0).solids()[*fine.solid].name);
   }
   for (const auto& axis : counts) {
@@ -192,13 +207,14 @@ TEST(SimulatedGuard, TheReferenceRuleIsTheBallNearTheBase) {
   for (int i = 0; i < cases(100); ++i) {
     problem.targets[0].base = {rng.uniform(1.0, 4.0), 0.0, rng.uniform(0.0, 1.5)};
     const FiringMap firing_map = site_of(problem);
-    auto robot = simulated_guard(problem, firing_map, static_cast<std::uint64_t>(i));
+    Log log;
+    auto robot = simulated_guard(problem, firing_map, log, static_cast<std::uint64_t>(i));
     robot.act(Fire{0, {rng.uniform(-0.4, 0.4), rng.uniform(-0.2, 0.7), rng.uniform(3.0, 9.0)}});
-    const ReportShot& fired = robot.record.shots.back();
+    const auto& fired = *log.latest<outrider_msgs::Shot>(topic::shots);
     double nearest = 1e9;
     for (int k = 0; k <= 20000; ++k) {
-      const double t = fired.flight_s * k / 20000.0;
-      const Vec3 p = fired.muzzle + t * fired.velocity_mps - Vec3{0, 0, 4.9 * t * t};
+      const double t = fired.flight * k / 20000.0;
+      const Vec3 p = vec3_of(fired.muzzle) + t * vec3_of(fired.velocity) - Vec3{0, 0, 4.9 * t * t};
       nearest = std::min(nearest, norm(p - problem.targets[0].base));
     }
     if (std::abs(nearest - 0.5) < 1e-3) continue;
@@ -213,10 +229,11 @@ TEST(SimulatedGuard, SameSeedSameRunOtherSeedOtherRun) {
   const GuardProblem problem = open_yard();
   const FiringMap firing_map = site_of(problem);
   const auto end = [&](std::uint64_t seed) {
-    auto robot = simulated_guard(problem, firing_map, seed);
+    Log log;
+    auto robot = simulated_guard(problem, firing_map, log, seed);
     robot.act(FollowWaypoints{{{0, 0}, {1, 0}}});
     robot.act(Fire{0, {0.0, 0.1, 6.0}});
-    return robot.record.shots.back().contact_point;
+    return vec3_of(log.latest<outrider_msgs::Shot>(topic::shots)->contact_point);
   };
   EXPECT_EQ(end(3), end(3));
   EXPECT_FALSE(end(3) == end(4));

@@ -19,7 +19,7 @@ using testing::random_guard_problem;
 struct Mission {
   GuardProblem problem;
   GuardPlan plan;
-  Report report;
+  PageReport report;
 };
 
 Mission carried_out(GuardProblem problem, std::uint64_t seed) {
@@ -27,7 +27,7 @@ Mission carried_out(GuardProblem problem, std::uint64_t seed) {
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
   auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan.has_value());
-  Report report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
+  PageReport report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
   return {std::move(problem), std::move(*plan), std::move(report)};
 }
 
@@ -50,7 +50,7 @@ TEST(RunGuard, CountsEveryTargetOnceAndReplays) {
     auto problem = random_guard_problem(rng, 10, 5, 2.5);
     if (i % 2 == 0) problem.targets[1].base.z = 8.0;
     const Mission done = carried_out(problem, static_cast<std::uint64_t>(i));
-    const Report& report = done.report;
+    const PageReport& report = done.report;
     std::map<std::string, double> statuses;
     for (const ReportTarget& target : report.targets) statuses[target.status] += 1.0;
     EXPECT_EQ(metric(report, "targets"), 5.0);
@@ -72,7 +72,7 @@ TEST(RunGuard, CountsEveryTargetOnceAndReplays) {
     for (std::size_t k = 1; k < report.track.size(); ++k) {
       EXPECT_GE(report.track[k].time_s, report.track[k - 1].time_s);
     }
-    EXPECT_EQ(metric(report, "mission_s"), report.track.back().time_s);
+    EXPECT_EQ(nanoseconds(metric(report, "mission_s")), nanoseconds(report.track.back().time_s));
     double driven = 0.0;
     for (const ReportPath& path : report.paths) {
       for (std::size_t k = 1; k < path.waypoints.size(); ++k) {

@@ -7,6 +7,7 @@
 #include "outrider/jobs/guard/plan.hpp"
 #include "outrider/report/json.hpp"
 #include "support/curious.hpp"
+#include "support/paged.hpp"
 
 namespace outrider {
 namespace {
@@ -33,30 +34,47 @@ GuardProblem yard() {
   return problem;
 }
 
-Outcome<Report> mission(std::uint64_t seed, RunObserver* observer = nullptr) {
+struct Done {
+  Report report;
+  PageReport page;
+};
+
+Outcome<Done> mission(std::uint64_t seed, LogSink* sink = nullptr) {
   const GuardProblem problem = yard();
   GuardOptions options;
   options.resolution_m = 0.25;
   ScoutTask task;
   task.options.unknown = true;
-  const RunWatch watch{.observer = observer};
-  auto found = scout(problem, task, seed, watch);
+  Log log;
+  if (sink != nullptr) log.add_sink(*sink);
+  auto found = scout(problem, task, seed, log);
   if (!found) return pass_on(found);
   const auto firing_map = build_firing_map(found->found.problem, options);
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   const auto plan = plan_guard(found->found.problem, *firing_map, options, {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  return run_guard_on_map(problem, std::move(*found), *firing_map, *plan, options, seed, watch);
+  auto report = run_guard_on_map(problem, *found, *firing_map, *plan, options, seed, log);
+  if (!report) return pass_on(report);
+  PageReport page = page_report(*report, log);
+  return Done{std::move(*report), std::move(page)};
 }
 
 TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {
-  const auto report = mission(1);
-  ASSERT_TRUE(report) << to_string(report.error());
+  const auto done = mission(1);
+  ASSERT_TRUE(done) << to_string(done.error());
+  const PageReport* const report = &done->page;
+  const Table& targets = table_named(done->report, "targets");
+  ASSERT_EQ(targets.rows.size(), 3U);
+  const auto target = [&](std::size_t i) { return TableRow{targets, targets.rows[i]}; };
+  EXPECT_EQ(target(0).text("name"), "open");
+  EXPECT_EQ(target(0).text("status"), "reached") << target(0).text("reason");
+  EXPECT_EQ(target(1).text("status"), "failed");
+  EXPECT_EQ(target(1).text("reason"), "not seen while exploring");
+  EXPECT_EQ(target(2).text("status"), "reached") << target(2).text("reason");
   ASSERT_EQ(report->targets.size(), 3U);
-  EXPECT_EQ(report->targets[0].status, "reached") << report->targets[0].reason;
-  EXPECT_EQ(report->targets[1].status, "failed");
-  EXPECT_EQ(report->targets[1].reason, "not seen while exploring");
-  EXPECT_EQ(report->targets[2].status, "reached") << report->targets[2].reason;
+  for (const ReportTarget& one : report->targets) {
+    EXPECT_EQ(one.status, one.name == "shut in" ? "failed" : "reached") << one.name;
+  }
   EXPECT_EQ(report->status, "not_done");
   EXPECT_EQ(metric(*report, "seen"), 2.0);
   EXPECT_EQ(metric(*report, "contacts"), 0.0);
@@ -76,8 +94,8 @@ TEST(ScoutRun, IsTheSameForTheSameSeed) {
   testing::Curious curious;
   const auto once = mission(2), again = mission(2, &curious);
   ASSERT_TRUE(once && again);
-  EXPECT_EQ(to_json(*once), to_json(*again));
-  curious.expect_to_have_seen(*once);
+  EXPECT_EQ(to_json(once->page), to_json(again->page));
+  curious.expect_to_have_seen(once->page);
 }
 
 }  // namespace

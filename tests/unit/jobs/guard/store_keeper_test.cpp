@@ -54,7 +54,7 @@ Outcome<Mission> planned(GuardProblem problem) {
 }
 
 /// No store below zero or above full, and each level goes up only where the robot fills it.
-void expect_sound_levels(const Report& report) {
+void expect_sound_levels(const PageReport& report) {
   ASSERT_TRUE(report.supplies);
   ASSERT_FALSE(report.supplies->levels.empty());
   int filled = 0;
@@ -78,7 +78,7 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
     const auto mission = planned(std::move(problem));
     if (!mission) continue;  // a station stands in an obstacle
-    const Report report =
+    const PageReport report =
         testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
     expect_sound_levels(report);
     EXPECT_NEAR(metric(report, "mission_s"), mission->plan.cost_s, 1e-6) << i;
@@ -100,13 +100,13 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const Report report =
+      const PageReport report =
           testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), seed);
       expect_sound_levels(report);
       const std::string text = to_json(report);
       testing::Curious curious;
       EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->firing_map, mission->plan,
-                                                 coarse(), seed, {.observer = &curious})));
+                                                 coarse(), seed, {.sinks = {&curious}})));
       curious.expect_to_have_seen(report);
       const auto again = report_from_json(text);
       ASSERT_TRUE(again) << again.error().sentence;
@@ -125,7 +125,8 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
   EXPECT_NE(mission->plan.unsupplied[0].reason.find("no station gives water"), std::string::npos);
-  const Report report = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
+  const PageReport report =
+      testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
   EXPECT_EQ(report.status, "not_done");
   expect_sound_levels(report);
 }

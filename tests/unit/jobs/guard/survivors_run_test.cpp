@@ -48,14 +48,14 @@ Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
   }
 }
 
-Report mission(const Yard& yard, std::uint64_t seed) {
+PageReport mission(const Yard& yard, std::uint64_t seed) {
   const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
   const ReplanPolicy policy = replan_policies()[seed % 3];
   return testing::run_arrivals({*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
                                seed, {yard.options.leave, yard.options.walk_mps});
 }
 
-std::size_t count(const Report& report, std::string_view kind) {
+std::size_t count(const PageReport& report, std::string_view kind) {
   return static_cast<std::size_t>(
       std::ranges::count_if(report.events, [&](const ReportEvent& e) { return e.kind == kind; }));
 }
@@ -67,7 +67,7 @@ TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
     Yard yard = random_yard(rng, 5, true);
     yard.options.leave = 0.5;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const Report report = mission(yard, seed);
+      const PageReport report = mission(yard, seed);
       const auto hits = static_cast<std::size_t>(
           std::ranges::count_if(report.shots, [](const ReportShot& s) { return s.hit; }));
       survived += count(report, "survive");
@@ -180,7 +180,7 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
-      const Report report = testing::run_arrivals(plan, quick(), seed, {0.6, yard.options.walk_mps});
+      const PageReport report = testing::run_arrivals(plan, quick(), seed, {0.6, yard.options.walk_mps});
       EXPECT_EQ(report.status, "done");
       const double time = metric(report, "makespan_s");
       sum += time;
@@ -215,8 +215,8 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
     const auto policy = find_replan_policy("each_arrival");
     const ArrivalPlan plan{*watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
-    Report report = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
-    Report still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
+    PageReport report = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
+    PageReport still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
     report.metrics = still.metrics;
     report.reason = still.reason;
     EXPECT_EQ(to_json(report), to_json(still));

@@ -26,7 +26,7 @@ GuardOptions quick() {
 struct Mission {
   FiringMap firing_map;
   GuardPlan plan;
-  Report report;
+  PageReport report;
 };
 
 Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
@@ -34,7 +34,7 @@ Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
   EXPECT_TRUE(firing_map) << firing_map.error().sentence;
   auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan);
-  Report report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
+  PageReport report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
   return {std::move(*firing_map), std::move(*plan), std::move(report)};
 }
 

@@ -137,10 +137,9 @@ TEST_F(PlanAnswerTest, ATurnedMapIsAnsweredInTheWorld) {
   write("m.pgm", pgm);
   const auto straight = plan(
       {{"map", write("m.yaml", yaml(0))}, {"from", "10.25,21.75"}, {"to", "12.75,21.75"}, {"radius", "0"}});
-  const auto turned = plan({{"map", write("t.yaml", yaml(pi / 2))},
-                            {"from", "8.25,20.25"},
-                            {"to", "8.25,22.75"},
-                            {"radius", "0"}});
+  const Changes ask = {
+      {"map", write("t.yaml", yaml(pi / 2))}, {"from", "8.25,20.25"}, {"to", "8.25,22.75"}, {"radius", "0"}};
+  const auto turned = plan(ask);
   ASSERT_TRUE(straight.has_value()) << to_string(straight.error());
   ASSERT_TRUE(turned.has_value()) << to_string(turned.error());
   const auto a = waypoints_of(*straight, 0), b = waypoints_of(*turned, 0);
@@ -150,8 +149,12 @@ TEST_F(PlanAnswerTest, ATurnedMapIsAnsweredInTheWorld) {
     EXPECT_NEAR(b[i].x, 10 - (a[i].y - 20), 1e-5);
     EXPECT_NEAR(b[i].y, 20 + (a[i].x - 10), 1e-5);
   }
-  EXPECT_NEAR(turned->report.bounds.low.x, 8.0, 1e-5);
-  EXPECT_NEAR(turned->report.bounds.high.y, 23.0, 1e-5);
+  PlanJob job;
+  ASSERT_TRUE(change(job, ask) && job.load());
+  const auto question = question_of(*job.task);
+  ASSERT_TRUE(question.has_value()) << to_string(question.error());
+  EXPECT_NEAR(question->ground->bounds().low.x, 8.0, 1e-5);
+  EXPECT_NEAR(question->ground->bounds().high.y, 23.0, 1e-5);
 }
 
 TEST_F(PlanAnswerTest, AWorldIsPolygonsToAPlannerThatTakesThose) {

@@ -41,9 +41,8 @@ class PlanCase : public ::testing::Test {
 /// A value of a row of the table "rows".
 template <class Value>
 Value value(const Run& run, std::size_t row, std::string_view column) {
-  const Table& table = run.tables.at(0);
-  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
-  return std::get<Value>(table.rows.at(row).at(static_cast<std::size_t>(found - table.columns.begin())));
+  const Table& table = run.report.tables.at(0);
+  return TableRow{table, table.rows.at(row)}.get<Value>(column);
 }
 inline double number_of(const Run& run, std::size_t row, std::string_view column) {
   return value<double>(run, row, column);
@@ -54,7 +53,7 @@ inline std::string text_of(const Run& run, std::size_t row, std::string_view col
 inline std::vector<Vec2> waypoints_of(const Run& run, std::size_t row) {
   return value<std::vector<Vec2>>(run, row, "waypoints");
 }
-inline std::size_t rows_of(const Run& run) { return run.tables.at(0).rows.size(); }
+inline std::size_t rows_of(const Run& run) { return run.report.tables.at(0).rows.size(); }
 
 /// The setting of that key, as the report keeps it.
 inline std::string setting(const Run& run, std::string_view key) {

@@ -1,0 +1,66 @@
+"""A run that is killed at any moment leaves a log that opens up to its last complete chunk."""
+import random
+import subprocess
+import time
+from tool import SOURCE, TOOL, ToolTest, costly_cases, main
+
+SCENARIO = SOURCE / "scenarios/explore/unknown_yard.yaml"
+
+
+class Killed(ToolTest):
+    def started(self, folder):
+        return subprocess.Popen([TOOL, "explore", "--scenario", str(SCENARIO), "--out", folder], cwd=self.folder,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def test_the_log_opens_up_to_there(self):
+        begin = time.monotonic()
+        self.assertIn(self.started("whole").wait(), (0, 1))
+        whole_s = time.monotonic() - begin
+        whole = (self.folder / "whole/run.mcap").read_bytes()
+        rng = random.Random(11)
+        replayed = killed = 0
+        for i in range(costly_cases(12)):
+            run = self.started(f"k{i}")
+            time.sleep(whole_s * rng.uniform(0.1, 0.95))
+            run.kill()
+            if run.wait() != -9:
+                continue
+            killed += 1
+            log = self.folder / f"k{i}/running.mcap"
+            if not log.exists():
+                continue  # its mission had not begun
+            self.assertEqual(whole[:log.stat().st_size], log.read_bytes(), "a part of the whole log")
+            replay = self.run_tool("replay", f"k{i}")
+            if replay.returncode == 0:
+                replayed += 1
+                self.assertIn("cut short", replay.stdout)
+                self.assertIn("log ends early", replay.stderr)
+            else:
+                self.assertEqual(replay.returncode, 2)
+                self.assertIn("cut short before its first messages", replay.stderr)
+        self.assertGreater(killed, 5, "they were killed while they worked")
+        self.assertGreater(replayed, 2, "some had a complete chunk")
+
+    def test_the_next_run_takes_the_file_over(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/running.mcap").write_bytes(b"left by a run that was killed")
+        self.assertEqual(self.run_tool(*self.guard("--out", "out")).returncode, 0)
+        self.assertEqual([path.name for path in (self.folder / "out").glob("*.mcap")], ["run.mcap"])
+
+    def test_two_runs_in_one_folder(self):
+        """Each writes a log of its own; the one that ends last has its name."""
+        runs = [subprocess.Popen([TOOL, *map(str, self.guard("--out", "out", "--seed", str(seed)))], cwd=self.folder,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for seed in (1, 2)]
+        self.assertEqual([run.wait() for run in runs], [0, 0])
+        self.assertEqual([path.name for path in (self.folder / "out").glob("*.mcap")], ["run.mcap"])
+        self.assertEqual(self.run_tool("replay", "out").returncode, 0)
+
+    def test_the_scenario_is_in_the_log(self):
+        self.assertEqual(self.run_tool(*self.guard("--out", "out")).returncode, 0)
+        data = (self.folder / "out/run.mcap").read_bytes()
+        self.assertIn(b"scenario.yaml", data)
+        self.assertIn(b"job: guard", data)
+
+
+if __name__ == "__main__":
+    main()
