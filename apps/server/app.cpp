@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base64.hpp"
 #include "gunzip.hpp"
+#include "outrider/core/base64.hpp"
 #include "scenarios.hpp"
 
 namespace outrider::server {

@@ -1,4 +1,4 @@
-// Pictures of a report: an HTML page that plays it, and an animated SVG for a README.
+// Pictures of a run: an HTML page that plays it, and an animated SVG for a README.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace outrider {
 
-/// Returns an HTML page that plays the report. `viewer` is the page without a report (the tool contains one,
-/// built from web/): HTML with the markers @TITLE@ (text) and @REPORT@ (JSON, inside a script element), each
-/// once and in this order. All names in the report are escaped. O(length of both).
-std::string to_html(const PageReport& report, std::string_view viewer);
+/// Returns an HTML page that plays a run. `mcap` is the log of the run as an MCAP file, `title` the title of the page,
+/// which is escaped. `viewer` is the page without a run (the tool contains one, built from web/): HTML with the markers
+/// @TITLE@ (text) and @LOG@ (base64, inside a script element), each once and in this order. O(length of all).
+std::string to_html(const std::string& title, std::string_view mcap, std::string_view viewer);
 
 /// Returns a self-contained animated SVG (SMIL, no script) of the plan view for use in an <img>. It plays the
 /// whole run in one loop of `seconds` (1 to 600, clamped).

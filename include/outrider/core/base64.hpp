@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace outrider::server {
+namespace outrider {
 
 /// Decodes the text. Returns nothing if it is not base64: other characters, or a length that is not a
 /// multiple of four.
@@ -13,4 +13,4 @@ std::optional<std::string> base64_decoded(std::string_view text);
 
 std::string base64_encoded(std::string_view bytes);
 
-}  // namespace outrider::server
+}  // namespace outrider

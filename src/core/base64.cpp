@@ -1,8 +1,8 @@
-#include "base64.hpp"
+#include "outrider/core/base64.hpp"
 
 #include <cstdint>
 
-namespace outrider::server {
+namespace outrider {
 
 namespace {
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -41,4 +41,4 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   return bytes;
 }
 
-}  // namespace outrider::server
+}  // namespace outrider
