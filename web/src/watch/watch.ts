@@ -1,12 +1,13 @@
-// Watch: one run from its report. One time, one selected shot and target, and the views that show them.
+// Watch: one run from its log. One time, one selected shot and target, and the views that show them.
 import { h, iconButton, signedLegend } from "./parts";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
-import { saveCanvas, saveText } from "../base/save";
-import type { Flight } from "../report/run";
-import { Run } from "../report/run";
-import type { Report, Target } from "../report/types";
+import { saveBlob, saveCanvas, saveText } from "../base/save";
+import { flightsOf, type Flight } from "../log/flights";
+import { Run } from "../log/run";
+import type { RunLog } from "../log/run_log";
+import { targetsOf, type TargetStory } from "../log/targets";
 import { Clock, neighbour } from "./clock";
 import { EventList } from "./event_list";
 import { Facts } from "./facts";
@@ -22,6 +23,8 @@ import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
 
+/** Parts of a large file are shown at this interval as they are read. */
+const rest_ms = 150;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Watch {
@@ -29,7 +32,7 @@ export class Watch {
   private run: Run;
   private clock: Clock;
   private marks: Mark[];
-  private selected: { mark: Mark | null; shot: Flight | null; target: Target | null } = { mark: null, shot: null, target: null };
+  private selected: { mark: Mark | null; shot: Flight | null; target: TargetStory | null } = { mark: null, shot: null, target: null };
   private stage = h("div", { class: "stage" });
   private plan: PlanView;
   private space: SpaceView | null = null;
@@ -42,6 +45,7 @@ export class Watch {
   private tabs: Tabs;
   private timeline: Timeline;
   private frameAsked = 0;
+  private renewAsked = 0;
   private before = 0;
   private last: Flight | undefined;
   private switcher: HTMLElement;
@@ -51,8 +55,8 @@ export class Watch {
   private barWatcher: ResizeObserver;
 
   /** `goesOn`: the run is not over; renew() shows more of it. */
-  constructor(report: Report, query: Record<string, string>, goesOn = false) {
-    this.run = new Run(report, goesOn);
+  constructor(private log: RunLog, query: Record<string, string>, goesOn = false) {
+    this.run = new Run(log, goesOn);
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.plan = new PlanView(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one) });
@@ -76,6 +80,7 @@ export class Watch {
         iconButton("film", "Save frames of a film", () => this.saveFilm(), "m")));
     this.element = h("div", { class: "watch" }, h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage),
       this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
+    this.listen(log);
     this.bindKeys();
     this.begin(query);
   }
@@ -83,6 +88,8 @@ export class Watch {
   close(): void {
     cancelAnimationFrame(this.frameAsked);
     this.frameAsked = -1;
+    this.log.changed = () => undefined;
+    clearTimeout(this.renewAsked);
     keys.drop(this);
     this.barWatcher.disconnect();
     this.plan.close();
@@ -93,7 +100,7 @@ export class Watch {
 
   private madeTabs(): Tabs {
     return new Tabs([
-      { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => this.run.report.targets.length === 0 },
+      { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => targetsOf(this.run).length === 0 },
       { name: "Plots", element: this.plots.element, empty: () => this.plots.empty },
       { name: "Events", element: this.events.element, empty: () => this.events.empty },
       { name: "Numbers", element: this.facts.element, empty: () => false },
@@ -101,8 +108,9 @@ export class Watch {
   }
 
   /** Shows more of the run, or all of it in the end, and else what it showed: the time, the shot, the tab, the view. */
-  renew(report: Report, goesOn: boolean): void {
-    const run = new Run(report, goesOn);
+  renew(log: RunLog, goesOn: boolean): void {
+    const run = new Run(log, goesOn);
+    this.listen(log);
     const { shot, target, mark } = this.selected;
     this.run = run;
     this.marks = marksOf(run);
@@ -116,9 +124,9 @@ export class Watch {
       this.legend.replaceWith(legend);
       this.legend = legend;
     }
-    const same = shot && (run.flights[shot.index] ?? null);
-    this.last = this.last && run.flights[this.last.index];
-    this.select(same, run.targetNamed(target?.name) ?? report.targets[0] ?? null);
+    const same = shot && (flightsOf(run)[shot.index] ?? null);
+    this.last = this.last && flightsOf(run)[this.last.index];
+    this.select(same, this.named(target?.name) ?? targetsOf(run)[0] ?? null);
     if (mark && !same) this.selected.mark = this.marks.find((one) => one.t === mark.t && one.title === mark.title) ?? null;
     if (!goesOn) this.bindKeys();
   }
@@ -126,8 +134,9 @@ export class Watch {
   /** As the address says: t, shot, view, tab, follow. Without a time it plays, or keeps to the head of a run that goes on. */
   private begin(query: Record<string, string>): void {
     this.tabs.choose(query.tab ?? "", false);
-    const shot = this.run.flights[Number(query.shot ?? 1) - 1] ?? this.run.flights[0] ?? null;
-    this.choose(shot, this.run.targetOf(shot) ?? this.run.report.targets[0] ?? null);
+    const flights = flightsOf(this.run);
+    const shot = flights[Number(query.shot ?? 1) - 1] ?? flights[0] ?? null;
+    this.choose(shot, this.named(shot?.target) ?? targetsOf(this.run)[0] ?? null);
     if (query.view === "3d") void this.show(true);
     if (query.follow) this.setFollow(true);
     if (query.t !== undefined) this.clock.seek(finite(Number(query.t)));
@@ -136,6 +145,23 @@ export class Watch {
     else if (!calm.matches) this.clock.toggle(true);
     else this.invalidate();
   }
+
+  /** A part of a large file that was asked for has been read. */
+  private listen(log: RunLog): void {
+    if (log !== this.log) this.log.changed = () => undefined;
+    this.log = log;
+    log.changed = (grew) => {
+      if (grew) this.renewAsked ||= window.setTimeout(() => this.renewRead(), rest_ms);
+      else this.invalidate();
+    };
+  }
+
+  private renewRead(): void {
+    this.renewAsked = 0;
+    if (this.frameAsked >= 0) this.renew(this.log, this.run.goesOn);
+  }
+
+  private named(name: string | undefined): TargetStory | null { return targetsOf(this.run).find((one) => one.name === name) ?? null; }
 
   private invalidate(): void {
     if (this.frameAsked === 0) this.frameAsked = requestAnimationFrame((now) => this.frame(now));
@@ -166,32 +192,32 @@ export class Watch {
   /** While time passes, the side view shows the shot that was fired last. */
   private followShots(): void {
     if (!this.clock.playing && !this.clock.live) return;
-    const last = this.run.flights.findLast((shot) => shot.start <= this.clock.t);
-    if (last && last !== this.last) this.choose(last, this.run.targetOf(last));
+    const last = flightsOf(this.run).findLast((shot) => shot.start <= this.clock.t);
+    if (last && last !== this.last) this.choose(last, this.named(last.target));
     this.last = last;
   }
 
-  private select(shot: Flight | null, target: Target | null): void {
+  private select(shot: Flight | null, target: TargetStory | null): void {
     this.selected = { shot, target, mark: this.marks.find((mark) => shot !== null && mark.shot === shot) ?? null };
     this.side.select(shot, target);
     this.invalidate();
   }
 
-  private choose(shot: Flight | null, target: Target | null): void {
+  private choose(shot: Flight | null, target: TargetStory | null): void {
     this.select(shot, target);
     if (target) this.table.reveal(target);
   }
 
   private selectShot(shot: Flight): void {
-    this.choose(shot, this.run.targetOf(shot));
+    this.choose(shot, this.named(shot.target));
     this.last = shot;
     this.clock.seek(shot.start);
     keepInAddress({ shot: String(shot.index + 1) });
   }
 
   /** Again and again: the target's shots in turn, the last one first. */
-  private selectTarget(target: Target): void {
-    const fired = this.run.flights.filter((shot) => shot.target === target.name);
+  private selectTarget(target: TargetStory): void {
+    const fired = flightsOf(this.run).filter((shot) => shot.target === target.name);
     const shown = fired.findIndex((shot) => shot === this.selected.shot);
     const next = fired.at(shown < 0 ? -1 : (shown + 1) % fired.length);
     if (next) this.selectShot(next);
@@ -241,8 +267,13 @@ export class Watch {
 
   private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
 
-  private get name(): string { return this.run.report.world.name || "run"; }
+  private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
+
+  private saveLog(): void {
+    if (this.log.file) saveBlob(this.log.file, "run.mcap");
+    else saveText(JSON.stringify(this.log.summary), "run.json");
+  }
 
   private savePicture(): void { saveCanvas(this.view.canvas, `${this.instant}.png`); }
 
@@ -252,8 +283,8 @@ export class Watch {
     clock.toggle(false);
     const frame = new Frame(run);
     showFilmDialog({ duration: clock.duration, now: clock.t, name: this.name, done: () => this.invalidate(), draw: (t) => {
-      const shot = run.flights.findLast((one) => one.start <= t) ?? null;
-      this.view.draw({ t, shot, target: run.targetOf(shot), speed: 1 });
+      const shot = flightsOf(run).findLast((one) => one.start <= t) ?? null;
+      this.view.draw({ t, shot, target: this.named(shot?.target), speed: 1 });
       return frame.of(this.view.canvas, t);
     } });
   }
@@ -287,7 +318,7 @@ export class Watch {
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
       { key: "g", words: "save the plan view as SVG", act: () => saveText(this.plan.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
       { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
-      { key: "j", words: "save the report as JSON", act: () => saveText(JSON.stringify(this.run.report), `${this.run.report.job}.json`) },
+      { key: "j", words: "save the log of the run", act: () => this.saveLog() },
     ], this);
   }
 }

@@ -3,7 +3,7 @@ import { mix } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import type { Track } from "./track";
 
-const straight = 2e-6;  // m; the report is rounded to half of it
+const straight = 2e-6;  // m; poses may be rounded to half of it
 
 /** The rows of the track where the way bends, and those of times to keep, each at the time when it is reached. */
 export class Way {

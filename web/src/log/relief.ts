@@ -1,27 +1,28 @@
 // Ground that is not flat: heights on a lattice of posts, two triangles between four of them.
 import { clamp } from "../base/numbers";
-import type { ReliefGrid, Vec3 } from "./types";
+import type { Vec3 } from "./geometry";
+import type { Terrain } from "./messages";
 
 interface Place { column: number; row: number; u: number; v: number }
 
 export class Relief {
-  constructor(readonly grid: ReliefGrid) {}
+  private constructor(readonly grid: Terrain) {}
 
-  static of(grid: ReliefGrid | undefined): Relief | null {
-    const whole = grid && grid.columns > 1 && grid.rows > 1 && grid.heights_m.length === grid.columns * grid.rows;
+  static of(grid: Terrain | undefined): Relief | null {
+    const whole = grid && grid.columns > 1 && grid.rows > 1 && grid.heights.length === grid.columns * grid.rows;
     return whole ? new Relief(grid) : null;
   }
 
   post(column: number, row: number): Vec3 {
-    const { origin, spacing_m, columns, heights_m } = this.grid;
-    return [origin[0] + column * spacing_m[0], origin[1] + row * spacing_m[1], heights_m[row * columns + column]!];
+    const { origin, spacing, columns, heights } = this.grid;
+    return [origin.x + column * spacing.x, origin.y + row * spacing.y, heights[row * columns + column]!];
   }
 
   /** The cell at a place and where in it, from 0 to 1; of the nearest edge beyond the lattice. */
   private place(x: number, y: number): Place {
-    const { origin, spacing_m, columns, rows } = this.grid;
-    const across = clamp((x - origin[0]) / spacing_m[0], 0, columns - 1);
-    const up = clamp((y - origin[1]) / spacing_m[1], 0, rows - 1);
+    const { origin, spacing, columns, rows } = this.grid;
+    const across = clamp((x - origin.x) / spacing.x, 0, columns - 1);
+    const up = clamp((y - origin.y) / spacing.y, 0, rows - 1);
     const [column, row] = [Math.min(Math.floor(across), columns - 2), Math.min(Math.floor(up), rows - 2)];
     return { column, row, u: across - column, v: up - row };
   }
@@ -41,6 +42,6 @@ export class Relief {
   /** Upwards, not of length 1. */
   normal(x: number, y: number): Vec3 {
     const { x: along, y: up } = this.rise(this.place(x, y));
-    return [-along / this.grid.spacing_m[0], -up / this.grid.spacing_m[1], 1];
+    return [-along / this.grid.spacing.x, -up / this.grid.spacing.y, 1];
   }
 }
