@@ -10,7 +10,6 @@ import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
 import type { Opened } from "./plan/plan_page";
-import { openLog } from "./log/file";
 
 interface View { element: HTMLElement; close?: () => void }
 
@@ -24,7 +23,8 @@ function refusalView(sentence: string): View {
 }
 
 async function watchFile(file: Blob, query: Record<string, string>): Promise<View> {
-  const [log, { Watch }] = await Promise.all([openLog(file), import("./watch/watch")]);
+  const [{ openLog }, { Watch }] = await Promise.all([import("./log/file"), import("./watch/watch")]);
+  const log = await openLog(file);
   const watch = new Watch(log, query);
   const head = h("div", { class: "run-head" }, ...title(log));
   return { element: h("div", { class: "live-page" }, head, watch.element), close: () => watch.close() };

@@ -31,7 +31,7 @@ export function signedLegend(run: Run): HTMLElement {
   for (const [name, style] of mappingLegend(run)) line(name, style);
   if (run.hasTruth && log.has(topic.scan)) line("range finder", "border-color:var(--failed);border-top-width:1.5px");
   if (log.has(topic.camera)) line("camera", "border-color:var(--water);border-top-width:1.5px");
-  if (plansOf(run).length > 0) line("way chosen", "border-color:var(--open)");
+  if (plansOf(run).length > 0) line("path", "border-color:var(--open)");
   if (refusalsOf(run).length > 0) line("frontier refused", "border-color:var(--unreachable)");
   if ((slopesOf(run)?.steep.length ?? 0) > 0) {
     items.push(h("li", {}, h("i", { class: "swatch", style: "background:var(--failed);opacity:.35" }), "too steep"));
