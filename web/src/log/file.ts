@@ -5,7 +5,7 @@ import { decoderOf, decompressors } from "./decode";
 import { RunLog } from "./run_log";
 import { LogStream, originOf } from "./stream";
 import { parseSummary } from "./summary";
-import { heavyTypes } from "./topics";
+import { heavyTypes, unread } from "./topics";
 import { Windows, windowLength, type HeavyTopic } from "./windows";
 
 /** Decompressed size up to which a file is read whole. */
@@ -72,6 +72,7 @@ async function openLarge(index: McapIndexedReader): Promise<RunLog> {
     const schema = index.schemasById.get(schemaId);
     const decode = decoderOf(messageEncoding, schema);
     log.addChannel(topic, schema?.name ?? "", decode);
+    if (unread.has(topic)) continue;
     if (!heavyTypes.has(schema?.name ?? "")) light.push(topic);
     else if (decode) heavy.set(topic, { decode, length: windowLength(Number(statistics?.channelMessageCounts.get(id) ?? 0n), log.ahead) });
   }

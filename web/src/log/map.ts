@@ -66,17 +66,16 @@ export class MapHistory {
 
   constructor(private log: RunLog) {}
 
-  /** The map at t; null before the first. While a part of a large file is read, the one shown before. */
+  /** The map at t; null before the first. While a part of a large file is read, as far as it has been read. */
   at(t: number): MapNow | null {
     const whole = this.log.at<OccupancyGrid>(topic.map, t);
     if (whole === undefined) return null;
     if (whole === null) return this.now?.map ?? null;
     const start = this.startOf(whole, t);
-    const updates = this.log.window<OccupancyGridUpdate>(topic.mapUpdates, start.t, t);
-    if (!updates) return this.now?.map ?? null;
+    const { messages, until } = this.log.window<OccupancyGridUpdate>(topic.mapUpdates, start.t, t);
     this.now = start;
-    for (const update of updates) this.apply(update);
-    start.t = Math.max(start.t, t);
+    for (const update of messages) this.apply(update);
+    start.t = Math.max(start.t, until);
     return start.map;
   }
 

@@ -2,9 +2,12 @@
 // the one-file page all fill it (file.ts, stream.ts).
 import type { Decode } from "./decode";
 import type { Summary } from "./summary";
+import { unread } from "./topics";
 import type { Windows } from "./windows";
 
 export interface Stamped<T> { t: number; message: T }
+/** The messages of a span of time, as far as it has been read. */
+export interface Span<T> { messages: readonly Stamped<T>[]; until: number }
 
 /** Index of the last message that is not after t; -1 before the first. O(log n). */
 export function indexAt(messages: readonly { t: number }[], t: number): number {
@@ -66,7 +69,7 @@ export class RunLog {
   addChannel(topic: string, type: string, decode: Decode | null): Channel {
     let channel = this.channels.get(topic);
     if (!channel) {
-      channel = new Channel(topic, type, decode);
+      channel = new Channel(topic, type, unread.has(topic) ? null : decode);
       this.channels.set(topic, channel);
     }
     return channel;
@@ -107,10 +110,10 @@ export class RunLog {
     return all[indexAt(all, t)];
   }
 
-  /** The messages after `from` and not after `to`; null while they are being read. */
-  window<T>(topic: string, from: number, to: number): readonly Stamped<T>[] | null {
-    if (this.isLazy(topic)) return this.windows!.between(topic, from, to) as Stamped<T>[] | null;
+  /** The messages after `from` and not after `until`, which is `to`; or less, while the next part is being read. */
+  window<T>(topic: string, from: number, to: number): Span<T> {
+    if (this.isLazy(topic)) return this.windows!.between(topic, from, to) as Span<T>;
     const all = this.messages<T>(topic);
-    return all.slice(indexAt(all, from) + 1, indexAt(all, to) + 1);
+    return { messages: all.slice(indexAt(all, from) + 1, indexAt(all, to) + 1), until: to };
   }
 }

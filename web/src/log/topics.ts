@@ -44,6 +44,9 @@ export const topic = {
 /** Topics of the robots after the first: /robot_2/pose, /robot_3/pose, ... */
 export const ofRobot = (robot: number, name: string): string => `/robot_${robot}${name}`;
 
+/** Topics that nothing is drawn of; their messages are not kept. */
+export const unread = new Set(["/tf"]);
+
 /** Types whose messages are large: in a large file they are read when they are shown. */
 export const heavyTypes = new Set(["sensor_msgs/msg/LaserScan", "sensor_msgs/msg/PointCloud2", "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage",
   "nav_msgs/msg/OccupancyGrid", "map_msgs/msg/OccupancyGridUpdate"]);

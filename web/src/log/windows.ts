@@ -2,7 +2,7 @@
 // asked for; those that were not asked for of late are let go.
 import type { McapIndexedReader } from "@mcap/core";
 import type { Decode } from "./decode";
-import { indexAt, type Stamped } from "./run_log";
+import { indexAt, type Span, type Stamped } from "./run_log";
 
 const messagesInWindow = 64;
 const mostWindows = 48;
@@ -34,16 +34,16 @@ export class Windows {
     return undefined;
   }
 
-  /** Messages after `from` and not after `to`; null while some are being read. */
-  between(topic: string, from: number, to: number): Stamped<unknown>[] | null {
+  /** Messages after `from` and not after `to`, up to the first window that is not read yet. */
+  between(topic: string, from: number, to: number): Span<unknown> {
     const { length } = this.topics.get(topic)!;
-    const found: Stamped<unknown>[] = [];
+    const messages: Stamped<unknown>[] = [];
     for (let index = Math.floor(Math.max(0, from) / length); index * length <= to; ++index) {
       const all = this.window(topic, index);
-      if (!all) return null;
-      found.push(...all.slice(indexAt(all, from) + 1, indexAt(all, to) + 1));
+      if (!all) return { messages, until: Math.max(from, index * length - 1e-9) };
+      messages.push(...all.slice(indexAt(all, from) + 1, indexAt(all, to) + 1));
     }
-    return found;
+    return { messages, until: to };
   }
 
   private window(topic: string, index: number): Stamped<unknown>[] | null {

@@ -9,13 +9,18 @@ import { wallsOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Layer } from "./layer";
 
-/** Red, green and blue of a colour of the theme. */
+const known = new Map<string, [number, number, number]>();
+
+/** Red, green and blue of a colour of the theme. A look at a pixel may wait for the graphics card, so it is taken once. */
 function bytesOf(colour: string): [number, number, number] {
-  const ctx = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d")!;
-  ctx.fillStyle = colour;
-  ctx.fillRect(0, 0, 1, 1);
-  const [red, green, blue] = ctx.getImageData(0, 0, 1, 1).data;
-  return [red!, green!, blue!];
+  if (!known.has(colour)) {
+    const ctx = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
+    ctx.fillStyle = colour;
+    ctx.fillRect(0, 0, 1, 1);
+    const [red, green, blue] = ctx.getImageData(0, 0, 1, 1).data;
+    known.set(colour, [red!, green!, blue!]);
+  }
+  return known.get(colour)!;
 }
 
 /** A picture of a map, of one pixel a cell, painted anew when the map or the colours have changed. */

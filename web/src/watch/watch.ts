@@ -23,8 +23,6 @@ import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
 
-/** Parts of a large file are shown at this interval as they are read. */
-const rest_ms = 150;
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Watch {
@@ -46,6 +44,7 @@ export class Watch {
   private timeline: Timeline;
   private frameAsked = 0;
   private renewAsked = 0;
+  private rest_ms = 150;  // until more of a large file is shown
   private before = 0;
   private last: Flight | undefined;
   private switcher: HTMLElement;
@@ -151,13 +150,14 @@ export class Watch {
     if (log !== this.log) this.log.changed = () => undefined;
     this.log = log;
     log.changed = (grew) => {
-      if (grew) this.renewAsked ||= window.setTimeout(() => this.renewRead(), rest_ms);
+      if (grew) this.renewAsked ||= window.setTimeout(() => this.renewRead(), this.rest_ms);
       else this.invalidate();
     };
   }
 
   private renewRead(): void {
     this.renewAsked = 0;
+    this.rest_ms *= 1.5;  // all of it is worked out again each time
     if (this.frameAsked >= 0) this.renew(this.log, this.run.goesOn);
   }
 
