@@ -24,7 +24,6 @@ export interface LogLine { name: string; msg: string }
 // Messages of our own: outrider_msgs/msg/*.
 export interface RunInfo {
   job: string;
-  engine: string;
   seed: bigint;
   world: string;
   low: Point2;
@@ -73,7 +72,6 @@ export interface Tag { id: number; position: Point3; facing: number; size: numbe
 export interface Tags { tags: Tag[] }
 export interface Waypoint { position: Point2; heading: number; stop: boolean; reached: number; error: Point2 }
 export interface Waypoints { waypoints: Waypoint[] }
-export interface Decision { kind: string; frontiers: number }
 export interface Refusal { position: Point2; reason: string }
 export interface CoverageArea { area: Outline[]; reach: Outline[]; missed: Outline[]; overlap: Outline[]; planned: Point2[] }
 export interface Coverage { covered: number; overlap: number }

@@ -2,7 +2,7 @@
 // belief's own uncertainty, and what the map had when.
 import { beliefsOf } from "../log/beliefs";
 import type { Vec2 } from "../log/geometry";
-import { landmarksAt, loopsAt, odometryOf, referenceOf, type TimedWay } from "../log/mapping";
+import { landmarksAt, loopsAt, odometryOf, referenceOf } from "../log/mapping";
 import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { ellipseOf } from "./ellipse";
@@ -22,10 +22,12 @@ export function mappingSeries(run: Run): Series[] {
   const beside: Series = settled && wasMoved(run)
     ? { title: "Off the way as settled", unit: "m", time, lines: [{ name: "belief", colour: "failed", values: off(times, all.map(({ pose: [x, y] }): Vec2 => [x, y])) }, uncertainty] }
     : { title: "Uncertainty of the pose", unit: "m", time, lines: [uncertainty] };
-  const alone = ({ times: at, places }: TimedWay, title: string, name: string, colour: Series["lines"][number]["colour"]): Series[] =>
-    (places.length > 0 && at.length === places.length && at.at(-1)! > 0 ? [{ title, unit: "m", time: Array.from(at), lines: [{ name, colour, values: off(at, places) }] }] : []);
-  return [beside, ...alone(referenceOf(run), "Reference, off the way", "reference", "reached"),
-    ...alone(odometryOf(run), settled ? "Odometry alone, off the way as settled" : "Odometry alone, off the belief", "odometry", "waiting"), ...knownSeries(run)];
+  const reference = referenceOf(run);
+  if (reference.places.length === time.length) beside.lines.push({ name: "reference off the way", colour: "reached", values: off(times, reference.places) });
+  const odometry = odometryOf(run);
+  const alone: Series[] = odometry.places.length > 0 ? [{ title: settled ? "Odometry alone, off the way as settled" : "Odometry alone, off the belief", unit: "m",
+    time: Array.from(odometry.times), lines: [{ name: "odometry", colour: "waiting", values: off(odometry.times, odometry.places) }] }] : [];
+  return [beside, ...alone, ...knownSeries(run)];
 }
 
 /** Landmarks in the map and loops closed, over time. */

@@ -11,8 +11,6 @@ import { coverLegend } from "./cover_layer";
 import { enlargedOf } from "./ellipse";
 import { mappingLegend } from "./mapping_layer";
 
-export { h, iconButton } from "../base/dom";
-
 /** Colour alone tells nothing: each line has its name, each state its sign. */
 export function signedLegend(run: Run): HTMLElement {
   const { log } = run;

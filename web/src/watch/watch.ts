@@ -1,5 +1,5 @@
 // Watch: one run from its log. One time, one selected shot and target, and the views that show them.
-import { h, iconButton, signedLegend } from "./parts";
+import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
@@ -15,10 +15,10 @@ import { showFilmDialog } from "./film_dialog";
 import { Frame } from "./frame";
 import type { Now } from "./layer";
 import { marksOf, type Mark } from "./marks";
-import { PlanView } from "./plan_view";
+import { playingKeys } from "./playing_keys";
 import { Plots } from "./plots";
 import { SideView } from "./side_view";
-import type { SpaceView } from "./space_view";
+import { Stage } from "./stage";
 import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
@@ -31,10 +31,7 @@ export class Watch {
   private clock: Clock;
   private marks: Mark[];
   private selected: { mark: Mark | null; shot: Flight | null; target: TargetStory | null } = { mark: null, shot: null, target: null };
-  private stage = h("div", { class: "stage" });
-  private plan: PlanView;
-  private space: SpaceView | null = null;
-  private inSpace = false;
+  private stage: Stage;
   private side: SideView;
   private table: TargetTable;
   private events: EventList;
@@ -47,18 +44,14 @@ export class Watch {
   private rest_ms = 150;  // until more of a large file is shown
   private before = 0;
   private last: Flight | undefined;
-  private switcher: HTMLElement;
-  private legend: HTMLElement;
-  private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
-  private following = false;
-  private barWatcher: ResizeObserver;
 
   /** `goesOn`: the run is not over; renew() shows more of it. */
   constructor(private log: RunLog, query: Record<string, string>, goesOn = false) {
     this.run = new Run(log, goesOn);
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
-    this.plan = new PlanView(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one) });
+    this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
+      savePicture: () => this.savePicture(), saveFilm: () => this.saveFilm() });
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
     this.plots = new Plots(this.run, (t) => this.clock.seek(t));
     this.side = new SideView(this.run, () => this.invalidate());
@@ -67,18 +60,7 @@ export class Watch {
     this.timeline.renew(this.run, this.marks);
     this.facts.renew(this.run, goesOn);
     this.tabs = this.madeTabs();
-    this.legend = signedLegend(this.run);
-    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
-      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
-    this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
-    this.barWatcher.observe(bar);
-    this.stage.append(this.plan.element, bar,
-      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", () => this.savePicture(), "s"),
-        iconButton("film", "Save frames of a film", () => this.saveFilm(), "m")));
-    this.element = h("div", { class: "watch" }, h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage),
-      this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
+    this.element = h("div", { class: "watch" }, this.stage.element, this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
     this.listen(log);
     this.bindKeys();
     this.begin(query);
@@ -90,9 +72,7 @@ export class Watch {
     this.log.changed = () => undefined;
     clearTimeout(this.renewAsked);
     keys.drop(this);
-    this.barWatcher.disconnect();
-    this.plan.close();
-    this.space?.close();
+    this.stage.close();
     this.side.close();
     this.plots.close();
   }
@@ -113,16 +93,11 @@ export class Watch {
     const { shot, target, mark } = this.selected;
     this.run = run;
     this.marks = marksOf(run);
-    for (const part of [this.plan, this.space, this.side, this.table, this.events, this.plots]) part?.renew(run);
+    for (const part of [this.stage, this.side, this.table, this.events, this.plots]) part.renew(run);
     this.clock.grow(run.duration, goesOn);
     this.timeline.renew(run, this.marks);
     this.facts.renew(run, goesOn);
     this.tabs.renew();
-    const legend = signedLegend(run);
-    if (!legend.isEqualNode(this.legend)) {
-      this.legend.replaceWith(legend);
-      this.legend = legend;
-    }
     const same = shot && (flightsOf(run)[shot.index] ?? null);
     this.last = this.last && flightsOf(run)[this.last.index];
     this.select(same, this.named(target?.name) ?? targetsOf(run)[0] ?? null);
@@ -136,8 +111,8 @@ export class Watch {
     const flights = flightsOf(this.run);
     const shot = flights[Number(query.shot ?? 1) - 1] ?? flights[0] ?? null;
     this.choose(shot, this.named(shot?.target) ?? targetsOf(this.run)[0] ?? null);
-    if (query.view === "3d") void this.show(true);
-    if (query.follow) this.setFollow(true);
+    if (query.view === "3d") void this.stage.show(true);
+    if (query.follow) this.stage.setFollow(true);
     if (query.t !== undefined) this.clock.seek(finite(Number(query.t)));
     else if (query.shot !== undefined && shot) this.clock.seek(shot.start);
     else if (this.clock.goesOn) this.clock.follow();
@@ -173,8 +148,7 @@ export class Watch {
     clock.advance(clock.live && calm.matches ? Infinity : (now - this.before) / 1000);
     this.before = now;
     this.followShots();
-    if (this.inSpace) this.space?.draw(this.present);
-    else this.plan.draw(this.present);
+    this.stage.draw(this.present);
     this.side.draw(clock.t);
     this.table.show(clock.t, this.selected.target);
     this.events.show(clock.t);
@@ -238,35 +212,6 @@ export class Watch {
     if (mark) this.selectMark(mark);
   }
 
-  private setFollow(on: boolean): void {
-    this.following = on;
-    this.followButton.setAttribute("aria-pressed", String(on));
-    this.plan.follow = on;
-    if (this.space) this.space.follow = on;
-    if (on && this.plan.camera.home) this.plan.camera.zoom(2);
-    keepInAddress({ follow: on ? "1" : "" });
-    this.invalidate();
-  }
-
-  private async show(space: boolean): Promise<void> {
-    this.inSpace = space;
-    const [plan, three] = this.switcher.children;
-    plan?.setAttribute("aria-pressed", String(!space));
-    three?.setAttribute("aria-pressed", String(space));
-    keepInAddress({ view: space ? "3d" : "" });
-    if (space && !this.space) {
-      const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, () => this.invalidate());
-      this.space.follow = this.following;
-      this.stage.prepend(this.space.element);
-    }
-    this.plan.element.hidden = this.inSpace;
-    if (this.space) this.space.element.hidden = !this.inSpace;
-    this.invalidate();
-  }
-
-  private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
-
   private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
@@ -275,7 +220,7 @@ export class Watch {
     else saveText(JSON.stringify(this.log.summary), "run.json");
   }
 
-  private savePicture(): void { saveCanvas(this.view.canvas, `${this.instant}.png`); }
+  private savePicture(): void { saveCanvas(this.stage.canvas, `${this.instant}.png`); }
 
   /** Opens the dialog that saves frames of the current view; a frame depends on the time alone. */
   private saveFilm(): void {
@@ -284,39 +229,23 @@ export class Watch {
     const frame = new Frame(run);
     showFilmDialog({ duration: clock.duration, now: clock.t, name: this.name, done: () => this.invalidate(), draw: (t) => {
       const shot = flightsOf(run).findLast((one) => one.start <= t) ?? null;
-      this.view.draw({ t, shot, target: this.named(shot?.target), speed: 1 });
-      return frame.of(this.view.canvas, t);
+      this.stage.draw({ t, shot, target: this.named(shot?.target), speed: 1 });
+      return frame.of(this.stage.canvas, t);
     } });
   }
 
   private bindKeys(): void {
-    const { clock } = this;
-    const toLive = { key: "l", words: "keep to what happens now", act: () => clock.follow() };
-    keys.set("Playing", [
-      { key: " ", words: "play or pause", act: () => clock.toggle() },
-      { key: "ArrowLeft", words: "1 s back", act: () => clock.seek(clock.t - 1) },
-      { key: "ArrowRight", words: "1 s on", act: () => clock.seek(clock.t + 1) },
-      { key: "Shift+ArrowLeft", words: "10 s back", act: () => clock.seek(clock.t - 10) },
-      { key: "Shift+ArrowRight", words: "10 s on", act: () => clock.seek(clock.t + 10) },
-      { key: ",", words: "a frame back", act: () => clock.seek(clock.t - 0.05) },
-      { key: ".", words: "a frame on", act: () => clock.seek(clock.t + 0.05) },
-      { key: "p", words: "previous event", act: () => this.step(-1) },
-      { key: "n", words: "next event", act: () => this.step(1) },
-      { key: "Home", words: "to the start", act: () => clock.seek(0) },
-      { key: "End", words: "to the end", act: () => clock.follow() },
-      ...(clock.goesOn ? [toLive] : []),
-      { key: "<", words: "slower", act: () => clock.shift(-1) },
-      { key: ">", words: "faster", act: () => clock.shift(1) },
-    ], this);
+    const { clock, stage } = this;
+    keys.set("Playing", playingKeys(clock, (direction) => this.step(direction)), this);
     keys.set("View", [
-      { key: "v", words: "plan or space", act: () => void this.show(!this.inSpace) },
-      { key: "f", words: "follow the robot", act: () => this.setFollow(!this.following) },
-      { key: "+", words: "zoom in", act: () => (this.inSpace ? this.space?.zoom(1 / 1.3) : this.plan.camera.zoom(1.5)) },
-      { key: "-", words: "zoom out", act: () => (this.inSpace ? this.space?.zoom(1.3) : this.plan.camera.zoom(1 / 1.5)) },
-      { key: "0", words: "show everything", act: () => { this.setFollow(false); this.view.reset(); } },
+      { key: "v", words: "plan or space", act: () => void stage.show(!stage.inSpace) },
+      { key: "f", words: "follow the robot", act: () => stage.setFollow(!stage.following) },
+      { key: "+", words: "zoom in", act: () => stage.zoom(true) },
+      { key: "-", words: "zoom out", act: () => stage.zoom(false) },
+      { key: "0", words: "show everything", act: () => stage.reset() },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save the plan view as SVG", act: () => saveText(this.plan.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
+      { key: "g", words: "save the plan view as SVG", act: () => saveText(stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
       { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
       { key: "j", words: "save the log of the run", act: () => this.saveLog() },
     ], this);

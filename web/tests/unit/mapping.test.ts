@@ -51,8 +51,8 @@ describe("the plots", () => {
     expect(known!.lines.map((one) => one.values)).toEqual([[0, 1, 2, 2, 2], [0, 0, 0, 1, 1]]);
   });
   it("show a reference that has a pose for each of the path", () => {
-    const titles = mappingSeries(mapped({ [topic.reference]: [[10, { poses: times.map((t) => pose(t, 2)) }]] })).map((one) => one.title);
-    expect(titles).toContain("Reference, off the way");
+    const [one] = mappingSeries(mapped({ [topic.reference]: [[10, { poses: times.map((t) => pose(t, 2)) }]] }));
+    expect(one!.lines[2]).toMatchObject({ name: "reference off the way", values: times.map(() => 1) });
   });
   it("say nothing of a way as settled while nothing is", () => {
     expect(mappingSeries(mapped(live)).map((one) => one.title)).toEqual(["Uncertainty of the pose", "Odometry alone, off the belief", "Known"]);
