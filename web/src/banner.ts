@@ -22,10 +22,10 @@ export function heading(log: RunLog): HTMLHeadingElement {
 }
 
 /** Whether the run was done, in a word and a sentence. */
-function verdictOf({ summary, cut, end }: RunLog): { word: string; sentence: string } {
-  if (cut) {
-    return { word: "Cut short", sentence: `The log is cut short at t = ${fixed(end, 2)} s: its run was killed, or the file is not whole. It is shown up to there.` };
-  }
+function verdictOf({ summary, cut, count, end }: RunLog): { word: string; sentence: string } {
+  const why = "its run was killed, or the file is not whole";
+  if (cut && count === 0) return { word: "Cut short", sentence: `The log is cut short before its first message: ${why}.` };
+  if (cut) return { word: "Cut short", sentence: `The log is cut short at t = ${fixed(end, 2)} s: ${why}. It is shown up to there.` };
   if (!summary) return { word: "No verdict", sentence: "The log has no run.json, which says how the run ended." };
   const done = summary.status === "done";
   const caught = summary.metrics.catch_time_s;

@@ -18,7 +18,7 @@ export class LiveLog {
   feed(bytes: Uint8Array): boolean {
     this.stream.feed(bytes);
     const { log } = this.stream;
-    if (log !== this.log && (this.stream.done || log.end >= this.log.end)) this.log = log;
+    if (log !== this.log && (this.stream.done || log.count >= this.log.count)) this.log = log;
     return log === this.log && log.channels.size > 0;
   }
 }

@@ -84,6 +84,8 @@ export class RunLog {
   }
 
   get end(): number { return this.endWithout(); }
+  /** How many messages have been read. */
+  get count(): number { return [...this.channels.values()].reduce((sum, one) => sum + one.count, 0); }
 
   has(topic: string): boolean {
     return this.isLazy(topic) || (this.channels.get(topic)?.count ?? 0) > 0;
