@@ -16,7 +16,6 @@
 #include "outrider/log/scene_messages.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/picture/plan_view.hpp"
-#include "outrider/report/pictures.hpp"
 #include "page.hpp"
 #include "run_output.hpp"
 #include "terminal.hpp"
@@ -120,9 +119,9 @@ Status write_views(const ReplayCommand& command, const Command& flags, const Sto
   if (run.path.empty())
     return bad_input("a page or a picture needs the log of a run; give RUN/run.mcap", command.path);
   if (html) {
-    auto page = page_of(run.report, run.log);
-    if (!page) return pass_on(page);
-    if (auto ok = write_file(command.html, to_html(*page, page::viewer())); !ok) return ok;
+    const auto page = page_text(run.report, run.path);
+    if (!page) return tl::unexpected<Fault>(page.error());
+    if (auto ok = write_file(command.html, *page); !ok) return ok;
   }
   return svg ? write_file(command.svg, plan_view(run.log)) : Status{};
 }

@@ -11,6 +11,7 @@
 #include "outrider/log/topics.hpp"
 #include "outrider/picture/plan_view.hpp"
 #include "outrider/report/json.hpp"
+#include "outrider/report/page_report.hpp"
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
@@ -41,8 +42,11 @@ std::string result_text(const Run& run) {
   return json_text(object, 1) + "\n";
 }
 
-Outcome<PageReport> page_of(const Report& report, const Log& log) {
-  return report_from_json(to_json(page_report(report, log)));
+Outcome<std::string> page_text(const Report& report, const std::string& log_path) {
+  auto log = read_file(log_path);
+  if (!log) return pass_on(log);
+  const std::string world = report.world_name.empty() ? "" : ": " + report.world_name;
+  return to_html(printable(report.job + world), *log, page::viewer());
 }
 
 std::string text_of(const Job& job, const Report& report) {
@@ -79,11 +83,11 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, con
     written.emplace_back("log", complete.back().path);
     add("picture", "run.svg", plan_view(run.log));
   }
-  if (plays(run)) {
-    auto page = page_of(run.report, run.log);
+  if (plays(run)) add("report", name + ".json", to_json(page_report(run.report, run.log)));
+  if (output.html && !log_path->empty()) {
+    auto page = page_text(run.report, *log_path);
     if (!page) return pass_on(page);
-    add("report", name + ".json", to_json(*page));
-    if (output.html) add("page", name + ".html", to_html(*page, page::viewer()));
+    add("page", name + ".html", std::move(*page));
   }
   for (const NamedContent& file : run.files) add(file.path, file.path, file.content);
   if (auto ok = make_folder(output.folder); !ok) return pass_on(ok);

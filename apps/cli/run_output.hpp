@@ -6,7 +6,6 @@
 
 #include "outrider/job/job.hpp"
 #include "outrider/job/run_json.hpp"
-#include "outrider/report/page_report.hpp"
 #include "run_log.hpp"
 
 namespace outrider::cli {
@@ -30,8 +29,8 @@ std::string result_text(const Run& run);
 /// was cancelled before its mission began, so the files of an earlier run stay whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output);
 
-/// Returns the run as the page shows it.
-Outcome<PageReport> page_of(const Report& report, const Log& log);
+/// Returns a page that plays the run whose log is in that file. Fault: bad_input if the log is larger than 256 MiB.
+Outcome<std::string> page_text(const Report& report, const std::string& log_path);
 
 /// Returns the report as text for people.
 std::string text_of(const Job& job, const Report& report);

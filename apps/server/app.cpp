@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "base64.hpp"
 #include "foxglove.hpp"
 #include "gunzip.hpp"
+#include "outrider/core/base64.hpp"
 #include "scenarios.hpp"
 
 namespace outrider::server {

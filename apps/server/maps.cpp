@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base64.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/jobs/plan/scenario.hpp"
 #include "outrider/path/visibility/polygon_ground.hpp"
 #include "outrider/world/occupancy.hpp"

@@ -10,10 +10,10 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "base64.hpp"
 #include "child.hpp"
 #include "maps.hpp"
 #include "message.hpp"
+#include "outrider/core/base64.hpp"
 #include "scenarios.hpp"
 #include "yard_scenarios.hpp"
 

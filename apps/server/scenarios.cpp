@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base64.hpp"
 #include "catalogue.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/scenario.hpp"
 #include "outrider/io/values.hpp"

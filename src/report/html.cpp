@@ -1,26 +1,11 @@
 #include <initializer_list>
 
-#include "outrider/report/json.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/report/pictures.hpp"
 #include "text.hpp"
 
 namespace outrider {
 namespace {
-
-// JSON for a script element: '<' stands only inside strings there, and as an escape it can neither
-// close the element nor open a comment.
-std::string script_data(const std::string& json) {
-  std::string safe;
-  safe.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
 
 struct Part {
   std::string_view marker;
@@ -42,9 +27,8 @@ std::string filled(std::string_view page, std::initializer_list<Part> parts) {
 
 }  // namespace
 
-std::string to_html(const PageReport& report, std::string_view viewer) {
-  return filled(viewer, {{"@TITLE@", markup_text(report.job + ": " + report.world_name)},
-                         {"@REPORT@", script_data(to_json(report))}});
+std::string to_html(const std::string& title, std::string_view mcap, std::string_view viewer) {
+  return filled(viewer, {{"@TITLE@", markup_text(title)}, {"@LOG@", base64_encoded(mcap)}});
 }
 
 }  // namespace outrider

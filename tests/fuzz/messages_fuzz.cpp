@@ -44,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto viewer = app.live().open();
   if (!receive_all(*viewer, {reinterpret_cast<const char*>(data), size}, run)) return 0;
   bool ended = false;
-  viewer->serve([&](const std::string& message) {
+  viewer->serve([&](outrider::server::FrameKind kind, const std::string& message) {
+    if (kind != outrider::server::FrameKind::text) return true;  // bytes of a log
     const auto json = nlohmann::json::parse(message, nullptr, false);
     if (!json.is_object() || !json.contains("type")) std::abort();
     if (message.find("this is a bug") != std::string::npos) std::abort();

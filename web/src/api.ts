@@ -1,6 +1,7 @@
 // The server's interface (docs/server.md): requests return a value or throw the server's sentence.
+import { base64Of } from "./base/base64";
 
-export interface FileRow { path: string; kind: "scenario" | "report" | "map" | "other"; job?: string; bytes: number }
+export interface FileRow { path: string; kind: "scenario" | "run" | "map" | "other"; job?: string; bytes: number }
 export interface OptionRow {
   name: string;
   type: "number" | "integer" | "boolean" | "string";
@@ -135,9 +136,7 @@ export interface RunRow {
   job: string;
   seed: number | null;
   progress: { step: number; steps: number; name: string; part: number } | null;
-  seq: number;
   error: string;
-  has_report: boolean;
 }
 
 const base = "api/v1/";
@@ -172,8 +171,8 @@ export async function getJson<T>(path: string): Promise<T> {
   return await (await answer(path)).json() as T;
 }
 
-export async function getText(path: string): Promise<string> {
-  return (await answer(path)).text();
+export async function getBlob(path: string): Promise<Blob> {
+  return (await answer(path)).blob();
 }
 
 /** Saves a scenario with the files that it needs; existing files are replaced only if `replace` is set. */
@@ -189,14 +188,7 @@ export async function send<T>(method: "POST" | "DELETE", path: string, body?: un
   return await (await answer(path, init)).json() as T;
 }
 
-async function base64(file: File): Promise<string> {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  let text = "";
-  for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-  return btoa(text);
-}
-
 /** Sends a map that was dropped on the page; maps of map_server are two files. */
 export async function postMap(files: File[]): Promise<MapAnswer> {
-  return send("POST", "maps", { files: await Promise.all(files.map(async (file) => ({ name: file.name, base64: await base64(file) }))) });
+  return send("POST", "maps", { files: await Promise.all(files.map(async (file) => ({ name: file.name, base64: base64Of(new Uint8Array(await file.arrayBuffer())) }))) });
 }

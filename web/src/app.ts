@@ -1,7 +1,7 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
-import { filePath, getJson, getText, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
+import { filePath, getBlob, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
 import { emblem, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -10,7 +10,6 @@ import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
 import type { Opened } from "./plan/plan_page";
-import { parseReport } from "./report/types";
 
 interface View { element: HTMLElement; close?: () => void }
 
@@ -23,12 +22,11 @@ function refusalView(sentence: string): View {
   return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the files"))) };
 }
 
-async function watchText(text: string, query: Record<string, string>): Promise<View> {
-  const report = parseReport(text);
-  if (typeof report === "string") return refusalView(report);
-  const { Watch } = await import("./watch/watch");
-  const watch = new Watch(report, query);
-  const head = h("div", { class: "run-head" }, ...title(report, text.match(/"seed": ?(\d+)/)?.[1] ?? ""));
+async function watchFile(file: Blob, query: Record<string, string>): Promise<View> {
+  const [{ openLog }, { Watch }] = await Promise.all([import("./log/file"), import("./watch/watch")]);
+  const log = await openLog(file);
+  const watch = new Watch(log, query);
+  const head = h("div", { class: "run-head" }, ...title(log));
   return { element: h("div", { class: "live-page" }, head, watch.element), close: () => watch.close() };
 }
 
@@ -52,7 +50,7 @@ async function scenarioView(path: string, query: Record<string, string>): Promis
 const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs: [0, 64 * 44] };
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
-  if (view === "watch") return watchText(await getText(filePath(path)), query);
+  if (view === "watch") return watchFile(await getBlob(filePath(path)), query);
   if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
   if (view === "change") return scenarioView(path, query);
   if (view === "draw") return planView(await send<MapAnswer>("POST", "maps", { grid: blank }), query);
@@ -92,12 +90,12 @@ function route(): void {
   void show(() => viewOf(address));
 }
 
-/** Opens dropped files: shows a report, or sends anything else to the server as a map. */
+/** Opens dropped files: shows the log of a run, or sends anything else to the server as a map. */
 async function openFiles(files: File[]): Promise<void> {
   const [first] = files;
   if (!first) return;
   await show(async () => {
-    if (files.length === 1 && first.name.endsWith(".json")) return watchText(await first.text(), {});
+    if (files.length === 1 && /\.(mcap|json)$/.test(first.name)) return watchFile(first, {});
     const map = await postMap(files);
     history.replaceState(null, "", "#plan");
     return planView(map, {});

@@ -1,9 +1,11 @@
 // The header of a run: its name, whether it was done, and why not.
-import { h, iconButton } from "./base/dom";
+import { h, iconButton, svg } from "./base/dom";
+import { fixed } from "./base/numbers";
 import { showHelp } from "./base/help";
-import { svg } from "./base/dom";
 import { toggleTheme } from "./base/theme";
-import type { Report } from "./report/types";
+import type { RunInfo } from "./log/messages";
+import type { RunLog } from "./log/run_log";
+import { topic } from "./log/topics";
 
 export function emblem(): SVGElement {
   return svg("svg", { class: "emblem", viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("circle", { cx: 12, cy: 14.5, r: 6.2 }),
@@ -14,18 +16,31 @@ export function tools(): HTMLElement {
   return h("div", { class: "tools" }, iconButton("theme", "Light or dark", toggleTheme, "d"), iconButton("help", "Keys", showHelp, "?"));
 }
 
-export const heading = (report: Report): HTMLHeadingElement =>
-  h("h1", {}, h("span", { class: "job" }, report.job), report.world.name || "no name");
-
-/** Returns title and verdict, for the header of the viewer and above a run in the app. */
-export function title(report: Report, seed: string): HTMLElement[] {
-  const done = report.status === "done";
-  const reason = report.reason || (report.pursuit && done ? `caught in second ${report.metrics.catch_time_s ?? ""}` : "");
-  return [heading(report),
-    h("p", { class: "verdict", title: report.reason }, h("b", done ? {} : { class: "not" }, done ? "Done" : "Not done"), reason ? ` ${reason}` : ""),
-    h("p", { class: "seed" }, seed ? `seed ${seed}` : "")];
+export function heading(log: RunLog): HTMLHeadingElement {
+  const info = log.latest<RunInfo>(topic.run);
+  return h("h1", {}, h("span", { class: "job" }, info?.job || log.summary?.job || ""), info?.world || log.summary?.world || "no name");
 }
 
-export function banner(report: Report, seed: string): HTMLElement {
-  return h("header", { class: "top" }, emblem(), ...title(report, seed), tools());
+/** Whether the run was done, in a word and a sentence. */
+function verdictOf({ summary, cut, count, end }: RunLog): { word: string; sentence: string } {
+  const why = "its run was killed, or the file is not whole";
+  if (cut && count === 0) return { word: "Cut short", sentence: `The log is cut short before its first message: ${why}.` };
+  if (cut) return { word: "Cut short", sentence: `The log is cut short at t = ${fixed(end, 2)} s: ${why}. It is shown up to there.` };
+  if (!summary) return { word: "No verdict", sentence: "The log has no run.json, which says how the run ended." };
+  const done = summary.status === "done";
+  const caught = summary.metrics.catch_time_s;
+  return { word: done ? "Done" : summary.status === "cancelled" ? "Cancelled" : "Not done", sentence: summary.reason || (done && Number.isFinite(caught) ? `caught in second ${caught}` : "") };
+}
+
+/** Returns title and verdict, for the header of the viewer and above a run in the app. */
+export function title(log: RunLog): HTMLElement[] {
+  const { word, sentence } = verdictOf(log);
+  const info = log.latest<RunInfo>(topic.run);
+  return [heading(log),
+    h("p", { class: log.cut ? "verdict cut" : "verdict", title: sentence, ...(log.cut ? { role: "alert" } : {}) }, h("b", word === "Done" ? {} : { class: "not" }, word), sentence ? ` ${sentence}` : ""),
+    h("p", { class: "seed" }, info ? `seed ${info.seed}` : "")];
+}
+
+export function banner(log: RunLog): HTMLElement {
+  return h("header", { class: "top" }, emblem(), ...title(log), tools());
 }

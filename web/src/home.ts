@@ -1,11 +1,11 @@
-// The home page: the files in the served folder, namely reports to watch, scenarios to run, maps to plan on.
+// The home page: the files in the served folder, namely runs to watch, scenarios to run, maps to plan on.
 import type { FileRow } from "./api";
 import { h } from "./base/dom";
 import { formatAddress } from "./base/url";
 
-const views = { report: "watch", scenario: "live", map: "plan", other: "" } as const;
+const views = { run: "watch", scenario: "live", map: "plan", other: "" } as const;
 const groups = [
-  ["report", "Reports", "what happened, to watch again"],
+  ["run", "Runs", "what happened, to watch again"],
   ["scenario", "Scenarios", "missions to run"],
   ["map", "Maps", "ground to plan on"],
 ] as const;
@@ -13,10 +13,13 @@ const groups = [
 const size = (bytes: number): string =>
   (bytes < 1000 ? `${bytes} B` : bytes < 1e6 ? `${(bytes / 1e3).toFixed(0)} kB` : `${(bytes / 1e6).toFixed(1)} MB`);
 
+/** Logs are known by their names. */
+const kindOf = ({ path, kind }: FileRow): FileRow["kind"] => (path.endsWith(".mcap") ? "run" : kind);
+
 function row(file: FileRow): HTMLElement {
   const change = { view: "change", path: file.path, query: {} };
   const address = file.job === "plan" && file.kind === "scenario" ? change
-    : file.kind === "scenario" ? { view: "live", path: "", query: { scenario: file.path } } : { view: views[file.kind], path: file.path, query: {} };
+    : file.kind === "scenario" ? { view: "live", path: "", query: { scenario: file.path } } : { view: views[kindOf(file)], path: file.path, query: {} };
   const yard = file.kind === "scenario" && file.job === "guard";
   return h("li", { "data-path": file.path }, h("a", { href: formatAddress(address) }, h("span", { class: "name" }, file.path),
     h("span", { class: "kind" }, file.job ?? ""), h("span", { class: "size" }, size(file.bytes))),
@@ -28,7 +31,7 @@ export function home(folder: string, files: FileRow[], open: (files: File[]) => 
   const input = h("input", { type: "file", multiple: true, hidden: true });
   input.addEventListener("change", () => open([...(input.files ?? [])]));
   const lists = groups.map(([kind, name, what]) => {
-    const some = files.filter((file) => file.kind === kind);
+    const some = files.filter((file) => kindOf(file) === kind);
     return h("section", { class: "panel group" }, h("h2", {}, name, h("span", {}, ` ${what}`)),
       some.length > 0 ? h("ul", { class: "rows" }, ...some.map(row)) : h("p", { class: "none" }, "None in this folder."));
   });
@@ -38,6 +41,6 @@ export function home(folder: string, files: FileRow[], open: (files: File[]) => 
   return h("div", { class: "page" }, h("div", { class: "page-head" }, h("h1", {}, folder), filter,
     h("a", { class: "button", href: "#draw" }, "Draw a map"),
     h("button", { type: "button", class: "button", onclick: () => input.click() }, "Open a file"), input),
-  h("p", { class: "hint" }, "Drop a report or a map anywhere on this page: map_server, PNG, SDF, MovingAI or polygons."),
+  h("p", { class: "hint" }, "Drop a run (.mcap) or a map anywhere on this page: map_server, PNG, SDF, MovingAI or polygons."),
   h("div", { class: "groups" }, ...lists));
 }

@@ -1,11 +1,12 @@
-// The viewer: one self-contained file that contains the report of one run.
+// The viewer: one self-contained file that contains the log of one run.
 import "./base/style.css";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
 import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress } from "./base/url";
-import { parseReport } from "./report/types";
+import { bytesOfBase64 } from "./base/base64";
+import { openLog } from "./log/file";
 import { banner } from "./banner";
 import { Watch } from "./watch/watch";
 
@@ -17,12 +18,12 @@ keys.set("Page", [
 ]);
 document.addEventListener("keydown", (event) => keys.handle(event));
 
-const text = document.getElementById("report")!.textContent ?? "";
-const report = parseReport(text);
-if (typeof report === "string") {
-  document.body.append(h("p", { class: "refusal" }, report));
-} else {
-  const seed = text.match(/"seed": ?(\d+)/)?.[1] ?? "";  // kept as text because it may exceed 2^53
-  document.body.append(banner(report, seed));
-  document.body.append(new Watch(report, query).element);
+async function show(): Promise<void> {
+  const element = document.getElementById("log")!;
+  const file = new Blob([bytesOfBase64(element.textContent ?? "")]);
+  element.remove();
+  const log = await openLog(file);
+  document.body.append(banner(log), new Watch(log, query).element);
 }
+
+show().catch((error: Error) => document.body.append(h("p", { class: "refusal" }, error.message)));

@@ -1,16 +1,14 @@
-// The page of a report: one HTML file that plays it.
+// The page of a run: one HTML file that plays it.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "outrider/report/page_report.hpp"
-
 namespace outrider {
 
-/// Returns an HTML page that plays the report. `viewer` is the page without a report (the tool contains one,
-/// built from web/): HTML with the markers @TITLE@ (text) and @REPORT@ (JSON, inside a script element), each
-/// once and in this order. All names in the report are escaped. O(length of both).
-std::string to_html(const PageReport& report, std::string_view viewer);
+/// Returns an HTML page that plays a run. `mcap` is the log of the run as an MCAP file, `title` the title of the page,
+/// which is escaped. `viewer` is the page without a run (the tool contains one, built from web/): HTML with the markers
+/// @TITLE@ (text) and @LOG@ (base64, inside a script element), each once and in this order. O(length of all).
+std::string to_html(const std::string& title, std::string_view mcap, std::string_view viewer);
 
 }  // namespace outrider

@@ -2,9 +2,8 @@
 
 #include <string>
 
-#include "outrider/report/json.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/report/pictures.hpp"
-#include "sample_report.hpp"
 
 namespace outrider {
 namespace {
@@ -15,59 +14,54 @@ std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
+const std::string open_log = "<script type=\"application/octet-stream;base64\" id=\"log\">";
 const std::string viewer =
-    "<!doctype html><title>@TITLE@</title><script type=\"application/json\" id=\"report\">@REPORT@</script>"
-    "<script>show()</script>";
+    "<!doctype html><title>@TITLE@</title>" + open_log + "@LOG@</script><script>show()</script>";
 
-// What a browser takes for the content of the element with the report.
+// What a browser takes for the content of the element with the log.
 std::string embedded(const std::string& page) {
-  const std::string open = "<script type=\"application/json\" id=\"report\">";
-  const std::size_t start = page.find(open) + open.size();
+  const std::size_t start = page.find(open_log) + open_log.size();
   return page.substr(start, page.find("</script", start) - start);
 }
 
-TEST(ReplayPage, HoldsTheWholeReport) {
-  const PageReport report = test::sample_report();
-  const auto back = report_from_json(embedded(to_html(report, viewer)));
-  ASSERT_TRUE(back) << to_string(back.error());
-  EXPECT_EQ(to_json(*back), to_json(report));
+std::string all_bytes() {
+  std::string bytes;
+  for (int i = 0; i < 1000; ++i) bytes += static_cast<char>(i * i);
+  return bytes;
 }
 
-TEST(ReplayPage, NamesCannotBreakOut) {
-  const std::string plain = to_html(test::sample_report(), viewer);
-  for (const std::string name :
-       {"</script><script>alert(1)</script>", "<!--<script>", "</title><img onerror=alert(1)>",
-        "@TITLE@ @REPORT@", "\"'`&<>", "]]>", "\xE2\x80\xA8", "\xff\xfe</script>"}) {
-    PageReport report = test::sample_report();
-    report.world_name = report.job = report.reason = name;
-    report.targets[0].name = report.solids[2].name = report.shots[0].contact = name;
-    report.metrics.emplace_back(name, 1.0);
-    report.settings.emplace_back(name, name);
-    report.warnings.push_back(name);
-    const std::string page = to_html(report, viewer);
-    EXPECT_EQ(count(page, "<script"), count(plain, "<script")) << name;
-    EXPECT_EQ(count(page, "</script"), count(plain, "</script")) << name;
-    EXPECT_EQ(count(page, "<!--"), count(plain, "<!--")) << name;
-    EXPECT_EQ(count(page, "<img"), 0U) << name;
-    EXPECT_EQ(count(page, "</title>"), 1U) << name;
-    const auto back = report_from_json(embedded(page));
-    ASSERT_TRUE(back) << name;
-    EXPECT_EQ(to_json(*back), to_json(report)) << name;
+TEST(ReplayPage, HoldsTheWholeLog) {
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{999}}) {
+    const std::string log = all_bytes().substr(0, length);
+    EXPECT_EQ(base64_decoded(embedded(to_html("guard: yard", log, viewer))), log);
   }
 }
 
-TEST(ReplayPage, FillsEachMarkerOnce) {
-  PageReport report = test::sample_report();
-  report.world_name = "@REPORT@";
-  const std::string page = to_html(report, viewer);
-  EXPECT_TRUE(page.starts_with("<!doctype html><title>guard: @REPORT@</title>"));
-  EXPECT_TRUE(page.ends_with("}</script><script>show()</script>") ||
-              page.ends_with("}\n</script><script>show()</script>"));
+TEST(ReplayPage, TheTitleCannotBreakOut) {
+  const std::string plain = to_html("guard: yard", all_bytes(), viewer);
+  for (const std::string name :
+       {"</title><script>alert(1)</script>", "<!--<script>", "</title><img onerror=alert(1)>", "@TITLE@ @LOG@",
+        "\"'`&<>", "]]>", "\xE2\x80\xA8", "\xff\xfe</script>"}) {
+    const std::string page = to_html(name, all_bytes(), viewer);
+    EXPECT_EQ(count(page, "<script"), count(plain, "<script")) << name;
+    EXPECT_EQ(count(page, "</script"), count(plain, "</script")) << name;
+    EXPECT_EQ(count(page, "<!--"), 0U) << name;
+    EXPECT_EQ(count(page, "<img"), 0U) << name;
+    EXPECT_EQ(count(page, "</title>"), 1U) << name;
+    EXPECT_EQ(base64_decoded(embedded(page)), all_bytes()) << name;
+  }
 }
 
-TEST(ReplayPage, IsTheSameTwice) {
-  EXPECT_EQ(to_html(test::sample_report(), viewer), to_html(test::sample_report(), viewer));
-  EXPECT_FALSE(to_html(PageReport{}, viewer).empty());
+TEST(ReplayPage, TheLogCannotBreakOut) {
+  const std::string page = to_html("t", "</script><script>alert(1)</script>@LOG@", viewer);
+  EXPECT_EQ(count(page, "</script"), 2U);
+  EXPECT_EQ(count(page, "@LOG@"), 0U);
+}
+
+TEST(ReplayPage, FillsEachMarkerOnce) {
+  const std::string page = to_html("guard: @LOG@", "log", viewer);
+  EXPECT_TRUE(page.starts_with("<!doctype html><title>guard: @LOG@</title>"));
+  EXPECT_TRUE(page.ends_with("bG9n</script><script>show()</script>"));
 }
 
 }  // namespace

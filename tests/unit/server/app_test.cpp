@@ -1,5 +1,5 @@
 #include "app_fixture.hpp"
-#include "base64.hpp"
+#include "outrider/core/base64.hpp"
 
 namespace outrider::server {
 namespace {

@@ -1,6 +1,6 @@
 // Small arithmetic, and formatting of numbers for people.
 
-/** A number of a report; null means infinite or unknown. */
+/** A number of run.json; null means infinite or unknown. */
 export type Num = number | null;
 
 export const finite = (value: Num | undefined, otherwise = 0): number =>

@@ -1,4 +1,4 @@
-// Shapes of a report: convex cores inflated by a radius, and distances to polygons.
+// Shapes: convex cores inflated by a radius, and distances to polygons.
 import { clamp } from "./numbers";
 
 export type Vec2 = [number, number];

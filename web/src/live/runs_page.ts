@@ -21,9 +21,9 @@ export class RunsPage {
       void this.start(select.value, seed.value);
     });
     this.element = h("div", { class: "page" }, h("h1", {}, "Run a mission"), form, h("h2", {}, "Runs"), this.list);
-    this.socket = new Socket(() => [{ type: "runs" }], (message) => {
+    this.socket = new Socket({ opened: () => [{ type: "runs" }], receive: (message) => {
       if (message.type === "runs") this.show(message.runs as RunRow[]);
-    });
+    } });
     void getJson<{ runs: RunRow[] }>("runs").then(({ runs }) => this.show(runs), () => undefined);
   }
 

@@ -3,20 +3,24 @@ import { token } from "../api";
 
 export interface Message { type: string; [key: string]: unknown }
 
+export interface SocketEvents {
+  /** The messages to send after each connection. */
+  opened: () => Message[];
+  /** Takes each message of text. */
+  receive: (message: Message) => void;
+  /** Takes each binary frame: bytes of the log of a run, cut anywhere. */
+  bytes?: (frame: Uint8Array) => void;
+  /** Called when the connection opens or breaks. */
+  state?: (connected: boolean) => void;
+}
+
 export class Socket {
   private socket: WebSocket | null = null;
   private closed = false;
   private wait = 250;
   private timer = 0;
 
-  /**
-   * `opened` returns the messages to send after each connection; `receive` takes each message; `state` is called when
-   * the connection opens or breaks.
-   */
-  constructor(private opened: () => Message[], private receive: (message: Message) => void,
-    private state: (connected: boolean) => void = () => undefined) {
-    this.connect();
-  }
+  constructor(private events: SocketEvents) { this.connect(); }
 
   get ready(): boolean { return this.socket?.readyState === WebSocket.OPEN; }
 
@@ -26,16 +30,21 @@ export class Socket {
     url.search = token() ? `?token=${encodeURIComponent(token())}` : "";
     url.hash = "";
     const socket = new WebSocket(url);
+    socket.binaryType = "arraybuffer";
     this.socket = socket;
+    const { events } = this;
     socket.onopen = () => {
       this.wait = 250;
-      this.state(true);
-      for (const message of this.opened()) this.send(message);
+      events.state?.(true);
+      for (const message of events.opened()) this.send(message);
     };
-    socket.onmessage = (event) => this.receive(JSON.parse(String(event.data)) as Message);
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
+      if (typeof data === "string") events.receive(JSON.parse(data) as Message);
+      else events.bytes?.(new Uint8Array(data));
+    };
     socket.onclose = () => {
       if (this.closed) return;
-      this.state(false);
+      events.state?.(false);
       this.timer = window.setTimeout(() => this.connect(), this.wait);
       this.wait = Math.min(4000, 2 * this.wait);
     };

@@ -10,7 +10,7 @@ export class Asker {
   private id = 0;
 
   constructor(private answered: (answer: Shown, request: PlanRequest) => void) {
-    this.socket = new Socket(() => this.resumed(), (message) => this.receive(message));
+    this.socket = new Socket({ opened: () => this.resumed(), receive: (message) => this.receive(message) });
   }
 
   ask(request: PlanRequest): void {

@@ -1,12 +1,17 @@
 // The part of the plane that a run takes place in.
 import type { Box } from "../base/camera";
-import { finite } from "../base/numbers";
-import type { Run } from "../report/run";
+import { landmarksAt } from "../log/mapping";
+import { mapOf } from "../log/map";
+import type { Tags, Waypoints } from "../log/messages";
+import { pursuitOf } from "../log/pursuit";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { bodiesOf } from "../log/world";
 
-/** What the view shows when nobody moved it: the bounds, or all that the report tells of. */
+/** What the view shows when nobody moved it: the bounds, or all that the log tells of. */
 export function areaOf(run: Run): Box {
-  const { world, pursuit, explore: found, drive: driven, slam } = run.report;
-  if (world.bounds) return [...world.bounds[0], ...world.bounds[1]];
+  const { bounds, log } = run;
+  if (bounds) return [...bounds[0], ...bounds[1]];
   const box: Box = [Infinity, Infinity, -Infinity, -Infinity];
   const add = (x: number, y: number, r = 0): void => {
     box[0] = Math.min(box[0], x - r);
@@ -14,20 +19,20 @@ export function areaOf(run: Run): Box {
     box[2] = Math.max(box[2], x + r);
     box[3] = Math.max(box[3], y + r);
   };
-  const reach = Math.max(0.3, finite(run.report.robot.radius_m));
+  const reach = Math.max(0.3, run.radius);
   for (let i = 0; i < run.track.length; ++i) add(run.track.x[i]!, run.track.y[i]!, reach);
-  for (const solid of world.solids) {
-    for (const { core, radius_m } of solid.footprint) for (const [x, y] of core) add(x, y, radius_m);
-  }
-  for (const tag of driven?.tags ?? []) add(...tag.position);
-  for (const stop of driven?.stops ?? []) add(stop.pose[0], stop.pose[1], reach);
+  for (const { footprint } of bodiesOf(run)) for (const { core, radius_m } of footprint) for (const [x, y] of core) add(x, y, radius_m);
+  for (const { position } of log.latest<Tags>(topic.tags)?.tags ?? []) add(position.x, position.y);
+  for (const { position } of log.latest<Waypoints>(topic.waypoints)?.waypoints ?? []) add(position.x, position.y, reach);
+  const pursuit = pursuitOf(run);
   for (const way of pursuit ? [pursuit.target, ...pursuit.robots] : []) for (const [x, y] of way) add(x, y);
-  for (const { position } of slam?.landmarks ?? []) add(...position, reach);
-  const map = found?.map ?? slam?.map;
-  if (map && map.columns > 0) {
-    const { origin, columns, rows, cell_m } = map;
-    add(...origin);
-    add(origin[0] + columns * cell_m, origin[1] + rows * cell_m);
+  for (const { position } of landmarksAt(run, Infinity)) add(position.x, position.y, reach);
+  const map = mapOf(log).at(run.duration);
+  if (map && map.known > 0) {
+    const { origin: [x, y], cell_m, extent: { low, high } } = map;
+    add(x + low[0] * cell_m, y + low[1] * cell_m);
+    add(x + (high[0] + 1) * cell_m, y + (high[1] + 1) * cell_m);
   }
+  if (box[0] > box[2]) return [-2, -2, 2, 2];
   return [box[0] - 0.25, box[1] - 0.25, box[2] + 0.25, box[3] + 0.25];
 }

@@ -47,7 +47,3 @@ export class Walls {
     return this.cast(from[0], from[1], [Math.atan2(to[1] - from[1], to[0] - from[0])], away)[0]! >= away;
   }
 }
-
-/** Directions equally far apart all around, the first at `heading`. */
-export const allAround = (heading: number, count: number): Float64Array =>
-  Float64Array.from({ length: count }, (_, i) => heading + (2 * Math.PI * i) / count);

@@ -1,20 +1,20 @@
 // What the robot believed: the path that it believed to drive, its pose, and the ellipse of its uncertainty.
-import { degrees, finite, fixed, wrapped } from "../base/numbers";
+import { degrees, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import type { Belief } from "../report/types";
-import { Beliefs, deviations, ellipseOf } from "./ellipse";
+import type { Run } from "../log/run";
+import { beliefsOf, type Belief } from "../log/beliefs";
+import { deviations, ellipseOf, enlargedOf } from "./ellipse";
 import { disk, type Layer, type Pen } from "./layer";
 
 export function believed(run: Run): Layer | null {
-  const beliefs = Beliefs.of(run);
+  const beliefs = beliefsOf(run);
   if (beliefs.all.length === 0) return null;
-  const radius = finite(run.report.robot.radius_m);
-  const { slam } = run.report;
-  const reference = slam ? " the way as settled" : "";
-  /** For a mapped log, draws the believed path where it differs from the final estimate. */
-  const away = Float64Array.from(slam ? beliefs.all : [], ({ time_s, pose: [x, y] }) => {
-    const at = run.track.at(time_s);
+  const { radius, hasTruth } = run;
+  const enlarged = enlargedOf(run);
+  const reference = hasTruth ? "" : " the way as settled";
+  /** Where the truth is not known, draws the believed path where it differs from the final estimate. */
+  const away = Float64Array.from(hasTruth ? [] : beliefs.all, ({ t, pose: [x, y] }) => {
+    const at = run.track.at(t);
     return Math.hypot(x - at.x, y - at.y);
   });
 
@@ -51,7 +51,7 @@ export function believed(run: Run): Layer | null {
       if (!belief) return;
       const { major, minor, angle } = ellipseOf(belief);
       const [x, y, heading] = belief.pose;
-      const axis = (sigma: number): number => Math.max(deviations * beliefs.enlarged * sigma, camera.px(1));
+      const axis = (sigma: number): number => Math.max(deviations * enlarged * sigma, camera.px(1));
       ctx.beginPath();
       ctx.ellipse(x, y, axis(major), axis(minor), angle, 0, 2 * Math.PI);
       ctx.globalAlpha = 0.22;
@@ -77,7 +77,7 @@ export function believed(run: Run): Layer | null {
       const mm = (metres: number): string => `${fixed(1000 * metres, 0)} mm`;
       return { lines: [
         `believed ${mm(Math.hypot(belief.pose[0] - truth.x, belief.pose[1] - truth.y))} and ${degrees(wrapped(belief.pose[2] - truth.heading))} off${reference}`,
-        `2\u03c3: ${mm(deviations * major)} by ${mm(deviations * minor)}, ${degrees(deviations * belief.sigma_rad)}`] };
+        `2\u03c3: ${mm(deviations * major)} by ${mm(deviations * minor)}, ${degrees(deviations * belief.sigma_heading)}`] };
     },
   };
 }

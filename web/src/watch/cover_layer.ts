@@ -3,16 +3,17 @@ import { Path, type Ink } from "../base/ink";
 import { clockText } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { theme, type Colour } from "../base/theme";
-import type { Run } from "../report/run";
-import { lastNotAfter } from "../report/track";
-import type { Cover, Outlines } from "../report/types";
-import { comesOver, Way } from "../report/way";
+import { coverOf, type Cover, type Pass } from "../log/cover";
+import type { Outlines } from "../log/geometry";
+import type { Run } from "../log/run";
+import { lastNotAfter } from "../log/track";
+import { comesOver, Way } from "../log/way";
 import { areaOf } from "./area";
 import { drawUnion } from "./ground_layer";
 import { label, type Layer, type Pen } from "./layer";
 import { Strip, type LinePen } from "./strip";
 
-export type Role = Cover["passes"][number]["role"];
+export type Role = Pass["role"];
 export const roleColours: Record<Role, Colour> = { lap: "belief", lane: "water", move: "robot" };
 export const coveredAlpha = 0.3;
 
@@ -43,8 +44,8 @@ const reachesLess = ({ area, reach }: Cover): boolean => areaOfOutlines(area) - 
 export const outOfReach = (cover: Cover): Path | null => (reachesLess(cover) ? pathOf(cover.area, turnedRound(cover.reach)) : null);
 
 /** The pass that goes on at t; none in the end. */
-export function passAt({ passes }: Cover, t: number): Cover["passes"][number] | undefined {
-  return passes.find((one) => one.start_s <= t && t < one.end_s);
+export function passAt({ passes }: Cover, t: number): Pass | undefined {
+  return passes.find((one) => one.start <= t && t < one.end);
 }
 
 /** Returns true if a place is in an area, by the even-odd rule. */
@@ -62,7 +63,7 @@ export function within(outlines: Outlines, x: number, y: number): boolean {
 /** What happened to a place of the area. */
 export function storyOf(run: Run, cover: Cover, x: number, y: number): string | null {
   if (!within(cover.area, x, y)) return null;
-  const times = comesOver(run.track, x, y, cover.width_m / 2);
+  const times = comesOver(run.track, x, y, cover.width / 2);
   if (times.length === 0) return within(cover.reach, x, y) ? "missed" : "out of reach";
   const more = times.length > 3 ? `, and ${times.length - 3} times more` : "";
   return `covered at ${times.slice(0, 3).map((t) => clockText(t)).join(", ")}${more}`;
@@ -71,24 +72,24 @@ export function storyOf(run: Run, cover: Cover, x: number, y: number): string | 
 const roles = Object.keys(roleColours) as Role[];
 
 /** The way, with a corner wherever a pass begins. */
-export const wayOf = (run: Run, { passes }: Cover): Way => new Way(run.track, passes.map((one) => one.start_s));
+export const wayOf = (run: Run, { passes }: Cover): Way => new Way(run.track, passes.map((one) => one.start));
 
 /** The strip that is covered. */
-export const stripOf = (way: Way, { width_m }: Cover): Strip => new Strip(way, [(ctx) => {
+export const stripOf = (way: Way, { width }: Cover): Strip => new Strip(way, [(ctx) => {
   ctx.strokeStyle = theme.reached;
-  ctx.lineWidth = width_m;
+  ctx.lineWidth = width;
 }]);
 
 /** The way in the colours of its roles. */
-function rolesOf(way: Way, { passes, width_m }: Cover): Strip {
-  const starts = passes.map((one) => one.start_s);
+function rolesOf(way: Way, { passes, width }: Cover): Strip {
+  const starts = passes.map((one) => one.start);
   const kinds = way.time.map((t, i) => {
     const middle = (t + (way.time[i + 1] ?? t)) / 2;
     return roles.indexOf(passes[lastNotAfter(starts, middle)]?.role ?? "move");
   });
   return new Strip(way, roles.map((role): LinePen => (ctx, px) => {
     ctx.strokeStyle = theme[roleColours[role]];
-    ctx.lineWidth = Math.min(1.8 * px, width_m / 5);
+    ctx.lineWidth = Math.min(1.8 * px, width / 5);
     ctx.setLineDash(role === "move" ? [2 * px, 4 * px] : []);
   }), (leg) => kinds[leg]!);
 }
@@ -96,7 +97,7 @@ function rolesOf(way: Way, { passes, width_m }: Cover): Strip {
 function drawRole({ ctx, camera, now }: Pen, run: Run, role: Role): void {
   const at = run.track.at(now.t);
   const { x, y } = camera.screen(at.x, at.y);
-  const above = Math.max(9, camera.scale * (run.report.robot.radius_m ?? 0));
+  const above = Math.max(9, camera.scale * run.radius);
   camera.toScreen(ctx);
   ctx.font = `600 11.5px ${theme.sans}`;
   ctx.textAlign = "center";
@@ -105,7 +106,7 @@ function drawRole({ ctx, camera, now }: Pen, run: Run, role: Role): void {
 }
 
 export function cover(run: Run): Layer | null {
-  const { cover: found } = run.report;
+  const found = coverOf(run);
   if (!found) return null;
   const way = wayOf(run, found);
   const [strip, line] = [stripOf(way, found), rolesOf(way, found)];
@@ -170,7 +171,8 @@ export function cover(run: Run): Layer | null {
 }
 
 /** Names of what is drawn, with the style of a line or of a swatch. */
-export function coverLegend({ report: { cover: found } }: Run): { name: string; style: string; swatch?: boolean }[] {
+export function coverLegend(run: Run): { name: string; style: string; swatch?: boolean }[] {
+  const found = coverOf(run);
   if (!found) return [];
   const lines = roles.filter((role) => found.passes.some((one) => one.role === role))
     .map((role) => ({ name: role, style: `border-color:var(--${roleColours[role]})${role === "move" ? ";border-top-style:dotted" : ""}` }));

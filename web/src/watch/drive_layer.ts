@@ -1,17 +1,18 @@
-// A drive: tags on walls, the places to go to, what the robot believed of its pose and which tags it saw.
-import { finite, fixed } from "../base/numbers";
+// A drive: tags on walls and which of them the camera has in sight, the places to go to.
+import { fixed } from "../base/numbers";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import type { State } from "../report/track";
-import type { Drive } from "../report/types";
-import { lensAt, Sight } from "./eye";
+import type { Tag, Waypoint, Waypoints } from "../log/messages";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import type { State } from "../log/track";
+import { lensAt, Sight, tagsOf } from "./eye";
 import { disk, label, type Layer, type Pen } from "./layer";
 
 /** The wall side of a tag is a bar, its face a short line outwards. */
-function drawTag({ ctx, camera }: Pen, tag: Drive["tags"][number]): void {
-  const half = Math.max(tag.size_m / 2, camera.px(7));
-  const [cos, sin] = [Math.cos(tag.facing_rad), Math.sin(tag.facing_rad)];
-  const [x, y] = tag.position;
+function drawTag({ ctx, camera }: Pen, tag: Tag): void {
+  const half = Math.max(tag.size / 2, camera.px(7));
+  const [cos, sin] = [Math.cos(tag.facing), Math.sin(tag.facing)];
+  const { x, y } = tag.position;
   ctx.strokeStyle = theme.ink;
   ctx.lineWidth = camera.px(4);
   ctx.beginPath();
@@ -25,12 +26,11 @@ function drawTag({ ctx, camera }: Pen, tag: Drive["tags"][number]): void {
   ctx.stroke();
 }
 
-function drawStop({ ctx, camera, now }: Pen, stop: Drive["stops"][number]): void {
-  const [x, y, heading] = stop.pose;
-  const reached = Number.isFinite(stop.time_s) && finite(stop.time_s) <= now.t;
+function drawStop({ ctx, camera, now }: Pen, { position: { x, y }, heading, stop, reached: when }: Waypoint): void {
+  const reached = when <= now.t;
   ctx.strokeStyle = reached ? theme.reached : theme.waiting;
   ctx.lineWidth = camera.px(1.6);
-  if (!stop.stop) {
+  if (!stop) {
     disk(ctx, x, y, camera.px(2.5));
     ctx.stroke();
     return;
@@ -59,39 +59,40 @@ function drawSight({ ctx, camera, now }: Pen, sight: Sight, at: State): void {
   for (const tag of sight.tagsSeen(now.t, at)) {
     ctx.beginPath();
     ctx.moveTo(...lens);
-    ctx.lineTo(...tag.position);
+    ctx.lineTo(tag.position.x, tag.position.y);
     ctx.stroke();
   }
   ctx.globalAlpha = 1;
 }
 
 export function drive(run: Run): Layer | null {
-  const driven = run.report.drive;
-  if (!driven) return null;
+  const tags = tagsOf(run);
+  const waypoints = run.log.latest<Waypoints>(topic.waypoints)?.waypoints ?? [];
+  if (tags.length === 0 && waypoints.length === 0) return null;
   const sight = Sight.of(run);
   return {
     moving(pen) {
       const { ctx, camera, now } = pen;
       if (sight) drawSight(pen, sight, run.track.at(now.t));
-      for (const tag of driven.tags) drawTag(pen, tag);
-      for (const stop of driven.stops) drawStop(pen, stop);
+      for (const tag of tags) drawTag(pen, tag);
+      for (const stop of waypoints) drawStop(pen, stop);
       camera.toScreen(ctx);
       ctx.font = `11.5px ${theme.sans}`;
       ctx.textAlign = "left";
       ctx.textBaseline = "middle";
-      for (const tag of driven.tags) {
-        const { x, y } = camera.screen(...tag.position);
+      for (const tag of tags) {
+        const { x, y } = camera.screen(tag.position.x, tag.position.y);
         label(ctx, `tag ${tag.id}`, x + 12, y - 10, theme.ink, theme.yard);
       }
     },
     find(at, { camera }) {
-      const stop = driven.stops.find((one) => {
-        const place = camera.screen(one.pose[0], one.pose[1]);
+      const stop = waypoints.find((one) => {
+        const place = camera.screen(one.position.x, one.position.y);
         return one.stop && Math.hypot(place.x - at.x, place.y - at.y) < 12;
       });
       if (!stop) return null;
-      const off = Math.hypot(finite(stop.error[0]), finite(stop.error[1]));
-      return { lines: Number.isFinite(stop.time_s) ? [`reached after ${fixed(stop.time_s, 1)} s, ${fixed(1000 * off, 1)} mm off`] : ["not reached"] };
+      const off = Math.hypot(stop.error.x, stop.error.y);
+      return { lines: Number.isFinite(stop.reached) ? [`reached after ${fixed(stop.reached, 1)} s, ${fixed(1000 * off, 1)} mm off`] : ["not reached"] };
     },
   };
 }

@@ -2,26 +2,27 @@
 import { h } from "../base/dom";
 import { GrowingList } from "../base/growing_list";
 import { clockText } from "../base/numbers";
-import type { Run } from "../report/run";
-import type { Event } from "../report/types";
+import type { LogLine } from "../log/messages";
+import type { Run } from "../log/run";
+import type { Stamped } from "../log/run_log";
 
 export class EventList {
   readonly element = h("ol", { class: "events scrolls", tabindex: 0, "aria-label": "Events" });
-  private list: GrowingList<Event>;
+  private list: GrowingList<Stamped<LogLine>>;
   private run!: Run;
   private current: HTMLElement | undefined;
 
   constructor(run: Run, seek: (t: number) => void) {
-    this.list = new GrowingList(this.element, ({ time_s, kind, text }) => `${time_s} ${kind} ${text}`, ({ time_s, kind, text }) =>
-      h("li", {}, h("button", { type: "button", class: kind, onclick: () => seek(time_s ?? 0) }, h("time", {}, clockText(time_s, 1)), h("span", {}, text))));
+    this.list = new GrowingList(this.element, ({ t, message: { name, msg } }) => `${t} ${name} ${msg}`, ({ t, message: { name, msg } }) =>
+      h("li", {}, h("button", { type: "button", class: name, onclick: () => seek(t) }, h("time", {}, clockText(t, 1)), h("span", {}, msg))));
     this.renew(run);
   }
 
-  get empty(): boolean { return this.run.report.events.length === 0; }
+  get empty(): boolean { return this.run.events.length === 0; }
 
   renew(run: Run): void {
     this.run = run;
-    this.list.show(run.report.events);
+    this.list.show(run.events);
   }
 
   /** Where the rows stand is asked only of those in sight: the answer takes a layout of the page. */

@@ -1,11 +1,18 @@
 // The camera of a robot, which looks straight ahead: its view as a pyramid, and the tags in its picture.
 import { finite, mix } from "../base/numbers";
 import { roundedPoints, type Vec2 } from "../base/outline";
-import type { Run } from "../report/run";
-import type { State } from "../report/track";
-import type { Eye, Tag, Vec3 } from "../report/types";
+import { beliefsOf, type Beliefs } from "../log/beliefs";
+import type { Vec3 } from "../log/geometry";
+import type { CameraInfo, Tag, Tags } from "../log/messages";
+import type { Run } from "../log/run";
+import { mountOf } from "../log/sensed";
+import { topic } from "../log/topics";
+import type { State } from "../log/track";
+import { bodiesOf } from "../log/world";
 import { Walls } from "./beams";
-import { Beliefs } from "./ellipse";
+
+/** A camera: its picture in pixels, its lens ahead of the robot's middle and above the floor. */
+export interface Eye { width: number; height: number; fx: number; fy: number; cx: number; cy: number; ahead: number; above: number }
 
 type Pose = Pick<State, "x" | "y" | "heading">;
 
@@ -15,10 +22,10 @@ export const rayThrough = (eye: Eye, u: number, v: number): Vec3 =>
 
 /** Rays through the corners of the picture: upper left, upper right, lower right, lower left. */
 export const cornerRays = (eye: Eye): Vec3[] =>
-  [[0, 0], [eye.width_px, 0], [eye.width_px, eye.height_px], [0, eye.height_px]].map(([u = 0, v = 0]) => rayThrough(eye, u, v));
+  [[0, 0], [eye.width, 0], [eye.width, eye.height], [0, eye.height]].map(([u = 0, v = 0]) => rayThrough(eye, u, v));
 
 export const lensAt = (eye: Eye, at: Pose): Vec2 =>
-  [at.x + eye.ahead_m * Math.cos(at.heading), at.y + eye.ahead_m * Math.sin(at.heading)];
+  [at.x + eye.ahead * Math.cos(at.heading), at.y + eye.ahead * Math.sin(at.heading)];
 
 /** Where a point appears in the picture; null behind the lens. */
 export function pixelOf(eye: Eye, at: Pose, [x, y, z]: Vec3): Vec2 | null {
@@ -27,11 +34,21 @@ export function pixelOf(eye: Eye, at: Pose, [x, y, z]: Vec3): Vec2 | null {
   const depth = (x - lx) * cos + (y - ly) * sin;
   const left = (y - ly) * cos - (x - lx) * sin;
   if (depth <= 1e-6) return null;
-  return [0.5 + eye.cx - (eye.fx * left) / depth, 0.5 + eye.cy - (eye.fy * (z - eye.height_m)) / depth];
+  return [0.5 + eye.cx - (eye.fx * left) / depth, 0.5 + eye.cy - (eye.fy * (z - eye.above)) / depth];
 }
 
-/** Middle of a tag; tags of old reports are as high as the lens. */
-export const middleOf = (tag: Tag, eye?: Eye): Vec3 => [...tag.position, finite(tag.height_m, eye?.height_m ?? 0.2)];
+/** Middle of a tag; where its height is not known, as high as the lens. */
+export const middleOf = (tag: Tag, eye?: Eye): Vec3 => [tag.position.x, tag.position.y, finite(tag.position.z, eye?.above ?? 0.2)];
+
+export const tagsOf = ({ log }: Run): Tag[] => log.latest<Tags>(topic.tags)?.tags ?? [];
+
+export function eyeOf(run: Run): Eye | null {
+  const camera = run.log.latest<CameraInfo>(topic.camera);
+  if (!camera) return null;
+  const { width, height, k } = camera;
+  const mount = mountOf(run, "camera");
+  return { width, height, fx: k[0]!, fy: k[4]!, cx: k[2]!, cy: k[5]!, ahead: mount.pose[0], above: mount.height };
+}
 
 /** What the camera of a run sees, in truth. */
 export class Sight {
@@ -41,21 +58,22 @@ export class Sight {
   private beliefs: Beliefs;
 
   private constructor(run: Run, readonly eye: Eye, private tags: Tag[]) {
-    const solids = run.report.world.solids.filter((one) => finite(one.low_z_m) <= eye.height_m && finite(one.high_z_m) >= eye.height_m);
+    const solids = bodiesOf(run).filter(({ low, high }) => low <= eye.above && high >= eye.above);
     this.walls = new Walls(solids.flatMap((one) => one.footprint.map(({ core, radius_m }) => roundedPoints(core, radius_m))));
-    this.beliefs = Beliefs.of(run);
-    this.reach = Math.max(1, ...tags.map((tag) => Math.hypot(tag.position[0] - run.track.x[0]!, tag.position[1] - run.track.y[0]!)));
+    this.beliefs = beliefsOf(run);
+    this.reach = Math.max(1, ...tags.map((tag) => Math.hypot(tag.position.x - run.track.x[0]!, tag.position.y - run.track.y[0]!)));
   }
 
   static of(run: Run): Sight | null {
-    const { drive } = run.report;
-    return drive?.camera && drive.tags.length > 0 ? new Sight(run, drive.camera, drive.tags) : null;
+    const eye = eyeOf(run);
+    const tags = tagsOf(run);
+    return eye && tags.length > 0 ? new Sight(run, eye, tags) : null;
   }
 
   /** The ends of rays across the picture at the height of the lens: at walls, or as far as is drawn. */
   edge(at: Pose): Vec2[] {
     const [x, y] = lensAt(this.eye, at);
-    const [left, right] = [0, this.eye.width_px].map((u) => Math.atan(rayThrough(this.eye, u, 0)[1])) as [number, number];
+    const [left, right] = [0, this.eye.width].map((u) => Math.atan(rayThrough(this.eye, u, 0)[1])) as [number, number];
     const directions = Float64Array.from({ length: 121 }, (_, i) => at.heading + mix(left, right, i / 120));
     const ranges = this.walls.cast(x, y, directions, this.reach);
     return Array.from(directions, (direction, i) => [x + ranges[i]! * Math.cos(direction), y + ranges[i]! * Math.sin(direction)]);
@@ -67,10 +85,11 @@ export class Sight {
     const lens = lensAt(eye, at);
     return this.tags.filter((tag) => {
       const pixel = pixelOf(eye, at, middleOf(tag, eye));
-      if (!pixel || pixel[0] < 0 || pixel[0] > eye.width_px || pixel[1] < 0 || pixel[1] > eye.height_px) return false;
-      const [cos, sin] = [Math.cos(tag.facing_rad), Math.sin(tag.facing_rad)];
-      const before: Vec2 = [tag.position[0] + 0.01 * cos, tag.position[1] + 0.01 * sin];
-      return (lens[0] - tag.position[0]) * cos + (lens[1] - tag.position[1]) * sin > 0 && this.walls.sees(lens, before);
+      if (!pixel || pixel[0] < 0 || pixel[0] > eye.width || pixel[1] < 0 || pixel[1] > eye.height) return false;
+      const [cos, sin] = [Math.cos(tag.facing), Math.sin(tag.facing)];
+      const { x, y } = tag.position;
+      const before: Vec2 = [x + 0.01 * cos, y + 0.01 * sin];
+      return (lens[0] - x) * cos + (lens[1] - y) * sin > 0 && this.walls.sees(lens, before);
     });
   }
 

@@ -2,7 +2,8 @@
 import { clamp } from "../base/numbers";
 import { nearestOnPolygon } from "../base/outline";
 import { theme } from "../base/theme";
-import type { Ball, Flight, Run } from "../report/run";
+import { ballOf, flightsOf, type Ball, type Flight } from "../log/flights";
+import type { Run } from "../log/run";
 import { disk, type Layer, type Pen } from "./layer";
 
 /** As if the sun stood in the upper left: the higher, the farther off. */
@@ -26,7 +27,7 @@ function drawShadow({ ctx, camera }: Pen, run: Run, shot: Flight, until: number,
   ctx.setLineDash([camera.px(2), camera.px(3)]);
   ctx.beginPath();
   for (let i = 0; i <= 32; ++i) {
-    const at = shadowOf(run.ball(shot, (until * i) / 32));
+    const at = shadowOf(ballOf(run, shot, (until * i) / 32));
     ctx.lineTo(at.x, at.y);
   }
   ctx.stroke();
@@ -55,7 +56,7 @@ function drawBall(pen: Pen, run: Run, shot: Flight): void {
   const { ctx, camera, now } = pen;
   const age = now.t - shot.start;
   if (age < 0 || age >= shot.end - shot.start) return;
-  const ball = run.ball(shot, age);
+  const ball = ballOf(run, shot, age);
   drawShadow(pen, run, shot, age, 0.8);
   ctx.strokeStyle = theme.water;
   ctx.lineWidth = camera.px(2.4);
@@ -87,11 +88,12 @@ function drawSplash({ ctx, camera, now }: Pen, shot: Flight): void {
 }
 
 export function flights(run: Run): Layer | null {
-  if (run.flights.length === 0) return null;
+  const all = flightsOf(run);
+  if (all.length === 0) return null;
   return {
     moving(pen) {
-      for (const shot of run.flights) drawLine(pen, run, shot);
-      for (const shot of run.flights) {
+      for (const shot of all) drawLine(pen, run, shot);
+      for (const shot of all) {
         drawBall(pen, run, shot);
         drawSplash(pen, shot);
       }
@@ -100,7 +102,7 @@ export function flights(run: Run): Layer | null {
       const { x, y } = camera.plane(at);
       let found: Flight | null = null;
       let least = camera.px(7);
-      for (const shot of run.flights) {
+      for (const shot of all) {
         if (shot.start > now.t && shot !== now.shot) continue;
         const { distance } = nearestOnPolygon(x, y, [[shot.from[0], shot.from[1]], [shot.to[0], shot.to[1]]]);
         if (distance < least) [least, found] = [distance, shot];

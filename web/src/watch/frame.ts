@@ -1,7 +1,7 @@
 // A picture of a film: the view, and above it what the clock says and what is going on.
 import { clockText } from "../base/numbers";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
+import type { Run } from "../log/run";
 import { label } from "./layer";
 
 export class Frame {
@@ -27,7 +27,7 @@ export class Frame {
     label(ctx, clock, 14, 22, theme.ink, theme.panel);
     const left = 28 + ctx.measureText(clock).width;
     ctx.font = `14px ${theme.sans}`;
-    label(ctx, this.run.report.events[this.run.eventIndex(t)]?.text ?? "", left, 22, theme.ink, theme.panel);
+    label(ctx, this.run.eventText(t), left, 22, theme.ink, theme.panel);
     return this.canvas;
   }
 }

@@ -1,17 +1,17 @@
 // The world from above: solids in tones of their height, where the robot's centre cannot be, slopes.
 import { type Ink, Path } from "../base/ink";
-import { finite, clamp, fixed } from "../base/numbers";
+import { clamp, fixed } from "../base/numbers";
 import { nearestOnPolygon, traceRounded, type Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import type { Report, Solid } from "../report/types";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { bodiesOf, slopesOf, type Body } from "../log/world";
 import type { Layer, Pen } from "./layer";
 
-interface Shape extends Solid { path: Path; top: number }
+interface Shape extends Body { path: Path; top: number }
 
 export function highestOf(run: Run): number {
-  return run.report.world.solids.reduce((most, solid) =>
-    (solid.footprint.length > 0 ? Math.max(most, finite(solid.high_z_m)) : most), 0);
+  return bodiesOf(run).reduce((most, { footprint, high }) => (footprint.length > 0 && Number.isFinite(high) ? Math.max(most, high) : most), 0);
 }
 
 export function tone(top: number, highest: number): string {
@@ -21,14 +21,13 @@ export function tone(top: number, highest: number): string {
 
 /** Where the robot's centre cannot be: solids in its way grown by its radius, and a rim inside the bounds. */
 function inflationOf(run: Run, shapes: Shape[]): Path {
-  const { world, robot } = run.report;
-  const r = finite(robot.radius_m);
+  const { bounds, radius: r } = run;
   const path = new Path();
   for (const solid of shapes.filter((one) => one.blocks_driving)) {
     for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m + r);
   }
-  if (!world.bounds) return path;
-  const [[x0, y0], [x1, y1]] = world.bounds;
+  if (!bounds) return path;
+  const [[x0, y0], [x1, y1]] = bounds;
   const rim = (points: Vec2[]): void => {
     points.forEach(([x, y], i) => (i ? path.lineTo(x, y) : path.moveTo(x, y)));
     path.closePath();
@@ -111,20 +110,20 @@ function drawSolid({ ctx, camera }: Pen, solid: Shape, highest: number): void {
 
 /** Ground too steep to drive on, and lines of equal height, the higher the stronger. */
 function drawTerrain({ ctx, camera }: Pen, run: Run): void {
-  const { terrain } = run.report.world;
-  if (!terrain) return;
+  const slopes = slopesOf(run);
+  if (!slopes) return;
   const steep = new Path();
-  for (const piece of terrain.steep) traceRounded(steep, piece.core, piece.radius_m);
+  for (const piece of slopes.steep) traceRounded(steep, piece.core, piece.radius_m);
   ctx.fillStyle = theme.failed;
   ctx.globalAlpha = 0.12;
   ctx.fill(steep);
-  const heights = terrain.contours.map((line) => line.height_m);
+  const heights = slopes.contours.map((line) => line.height);
   const low = Math.min(...heights);
   const span = Math.max(...heights) - low || 1;
   ctx.strokeStyle = theme.soft;
   ctx.lineWidth = camera.px(1);
-  for (const { height_m, points } of terrain.contours) {
-    ctx.globalAlpha = 0.35 + (0.5 * (height_m - low)) / span;
+  for (const { height, points } of slopes.contours) {
+    ctx.globalAlpha = 0.35 + (0.5 * (height - low)) / span;
     ctx.beginPath();
     for (const [x, y] of points) ctx.lineTo(x, y);
     ctx.stroke();
@@ -132,24 +131,25 @@ function drawTerrain({ ctx, camera }: Pen, run: Run): void {
   ctx.globalAlpha = 1;
 }
 
-const made = new WeakMap<Report["world"], Layer>();
+const made = new WeakMap<Body[], { layer: Layer; bounds: string }>();
 
 /** Made once for a world, however often its run grows. */
 export function ground(run: Run): Layer {
-  const { world } = run.report;
-  if (!made.has(world)) made.set(world, groundOf(run));
-  return made.get(world)!;
+  const [bodies, bounds] = [bodiesOf(run), String(run.bounds)];
+  let held = made.get(bodies);
+  if (held?.bounds !== bounds) made.set(bodies, held = { layer: groundOf(run), bounds });
+  return held.layer;
 }
 
 function groundOf(run: Run): Layer {
-  const { bounds, solids } = run.report.world;
-  const shapes: Shape[] = solids.filter((solid) => solid.footprint.length > 0).map((solid) => {
+  const { bounds } = run;
+  const shapes: Shape[] = bodiesOf(run).filter((solid) => solid.footprint.length > 0).map((solid) => {
     const path = new Path();
     for (const piece of solid.footprint) traceRounded(path, piece.core, piece.radius_m);
-    return { ...solid, path, top: finite(solid.high_z_m, Infinity) };
+    return { ...solid, path, top: Number.isFinite(solid.high) ? solid.high : Infinity };
   }).sort((a, b) => a.top - b.top);
   const highest = highestOf(run);
-  const inflated = run.report.pursuit ? null : inflationOf(run, shapes);
+  const inflated = run.log.has(topic.costGrid) ? null : inflationOf(run, shapes);
   let hatched: HTMLCanvasElement | null = null;
   let view = "";
 
@@ -182,7 +182,7 @@ function groundOf(run: Run): Layer {
       const under = shapes.filter((solid) => solid.footprint.some(({ core, radius_m }) =>
         nearestOnPolygon(x, y, core).distance <= radius_m + 1e-9)).reverse().slice(0, 3);
       if (under.length === 0) return null;
-      return { lines: under.map((solid) => `${solid.name}: ${fixed(solid.low_z_m, 2)} to ${fixed(solid.high_z_m, 2)} m${solid.blocks_driving ? "" : ", does not block driving"}`) };
+      return { lines: under.map((solid) => `${solid.name}: ${fixed(solid.low, 2)} to ${fixed(solid.high, 2)} m${solid.blocks_driving ? "" : ", does not block driving"}`) };
     },
   };
 }

@@ -1,18 +1,19 @@
-// The plan view is made of layers, one for each kind of thing that a report may tell of.
+// The plan view is made of layers, one for each kind of message that can be drawn.
 import type { Camera, Point } from "../base/camera";
 import type { Ink } from "../base/ink";
-import type { Flight, Run } from "../report/run";
-import type { Target } from "../report/types";
+import type { Flight } from "../log/flights";
+import type { Run } from "../log/run";
+import type { TargetStory } from "../log/targets";
 
 export interface Now {
   t: number;
   shot: Flight | null;
-  target: Target | null;
+  target: TargetStory | null;
   /** Speed of playing; 0 while paused. */
   speed: number;
 }
 
-export interface Found { target?: Target; shot?: Flight; lines: string[] }
+export interface Found { target?: TargetStory; shot?: Flight; lines: string[] }
 
 export interface Pen {
   ctx: Ink;
@@ -28,7 +29,7 @@ export interface Layer {
   find?(at: Point, pen: Pen): Found | null;
 }
 
-/** Makes the layer, or nothing where the report has no such thing. */
+/** Makes the layer, or nothing where the log has no such message. */
 export type LayerOf = (run: Run) => Layer | null;
 
 export function disk(ctx: Ink, x: number, y: number, radius: number): void {

@@ -1,6 +1,6 @@
 // What stands on the timeline: shots, and every event that is no part of a shot.
-import { finite } from "../base/numbers";
-import type { Flight, Run } from "../report/run";
+import { flightsOf, type Flight } from "../log/flights";
+import type { Run } from "../log/run";
 
 export interface Mark {
   t: number;
@@ -12,10 +12,10 @@ export interface Mark {
 const ofShots = new Set(["shot", "hit", "miss"]);
 
 export function marksOf(run: Run): Mark[] {
-  const shots: Mark[] = run.flights.map((shot) => ({ t: shot.start, kind: shot.hit ? "hit" : "miss", shot,
+  const shots: Mark[] = flightsOf(run).map((shot) => ({ t: shot.start, kind: shot.hit ? "hit" : "miss", shot,
     title: `Shot ${shot.index + 1} at ${shot.target}: ${shot.hit ? "hit" : `touched ${shot.contact || "nothing"}`}` }));
-  const events: Mark[] = run.report.events
-    .filter((event) => shots.length === 0 || !ofShots.has(event.kind))
-    .map((event) => ({ t: finite(event.time_s), kind: event.kind, title: event.text }));
+  const events: Mark[] = run.events
+    .filter(({ message }) => shots.length === 0 || !ofShots.has(message.name))
+    .map(({ t, message }) => ({ t, kind: message.name, title: message.msg }));
   return [...shots, ...events].sort((a, b) => a.t - b.t);
 }

@@ -5,33 +5,37 @@ import type { Ink } from "../base/ink";
 import { clamp, roundStep } from "../base/numbers";
 import { SvgInk } from "../base/svg_ink";
 import { theme, onTheme } from "../base/theme";
-import type { Flight, Run } from "../report/run";
-import type { Target } from "../report/types";
+import type { Flight } from "../log/flights";
+import type { Run } from "../log/run";
+import type { TargetStory } from "../log/targets";
 import { areaOf } from "./area";
 import { believed } from "./belief";
 import { pursuit } from "./pursuit_layer";
 import { cover } from "./cover_layer";
 import { drive } from "./drive_layer";
-import { explore } from "./explore_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
-import { laser } from "./laser_layer";
 import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
+import { map } from "./map_layer";
+import { mapping } from "./mapping_layer";
 import { robot } from "./robot_layer";
+import { scan } from "./scan_layer";
 import { scales } from "./scale_layer";
-import { slam } from "./slam_layer";
 import { stations } from "./station_layer";
 import { targets } from "./target_layer";
+import { way } from "./way_layer";
+
+/** Each makes a layer where the log has its messages; the first lies lowest. */
+const makers: LayerOf[] = [ground, pursuit, cover, map, mapping, way, scan, flights, drive, stations, targets, robot, believed];
 
 function layersOf(run: Run, area: Box): Layer[] {
-  const makers: LayerOf[] = [ground, pursuit, cover, explore, slam, laser, flights, drive, stations, targets, robot, believed];
   return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
 }
 
 export interface Choices {
   redraw: () => void;
   selectShot: (shot: Flight) => void;
-  selectTarget: (target: Target) => void;
+  selectTarget: (target: TargetStory) => void;
 }
 
 export class PlanView {

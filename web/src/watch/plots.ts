@@ -4,8 +4,8 @@ import "uplot/dist/uPlot.min.css";
 import { h } from "../base/dom";
 import { figures } from "../base/numbers";
 import { onTheme, theme } from "../base/theme";
-import type { Run } from "../report/run";
-import { nearest } from "../report/track";
+import type { Run } from "../log/run";
+import { nearest } from "../log/track";
 import type { Series } from "./plotted";
 import { seriesOf } from "./series";
 

@@ -1,18 +1,18 @@
 // A pursuit: the map of costs, the target and the robots on it.
-import { mix, clamp } from "../base/numbers";
+import { clamp, mix } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { pursuerColours, theme, isDark } from "../base/theme";
-import type { Run } from "../report/run";
-import { spread } from "../report/runs";
+import type { CostGrid } from "../log/messages";
+import { pursuitOf } from "../log/pursuit";
+import type { Run } from "../log/run";
 import { disk, type Layer, type Pen } from "./layer";
 
 const wall = -1;
 
 /** The map of costs as a picture of one pixel a cell, on a scale of logarithms. */
-export function costPicture(run: Run): HTMLCanvasElement {
-  const { columns, rows, cost_runs } = run.report.pursuit!;
-  const costs = spread(cost_runs, columns, rows, Float64Array);
-  const passable = cost_runs.filter((value, i) => i % 2 === 0 && value !== wall);
+export function costPicture({ width: columns, height: rows, costs: all }: CostGrid): HTMLCanvasElement {
+  const costs = Float64Array.from(all);
+  const passable = costs.filter((value) => value !== wall);
   const low = Math.log1p(passable.reduce((least, cost) => Math.min(least, cost), Infinity));
   const span = Math.log1p(passable.reduce((most, cost) => Math.max(most, cost), -Infinity)) - low || 1;
   const [cheap, dear, solid] = isDark()
@@ -63,19 +63,18 @@ function drawWay({ ctx, camera, now }: Pen, way: Vec2[], colour: string): void {
 }
 
 export function pursuit(run: Run): Layer | null {
-  const found = run.report.pursuit;
-  const bounds = run.report.world.bounds;
-  if (!found || !bounds) return null;
+  const found = pursuitOf(run);
+  if (!found) return null;
+  const { grid } = found;
   return {
     still({ ctx }) {
-      const [x, y] = bounds[0];
       ctx.imageSmoothingEnabled = false;
-      ctx.translate(x, y + found.rows * found.cell_m);
-      ctx.scale(found.cell_m, -found.cell_m);
-      ctx.drawImage(costPicture(run), 0, 0);
+      ctx.translate(grid.origin.x, grid.origin.y + grid.height * grid.resolution);
+      ctx.scale(grid.resolution, -grid.resolution);
+      ctx.drawImage(costPicture(grid), 0, 0);
     },
     moving(pen) {
-      drawWay(pen, found.target, theme.failed);
+      if (found.target.length > 0) drawWay(pen, found.target, theme.failed);
       found.robots.forEach((way, i) => drawWay(pen, way, pursuerColours()[i % pursuerColours().length]!));
     },
   };

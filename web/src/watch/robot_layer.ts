@@ -1,8 +1,8 @@
 // The robot: the way it drove, and the disk with its heading and its gun.
-import { finite } from "../base/numbers";
 import { theme } from "../base/theme";
-import { lastNotAfter } from "../report/track";
-import type { Run } from "../report/run";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { lastNotAfter } from "../log/track";
 import { disk, traceWay, type Layer, type Pen } from "./layer";
 
 /** A disk of the robot's size with a wedge that shows its heading. In metres. */
@@ -29,14 +29,13 @@ export function drawBody({ ctx, camera }: Pen, x: number, y: number, heading: nu
 }
 
 export function robot(run: Run): Layer | null {
-  const { track, report } = run;
-  if (report.track.length === 0 && report.pursuit) return null;
-  const radius = finite(report.robot.radius_m);
-  const gunLength = finite(report.robot.gun_length_m);
+  const { track, radius, log, info: { gun_length: gunLength } } = run;
+  if (track.length === 0 || log.has(topic.costGrid)) return null;  // pursuers are drawn on their grid
+  const covers = log.has(topic.coverageArea);
   return {
     still(pen) {
       const { ctx, camera } = pen;
-      if (report.cover) return;  // its layer draws the way
+      if (covers) return;  // its layer draws the way
       ctx.strokeStyle = theme.robot;
       ctx.globalAlpha = 0.3;
       ctx.lineWidth = camera.px(1.2);
@@ -49,7 +48,7 @@ export function robot(run: Run): Layer | null {
       const index = lastNotAfter(track.time, now.t);
       const at = track.at(now.t);
       ctx.beginPath();
-      if (!report.cover) traceWay(pen, track.x, track.y, index + 1);
+      if (!covers) traceWay(pen, track.x, track.y, index + 1);
       ctx.lineTo(at.x, at.y);
       ctx.strokeStyle = theme.robot;
       ctx.lineWidth = camera.px(2.2);

@@ -3,7 +3,8 @@ import type { Box, Camera } from "../base/camera";
 import type { Ink } from "../base/ink";
 import { fixed, minus, roundStep } from "../base/numbers";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
 import { highestOf, tone } from "./ground_layer";
 import type { Layer } from "./layer";
 
@@ -45,7 +46,7 @@ export function drawScales(ctx: Ink, camera: Camera, [x0, y0, x1, y1]: Box): voi
 }
 
 export function scales(area: Box, run: Run): Layer {
-  const highest = run.report.explore ? 0 : highestOf(run);  // true solids are not shown then
+  const highest = run.log.has(topic.map) ? 0 : highestOf(run);  // true solids are not shown then
   return {
     still({ ctx, camera }) {
       ctx.strokeStyle = theme.soft;

@@ -1,11 +1,12 @@
 // The side view: the vertical plane of one shot, both axes in metres at the same scale.
 import { Camera, type Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
-import { clamp, degrees, finite, fixed, roundStep } from "../base/numbers";
+import { clamp, degrees, fixed, roundStep } from "../base/numbers";
 import { statusColour } from "../base/signs";
 import { onTheme, theme } from "../base/theme";
-import type { Flight, Run } from "../report/run";
-import type { Target } from "../report/types";
+import { ballOf, flightsOf, type Flight } from "../log/flights";
+import type { Run } from "../log/run";
+import { targetsOf, type TargetStory } from "../log/targets";
 import { leastClearance, type Near } from "./clearance";
 
 const margin = { left: 40, right: 16, top: 8, bottom: 26 };
@@ -18,7 +19,7 @@ export class SideView {
   private nearButton = iconButton("near", "Place of least clearance", () => this.showNear());
   private camera: Camera;
   private shot: Flight | null = null;
-  private target: Target | null = null;
+  private target: TargetStory | null = null;
   private near: Near | null = null;
   private off: () => void;
 
@@ -38,15 +39,17 @@ export class SideView {
   /** The same shot, of a run that has gone on. */
   renew(run: Run): void {
     this.run = run;
-    this.shot = this.shot && (run.flights[this.shot.index] ?? null);
-    this.target = run.targetNamed(this.target?.name);
+    this.shot = this.shot && (flightsOf(run)[this.shot.index] ?? null);
+    this.target = this.named(this.target?.name);
     this.describe();
   }
 
-  select(shot: Flight | null, target: Target | null): void {
+  private named(name: string | undefined): TargetStory | null { return targetsOf(this.run).find((one) => one.name === name) ?? null; }
+
+  select(shot: Flight | null, target: TargetStory | null): void {
     if (shot === this.shot && target === this.target) return;
     this.shot = shot;
-    this.target = this.run.targetOf(shot) ?? target;
+    this.target = this.named(shot?.target) ?? target;
     this.near = shot ? leastClearance(this.run, shot) : null;
     this.nearButton.hidden = !this.near?.here;
     this.describe();
@@ -56,9 +59,9 @@ export class SideView {
   /** The flight, the target and what stands under and beside them. */
   private frame(shot: Flight): Box {
     const flight = shot.end - shot.start;
-    let right = this.run.ball(shot, flight).s;
+    let right = ballOf(this.run, shot, flight).s;
     let top = shot.from[2];
-    for (let i = 0; i <= 40; ++i) top = Math.max(top, this.run.ball(shot, (flight * i) / 40).z);
+    for (let i = 0; i <= 40; ++i) top = Math.max(top, ballOf(this.run, shot, (flight * i) / 40).z);
     for (const { name, polygon } of shot.profile) {
       if (name !== shot.target) continue;
       for (const [s, z] of polygon) {
@@ -67,7 +70,7 @@ export class SideView {
         top = Math.max(top, z);
       }
     }
-    return [-finite(this.run.report.robot.gun_length_m) - 0.35, Math.min(0, shot.to[2]) - 0.15, right + 0.5, top + 0.2];
+    return [-this.run.info.gun_length - 0.35, Math.min(0, shot.to[2]) - 0.15, right + 0.5, top + 0.2];
   }
 
   private showNear(): void {
@@ -83,21 +86,20 @@ export class SideView {
     const { shot, target } = this;
     if (!shot) {
       this.title.replaceChildren(target ? `No shot at ${target.name}` : "No shot was fired");
-      this.caption.replaceChildren(target?.reason ?? "");
+      this.caption.replaceChildren(target?.last.reason ?? "");
       return;
     }
     const outcome = shot.hit ? "hit" : `touched ${shot.contact || "nothing"}`;
     this.title.replaceChildren(`Shot ${shot.index + 1} at ${shot.target} `, h("span", {}, `try ${shot.attempt}, ${outcome}`));
-    const speed = Math.hypot(shot.across, shot.up);
     const angle = degrees(Math.atan2(shot.up, shot.across));
-    this.caption.replaceChildren(`${fixed(speed, 2)} m/s at ${angle}, ${fixed(shot.along, 2)} m in ${fixed(shot.end - shot.start, 2)} s. Clearance `,
-      h("b", {}, `${fixed(shot.clearance_m, 3)} m`), this.whereNear(shot));
+    this.caption.replaceChildren(`${fixed(shot.speed, 2)} m/s at ${angle}, ${fixed(shot.along, 2)} m in ${fixed(shot.end - shot.start, 2)} s. Clearance `,
+      h("b", {}, `${fixed(shot.clearance, 3)} m`), this.whereNear(shot));
   }
 
   private whereNear(shot: Flight): string {
-    const margin_m = finite(this.run.report.robot.margin_m);
-    const asked = margin_m > 0 ? ` (${fixed(margin_m, 3)} m kept in planning)` : "";
-    if (!Number.isFinite(shot.clearance_m)) return ".";
+    const { margin: kept } = this.run.info;
+    const asked = kept > 0 ? ` (${fixed(kept, 3)} m kept in planning)` : "";
+    if (!Number.isFinite(shot.clearance)) return ".";
     return this.near?.here ? `, to ${this.near.name}${asked}.` : `, to something beside this plane${asked}.`;
   }
 
@@ -161,11 +163,10 @@ export class SideView {
 
   private drawFlight(ctx: CanvasRenderingContext2D, shot: Flight, t: number): void {
     const { camera, run } = this;
-    const { ball_radius_m, margin_m, gun_length_m } = run.report.robot;
-    const ball = finite(ball_radius_m);
+    const { ball_radius: ball, margin: kept, gun_length } = run.info;
     const flight = shot.end - shot.start;
     const angle = Math.atan2(shot.up, shot.across);
-    const length = Math.max(finite(gun_length_m), 0.1);
+    const length = Math.max(gun_length, 0.1);
     ctx.lineCap = ctx.lineJoin = "round";
     ctx.strokeStyle = theme.robot;
     ctx.lineWidth = Math.max(camera.px(4), 0.03);
@@ -177,16 +178,16 @@ export class SideView {
     ctx.strokeStyle = ctx.fillStyle = shot.hit ? theme.water : theme.failed;
     ctx.beginPath();
     for (let i = 0; i <= 96; ++i) {
-      const { s, z } = run.ball(shot, (flight * i) / 96);
+      const { s, z } = ballOf(run, shot, (flight * i) / 96);
       ctx.lineTo(s, z);
     }
-    for (const [width, alpha] of [[2 * (ball + finite(margin_m)), 0.18], [2 * ball, 0.35], [camera.px(1.5), 1]] as const) {
+    for (const [width, alpha] of [[2 * (ball + kept), 0.18], [2 * ball, 0.35], [camera.px(1.5), 1]] as const) {
       ctx.lineWidth = width;
       ctx.globalAlpha = alpha;
       ctx.stroke();
     }
     const age = t - shot.start;
-    const at = run.ball(shot, clamp(age, 0, flight));
+    const at = ballOf(run, shot, clamp(age, 0, flight));
     ctx.beginPath();
     ctx.arc(at.s, at.z, Math.max(ball, camera.px(4.5)), 0, 2 * Math.PI);
     if (age >= 0) ctx.fill();

@@ -3,9 +3,10 @@ import { BufferGeometry, DoubleSide, Float32BufferAttribute, Mesh, MeshLambertMa
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import { lastNotAfter } from "../report/track";
-import type { Cover, Vec3 } from "../report/types";
+import { coverOf, type Cover } from "../log/cover";
+import type { Vec3 } from "../log/geometry";
+import type { Run } from "../log/run";
+import { lastNotAfter } from "../log/track";
 import { areaOf } from "./area";
 import { coveredAlpha, outOfReach, passAt, pathOf, roleColours, stripOf, turnedRound, wayOf, type Role } from "./cover_layer";
 import type { Now } from "./layer";
@@ -32,8 +33,8 @@ function rolesActor(run: Run, cover: Cover, above: number, width: number): Actor
   const way = wayOf(run, cover);
   return (Object.keys(roleColours) as Role[]).flatMap((role) => {
     const reached: number[] = [];
-    const ribbons = cover.passes.filter((one) => one.role === role).map(({ start_s, end_s }) => {
-      const { time, way: places } = wayOnGround(run, way.times(start_s, end_s), way.between(start_s, end_s), above);
+    const ribbons = cover.passes.filter((one) => one.role === role).map(({ start, end }) => {
+      const { time, way: places } = wayOnGround(run, way.times(start, end), way.between(start, end), above);
       reached.push(...time.slice(1));
       return ribbon(places, width, theme[roleColours[role]]);
     });
@@ -45,7 +46,7 @@ function rolesActor(run: Run, cover: Cover, above: number, width: number): Actor
 }
 
 export function coverActor(run: Run): Actor[] {
-  const { cover } = run.report;
+  const cover = coverOf(run);
   if (!cover) return [];
   const box = areaOf(run);
   const [x0, y0, x1, y1] = box;
@@ -60,7 +61,7 @@ export function coverActor(run: Run): Actor[] {
   const across = Math.max(x1 - x0, y1 - y0);
   const layer = Math.max(0.004, 4e-4 * across);  // so far apart that none shows through another from afar
   const { mesh, texture } = carpet(picture, box, layer);
-  const walls = cover.area.map((outline) => wall(outline, Math.max(0.25 * cover.width_m, 0.006 * across)));
+  const walls = cover.area.map((outline) => wall(outline, Math.max(0.25 * cover.width, 0.006 * across)));
   const planned = lineOf(cover.planned.map(([x, y]): Vec3 => [x, y, 2 * layer]), theme.soft, 0.6);
 
   function paint(ctx: CanvasRenderingContext2D, t: number): void {
@@ -89,5 +90,5 @@ export function coverActor(run: Run): Actor[] {
     paint(picture.getContext("2d")!, t);
     texture.needsUpdate = true;
   } };
-  return [floor, ...rolesActor(run, cover, 3 * layer, Math.min(0.2 * cover.width_m, Math.max(0.1 * cover.width_m, 0.0025 * across)))];
+  return [floor, ...rolesActor(run, cover, 3 * layer, Math.min(0.2 * cover.width, Math.max(0.1 * cover.width, 0.0025 * across)))];
 }

@@ -2,12 +2,14 @@
 import { BufferGeometry, Color, DoubleSide, Float32BufferAttribute, Group, Mesh, MeshLambertMaterial, type MeshLambertMaterialParameters, PlaneGeometry } from "three";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Box } from "../base/camera";
-import { clamp, finite, roundStep } from "../base/numbers";
+import { clamp, roundStep } from "../base/numbers";
 import { nearestOnPolygon, roundedPoints, type Rounded } from "../base/outline";
 import { theme } from "../base/theme";
-import type { Relief } from "../report/relief";
-import type { Run } from "../report/run";
-import type { Vec3 } from "../report/types";
+import type { Vec3 } from "../log/geometry";
+import type { Relief } from "../log/relief";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { bodiesOf, slopesOf } from "../log/world";
 import { highestOf } from "./ground_layer";
 import { lineOf, linesOf, prism } from "./space_parts";
 
@@ -29,8 +31,9 @@ const within = (x: number, y: number, { core, radius_m }: Rounded): boolean => n
 export function hill(relief: Relief, steep: Rounded[]): Mesh {
   const { columns, rows } = relief.grid;
   const [bottom, top, danger] = [new Color(theme.yard), new Color(theme["solid-high"]), new Color(theme.failed)];
-  const low = relief.grid.heights_m.reduce((least, z) => Math.min(least, z), Infinity);
-  const span = relief.grid.heights_m.reduce((most, z) => Math.max(most, z - low), 1e-3);
+  const heights = Array.from(relief.grid.heights);
+  const low = heights.reduce((least, z) => Math.min(least, z), Infinity);
+  const span = heights.reduce((most, z) => Math.max(most, z - low), 1e-3);
   const tone = ([x, y, z]: Vec3): number[] =>
     bottom.clone().lerp(top, 0.2 + (0.4 * (z - low)) / span).lerp(danger, steep.some((piece) => within(x, y, piece)) ? 0.25 : 0).toArray();
   const posts: Vec3[] = [];
@@ -65,8 +68,8 @@ function veil(prisms: Mesh[]): Mesh[] {
 
 function solidsOf(run: Run): Mesh[] {
   const highest = Math.max(1e-3, highestOf(run));
-  return run.report.world.solids.flatMap((solid) => {
-    const [low, high] = [finite(solid.low_z_m), finite(solid.high_z_m)];
+  return bodiesOf(run).flatMap((solid) => {
+    const { low, high } = solid;
     if (high <= low || solid.kind === "height_field") return [];
     const color = new Color(theme["solid-low"]).lerp(new Color(theme["solid-high"]), Math.sqrt(clamp(high / highest, 0, 1)));
     const material = new MeshLambertMaterial({ color, transparent: !solid.blocks_driving, opacity: solid.blocks_driving ? 1 : 0.55, side: DoubleSide });
@@ -77,12 +80,13 @@ function solidsOf(run: Run): Mesh[] {
 
 /** Where the map is what counts, the true walls are a shade of themselves. */
 export function stillWorld(run: Run, area: Box): Group {
-  const { world, explore } = run.report;
-  const group = run.relief ? new Group().add(hill(run.relief, world.terrain?.steep ?? [])) : floorOf(area, explore || run.report.slam?.map ? theme.ground : theme.yard);
+  const mapped = run.log.has(topic.map);
+  const slopes = slopesOf(run);
+  const group = run.ground ? new Group().add(hill(run.ground, slopes?.steep ?? [])) : floorOf(area, mapped ? theme.ground : theme.yard);
   const solids = solidsOf(run);
-  for (const one of explore ? veil(solids) : solids) group.add(one);
-  for (const { height_m, points } of world.terrain?.contours ?? []) {
-    group.add(lineOf(points.map(([x, y]) => [x, y, height_m + 0.01]), theme.soft, 0.6));
+  for (const one of mapped ? veil(solids) : solids) group.add(one);
+  for (const { height, points } of slopes?.contours ?? []) {
+    group.add(lineOf(points.map(([x, y]) => [x, y, height + 0.01]), theme.soft, 0.6));
   }
   return group;
 }

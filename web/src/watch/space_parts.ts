@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry, CanvasTexture, DoubleSide, ExtrudeGeom
 import type { Object3D } from "three";
 import type { Box } from "../base/camera";
 import type { Vec2 } from "../base/outline";
-import type { Vec3 } from "../report/types";
+import type { Vec3 } from "../log/geometry";
 import type { Now } from "./layer";
 
 /** A thing in space, and how it follows the time. */

@@ -1,12 +1,15 @@
 // The robot in space, on the ground as it is: its body, its gun, the way it drove; and where it believed to be.
 import { BoxGeometry, CircleGeometry, CylinderGeometry, EdgesGeometry, EllipseCurve, Group, LineBasicMaterial, LineSegments, Mesh, Vector3 } from "three";
-import { finite, mix } from "../base/numbers";
+import { mix } from "../base/numbers";
 import { theme } from "../base/theme";
-import { lastNotAfter } from "../report/track";
-import type { Run } from "../report/run";
-import type { Vec2, Vec3 } from "../report/types";
+import { beliefsOf } from "../log/beliefs";
+import { flightsOf } from "../log/flights";
+import type { Vec2, Vec3 } from "../log/geometry";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { lastNotAfter } from "../log/track";
 import { areaOf } from "./area";
-import { Beliefs, deviations, ellipseOf } from "./ellipse";
+import { deviations, ellipseOf, enlargedOf } from "./ellipse";
 import { glass, lambert, lineOf, ribbon, type Actor } from "./space_parts";
 
 const mostSteps = 20_000;
@@ -14,7 +17,7 @@ const up = new Vector3(0, 0, 1);
 
 /** Returns the radius of the robot; if it is unknown, one that is large enough to see from afar. */
 export function radiusOf(run: Run): number {
-  if (finite(run.report.robot.radius_m) > 0 || !run.report.slam) return Math.max(0.05, finite(run.report.robot.radius_m));
+  if (run.radius > 0) return Math.max(0.05, run.radius);
   const [x0, y0, x1, y1] = areaOf(run);
   return Math.max(0.1, 0.006 * Math.max(x1 - x0, y1 - y0));
 }
@@ -59,8 +62,7 @@ function wayActor(run: Run, time: ArrayLike<number>, places: Vec2[], colour: str
 }
 
 export function robotActor(run: Run): Actor[] {
-  const { robot, track, pursuit } = run.report;
-  if (track.length === 0 && pursuit) return [];
+  if (run.track.length === 0 || run.log.has(topic.costGrid)) return [];  // pursuers stand on their grid
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const body = new Group();
@@ -71,8 +73,8 @@ export function robotActor(run: Run): Actor[] {
   nose.position.set(0.6 * radius, 0, height + 0.01);
   body.add(hull, nose);
   const gun = new Group();
-  const length = finite(robot.gun_length_m);
-  const muzzle = run.flights[0];
+  const length = run.info.gun_length;
+  const [muzzle] = flightsOf(run);
   const mounted = muzzle ? muzzle.from[2] - run.height(muzzle.from[0], muzzle.from[1]) : height;
   if (length > 0) {
     const barrel = new Mesh(new CylinderGeometry(0.025, 0.025, length, 12), lambert(theme.water));
@@ -87,15 +89,16 @@ export function robotActor(run: Run): Actor[] {
     gun.position.set(at.x, at.y, run.height(at.x, at.y) + mounted);
     gun.rotation.set(0, -at.pitch, at.yaw);
   };
-  if (run.report.cover) return [{ things: [body, gun], act }];  // its way is drawn by what it does
+  if (run.log.has(topic.coverageArea)) return [{ things: [body, gun], act }];  // its way is drawn by what it does
   const { time, x, y } = run.track;
   return [{ things: [body, gun], act }, wayActor(run, time, Array.from(x, (one, i): Vec2 => [one, y[i]!]), theme.robot, 0.012)];
 }
 
 /** A ghost at the believed pose on the ellipse of its uncertainty. */
 export function beliefActor(run: Run): Actor[] {
-  const beliefs = Beliefs.of(run);
+  const beliefs = beliefsOf(run);
   if (beliefs.all.length === 0) return [];
+  const enlarged = enlargedOf(run);
   const radius = radiusOf(run);
   const height = Math.max(0.08, 0.8 * radius);
   const ghost = new Group();
@@ -115,9 +118,9 @@ export function beliefActor(run: Run): Actor[] {
     const { major, minor, angle } = ellipseOf(belief);
     stand(run, ellipse, x, y, angle);
     ellipse.position.z += 0.02;
-    const axis = (sigma: number): number => Math.max(0.01, deviations * beliefs.enlarged * sigma);
+    const axis = (sigma: number): number => Math.max(0.01, deviations * enlarged * sigma);
     ellipse.scale.set(axis(major), axis(minor), 1);
   };
-  const way = wayActor(run, beliefs.all.map((one) => one.time_s), beliefs.all.map(({ pose }): Vec2 => [pose[0], pose[1]]), theme.belief, 0.008);
+  const way = wayActor(run, beliefs.times, beliefs.all.map(({ pose }): Vec2 => [pose[0], pose[1]]), theme.belief, 0.008);
   return [{ things: [ghost, ellipse], act }, way];
 }

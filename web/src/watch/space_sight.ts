@@ -1,35 +1,11 @@
-// What the robot senses, in space: the beams of its range finder, its camera's pyramid of view, tags.
-import { BoxGeometry, CanvasTexture, Group, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Points, PointsMaterial, SRGBColorSpace, Vector3 } from "three";
+// What the camera of the robot has in sight, in space: its pyramid of view, tags.
+import { BoxGeometry, CanvasTexture, Group, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SRGBColorSpace, Vector3 } from "three";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import type { Tag, Vec3 } from "../report/types";
-import { cornerRays, lensAt, middleOf, Sight } from "./eye";
-import { endsOf, Scanner } from "./laser_layer";
+import type { Vec3 } from "../log/geometry";
+import type { Tag } from "../log/messages";
+import type { Run } from "../log/run";
+import { cornerRays, eyeOf, lensAt, middleOf, Sight, tagsOf } from "./eye";
 import { geometryOf, glass, linesOf, moveTo, type Actor } from "./space_parts";
-
-/** Beams at the height of the range finder, and a point where each ends at a wall. */
-export function laserActor(run: Run): Actor[] {
-  const laser = run.report.explore?.laser;
-  const scanner = new Scanner(run);
-  const first = scanner.at(0);
-  if (!laser || !first) return [];
-  const count = first.directions.length;
-  const shown = (i: number): boolean => i % 3 === 0;
-  const beams = linesOf(Array.from({ length: 2 * Math.ceil(count / 3) }, (): Vec3 => [0, 0, 0]), theme.failed, 0.4);
-  const hits = new Points(geometryOf(Array.from({ length: count }, (): Vec3 => [0, 0, 0])), new PointsMaterial({ color: theme.failed, size: 3, sizeAttenuation: false }));
-  beams.frustumCulled = hits.frustumCulled = false;
-  return [{ things: [beams, hits], act: ({ t }) => {
-    const scan = scanner.at(t);
-    beams.visible = hits.visible = scan !== null;
-    if (!scan) return;
-    const z = laser.height_m;
-    const ends = endsOf(scan).map(([x, y]): Vec3 => [x, y, z]);
-    moveTo(beams.geometry, ends.flatMap((end, i): Vec3[] => (shown(i) ? [[scan.x, scan.y, z], end] : [])));
-    const walls = ends.filter((_, i) => scan.ranges[i]! < scan.range);
-    moveTo(hits.geometry, walls);
-    hits.geometry.setDrawRange(0, walls.length);
-  } }];
-}
 
 /** Not its true pattern: a frame with its number. */
 function drawnFace(tag: Tag): CanvasTexture {
@@ -60,22 +36,22 @@ function face(tag: Tag): CanvasTexture {
 
 function board(tag: Tag, middle: Vec3): Group {
   const group = new Group();
-  const size = 1.25 * tag.size_m;  // with its white margin
+  const size = 1.25 * tag.size;  // with its white margin
   const paper = new Mesh(new PlaneGeometry(size, size), new MeshLambertMaterial({ map: face(tag) }));
   paper.applyMatrix4(new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(1, 0, 0)));
   const back = new Mesh(new BoxGeometry(0.01, size, size), new MeshLambertMaterial({ color: theme.soft }));
   back.position.x = -0.006;
   group.add(paper, back);
   group.position.set(...middle);
-  group.rotation.z = tag.facing_rad;
+  group.rotation.z = tag.facing;
   return group;
 }
 
 /** Tags, the pyramid of what the camera has in its picture, and lines to the tags it took the pose from. */
 export function eyeActor(run: Run): Actor[] {
-  const { drive } = run.report;
-  if (!drive || drive.tags.length === 0) return [];
-  const boards = drive.tags.map((tag) => board(tag, middleOf(tag, drive.camera)));
+  const tags = tagsOf(run);
+  if (tags.length === 0) return [];
+  const boards = tags.map((tag) => board(tag, middleOf(tag, eyeOf(run) ?? undefined)));
   const sight = Sight.of(run);
   if (!sight) return [{ things: boards }];
   const { eye } = sight;
@@ -86,11 +62,11 @@ export function eyeActor(run: Run): Actor[] {
   const pyramid = new Group();
   pyramid.add(linesOf(corners.flatMap((corner, i) => [lens, corner, corner, corners[(i + 1) % 4]!]), theme.water, 0.8),
     new Mesh(geometryOf(corners.flatMap((corner, i) => [lens, corner, corners[(i + 1) % 4]!])), glass(theme.water, 0.1)));
-  const lines = linesOf(drive.tags.flatMap(() => [lens, lens]), theme.water);
+  const lines = linesOf(tags.flatMap(() => [lens, lens]), theme.water);
   lines.frustumCulled = false;
   return [{ things: [...boards, pyramid, lines], act: ({ t }) => {
     const at = run.track.at(t);
-    const from: Vec3 = [...lensAt(eye, at), eye.height_m];
+    const from: Vec3 = [...lensAt(eye, at), eye.above];
     pyramid.position.set(...from);
     pyramid.rotation.z = at.heading;
     const seen = sight.tagsSeen(t, at);

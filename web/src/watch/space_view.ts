@@ -1,25 +1,28 @@
 // The view in space: the same run in three dimensions. Loaded when it is first asked for, since three.js is large.
-import { AmbientLight, BoxGeometry, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Float32BufferAttribute,
-  Group, Line, LineBasicMaterial, LineSegments, Mesh, type MeshLambertMaterial, type Object3D, PerspectiveCamera, Points, RingGeometry, Scene, SphereGeometry, WebGLRenderer } from "three";
+import { AmbientLight, type BufferGeometry, Color, DirectionalLight, Group, Line, Mesh, type MeshLambertMaterial, type Object3D, PerspectiveCamera, Points, Scene,
+  WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
-import { clamp, finite } from "../base/numbers";
-import { statusColour } from "../base/signs";
-import { pursuerColours, onTheme, theme } from "../base/theme";
-import type { Flight, Run } from "../report/run";
-import type { Target } from "../report/types";
+import { clamp } from "../base/numbers";
+import { onTheme, theme } from "../base/theme";
+import type { Run } from "../log/run";
+import { bodiesOf } from "../log/world";
 import { areaOf } from "./area";
-import { costPicture, placeOnWay } from "./pursuit_layer";
 import type { Now } from "./layer";
 import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
-import { decisionActor, stationActor, stopActor } from "./space_marks";
-import { carpet, lambert, lineOf } from "./space_parts";
+import { mappingActor, sensedActor } from "./space_mapping";
+import { stationActor, waypointActor, wayActor } from "./space_marks";
+import type { Actor } from "./space_parts";
 import { beliefActor, robotActor } from "./space_robot";
-import { eyeActor, laserActor } from "./space_sight";
-import { slamActor } from "./space_slam";
+import { eyeActor } from "./space_sight";
+import { pursuitActor, targetActor, waterActor } from "./space_targets";
+
+/** Each makes what it has messages of. */
+const actorsOf: ((run: Run) => Actor[])[] = [robotActor, beliefActor, mapActor, sensedActor, eyeActor, mappingActor, waypointActor, wayActor, stationActor, coverActor,
+  targetActor, waterActor, pursuitActor];
 
 /** Gives back what a thing and its parts hold of the graphics card. */
 function dispose(whole: Object3D): void {
@@ -90,21 +93,16 @@ export class SpaceView {
     const grew = area.some((value, i) => value !== this.area[i]);
     this.area = area;
     if (grew && this.home) this.frameAll();
-    if (grew || run.report.world !== drawn?.report.world) {
+    if (grew || !drawn || bodiesOf(run) !== bodiesOf(drawn)) {
       this.scene.background = new Color(theme.panel);
       this.still = this.exchanged(this.still, stillWorld(run, area));
     }
     this.moving = this.exchanged(this.moving, new Group());
     this.actors = [];
-    for (const make of [robotActor, beliefActor, mapActor, laserActor, eyeActor, slamActor, stopActor, decisionActor, stationActor, coverActor]) {
-      for (const { things, act } of make(this.run)) {
-        this.moving.add(...things);
-        if (act) this.actors.push(act);
-      }
+    for (const { things, act } of actorsOf.flatMap((make) => make(run))) {
+      for (const thing of things) this.moving.add(thing);
+      if (act) this.actors.push(act);
     }
-    for (const target of this.run.report.targets) this.addTarget(target);
-    if (this.run.flights.length > 0) this.addWater();
-    this.addPursuit();
   }
 
   /** What is taken away is disposed of after the next frame, which then needs no new shaders for what came instead. */
@@ -113,70 +111,6 @@ export class SpaceView {
     this.scene.add(made);
     this.spent.push(old);
     return made;
-  }
-
-  private addTarget(target: Target): void {
-    const [length = 0.3, width = 0.3, height = 0.3] = target.size.map((value) => Math.max(0.02, finite(value)));
-    const material = lambert(theme.waiting, 0.92);
-    const box = new Mesh(new BoxGeometry(length, width, height), material);
-    box.rotation.z = finite(target.box_yaw_rad);
-    box.add(new LineSegments(new EdgesGeometry(box.geometry), new LineBasicMaterial({ color: theme.ink })));
-    const halo = new Mesh(new RingGeometry(0.32, 0.38, 40), lambert(theme.ink));
-    this.moving.add(box, halo);
-    this.actors.push((now) => {
-      const place = this.run.place(target, now.t);
-      box.visible = place !== null;
-      halo.visible = place !== null && now.target === target;
-      if (!place) return;
-      box.position.set(place[0], place[1], finite(target.centre[2]));
-      halo.position.set(place[0], place[1], finite(target.centre[2]) - height / 2 + 0.015);
-      material.color.set(statusColour(this.run.status(target, now.t)));
-    });
-  }
-
-  /** The flight of the ball, or of the selected shot while none is in the air. */
-  private addWater(): void {
-    const ball = new Mesh(new SphereGeometry(Math.max(0.05, 2 * finite(this.run.report.robot.ball_radius_m)), 20, 14), lambert(theme.water));
-    const samples = 48;
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(new Float32Array(3 * (samples + 1)), 3));
-    const material = new LineBasicMaterial({ color: theme.water });
-    const curve = new Line(geometry, material);
-    curve.frustumCulled = false;
-    this.moving.add(ball, curve);
-    const draw = (shot: Flight, until: number): void => {
-      const positions = geometry.getAttribute("position");
-      for (let i = 0; i <= samples; ++i) {
-        const { x, y, z } = this.run.ball(shot, (until * i) / samples);
-        positions.setXYZ(i, x, y, z);
-      }
-      positions.needsUpdate = true;
-      material.color.set(shot.hit ? theme.water : theme.failed);
-    };
-    this.actors.push(({ t, shot }) => {
-      const flying = this.run.flights.find((one) => t >= one.start && t < one.end);
-      ball.visible = flying !== undefined;
-      const shown = flying ?? shot;
-      curve.visible = shown !== null;
-      if (shown) draw(shown, flying ? t - shown.start : shown.end - shown.start);
-      if (!flying) return;
-      const { x, y, z } = this.run.ball(flying, t - flying.start);
-      ball.position.set(x, y, z);
-    });
-  }
-
-  private addPursuit(): void {
-    const { pursuit, world } = this.run.report;
-    if (!pursuit || !world.bounds) return;
-    const [x, y] = world.bounds[0];
-    this.moving.add(carpet(costPicture(this.run), [x, y, x + pursuit.columns * pursuit.cell_m, y + pursuit.rows * pursuit.cell_m], 0).mesh);
-    const size = 0.6 * pursuit.cell_m;
-    [pursuit.target, ...pursuit.robots].forEach((way, i) => {
-      const colour = i === 0 ? theme.failed : pursuerColours()[(i - 1) % pursuerColours().length]!;
-      const body = new Mesh(new SphereGeometry(size, 20, 14), lambert(colour));
-      this.moving.add(body, lineOf(way.map(([wx, wy]) => [wx, wy, 0.1]), colour));
-      this.actors.push(({ t }) => body.position.set(...placeOnWay(way, t), size));
-    });
   }
 
   zoom(factor: number): void {
@@ -227,7 +161,7 @@ export class SpaceView {
   private followRobot(t: number): void {
     const at = this.run.track.at(t);
     const offset = this.camera.position.clone().sub(this.controls.target);
-    const reach = clamp(offset.length(), 1, 6 * Math.max(1, finite(this.run.report.robot.radius_m)));
+    const reach = clamp(offset.length(), 1, 6 * Math.max(1, this.run.radius));
     this.controls.target.set(at.x, at.y, this.run.height(at.x, at.y) + 0.2);
     this.camera.position.copy(this.controls.target).add(offset.setLength(reach));
   }

@@ -3,7 +3,7 @@
 import type { Ink } from "../base/ink";
 import { clamp } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
-import type { Way } from "../report/way";
+import type { Way } from "../log/way";
 
 /** Sets the colour, the width and the dashes; a pixel is so many metres. */
 export type LinePen = (ctx: Ink, px: number) => void;

@@ -1,18 +1,18 @@
 // Targets: their boxes, the sign of their state, their names where there is room.
 import type { Camera } from "../base/camera";
 import { Path, type Ink } from "../base/ink";
-import { finite, fixed } from "../base/numbers";
+import { fixed } from "../base/numbers";
 import { drawSign, statusColour } from "../base/signs";
 import { theme } from "../base/theme";
-import type { Run } from "../report/run";
-import type { Target } from "../report/types";
+import type { Run } from "../log/run";
+import { targetsOf, type TargetStory } from "../log/targets";
 import { disk, label, type Layer, type Pen } from "./layer";
 
-interface Name { text: string; x: number; y: number; target: Target }
+interface Name { text: string; x: number; y: number; target: TargetStory }
 
-function boxOf(target: Target): Path {
-  const [length, width] = [finite(target.size[0]) / 2, finite(target.size[1]) / 2];
-  const [cos, sin] = [Math.cos(finite(target.box_yaw_rad)), Math.sin(finite(target.box_yaw_rad))];
+function boxOf({ last: { size, yaw } }: TargetStory): Path {
+  const [length, width] = [size.x / 2, size.y / 2];
+  const [cos, sin] = [Math.cos(yaw), Math.sin(yaw)];
   const path = new Path();
   for (const [u, v] of [[-length, -width], [length, -width], [length, width], [-length, width]] as const) {
     path.lineTo(u * cos - v * sin, u * sin + v * cos);
@@ -22,10 +22,10 @@ function boxOf(target: Target): Path {
 }
 
 /** Names beside their signs, each where it covers nothing that stands there already. */
-function placeNames(ctx: Ink, camera: Camera, targets: Target[]): Name[] {
+function placeNames(ctx: Ink, camera: Camera, targets: TargetStory[]): Name[] {
   ctx.font = `11.5px ${theme.sans}`;
   type Area = [number, number, number, number];
-  const signs = targets.map((one) => camera.screen(finite(one.centre[0]), finite(one.centre[1])));
+  const signs = targets.map((one) => camera.screen(one.centre[0], one.centre[1]));
   const taken: Area[] = signs.map(({ x, y }) => [x - 8, y - 8, x + 8, y + 8]);
   const free = ([x0, y0, x1, y1]: Area): boolean => x0 > 2 && x1 < camera.width - 2 && y0 > 2 && y1 < camera.height - 2 &&
     taken.every((other) => x0 > other[2] || x1 < other[0] || y0 > other[3] || y1 < other[1]);
@@ -44,15 +44,15 @@ function placeNames(ctx: Ink, camera: Camera, targets: Target[]): Name[] {
 }
 
 export function targets(run: Run): Layer | null {
-  const all = run.report.targets;
+  const all = targetsOf(run);
   if (all.length === 0) return null;
   const boxes = all.map(boxOf);
   let names: Name[] = [];
 
-  function drawTarget({ ctx, camera, now }: Pen, target: Target, box: Path): void {
-    const place = run.place(target, now.t);
+  function drawTarget({ ctx, camera, now }: Pen, target: TargetStory, box: Path): void {
+    const place = target.placeAt(now.t);
     if (!place) return;
-    const status = run.status(target, now.t);
+    const status = target.statusAt(now.t);
     camera.toPlane(ctx);
     ctx.translate(...place);
     ctx.fillStyle = ctx.strokeStyle = statusColour(status);
@@ -63,7 +63,7 @@ export function targets(run: Run): Layer | null {
     ctx.stroke(box);
     camera.toScreen(ctx);
     const at = camera.screen(...place);
-    const belief = run.belief(target, now.t);
+    const belief = target.believedAt(now.t);
     if (belief) {
       const seen = camera.screen(...belief);
       ctx.setLineDash([3, 3]);
@@ -91,25 +91,26 @@ export function targets(run: Run): Layer | null {
       ctx.textAlign = "left";
       ctx.textBaseline = "middle";
       for (const { text, x, y, target } of names) {
-        const place = run.place(target, now.t);
-        if (!place || place[0] !== finite(target.centre[0]) || place[1] !== finite(target.centre[1])) continue;
+        const place = target.placeAt(now.t);
+        if (!place || place[0] !== target.centre[0] || place[1] !== target.centre[1]) continue;
         ctx.font = `${target === now.target ? 650 : 450} 11.5px ${theme.sans}`;
         label(ctx, text, x, y, theme.ink, theme.yard);
       }
     },
     find(at, { camera, now }) {
-      let found: Target | null = null;
+      let found: TargetStory | null = null;
       let least = 13;
       for (const target of all) {
-        const place = run.place(target, now.t);
+        const place = target.placeAt(now.t);
         if (!place) continue;
         const sign = camera.screen(...place);
         const distance = Math.hypot(sign.x - at.x, sign.y - at.y);
         if (distance < least) [least, found] = [distance, target];
       }
       if (!found) return null;
-      const base = finite(found.centre[2]) - finite(found.size[2]) / 2;
-      return { target: found, lines: [`${found.name}: ${run.status(found, now.t)}`, `base at ${fixed(base, 2)} m, ${fixed(found.size[2], 2)} m high`] };
+      const { z } = found.last.size;
+      const base = found.centre[2] - z / 2;
+      return { target: found, lines: [`${found.name}: ${found.statusAt(now.t)}`, `base at ${fixed(base, 2)} m, ${fixed(z, 2)} m high`] };
     },
   };
 }

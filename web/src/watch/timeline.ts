@@ -1,9 +1,9 @@
 // The timeline: play, pause, speed, a slider with a tick for everything that happened, and what happens now.
 import { h, icon, iconButton } from "../base/dom";
 import { GrowingList } from "../base/growing_list";
-import { clockText, degrees, finite, fixed, wrapped } from "../base/numbers";
-import type { Run } from "../report/run";
-import type { Report } from "../report/types";
+import { clockText, degrees, fixed, wrapped } from "../base/numbers";
+import { plansOf, type PlannedPath } from "../log/plans";
+import type { Run } from "../log/run";
 import { speeds, type Clock } from "./clock";
 import type { Mark } from "./marks";
 
@@ -19,8 +19,8 @@ export class Timeline {
     ...speeds.map((one) => h("option", { value: one }, `${one}\u00d7`)));
   // A second is one per cent of what they stand in, whose width alone changes when the end moves.
   private line = h("div", { class: "timeline" }, h("div", { class: "legs", "aria-hidden": "true" }), this.slider, h("div", { class: "ticks", "aria-hidden": "true" }));
-  private legs = new GrowingList<Report["paths"][number]>(this.line.firstElementChild!, (leg) => `${leg.start_s} ${leg.end_s}`,
-    (leg) => h("i", { class: "leg", style: `left:${finite(leg.start_s)}%;width:${Math.max(0, finite(leg.end_s) - finite(leg.start_s))}%` }));
+  private legs = new GrowingList<PlannedPath>(this.line.firstElementChild!, ({ start, end }) => `${start} ${end}`,
+    ({ start, end }) => h("i", { class: "leg", style: `left:${start}%;width:${end - start}%` }));
   private ticks = new GrowingList<Mark>(this.line.lastElementChild!, (mark) => `${mark.t} ${mark.kind} ${mark.title}`,
     (mark, i) => h("i", { class: `tick ${mark.kind}`, style: `left:${mark.t}%`, title: mark.title, onclick: () => this.acts.select(this.marks[i]!) }));
   private run!: Run;
@@ -43,7 +43,7 @@ export class Timeline {
     this.marks = marks;
     this.slider.max = String(this.clock.duration);
     for (const place of this.line.querySelectorAll("div")) place.style.width = `calc((100% - 14px) * ${100 / this.clock.duration})`;
-    this.legs.show(run.report.paths);
+    this.legs.show(plansOf(run));
     this.ticks.show(marks);
     this.live.hidden = !this.clock.goesOn;
   }
@@ -56,8 +56,8 @@ export class Timeline {
     this.clockText.textContent = `${clockText(t, 1)} / ${clockText(duration)}`;
     if (this.speed.value !== String(speed)) this.speed.value = String(speed);
     this.live.setAttribute("aria-pressed", String(live));
-    const { events, track, robot } = this.run.report;
-    this.action.textContent = events[this.run.eventIndex(t)]?.text ?? "";
+    const { track, info } = this.run;
+    this.action.textContent = this.run.eventText(t);
     const tick = selected ? this.ticks.elements[this.marks.indexOf(selected)] : undefined;
     if (tick !== this.shownTick) {
       this.shownTick?.classList.remove("selected");
@@ -69,8 +69,8 @@ export class Timeline {
       this.play.replaceChildren(icon(this.shownMoving ? "pause" : "play"));
     }
     if (track.length === 0) return;
-    const at = this.run.track.at(t);
-    const gun = finite(robot.gun_length_m) > 0 ? `  gun ${degrees(wrapped(at.yaw), 0)} \u2191${degrees(at.pitch, 0)}` : "";
+    const at = track.at(t);
+    const gun = info.gun_length > 0 ? `  gun ${degrees(wrapped(at.yaw), 0)} \u2191${degrees(at.pitch, 0)}` : "";
     this.state.textContent = `x ${fixed(at.x, 2)}  y ${fixed(at.y, 2)}  \u2220 ${degrees(wrapped(at.heading), 0)}${gun}`;
   }
 }

@@ -1,12 +1,13 @@
-// Watch: one run from its report. One time, one selected shot and target, and the views that show them.
-import { h, iconButton, signedLegend } from "./parts";
+// Watch: one run from its log. One time, one selected shot and target, and the views that show them.
+import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
-import { saveCanvas, saveText } from "../base/save";
-import type { Flight } from "../report/run";
-import { Run } from "../report/run";
-import type { Report, Target } from "../report/types";
+import { saveBlob, saveCanvas, saveText } from "../base/save";
+import { flightsOf, type Flight } from "../log/flights";
+import { Run } from "../log/run";
+import type { RunLog } from "../log/run_log";
+import { targetsOf, type TargetStory } from "../log/targets";
 import { Clock, neighbour } from "./clock";
 import { EventList } from "./event_list";
 import { Facts } from "./facts";
@@ -14,10 +15,10 @@ import { showFilmDialog } from "./film_dialog";
 import { Frame } from "./frame";
 import type { Now } from "./layer";
 import { marksOf, type Mark } from "./marks";
-import { PlanView } from "./plan_view";
+import { playingKeys } from "./playing_keys";
 import { Plots } from "./plots";
 import { SideView } from "./side_view";
-import type { SpaceView } from "./space_view";
+import { Stage } from "./stage";
 import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
@@ -29,11 +30,8 @@ export class Watch {
   private run: Run;
   private clock: Clock;
   private marks: Mark[];
-  private selected: { mark: Mark | null; shot: Flight | null; target: Target | null } = { mark: null, shot: null, target: null };
-  private stage = h("div", { class: "stage" });
-  private plan: PlanView;
-  private space: SpaceView | null = null;
-  private inSpace = false;
+  private selected: { mark: Mark | null; shot: Flight | null; target: TargetStory | null } = { mark: null, shot: null, target: null };
+  private stage: Stage;
   private side: SideView;
   private table: TargetTable;
   private events: EventList;
@@ -42,20 +40,18 @@ export class Watch {
   private tabs: Tabs;
   private timeline: Timeline;
   private frameAsked = 0;
+  private renewAsked = 0;
+  private rest_ms = 150;  // until more of a large file is shown
   private before = 0;
   private last: Flight | undefined;
-  private switcher: HTMLElement;
-  private legend: HTMLElement;
-  private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
-  private following = false;
-  private barWatcher: ResizeObserver;
 
   /** `goesOn`: the run is not over; renew() shows more of it. */
-  constructor(report: Report, query: Record<string, string>, goesOn = false) {
-    this.run = new Run(report, goesOn);
+  constructor(private log: RunLog, query: Record<string, string>, goesOn = false) {
+    this.run = new Run(log, goesOn);
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
-    this.plan = new PlanView(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one) });
+    this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
+      savePicture: () => this.savePicture(), saveFilm: () => this.saveFilm() });
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
     this.plots = new Plots(this.run, (t) => this.clock.seek(t));
     this.side = new SideView(this.run, () => this.invalidate());
@@ -64,18 +60,8 @@ export class Watch {
     this.timeline.renew(this.run, this.marks);
     this.facts.renew(this.run, goesOn);
     this.tabs = this.madeTabs();
-    this.legend = signedLegend(this.run);
-    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
-      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
-      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
-    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
-    this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
-    this.barWatcher.observe(bar);
-    this.stage.append(this.plan.element, bar,
-      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", () => this.savePicture(), "s"),
-        iconButton("film", "Save frames of a film", () => this.saveFilm(), "m")));
-    this.element = h("div", { class: "watch" }, h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage),
-      this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
+    this.element = h("div", { class: "watch" }, this.stage.element, this.timeline.element, h("section", { class: "panel aside" }, this.tabs.element));
+    this.listen(log);
     this.bindKeys();
     this.begin(query);
   }
@@ -83,17 +69,17 @@ export class Watch {
   close(): void {
     cancelAnimationFrame(this.frameAsked);
     this.frameAsked = -1;
+    this.log.changed = () => undefined;
+    clearTimeout(this.renewAsked);
     keys.drop(this);
-    this.barWatcher.disconnect();
-    this.plan.close();
-    this.space?.close();
+    this.stage.close();
     this.side.close();
     this.plots.close();
   }
 
   private madeTabs(): Tabs {
     return new Tabs([
-      { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => this.run.report.targets.length === 0 },
+      { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => targetsOf(this.run).length === 0 },
       { name: "Plots", element: this.plots.element, empty: () => this.plots.empty },
       { name: "Events", element: this.events.element, empty: () => this.events.empty },
       { name: "Numbers", element: this.facts.element, empty: () => false },
@@ -101,24 +87,20 @@ export class Watch {
   }
 
   /** Shows more of the run, or all of it in the end, and else what it showed: the time, the shot, the tab, the view. */
-  renew(report: Report, goesOn: boolean): void {
-    const run = new Run(report, goesOn);
+  renew(log: RunLog, goesOn: boolean): void {
+    const run = new Run(log, goesOn);
+    this.listen(log);
     const { shot, target, mark } = this.selected;
     this.run = run;
     this.marks = marksOf(run);
-    for (const part of [this.plan, this.space, this.side, this.table, this.events, this.plots]) part?.renew(run);
+    for (const part of [this.stage, this.side, this.table, this.events, this.plots]) part.renew(run);
     this.clock.grow(run.duration, goesOn);
     this.timeline.renew(run, this.marks);
     this.facts.renew(run, goesOn);
     this.tabs.renew();
-    const legend = signedLegend(run);
-    if (!legend.isEqualNode(this.legend)) {
-      this.legend.replaceWith(legend);
-      this.legend = legend;
-    }
-    const same = shot && (run.flights[shot.index] ?? null);
-    this.last = this.last && run.flights[this.last.index];
-    this.select(same, run.targetNamed(target?.name) ?? report.targets[0] ?? null);
+    const same = shot && (flightsOf(run)[shot.index] ?? null);
+    this.last = this.last && flightsOf(run)[this.last.index];
+    this.select(same, this.named(target?.name) ?? targetsOf(run)[0] ?? null);
     if (mark && !same) this.selected.mark = this.marks.find((one) => one.t === mark.t && one.title === mark.title) ?? null;
     if (!goesOn) this.bindKeys();
   }
@@ -126,16 +108,35 @@ export class Watch {
   /** As the address says: t, shot, view, tab, follow. Without a time it plays, or keeps to the head of a run that goes on. */
   private begin(query: Record<string, string>): void {
     this.tabs.choose(query.tab ?? "", false);
-    const shot = this.run.flights[Number(query.shot ?? 1) - 1] ?? this.run.flights[0] ?? null;
-    this.choose(shot, this.run.targetOf(shot) ?? this.run.report.targets[0] ?? null);
-    if (query.view === "3d") void this.show(true);
-    if (query.follow) this.setFollow(true);
+    const flights = flightsOf(this.run);
+    const shot = flights[Number(query.shot ?? 1) - 1] ?? flights[0] ?? null;
+    this.choose(shot, this.named(shot?.target) ?? targetsOf(this.run)[0] ?? null);
+    if (query.view === "3d") void this.stage.show(true);
+    if (query.follow) this.stage.setFollow(true);
     if (query.t !== undefined) this.clock.seek(finite(Number(query.t)));
     else if (query.shot !== undefined && shot) this.clock.seek(shot.start);
     else if (this.clock.goesOn) this.clock.follow();
     else if (!calm.matches) this.clock.toggle(true);
     else this.invalidate();
   }
+
+  /** A part of a large file that was asked for has been read. */
+  private listen(log: RunLog): void {
+    if (log !== this.log) this.log.changed = () => undefined;
+    this.log = log;
+    log.changed = (grew) => {
+      if (grew) this.renewAsked ||= window.setTimeout(() => this.renewRead(), this.rest_ms);
+      else this.invalidate();
+    };
+  }
+
+  private renewRead(): void {
+    this.renewAsked = 0;
+    this.rest_ms *= 1.5;  // all of it is worked out again each time
+    if (this.frameAsked >= 0) this.renew(this.log, this.run.goesOn);
+  }
+
+  private named(name: string | undefined): TargetStory | null { return targetsOf(this.run).find((one) => one.name === name) ?? null; }
 
   private invalidate(): void {
     if (this.frameAsked === 0) this.frameAsked = requestAnimationFrame((now) => this.frame(now));
@@ -147,8 +148,7 @@ export class Watch {
     clock.advance(clock.live && calm.matches ? Infinity : (now - this.before) / 1000);
     this.before = now;
     this.followShots();
-    if (this.inSpace) this.space?.draw(this.present);
-    else this.plan.draw(this.present);
+    this.stage.draw(this.present);
     this.side.draw(clock.t);
     this.table.show(clock.t, this.selected.target);
     this.events.show(clock.t);
@@ -166,32 +166,32 @@ export class Watch {
   /** While time passes, the side view shows the shot that was fired last. */
   private followShots(): void {
     if (!this.clock.playing && !this.clock.live) return;
-    const last = this.run.flights.findLast((shot) => shot.start <= this.clock.t);
-    if (last && last !== this.last) this.choose(last, this.run.targetOf(last));
+    const last = flightsOf(this.run).findLast((shot) => shot.start <= this.clock.t);
+    if (last && last !== this.last) this.choose(last, this.named(last.target));
     this.last = last;
   }
 
-  private select(shot: Flight | null, target: Target | null): void {
+  private select(shot: Flight | null, target: TargetStory | null): void {
     this.selected = { shot, target, mark: this.marks.find((mark) => shot !== null && mark.shot === shot) ?? null };
     this.side.select(shot, target);
     this.invalidate();
   }
 
-  private choose(shot: Flight | null, target: Target | null): void {
+  private choose(shot: Flight | null, target: TargetStory | null): void {
     this.select(shot, target);
     if (target) this.table.reveal(target);
   }
 
   private selectShot(shot: Flight): void {
-    this.choose(shot, this.run.targetOf(shot));
+    this.choose(shot, this.named(shot.target));
     this.last = shot;
     this.clock.seek(shot.start);
     keepInAddress({ shot: String(shot.index + 1) });
   }
 
   /** Again and again: the target's shots in turn, the last one first. */
-  private selectTarget(target: Target): void {
-    const fired = this.run.flights.filter((shot) => shot.target === target.name);
+  private selectTarget(target: TargetStory): void {
+    const fired = flightsOf(this.run).filter((shot) => shot.target === target.name);
     const shown = fired.findIndex((shot) => shot === this.selected.shot);
     const next = fired.at(shown < 0 ? -1 : (shown + 1) % fired.length);
     if (next) this.selectShot(next);
@@ -212,39 +212,15 @@ export class Watch {
     if (mark) this.selectMark(mark);
   }
 
-  private setFollow(on: boolean): void {
-    this.following = on;
-    this.followButton.setAttribute("aria-pressed", String(on));
-    this.plan.follow = on;
-    if (this.space) this.space.follow = on;
-    if (on && this.plan.camera.home) this.plan.camera.zoom(2);
-    keepInAddress({ follow: on ? "1" : "" });
-    this.invalidate();
-  }
-
-  private async show(space: boolean): Promise<void> {
-    this.inSpace = space;
-    const [plan, three] = this.switcher.children;
-    plan?.setAttribute("aria-pressed", String(!space));
-    three?.setAttribute("aria-pressed", String(space));
-    keepInAddress({ view: space ? "3d" : "" });
-    if (space && !this.space) {
-      const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, () => this.invalidate());
-      this.space.follow = this.following;
-      this.stage.prepend(this.space.element);
-    }
-    this.plan.element.hidden = this.inSpace;
-    if (this.space) this.space.element.hidden = !this.inSpace;
-    this.invalidate();
-  }
-
-  private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
-
-  private get name(): string { return this.run.report.world.name || "run"; }
+  private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
-  private savePicture(): void { saveCanvas(this.view.canvas, `${this.instant}.png`); }
+  private saveLog(): void {
+    if (this.log.file) saveBlob(this.log.file, "run.mcap");
+    else saveText(JSON.stringify(this.log.summary), "run.json");
+  }
+
+  private savePicture(): void { saveCanvas(this.stage.canvas, `${this.instant}.png`); }
 
   /** Opens the dialog that saves frames of the current view; a frame depends on the time alone. */
   private saveFilm(): void {
@@ -252,42 +228,26 @@ export class Watch {
     clock.toggle(false);
     const frame = new Frame(run);
     showFilmDialog({ duration: clock.duration, now: clock.t, name: this.name, done: () => this.invalidate(), draw: (t) => {
-      const shot = run.flights.findLast((one) => one.start <= t) ?? null;
-      this.view.draw({ t, shot, target: run.targetOf(shot), speed: 1 });
-      return frame.of(this.view.canvas, t);
+      const shot = flightsOf(run).findLast((one) => one.start <= t) ?? null;
+      this.stage.draw({ t, shot, target: this.named(shot?.target), speed: 1 });
+      return frame.of(this.stage.canvas, t);
     } });
   }
 
   private bindKeys(): void {
-    const { clock } = this;
-    const toLive = { key: "l", words: "keep to what happens now", act: () => clock.follow() };
-    keys.set("Playing", [
-      { key: " ", words: "play or pause", act: () => clock.toggle() },
-      { key: "ArrowLeft", words: "1 s back", act: () => clock.seek(clock.t - 1) },
-      { key: "ArrowRight", words: "1 s on", act: () => clock.seek(clock.t + 1) },
-      { key: "Shift+ArrowLeft", words: "10 s back", act: () => clock.seek(clock.t - 10) },
-      { key: "Shift+ArrowRight", words: "10 s on", act: () => clock.seek(clock.t + 10) },
-      { key: ",", words: "a frame back", act: () => clock.seek(clock.t - 0.05) },
-      { key: ".", words: "a frame on", act: () => clock.seek(clock.t + 0.05) },
-      { key: "p", words: "previous event", act: () => this.step(-1) },
-      { key: "n", words: "next event", act: () => this.step(1) },
-      { key: "Home", words: "to the start", act: () => clock.seek(0) },
-      { key: "End", words: "to the end", act: () => clock.follow() },
-      ...(clock.goesOn ? [toLive] : []),
-      { key: "<", words: "slower", act: () => clock.shift(-1) },
-      { key: ">", words: "faster", act: () => clock.shift(1) },
-    ], this);
+    const { clock, stage } = this;
+    keys.set("Playing", playingKeys(clock, (direction) => this.step(direction)), this);
     keys.set("View", [
-      { key: "v", words: "plan or space", act: () => void this.show(!this.inSpace) },
-      { key: "f", words: "follow the robot", act: () => this.setFollow(!this.following) },
-      { key: "+", words: "zoom in", act: () => (this.inSpace ? this.space?.zoom(1 / 1.3) : this.plan.camera.zoom(1.5)) },
-      { key: "-", words: "zoom out", act: () => (this.inSpace ? this.space?.zoom(1.3) : this.plan.camera.zoom(1 / 1.5)) },
-      { key: "0", words: "show everything", act: () => { this.setFollow(false); this.view.reset(); } },
+      { key: "v", words: "plan or space", act: () => void stage.show(!stage.inSpace) },
+      { key: "f", words: "follow the robot", act: () => stage.setFollow(!stage.following) },
+      { key: "+", words: "zoom in", act: () => stage.zoom(true) },
+      { key: "-", words: "zoom out", act: () => stage.zoom(false) },
+      { key: "0", words: "show everything", act: () => stage.reset() },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
       { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save the plan view as SVG", act: () => saveText(this.plan.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
+      { key: "g", words: "save the plan view as SVG", act: () => saveText(stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
       { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
-      { key: "j", words: "save the report as JSON", act: () => saveText(JSON.stringify(this.run.report), `${this.run.report.job}.json`) },
+      { key: "j", words: "save the log of the run", act: () => this.saveLog() },
     ], this);
   }
 }

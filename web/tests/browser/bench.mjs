@@ -2,31 +2,26 @@
 // 10 minutes at 20 Hz, what a running mission adds, and plans while one drags. The plane is measured in a browser as it
 // is without a graphics card, space in one whose card is software, since there it is drawn on no other.
 //   OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/bench.mjs
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { loadavg } from "node:os";
 import { join } from "node:path";
 import { executable, launch, launchPlain } from "./browser.mjs";
 import { measureDragging } from "./drag.mjs";
 import { measureGrowth } from "./grow.mjs";
-import { makeFolder, serve } from "./server.mjs";
+import { makeFolder, serve, useBuiltPage } from "./server.mjs";
+import { contentsOf, fileOf, longLog } from "./streams.mjs";
 
 if (!executable) {
   console.log("page: skipped, Chromium is not installed");
   process.exit(77);
 }
 const { folder, remove } = makeFolder();
-const yard = JSON.parse(readFileSync(join(folder, "reports/yard.json"), "utf8"));
-const round = (value) => Math.round(1e6 * value) / 1e6;
-const row = (i) => [i / 20, 8 * Math.sin(i / 800), 5 * Math.sin(i / 460), i / 600, i / 200, 0.3].map(round);
-const rows = Array.from({ length: 12001 }, (_, i) => row(i));
-const events = Array.from({ length: 600 }, (_, i) => ({ time_s: i, kind: "wait", text: `waits for the ${i}th time` }));
-const beliefs = rows.map(([time_s, x, y, heading], i) => ({ time_s, pose: [x + 0.02 * Math.sin(i / 90), y, heading].map(round),
-  sigma_x_m: 0.03, sigma_y_m: 0.02, correlation: 0.2, sigma_rad: 0.01, corrected: i % 40 < 20 }));
-const tags = Array.from({ length: 8 }, (_, id) => ({ id, position: [2.2 * id - 8, 6.5], facing_rad: -1.5708, size_m: 0.2, height_m: 0.4 }));
-const write = (name, report) => writeFileSync(join(folder, `reports/${name}.json`), JSON.stringify(report));
-const long = { guard: { ...yard, track: rows, events },
-  drive: { ...yard, job: "drive", targets: [], shots: [], track: rows, events, drive: { loop: "closed", tags, stops: [], beliefs } } };
-for (const [name, report] of Object.entries(long)) write(name, report);
+const yard = await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap")));
+const long = { guard: longLog(yard, false), drive: longLog(yard, true) };
+for (const [name, contents] of Object.entries(long)) {
+  mkdirSync(join(folder, "runs", name));
+  writeFileSync(join(folder, "runs", name, "run.mcap"), await fileOf(contents));
+}
 
 const server = await serve(folder);
 const browsers = { plane: await launchPlain(), space: await launch() };
@@ -38,6 +33,7 @@ const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimati
 async function open(hash, selector) {
   const context = await browserFor(hash).newContext({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce" });
   const page = await context.newPage();
+  await useBuiltPage(page);
   const session = await context.newCDPSession(page);
   await session.send("Network.enable");
   const urls = new Map();
@@ -53,9 +49,9 @@ async function open(hash, selector) {
   return { page, moved, first_ms: Date.now() - start };
 }
 
-for (const [name, hash, selector] of [["files", "", ".groups"], ["a report", "#watch/reports/yard.json?t=9", ".tabbed"],
-  ["a report in space", "#watch/reports/yard.json?t=9&view=3d", ".space-view canvas"], ["a plan", "#plan/maps/gallery.map", ".result"],
-  ["10 minutes at 20 Hz", "#watch/reports/guard.json?t=9", ".tabbed"]]) {
+for (const [name, hash, selector] of [["files", "", ".groups"], ["a run", "#watch/runs/yard/run.mcap?t=9", ".tabbed"],
+  ["a run in space", "#watch/runs/yard/run.mcap?t=9&view=3d", ".space-view canvas"], ["a plan", "#plan/maps/gallery.map", ".result"],
+  ["10 minutes at 20 Hz", "#watch/runs/guard/run.mcap?t=9", ".tabbed"]]) {
   const times = [];
   let moved;
   for (let i = 0; i < 3; ++i) {
@@ -91,7 +87,7 @@ async function processor_ms(session) {
 
 for (const [name, hash, selector] of [["guard", "tab=targets", ".tabbed"], ["guard", "tab=plots", ".tabbed"], ["guard", "view=3d", ".space-view canvas"],
   ["drive", "tab=plots", ".tabbed"], ["drive", "view=3d", ".space-view canvas"]]) {
-  const { page } = await open(`#watch/reports/${name}.json?t=0&${hash}`, selector);
+  const { page } = await open(`#watch/runs/${name}/run.mcap?t=0&${hash}`, selector);
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable", { timeDomain: "threadTicks" });
   await scrub(page, 5);

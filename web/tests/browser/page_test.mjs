@@ -9,7 +9,7 @@ import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
-import { makeFolder, makeViewer, serve, tool } from "./server.mjs";
+import { makeFolder, makeViewer, serve, tool, useBuiltPage } from "./server.mjs";
 
 const [output, ...only] = process.argv.slice(2);
 if (!executable) {
@@ -24,6 +24,7 @@ const faults = [];
 
 async function open(hash = "", options = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", colorScheme: "light", ...options });
+  await useBuiltPage(page);
   page.setDefaultTimeout(100_000);  // a machine that is busy with other tests may hold a browser up
   page.on("pageerror", (error) => faults.push(`${hash}: ${error.message}`));
   page.on("request", (request) => {
@@ -74,8 +75,8 @@ const cases = {
     await page.close();
   },
 
-  async "a report: scrub to a shot, step, switch to space, reload at its address"() {
-    const page = await open("#watch/reports/yard.json?t=0");
+  async "a run: scrub to a shot, step, switch to space, reload at its address"() {
+    const page = await open("#watch/runs/yard/run.mcap?t=0");
     await page.waitForSelector(".targets tbody");
     const shot = page.locator(".tick.hit").nth(3);
     const title = await shot.getAttribute("title");
@@ -99,9 +100,9 @@ const cases = {
 
   async "what a robot senses and believes: a map that is turned is explored, a drive goes by tags"() {
     makeRuns(folder);
-    const page = await open("#watch/reports/explore/explore.json?t=3");
+    const page = await open("#watch/runs/explore/run.mcap?t=3");
     await page.waitForSelector(".plots figure");
-    assert.match(await text(page, ".legend"), /believed, 2\u03c3.*range finder.*way chosen/);
+    assert.match(await text(page, ".legend"), /believed, 2\u03c3.*range finder.*path/);
     await frames(page);
     await compareShot(page, "explore", output);
     await page.keyboard.press("f");  // the robot is in the middle then
@@ -109,7 +110,7 @@ const cases = {
     const frame = await page.locator(".plan-view canvas").boundingBox();
     await page.mouse.move(frame.x + frame.width / 2, frame.y + frame.height / 2);
     assert.match(await text(page, ".plan-view .tip"), /^believed \d+ mm and .* off\n2\u03c3: \d+ mm by/);
-    await page.goto(`${server.url}#watch/reports/drive/drive.json?t=13&view=3d&follow=1`);
+    await page.goto(`${server.url}#watch/runs/drive/run.mcap?t=13&view=3d&follow=1`);
     await page.waitForSelector(".space-view canvas");
     await until("the drive", async () => (await text(page, ".job")) === "drive");
     await frames(page);
@@ -119,7 +120,7 @@ const cases = {
 
   async "mapping from logs: the map, landmarks and their ellipses, in plan and in space"() {
     makeMaps(folder);
-    const rooms = await open("#watch/reports/office/slam.json?t=95&tab=plots");
+    const rooms = await open("#watch/runs/office/run.mcap?t=95&tab=plots");
     await rooms.waitForSelector(".plots figure");
     const legend = await text(rooms, ".legend");
     assert.match(legend, /way settled in the end.*believed then, 2\u03c3.*odometry alone.*reference.*range finder/);
@@ -127,7 +128,7 @@ const cases = {
     await frames(rooms);
     await compareShot(rooms, "slam", output);
     await rooms.close();
-    const page = await open("#watch/reports/posts/slam.json?t=10&view=3d");
+    const page = await open("#watch/runs/posts/run.mcap?t=10&view=3d");
     await page.waitForSelector(".space-view canvas");
     assert.match(await text(page, ".legend"), /landmark, 2\u03c3.*true place/);
     await frames(page);
@@ -180,7 +181,7 @@ const cases = {
   },
 
   async "the viewer is one file that shows the same, dark, on a phone"() {
-    const page = await open(`file://${makeViewer(folder)}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
+    const page = await open(`file://${makeViewer(folder, "runs/yard/run.mcap")}#?t=8&theme=dark`, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict"), /targets reached/);
     await frames(page);
@@ -189,7 +190,7 @@ const cases = {
   },
 
   async "frames of a film are the same twice, and the SVG looks as the view does"() {
-    const page = await open(`file://${makeViewer(folder)}#?t=20`);
+    const page = await open(`file://${makeViewer(folder, "runs/yard/run.mcap")}#?t=20`);
     await page.waitForSelector(".targets tbody");
     await frames(page);
     const film = (from, to) => saved(page, async () => {
@@ -426,6 +427,24 @@ const cases = {
 
   ...liveCases({ open, text, server, folder }),
 
+  async "a log that was cut short is shown up to there, and an old report is refused"() {
+    const log = readFileSync(join(folder, "runs/yard/run.mcap"));
+    const page = await open();
+    await page.waitForSelector(".groups");
+    const drop = (bytes, name) => page.evaluate(([text, file]) => {
+      const dropped = new DataTransfer();
+      dropped.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], file));
+      dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, cancelable: true }));
+    }, [bytes.toString("base64"), name]);
+    await drop(log.subarray(0, log.length - 3000), "cut.mcap");
+    await page.waitForSelector(".targets tbody");
+    assert.match(await text(page, ".verdict.cut"), /^Cut short The log is cut short at t = [\d.]+ s/);
+    await drop(Buffer.from('{"outrider_report": 1}'), "guard.json");
+    await page.waitForSelector(".refusal");
+    assert.match(await text(page, ".refusal"), /older version; run the job again with --out DIR/);
+    await page.close();
+  },
+
   async "a broken file is refused with a sentence, a good one opens"() {
     const page = await open();
     await page.waitForSelector(".groups");
@@ -445,10 +464,10 @@ const cases = {
     await page.close();
   },
 
-  async "the keyboard does it all: open a report from the files, play, read the help"() {
+  async "the keyboard does it all: open a run from the files, play, read the help"() {
     const page = await open();
     await page.waitForSelector(".groups");
-    await page.evaluate(() => document.querySelector('li[data-path="reports/yard.json"] a').focus());
+    await page.evaluate(() => document.querySelector('li[data-path="runs/yard/run.mcap"] a').focus());
     await page.keyboard.press("Enter");
     await page.waitForSelector(".targets tbody");
     await page.evaluate(() => document.activeElement.blur());

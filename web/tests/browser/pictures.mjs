@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { executable, launch, saved, until } from "./browser.mjs";
-import { makeFolder, serve, source, tool } from "./server.mjs";
+import { makeFolder, serve, source, tool, useBuiltPage } from "./server.mjs";
 
 if (!executable) {
   console.error("pictures: Chromium makes them, and it is not installed (apt-get install chromium)");
@@ -18,6 +18,7 @@ const browser = await launch();
 
 async function open(hash, width, height) {
   const page = await browser.newPage({ viewport: { width, height }, reducedMotion: "reduce" });
+  await useBuiltPage(page);
   page.on("pageerror", (error) => console.error(`${hash}: ${error.message}`));
   await page.goto(server.url + hash);
   return page;
@@ -65,19 +66,19 @@ async function film(name, hash, from, to, rate) {
 }
 
 const pictures = {
-  "page-watch.png": (name) => still(name, "#watch/reports/yard.json?shot=9&t=28.26&theme=light", ".targets tbody"),
-  "page-space.png": (name) => still(name, "#watch/reports/yard.json?view=3d&shot=6&t=20.2&theme=dark", ".space-view canvas"),
+  "page-watch.png": (name) => still(name, "#watch/runs/yard/run.mcap?shot=9&t=28.26&theme=light", ".targets tbody"),
+  "page-space.png": (name) => still(name, "#watch/runs/yard/run.mcap?view=3d&shot=6&t=20.2&theme=dark", ".space-view canvas"),
   "page-explore.png": (name) => {
     execFileSync(tool, ["run", join(source, "scenarios/explore/office.yaml"), "--out", join(folder, "office")], { stdio: "ignore" });
-    return still(name, "#watch/office/explore.json?view=3d&follow=1&t=36&theme=dark&tab=plots", ".space-view canvas");
+    return still(name, "#watch/office/run.mcap?view=3d&follow=1&t=36&theme=dark&tab=plots", ".space-view canvas");
   },
   "page-slam.png": (name) => {
     execFileSync(tool, ["run", join(source, "scenarios/slam/office.yaml"), "--out", join(folder, "slam")], { stdio: "ignore" });
-    return still(name, "#watch/slam/slam.json?t=95&theme=light&tab=plots", ".plots figure");
+    return still(name, "#watch/slam/run.mcap?t=95&theme=light&tab=plots", ".plots figure");
   },
   "page-cover.png": (name) => {
     execFileSync(tool, ["run", join(source, "scenarios/cover/cover_field.yaml"), "--out", join(folder, "field")], { stdio: "ignore" });
-    return still(name, "#watch/field/cover.json?view=3d&t=4985&theme=light&tab=plots", ".space-view canvas");
+    return still(name, "#watch/field/run.mcap?view=3d&t=4985&theme=light&tab=plots", ".space-view canvas");
   },
   "page-search.png": (name) => still(name, "#plan/maps/gallery.map?planner=a_star&radius=0&theme=dark&step=70", ".result", async (page) => {
     await until("the trace", async () => (await page.locator(".transport .clock").textContent()).startsWith("70 /"));
@@ -85,7 +86,7 @@ const pictures = {
     await page.mouse.move(view.x + 258, view.y + 249);
     await page.waitForSelector(".pane .tip:not([hidden])");
   }),
-  "yard.webp": (name) => film(name, "#watch/reports/yard.json?view=3d&t=19&theme=light", 17, 33, 12.5),
+  "yard.webp": (name) => film(name, "#watch/runs/yard/run.mcap?view=3d&t=19&theme=light", 17, 33, 12.5),
 };
 
 for (const [name, make] of Object.entries(pictures)) {

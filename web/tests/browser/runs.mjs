@@ -1,4 +1,4 @@
-// Reports of short runs, made by the tool: a robot explores two rooms on a map with a heading, another drives by tags, logs are mapped.
+// Logs of short runs, made by the tool: a robot explores two rooms on a map with a heading, another drives by tags, logs are mapped.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -18,13 +18,13 @@ export function makeRuns(folder) {
   writeFileSync(join(folder, "maps/rooms.pgm"), rooms());
   writeFileSync(join(folder, "maps/rooms.yaml"),
     "image: rooms.pgm\nresolution: 0.05\norigin: [1, 0.5, 0.4]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
-  run("explore", "--world", join(folder, "maps/rooms.yaml"), "--start", "0.70,2.76,-60", "--seed", "1", "--out", join(folder, "reports/explore"));
+  run("explore", "--world", join(folder, "maps/rooms.yaml"), "--start", "0.70,2.76,-60", "--seed", "1", "--out", join(folder, "runs/explore"));
   const drive = join(folder, "waypoints/modelled.yaml");
   writeFileSync(drive, readFileSync(join(folder, "waypoints/closed_loop.yaml"), "utf8").replace("sight: rendered", "sight: modelled"));
-  run("run", drive, "--out", join(folder, "reports/drive"));
+  run("run", drive, "--out", join(folder, "runs/drive"));
 }
 
 export function makeMaps(folder) {
   for (const name of ["office", "posts"])
-    execFileSync(tool, ["run", join(source, `scenarios/slam/${name}.yaml`), "--out", join(folder, `reports/${name}`)], { stdio: "ignore" });
+    execFileSync(tool, ["run", join(source, `scenarios/slam/${name}.yaml`), "--out", join(folder, `runs/${name}`)], { stdio: "ignore" });
 }

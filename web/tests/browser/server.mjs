@@ -1,19 +1,20 @@
 // `outrider serve` on a folder of its own, at a port that is free.
 import { execFileSync, spawn } from "node:child_process";
-import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 export const tool = process.env.OUTRIDER;
 export const source = process.env.OUTRIDER_SOURCE;
+const builtPage = process.env.OUTRIDER_PAGE;
 
-/** The scenarios the cases use, and the report of a quick mission in the yard. */
+/** The scenarios the cases use, and the log of a mission in the yard. */
 export function makeFolder() {
   const home = mkdtempSync(join(tmpdir(), "outrider-page-"));
   const folder = join(home, "ground");
   for (const name of ["cover", "maps", "pursuit", "waypoints", "yard"]) cpSync(join(source, "scenarios", name), join(folder, name), { recursive: true });
-  mkdirSync(join(folder, "reports"));
-  copyFileSync(join(source, "web/tests/browser/yard.json"), join(folder, "reports/yard.json"));
+  mkdirSync(join(folder, "runs"));
+  execFileSync(tool, ["run", join(source, "scenarios/yard/yard.yaml"), "--out", join(folder, "runs/yard")], { stdio: "ignore" });
   return { folder, remove: () => rmSync(home, { recursive: true, force: true }) };
 }
 
@@ -34,10 +35,23 @@ export async function serve(folder) {
   return { url, stop: () => new Promise((resolve) => { child.on("exit", resolve); child.kill("SIGTERM"); }) };
 }
 
-/** The viewer as one file, of a run of the yard. */
-export function makeViewer(folder) {
+/** The viewer as one file, of a log. */
+export function makeViewer(folder, log) {
   const page = join(folder, "viewer.html");
-  execFileSync(tool, ["run", join(folder, "yard/yard.yaml"), "--out", join(folder, "yard-run")], { stdio: "ignore" });
-  execFileSync(tool, ["replay", join(folder, "yard-run"), "--html", page], { stdio: "ignore" });
+  if (!builtPage) {
+    execFileSync(tool, ["replay", join(folder, log), "--html", page], { stdio: "ignore" });
+    return page;
+  }
+  const [head, rest] = readFileSync(join(builtPage, "viewer/viewer.html"), "utf8").split("@TITLE@");
+  writeFileSync(page, head + "a run" + rest.replace("@LOG@", readFileSync(join(folder, log)).toString("base64")));
   return page;
+}
+
+/** Serves the page that `npm run build` made last, in place of the one in the tool, where OUTRIDER_PAGE names its folder. */
+export async function useBuiltPage(context) {
+  if (!builtPage) return;
+  await context.route((url) => url.protocol === "http:" && !url.pathname.startsWith("/api/"), (route) => {
+    const name = new URL(route.request().url()).pathname.slice(1);
+    return route.fulfill({ path: join(builtPage, "app", name || "index.html") });
+  });
 }

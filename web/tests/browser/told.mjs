@@ -1,49 +1,45 @@
-// A run whose server is this file: it tells a report as far as it is asked to, as one that runs would (docs/server.md).
+// A run whose server is this file: it sends the bytes of a log as far as it is asked to, as one that runs would (docs/server.md).
+import { Stream } from "./streams.mjs";
 
-const empty = { drive: { beliefs: [] }, explore: { beliefs: [], decisions: [] } };
+const frameBytes = 5000;  // frames are cut at any byte
 
-/** Tells `report` to `page` as the run #live/told. */
-export async function tellRun(page, report) {
-  const log = [];
-  const asked = [];  // `from` of each connection
+/** Tells a log to `page` as the run #live/told. */
+export async function tellRun(page, contents) {
+  const { result, messages } = contents;
+  const asked = [];  // what each connection asked for
+  let sent = [];     // bytes so far
   let socket = null;
   let told = -Infinity;
   let ended = false;
-  const say = (message) => {
-    log.push(JSON.stringify({ seq: log.length + 1, run: "told", ...message }));
-    socket?.send(log.at(-1));
+  const row = () => ({ run: "told", id: "told", job: result.job, scenario: "told.yaml", state: ended ? result.status : "running", error: "" });
+  const say = (message) => socket?.send(JSON.stringify({ run: "told", ...message }));
+  const send = (bytes) => {
+    for (let at = 0; at < bytes.length; at += frameBytes) socket?.send(Buffer.from(bytes.subarray(at, at + frameBytes)));
   };
-  const row = () => ({ id: "told", job: report.job, scenario: "told.yaml", state: ended ? report.status : "running", error: "", has_report: ended });
+  const stream = new Stream(contents);
+  const tell = () => {
+    sent.push(stream.take());
+    send(sent.at(-1));
+  };
   await page.route("**/api/v1/runs/told", (route) => route.fulfill({ json: row() }));
-  await page.route("**/api/v1/runs/told/report", (route) => route.fulfill({ json: report }));
   await page.routeWebSocket("**/api/v1/live", (here) => {
     here.onMessage((text) => {
       const { type, from } = JSON.parse(text);
       if (type !== "watch") return;
       asked.push(from);
       socket = here;
-      for (const message of log.slice(from)) here.send(message);
+      say({ type: "run", ...row() });
+      sent = [Buffer.concat(sent)];
+      send(sent[0]);
     });
   });
-  const { drive, explore } = report;
-  say({ type: "state", state: "running" });
-  say({ type: "scene", report: { ...report, status: "running", metrics: {}, paths: [], shots: [], events: [], track: [],
-    targets: report.targets.map((one) => ({ ...one, status: "waiting", done_s: null, shots: 0 })),
-    ...(drive ? { drive: { ...drive, ...empty.drive } } : {}), ...(explore ? { explore: { ...explore, ...empty.explore } } : {}) } });
   return {
-    asked, log,
+    asked,
     /** All that has happened until t. */
     upTo(t) {
-      const now = (time) => time > told && time <= t;
-      const some = (list, time) => list.filter((one) => now(time(one)));
-      say({ type: "samples", rows: some(report.track, (one) => one[0]) });
-      say({ type: "events", events: some(report.events, (one) => one.time_s) });
-      say({ type: "growth", report: { shots: some(report.shots, (one) => one.time_s + one.flight_s), paths: some(report.paths, (one) => one.end_s),
-        ...(drive ? { drive: { beliefs: some(drive.beliefs, (one) => one.time_s) } } : {}) } });
-      if (report.targets.some((one) => now(one.done_s))) {
-        say({ type: "growth", report: { targets: report.targets.map((one) => (one.done_s <= t ? one : { ...one, status: "waiting", done_s: null })) } });
-      }
+      for (const message of messages) if (message.t > told && message.t <= t) stream.add(message);
       told = t;
+      tell();
     },
     /** The connection breaks; the page is to come back. */
     drop() {
@@ -52,6 +48,8 @@ export async function tellRun(page, report) {
       broken.close();
     },
     end() {
+      stream.end();
+      tell();
       ended = true;
       say({ type: "end", ...row() });
     },

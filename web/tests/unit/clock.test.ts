@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { Clock, neighbour } from "../../src/watch/clock";
 import { marksOf } from "../../src/watch/marks";
-import { Run } from "../../src/report/run";
-import { nearest } from "../../src/report/track";
-import { report } from "./report";
+import { topic } from "../../src/log/topics";
+import { nearest } from "../../src/log/track";
+import { runOf } from "./made";
 
 describe("the clock", () => {
   it("plays to the end, stops there, and starts over", () => {
@@ -44,10 +44,11 @@ describe("marks", () => {
   });
 
   it("leaves out events that a shot tells already", () => {
-    const shot = { target: "cat", attempt: 1, time_s: 2, flight_s: 1, muzzle: [0, 0, 0], velocity_mps: [1, 0, 0], contact: "cat", contact_point: [1, 0, 0], hit: true, clearance_m: 1, profile: [] };
-    const events = ["drive", "shot", "hit", "enter"].map((kind, i) => ({ time_s: i, kind, text: kind }));
-    expect(marksOf(new Run(report({ shots: [shot], events }))).map((mark) => mark.kind)).toEqual(["drive", "hit", "enter"]);
-    expect(marksOf(new Run(report({ events }))).length).toBe(4);
+    const zero = { x: 0, y: 0, z: 0 };
+    const shot = { target: "cat", attempt: 1, flight: 1, gun_pitch: 0, muzzle: zero, velocity: zero, contact: "cat", contact_point: zero, hit: true, clearance: 1, path: [], profile: [] };
+    const events = ["drive", "shot", "hit", "enter"].map((name, i): [number, unknown] => [i, { name, msg: name }]);
+    expect(marksOf(runOf({ [topic.shots]: [[2, shot]], [topic.events]: events })).map((mark) => mark.kind)).toEqual(["drive", "hit", "enter"]);
+    expect(marksOf(runOf({ [topic.events]: events })).length).toBe(4);
   });
 
   it("finds the sample nearest to a time", () => {

@@ -1,10 +1,10 @@
 // @vitest-environment jsdom
 import { describe, expect, it, vi } from "vitest";
-import { Run } from "../../src/report/run";
-import { Track } from "../../src/report/track";
-import type { Cover, Vec2 } from "../../src/report/types";
-import { comesOver, Way } from "../../src/report/way";
-import { report } from "./report";
+import { coverOf } from "../../src/log/cover";
+import type { Vec2 } from "../../src/log/geometry";
+import { topic } from "../../src/log/topics";
+import { comesOver, Way } from "../../src/log/way";
+import { info, poses, runOf, trackOf } from "./made";
 
 vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener: () => undefined }));
 const { areaOfOutlines, coverLegend, passAt, storyOf, within } = await import("../../src/watch/cover_layer");
@@ -12,13 +12,14 @@ const { coverSeries } = await import("../../src/watch/cover_series");
 const { pictureSize, Strip } = await import("../../src/watch/strip");
 
 /** East with a ramp, a turn, north, back west over the same way again. */
-const rows = [[0, 0, 0, 0, 0, 0], [1, 0.5, 0, 0, 0, 0], [2, 2, 0, 0, 0, 0], [5, 2, 0, 1.57, 0, 0], [7, 2, 2, 1.57, 0, 0], [9, 2, 0, -1.57, 0, 0],
-  [11, 0, 0, 3.14, 0, 0]];
-const track = new Track(rows, [0, 0, 0]);
+const rows = [[0, 0, 0, 0], [1, 0.5, 0, 0], [2, 2, 0, 0], [5, 2, 0, 1.57], [7, 2, 2, 1.57], [9, 2, 0, -1.57], [11, 0, 0, 3.14]];
+const track = trackOf(rows);
 const square = (low: number, high: number): Vec2[] => [[low, low], [high, low], [high, high], [low, high]];
-const cover: Cover = { width_m: 1, area: [square(-1, 4), [...square(3, 3.5)].reverse()], reach: [square(-0.9, 2.9)], missed: [], overlap: [], planned: [],
-  passes: [{ start_s: 0, end_s: 5, role: "lap" }, { start_s: 5, end_s: 11, role: "lane" }], covered: [[0, 0, 0], [11, 7.22, 3.61]] };
-const run = new Run(report({ job: "cover", track: rows, cover }));
+const outline = (points: Vec2[]) => ({ points: points.map(([x, y]) => ({ x, y })) });
+const area = { area: [outline(square(-1, 4)), outline([...square(3, 3.5)].reverse())], reach: [outline(square(-0.9, 2.9))], missed: [], overlap: [], planned: [] };
+const run = runOf({ [topic.run]: [[0, info()]], [topic.pose]: poses(rows), [topic.coverageArea]: [[0, area]],
+  [topic.coveragePasses]: [[0, { role: "lap", end: 5 }], [5, { role: "lane", end: 11 }]], [topic.coverage]: [[0, { covered: 0, overlap: 0 }], [11, { covered: 7.22, overlap: 3.61 }]] });
+const cover = coverOf(run)!;
 
 describe("the way", () => {
   const way = new Way(track);
@@ -84,7 +85,7 @@ describe("what is told of covering", () => {
 
   it("is named as far as it is there", () => {
     expect(coverLegend(run).map((one) => one.name)).toEqual(["covered", "lap", "lane", "planned", "out of reach"]);
-    expect(coverLegend(new Run(report()))).toEqual([]);
+    expect(coverLegend(runOf())).toEqual([]);
   });
 });
 

@@ -1,17 +1,17 @@
 // @vitest-environment jsdom
 import { describe, expect, it, vi } from "vitest";
 import { GrowingList } from "../../src/base/growing_list";
-import { Growth } from "../../src/live/growth";
-import { Run } from "../../src/report/run";
-import { soFar } from "../../src/report/so_far";
-import type { Report, Target } from "../../src/report/types";
+import { Run } from "../../src/log/run";
+import type { RunLog } from "../../src/log/run_log";
+import { soFar } from "../../src/log/so_far";
+import { topic } from "../../src/log/topics";
 import { Clock } from "../../src/watch/clock";
 import { EventList } from "../../src/watch/event_list";
 import { Facts } from "../../src/watch/facts";
 import { seriesOf } from "../../src/watch/series";
 import { Tabs } from "../../src/watch/tabs";
 import { TargetTable } from "../../src/watch/target_table";
-import { report } from "./report";
+import { append, belief, logOf, poses, runOf, summary, type Topics } from "./made";
 
 vi.hoisted(() => { (globalThis as { matchMedia?: unknown }).matchMedia = () => ({ matches: false, addEventListener: () => undefined }); });
 
@@ -144,26 +144,23 @@ describe("tabs of a run that grows", () => {
   });
 });
 
-const target = (name: string, status: string, shots = 0): Target => ({ name, status, reason: "", pose: [], pitch_rad: 0, yaw_rad: 0, speed_mps: 0,
-  clearance_m: 0.1, done_s: status === "reached" ? 2.5 : null, shots, centre: [4, 0, 0], size: [0.3, 0.3, 0.3], box_yaw_rad: 0 });
+const target = (name: string, status: string, shots = 0): Topics[string][number] =>
+  [status === "waiting" ? 0 : 2.5, { name, status, reason: "", size: { x: 0.3, y: 0.3, z: 0.3 }, yaw: 0, shots, entrance: "" }];
 
 describe("a run that grows, and what shows it", () => {
-  const rows = Array.from({ length: 401 }, (_, i) => [i / 20, 3 * Math.cos(i / 50), 3 * Math.sin(i / 50), i / 50, 0, 0]);
-  const events = Array.from({ length: 20 }, (_, i) => ({ time_s: i, kind: "drive", text: `leg ${i}` }));
-  const beliefs = rows.map(([time_s, x, y, heading]) => ({ time_s, pose: [x! + 0.01, y, heading], sigma_x_m: 0.02, sigma_y_m: 0.01, correlation: 0, sigma_rad: 0.01, corrected: true }));
+  const rows = Array.from({ length: 401 }, (_, i) => [i / 20, 3 * Math.cos(i / 50), 3 * Math.sin(i / 50), i / 50]);
+  const all: Topics = { [topic.pose]: poses(rows), [topic.events]: Array.from({ length: 20 }, (_, i) => [i, { name: "drive", msg: `leg ${i}` }]),
+    [topic.belief]: rows.map(([t, x, y, heading]) => [t!, belief(x! + 0.01, y!, heading, 0.02, 0.01)]) };
 
   it("says in parts what it says whole", () => {
-    const whole = new Run(report({ job: "drive", track: rows, events, drive: { loop: "closed", tags: [], stops: [], beliefs: beliefs as never } }));
-    const growth = new Growth();
-    growth.receive({ type: "scene", report: { ...report({ job: "drive" }), drive: { loop: "closed", tags: [], stops: [], beliefs: [] } } });
-    const list = new EventList(new Run(growth.report!, true), () => undefined);
-    for (let i = 0; i < rows.length; i += 37) {
-      growth.receive({ type: "samples", rows: rows.slice(i, i + 37) });
-      growth.receive({ type: "growth", report: { drive: { beliefs: beliefs.slice(i, i + 37) } } });
-      growth.receive({ type: "events", events: events.filter(({ time_s }) => time_s * 20 >= i && time_s * 20 < i + 37) });
-      list.renew(new Run(growth.report!, true));
+    const whole = runOf(all);
+    const log: RunLog = logOf();
+    const list = new EventList(new Run(log, true), () => undefined);
+    for (let from = 0; from < 21; from += 1.85) {
+      append(log, Object.fromEntries(Object.entries(all).map(([name, messages]) => [name, messages.filter(([t]) => t >= from && t < from + 1.85)])));
+      list.renew(new Run(log, true));
     }
-    const grown = new Run(growth.report!);
+    const grown = new Run(log);
     expect(grown.duration).toBe(whole.duration);
     expect(seriesOf(grown)).toEqual(seriesOf(whole));
     for (let t = 0; t < 20; t += 0.37) expect(grown.track.at(t)).toEqual(whole.track.at(t));
@@ -172,15 +169,8 @@ describe("a run that grows, and what shows it", () => {
     expect(list.element.outerHTML).toBe(fresh.element.outerHTML);
   });
 
-  it("has its head where the robot is known to be, whatever else was told", () => {
-    const told = report({ track: rows.slice(0, 101), events: [{ time_s: 8, kind: "wait", text: "" }] });
-    expect(new Run(told, true).duration).toBe(5);
-    expect(new Run(told).duration).toBe(8);
-    expect(new Run(report({ events: told.events }), true).duration).toBe(8);
-  });
-
   it("counts what is known by now", () => {
-    const numbers = soFar(new Run(report({ track: rows, targets: [target("a", "reached", 1), target("b", "waiting")] }), true));
+    const numbers = soFar(runOf({ [topic.pose]: all[topic.pose]!, [topic.targets]: [target("a", "waiting"), target("b", "waiting"), target("a", "reached", 1)] }, true));
     expect(numbers).toMatchObject({ targets: 2, reached: 1, failed: 0, shots: 0 });
     expect(numbers.time_s).toBeCloseTo(20);
     expect(numbers.driven_m).toBeCloseTo(24, 2);  // 8 rad of a circle of 3 m
@@ -188,25 +178,28 @@ describe("a run that grows, and what shows it", () => {
   });
 
   it("keeps the order of the table and which target is selected", () => {
-    const first: Report = report({ targets: [target("a", "waiting"), target("b", "waiting")] });
-    const table = new TargetTable(new Run(first), () => undefined);
+    const log = logOf({ [topic.targets]: [target("a", "waiting"), target("b", "waiting")] });
+    const table = new TargetTable(new Run(log), () => undefined);
     const names = (): string[] => [...table.element.querySelectorAll("tbody button")].map((one) => one.textContent!);
     const byShots = table.element.querySelectorAll("th")[2]!.querySelector("button")!;
     byShots.click();
     const rowOfA = table.element.querySelector("tbody");
-    table.renew(new Run({ ...first, events: [] }));
+    append(log, { [topic.events]: [[1, { name: "wait", msg: "" }]] });
+    table.renew(new Run(log));
     expect(table.element.querySelector("tbody")).toBe(rowOfA);  // nothing of it has changed
-    table.renew(new Run(report({ targets: [target("a", "reached", 2), target("b", "reached", 1)] })));
+    append(log, { [topic.targets]: [target("a", "reached", 2), target("b", "reached", 1)] });
+    table.renew(new Run(log));
     expect(names()).toEqual(["b", "a"]);
   });
 
   it("has numbers while it goes on, and its metrics in the end", () => {
     const facts = new Facts();
     const words = (): string[] => [...facts.element.querySelectorAll(".metrics dt")].map((one) => one.textContent!);
-    const settings = { speed: "1 m/s" };
-    facts.renew(new Run(report({ track: rows, settings }), true), true);
+    const log = logOf(all);
+    facts.renew(new Run(log, true), true);
     expect(words()).toEqual(["time", "driven", "turned"]);
-    facts.renew(new Run(report({ track: rows, settings, metrics: { mission_s: 20 }, warnings: ["slow"] })), false);
+    log.summary = summary({ settings: { speed: "1 m/s" }, metrics: { mission_s: 20 }, warnings: ["slow"] });
+    facts.renew(new Run(log), false);
     expect(words()).toEqual(["mission"]);
     expect(facts.element.textContent).toMatch(/1 warning.*slow.*1 settings/);
   });

@@ -1,0 +1,31 @@
+// Covering an area: what is asked for, the passes of the robot, how much is covered when.
+import { rings, vec2, type Outlines, type Vec2 } from "./geometry";
+import type { Coverage, CoverageArea, CoveragePass } from "./messages";
+import { once } from "./once";
+import type { Run } from "./run";
+import { topic } from "./topics";
+
+export interface Pass { start: number; end: number; role: CoveragePass["role"] }
+
+export interface Cover {
+  /** Width of the covered strip, m. */
+  width: number;
+  area: Outlines;
+  /** The part of it that the robot can cover. */
+  reach: Outlines;
+  missed: Outlines;
+  overlap: Outlines;
+  planned: Vec2[];
+  passes: Pass[];
+  covered: { t: number; covered: number; overlap: number }[];
+}
+
+/** What the newest messages say; null where nothing is covered. */
+export const coverOf = once(({ log, info }: Run): Cover | null => {
+  const found = log.latest<CoverageArea>(topic.coverageArea);
+  if (!found) return null;
+  return { width: info.coverage_width, area: rings(found.area), reach: rings(found.reach), missed: rings(found.missed), overlap: rings(found.overlap),
+    planned: found.planned.map(vec2),
+    passes: log.messages<CoveragePass>(topic.coveragePasses).map(({ t, message }) => ({ start: t, end: message.end, role: message.role })),
+    covered: log.messages<Coverage>(topic.coverage).map(({ t, message }) => ({ t, ...message })) };
+});

@@ -1,0 +1,102 @@
+// A run as a file: read whole where it fits in memory. In a larger one the heavy topics are read when they are shown, and
+// all others in the background. A log that was cut short has no index, so it is read to where it got.
+import { McapIndexedReader, type McapTypes } from "@mcap/core";
+import { decoderOf, decompressors } from "./decode";
+import { RunLog } from "./run_log";
+import { LogStream, originOf } from "./stream";
+import { parseSummary } from "./summary";
+import { heavyTypes, unread } from "./topics";
+import { Windows, windowLength, type HeavyTopic } from "./windows";
+
+/** Decompressed size up to which a file is read whole. */
+export const mostInMemory = 256 << 20;
+const pieceBytes = 4 << 20;
+const patience_ms = 40;  // for which the page stands still while a large file is read
+const magic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
+
+class BlobReadable implements McapTypes.IReadable {
+  constructor(private blob: Blob) {}
+  size(): Promise<bigint> { return Promise.resolve(BigInt(this.blob.size)); }
+  async read(offset: bigint, size: bigint): Promise<Uint8Array> {
+    return new Uint8Array(await this.blob.slice(Number(offset), Number(offset + size)).arrayBuffer());
+  }
+}
+
+/** Why a file is no log, as a sentence; null when it begins as one. */
+async function faultOf(blob: Blob): Promise<string | null> {
+  const head = new Uint8Array(await blob.slice(0, 64).arrayBuffer());
+  if (magic.every((byte, i) => head[i] === byte)) return null;
+  const start = new TextDecoder().decode(head).trimStart();
+  if (/^\{\s*"outrider_report"/.test(start)) {
+    return "this is a report of an older version; run the job again with --out DIR, which leaves DIR/run.mcap";
+  }
+  return "this is no log of a run; a run with --out DIR leaves its log as DIR/run.mcap";
+}
+
+/** Opens a log. Throws a sentence where the file is none. */
+export async function openLog(blob: Blob, inMemory = mostInMemory): Promise<RunLog> {
+  const fault = await faultOf(blob);
+  if (fault) throw new Error(fault);
+  const index = await McapIndexedReader.Initialize({ readable: new BlobReadable(blob), decompressHandlers: decompressors, messageIndexCacheSizeBytes: 32 << 20 })
+    .catch(() => null);
+  const bytes = index?.chunkIndexes.reduce((sum, chunk) => sum + Number(chunk.uncompressedSize), 0) ?? 0;
+  const log = index && bytes > inMemory ? await openLarge(index) : await readWhole(blob);
+  log.file = blob;
+  return log;
+}
+
+async function readWhole(blob: Blob): Promise<RunLog> {
+  const log = new RunLog();
+  const stream = new LogStream(log);
+  try {
+    for (let at = 0; at < blob.size && !stream.done; at += pieceBytes) {
+      stream.feed(new Uint8Array(await blob.slice(at, at + pieceBytes).arrayBuffer()));
+    }
+  } catch (error) {
+    if (log.channels.size === 0) throw error;  // else it holds up to where it is damaged
+  }
+  log.cut = !stream.done;
+  return log;
+}
+
+const pause = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
+
+async function openLarge(index: McapIndexedReader): Promise<RunLog> {
+  const log = new RunLog();
+  const { statistics } = index;
+  const origin = originOf(statistics?.messageStartTime ?? 0n);
+  log.ahead = Number((statistics?.messageEndTime ?? origin) - origin) / 1e9;
+  const heavy = new Map<string, HeavyTopic>();
+  const light: string[] = [];
+  for (const { id, topic, schemaId, messageEncoding } of index.channelsById.values()) {
+    const schema = index.schemasById.get(schemaId);
+    const decode = decoderOf(messageEncoding, schema);
+    log.addChannel(topic, schema?.name ?? "", decode);
+    if (unread.has(topic)) continue;
+    if (!heavyTypes.has(schema?.name ?? "")) light.push(topic);
+    else if (decode) heavy.set(topic, { decode, length: windowLength(Number(statistics?.channelMessageCounts.get(id) ?? 0n), log.ahead) });
+  }
+  for await (const { data } of index.readAttachments({ name: "run.json" })) log.summary = parseSummary(new TextDecoder().decode(data));
+  log.readLazily(new Windows(index, heavy, origin, () => log.changed(false)));
+  await new Promise<void>((opened) => void readLight(index, log, light, origin, opened));
+  return log;
+}
+
+/** Reads the light topics piece by piece; calls `opened` and `log.changed` after each. */
+async function readLight(index: McapIndexedReader, log: RunLog, topics: string[], origin: bigint, opened: () => void): Promise<void> {
+  let since = performance.now();
+  try {
+    for await (const { channelId, logTime, data } of index.readMessages({ topics, validateCrcs: false })) {
+      log.channels.get(index.channelsById.get(channelId)!.topic)!.append(Number(logTime - origin) / 1e9, data.slice());
+      if (performance.now() - since < patience_ms) continue;
+      opened();
+      log.changed(true);
+      await pause();
+      since = performance.now();
+    }
+  } catch {
+    log.cut = true;  // it is damaged; what came before is shown
+  }
+  opened();
+  log.changed(true);
+}

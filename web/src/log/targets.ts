@@ -1,0 +1,89 @@
+// Targets: what became of each, and where it was at any time.
+import { mix } from "../base/numbers";
+import { flightsOf, type Flight } from "./flights";
+import { vec2, type Vec2 } from "./geometry";
+import type { Target, TargetPosition } from "./messages";
+import { once } from "./once";
+import type { Run } from "./run";
+import { indexAt, type Stamped } from "./run_log";
+import { topic } from "./topics";
+
+export interface Knot { t: number; at: Vec2 }
+
+/** The place at t between knots in the order of time; null when there are none. */
+export function alongKnots(knots: Knot[], t: number): Vec2 | null {
+  const last = knots.at(-1);
+  if (!last) return null;
+  const index = indexAt(knots, t);
+  if (index === knots.length - 1) return last.at;
+  const b = knots[index + 1]!;
+  const a = knots[index] ?? b;
+  const share = b.t > a.t ? (t - a.t) / (b.t - a.t) : 1;
+  return [mix(a.at[0], b.at[0], share), mix(a.at[1], b.at[1], share)];
+}
+
+const gone_s = 4;  // an intruder that was reached leaves
+
+/** What the log tells of one target. */
+export class TargetStory {
+  private knots: Knot[];
+  private believed: Knot[];
+
+  constructor(readonly name: string, private states: Stamped<Target>[], private places: Stamped<TargetPosition>[], private shotsAt: Flight[]) {
+    this.knots = places.map(({ t, message }) => ({ t, at: vec2(message.centre) }));
+    this.believed = places.map(({ t, message }) => ({ t, at: vec2(message.believed) }));
+  }
+
+  /** As it is in the newest message. */
+  get last(): Target { return this.states.at(-1)!.message; }
+  get status(): string { return this.last.status; }
+
+  /** When its status became what it is in the end; NaN while it waits. */
+  get doneAt(): number {
+    if (this.status === "waiting" || this.status === "outside") return NaN;
+    return this.states.find(({ message }) => message.status === this.status)!.t;
+  }
+
+  statusAt(t: number): string {
+    return (this.states[indexAt(this.states, t + 1e-9)] ?? this.states[0]!).message.status;
+  }
+
+  /** Its last place, and the height of its middle. */
+  get centre(): [number, number, number] {
+    const { x, y, z } = this.places.at(-1)?.message.centre ?? { x: 0, y: 0, z: 0 };
+    return [x, y, z];
+  }
+
+  /** Where it is at t; null when it is not in the yard: intruders come and go. */
+  placeAt(t: number): Vec2 | null {
+    const comes = this.last.entrance !== "";
+    if (comes && (t < (this.knots[0]?.t ?? 0) || (this.status === "reached" && t > this.doneAt + gone_s))) return null;
+    return alongKnots(this.knots, t);
+  }
+
+  /** Where the robot takes it to be, if that is wrong. */
+  believedAt(t: number): Vec2 | null {
+    const wrong = this.knots.some(({ at }, i) => at[0] !== this.believed[i]!.at[0] || at[1] !== this.believed[i]!.at[1]);
+    return !wrong || t > this.doneAt ? null : alongKnots(this.believed, t);
+  }
+
+  /** Of the newest shot at it; NaN before one. */
+  get pitch(): number { return this.shotsAt.at(-1)?.pitch ?? NaN; }
+  get clearance(): number { return this.shotsAt.findLast(({ hit }) => hit)?.clearance ?? NaN; }
+}
+
+function grouped<T extends { name: string }>(messages: readonly Stamped<T>[]): Map<string, Stamped<T>[]> {
+  const groups = new Map<string, Stamped<T>[]>();
+  for (const one of messages) {
+    const group = groups.get(one.message.name);
+    if (group) group.push(one);
+    else groups.set(one.message.name, [one]);
+  }
+  return groups;
+}
+
+export const targetsOf = once((run: Run): TargetStory[] => {
+  const places = grouped(run.log.messages<TargetPosition>(topic.targetPositions));
+  return [...grouped(run.log.messages<Target>(topic.targets))].map(([name, states]) =>
+    new TargetStory(name, states, places.get(name) ?? [], flightsOf(run).filter((shot) => shot.target === name)));
+});

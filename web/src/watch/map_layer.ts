@@ -1,0 +1,81 @@
+// The map as it was at a time: what was free and what was occupied then, over the walls as they truly are.
+import { Path } from "../base/ink";
+import { traceRounded } from "../base/outline";
+import { theme } from "../base/theme";
+import { mapOf, occupied, type MapNow } from "../log/map";
+import type { Run } from "../log/run";
+import { topic } from "../log/topics";
+import { wallsOf } from "../log/world";
+import { areaOf } from "./area";
+import type { Layer } from "./layer";
+
+const known = new Map<string, [number, number, number]>();
+
+/** Red, green and blue of a colour of the theme. A look at a pixel may wait for the graphics card, so it is taken once. */
+function bytesOf(colour: string): [number, number, number] {
+  if (!known.has(colour)) {
+    const ctx = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
+    ctx.fillStyle = colour;
+    ctx.fillRect(0, 0, 1, 1);
+    const [red, green, blue] = ctx.getImageData(0, 0, 1, 1).data;
+    known.set(colour, [red!, green!, blue!]);
+  }
+  return known.get(colour)!;
+}
+
+/** A picture of a map, of one pixel a cell, painted anew when the map or the colours have changed. */
+export class MapPicture {
+  readonly canvas = document.createElement("canvas");
+  private painted = "";
+
+  /** Returns true if it was painted. */
+  paint(map: MapNow): boolean {
+    const asked = `${map.version} ${theme.yard} ${theme["solid-high"]}`;
+    if (asked === this.painted) return false;
+    this.painted = asked;
+    const { columns, rows, cells } = map;
+    this.canvas.width = Math.max(1, columns);
+    this.canvas.height = Math.max(1, rows);
+    const image = new ImageData(this.canvas.width, this.canvas.height);
+    const [free, wall] = [bytesOf(theme.yard), bytesOf(theme["solid-high"])];
+    for (let i = 0; i < cells.length; ++i) {
+      const value = cells[i]!;
+      if (value < 0) continue;
+      const at = 4 * ((rows - 1 - Math.floor(i / columns)) * columns + (i % columns));
+      image.data.set(value >= occupied ? wall : free, at);
+      image.data[at + 3] = 255;
+    }
+    this.canvas.getContext("2d")!.putImageData(image, 0, 0);
+    return true;
+  }
+}
+
+export function map(run: Run): Layer | null {
+  if (!run.log.has(topic.map)) return null;
+  const picture = new MapPicture();
+  const walls = new Path();
+  for (const outline of wallsOf(run) ?? []) traceRounded(walls, outline, 0);
+  const [x0, y0, x1, y1] = areaOf(run);
+  return {
+    still({ ctx, camera }) {
+      ctx.fillStyle = theme.grid;
+      ctx.fillRect(x0, y0, x1 - x0, y1 - y0);
+      ctx.fillStyle = ctx.strokeStyle = theme["solid-low"];
+      ctx.lineWidth = camera.px(0.7);
+      ctx.fill(walls);
+      ctx.stroke(walls);  // no seams between pieces of one wall
+    },
+    moving({ ctx, now }) {
+      const shown = mapOf(run.log).at(now.t);
+      if (!shown) return;
+      picture.paint(shown);
+      ctx.save();
+      ctx.imageSmoothingEnabled = false;
+      ctx.globalAlpha = 0.85;
+      ctx.translate(shown.origin[0], shown.origin[1] + shown.rows * shown.cell_m);
+      ctx.scale(shown.cell_m, -shown.cell_m);
+      ctx.drawImage(picture.canvas, 0, 0);
+      ctx.restore();
+    },
+  };
+}

@@ -1,0 +1,109 @@
+// The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
+import { h, iconButton } from "../base/dom";
+import { keepInAddress } from "../base/url";
+import type { Flight } from "../log/flights";
+import type { Run } from "../log/run";
+import type { TargetStory } from "../log/targets";
+import type { Now } from "./layer";
+import { signedLegend } from "./parts";
+import { PlanView } from "./plan_view";
+import type { SpaceView } from "./space_view";
+
+export interface StageActs {
+  redraw: () => void;
+  selectShot: (shot: Flight) => void;
+  selectTarget: (target: TargetStory) => void;
+  savePicture: () => void;
+  saveFilm: () => void;
+}
+
+export class Stage {
+  readonly element: HTMLElement;
+  inSpace = false;
+  following = false;
+  private plan: PlanView;
+  private space: SpaceView | null = null;
+  private stage = h("div", { class: "stage" });
+  private switcher: HTMLElement;
+  private legend: HTMLElement;
+  private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
+  private barWatcher: ResizeObserver;
+
+  constructor(private run: Run, private acts: StageActs) {
+    this.plan = new PlanView(run, acts);
+    this.legend = signedLegend(run);
+    this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
+      h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => void this.show(true), title: "View in space (v)" }, "3D"));
+    const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
+    this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
+    this.barWatcher.observe(bar);
+    this.stage.append(this.plan.element, bar,
+      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", acts.savePicture, "s"),
+        iconButton("film", "Save frames of a film", acts.saveFilm, "m")));
+    this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
+  }
+
+  close(): void {
+    this.barWatcher.disconnect();
+    this.plan.close();
+    this.space?.close();
+  }
+
+  renew(run: Run): void {
+    this.run = run;
+    this.plan.renew(run);
+    this.space?.renew(run);
+    const legend = signedLegend(run);
+    if (legend.isEqualNode(this.legend)) return;
+    this.legend.replaceWith(legend);
+    this.legend = legend;
+  }
+
+  private get view(): PlanView | SpaceView { return this.inSpace && this.space ? this.space : this.plan; }
+  get canvas(): HTMLCanvasElement { return this.view.canvas; }
+
+  draw(now: Now): void {
+    if (!this.inSpace) this.plan.draw(now);
+    else this.space?.draw(now);
+  }
+
+  svg(now: Now): string { return this.plan.svg(now); }
+
+  async show(space: boolean): Promise<void> {
+    this.inSpace = space;
+    const [plan, three] = this.switcher.children;
+    plan?.setAttribute("aria-pressed", String(!space));
+    three?.setAttribute("aria-pressed", String(space));
+    keepInAddress({ view: space ? "3d" : "" });
+    if (space && !this.space) {
+      const { SpaceView: View } = await import("./space_view");
+      this.space ??= new View(this.run, this.acts.redraw);
+      this.space.follow = this.following;
+      this.stage.prepend(this.space.element);
+    }
+    this.plan.element.hidden = this.inSpace;
+    if (this.space) this.space.element.hidden = !this.inSpace;
+    this.acts.redraw();
+  }
+
+  setFollow(on: boolean): void {
+    this.following = on;
+    this.followButton.setAttribute("aria-pressed", String(on));
+    this.plan.follow = on;
+    if (this.space) this.space.follow = on;
+    if (on && this.plan.camera.home) this.plan.camera.zoom(2);
+    keepInAddress({ follow: on ? "1" : "" });
+    this.acts.redraw();
+  }
+
+  zoom(closer: boolean): void {
+    if (this.inSpace) this.space?.zoom(closer ? 1 / 1.3 : 1.3);
+    else this.plan.camera.zoom(closer ? 1.5 : 1 / 1.5);
+  }
+
+  reset(): void {
+    this.setFollow(false);
+    this.view.reset();
+  }
+}
