@@ -41,8 +41,9 @@ Status check_size(const sensor_msgs::Image& message, std::size_t pixel_bytes) {
   const std::uint64_t pixels = std::uint64_t{message.width} * message.height;
   if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > longest_side ||
       pixels > most_pixels) {
-    return bad_input(fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}",
-                                 message.width, message.height, longest_side, most_pixels));
+    return bad_input(
+        fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}",
+                    message.width, message.height, longest_side, most_pixels));
   }
   const std::uint64_t row = std::uint64_t{message.width} * pixel_bytes;
   const std::uint64_t bytes = std::uint64_t{message.step} * message.height;
@@ -64,15 +65,19 @@ Outcome<CameraImage> grey_image(const sensor_msgs::Image& message) {
   PixelLayout layout;
   const auto found = std::ranges::find(layouts, message.encoding, &PixelLayout::name);
   if (found == layouts.end()) {
-    return bad_input(fmt::format("images in '{}' are not read; record them in mono8, rgb8, bgr8 or compressed",
-                                 printable(std::string_view(message.encoding).substr(0, 50))));
+    return bad_input(
+        fmt::format("images in '{}' are not read; record them in mono8, rgb8, bgr8 or compressed",
+                    printable(std::string_view(message.encoding).substr(0, 50))));
   }
   layout = *found;
   const bool sixteen_bits = layout.name == "mono16" || layout.name == "16UC1";
-  if (sixteen_bits && message.is_bigendian == 0) layout.red = layout.green = layout.blue = 1;  // the upper byte
+  if (sixteen_bits && message.is_bigendian == 0)
+    layout.red = layout.green = layout.blue = 1;  // the upper byte
   if (auto ok = check_size(message, layout.bytes); !ok) return pass_on(ok);
-  const auto width = static_cast<std::size_t>(message.width), height = static_cast<std::size_t>(message.height);
-  CameraImage image{static_cast<int>(width), static_cast<int>(height), std::vector<std::uint8_t>(width * height)};
+  const auto width = static_cast<std::size_t>(message.width),
+             height = static_cast<std::size_t>(message.height);
+  CameraImage image{static_cast<int>(width), static_cast<int>(height),
+                    std::vector<std::uint8_t>(width * height)};
   for (std::size_t y = 0; y < height; ++y) {
     const std::uint8_t* pixel = message.data.data() + y * message.step;
     for (std::size_t x = 0; x < width; ++x, pixel += layout.bytes) {
@@ -87,15 +92,16 @@ Outcome<Camera> camera_of(const sensor_msgs::CameraInfo& message) {
   const bool known_lens = message.distortion_model.empty() || message.distortion_model == "plumb_bob";
   const bool no_lens = std::ranges::all_of(message.d, [](double value) { return value == 0.0; });
   if ((!known_lens && !no_lens) || (message.d.size() > 5 && !no_lens)) {
-    return bad_input(fmt::format("the lens model '{}' with {} numbers is not known; expected plumb_bob with five",
-                                 printable(std::string_view(message.distortion_model).substr(0, 50)), message.d.size()));
+    return bad_input(
+        fmt::format("the lens model '{}' with {} numbers is not known; expected plumb_bob with five",
+                    printable(std::string_view(message.distortion_model).substr(0, 50)), message.d.size()));
   }
   if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
     return bad_input("the camera matrix is that of no pinhole; its rows are fx 0 cx, 0 fy cy, 0 0 1");
   }
   if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > longest_side) {
-    return bad_input(fmt::format("a camera of {} x {} pixels; expected 1 to {}", message.width, message.height,
-                                 longest_side));
+    return bad_input(fmt::format("a camera of {} x {} pixels; expected 1 to {}", message.width,
+                                 message.height, longest_side));
   }
   Camera camera;
   camera.width_px = static_cast<int>(message.width);

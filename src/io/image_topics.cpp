@@ -12,6 +12,7 @@
 #include "outrider/log/channel_decoder.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/find_topic.hpp"
+#include "outrider/log/log.hpp"
 
 namespace outrider {
 namespace {
@@ -40,8 +41,8 @@ Outcome<ImageDecoder> decoder_of(const Channel& channel) {
 
 class LoggedImages final : public ImageTopics {
  public:
-  LoggedImages(std::unique_ptr<LogReader> log, std::map<std::size_t, ImageDecoder> decoders, std::string topic,
-               std::optional<Camera> camera)
+  LoggedImages(std::unique_ptr<LogReader> log, std::map<std::size_t, ImageDecoder> decoders,
+               std::string topic, std::optional<Camera> camera)
       : log_(std::move(log)), decoders_(std::move(decoders)), topic_(std::move(topic)), camera_(camera) {}
 
   [[nodiscard]] const std::optional<Camera>& camera() const override { return camera_; }
@@ -90,7 +91,9 @@ std::string info_beside(std::string topic) {
 /// Finds the camera of the images: by its name, beside them, or the only one.
 Outcome<std::string> find_info(const std::vector<Channel>& channels, const std::string& images,
                                const ImageTopicsOptions& options) {
-  const auto is_info = [&](const Channel& channel) { return ros2_type_name(channel.type) == CameraInfo::type; };
+  const auto is_info = [&](const Channel& channel) {
+    return ros2_type_name(channel.type) == CameraInfo::type;
+  };
   const auto beside = std::ranges::find_if(channels, [&](const Channel& channel) {
     return is_info(channel) && channel.topic == info_beside(images);
   });
@@ -118,12 +121,14 @@ Outcome<std::optional<Camera>> read_camera(const std::string& path, const std::s
 
 }  // namespace
 
-Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path, const ImageTopicsOptions& options) {
+Outcome<std::unique_ptr<ImageTopics>> open_image_topics(const std::string& path,
+                                                        const ImageTopicsOptions& options) {
   auto contents = open_log_file(path);
   if (!contents) return pass_on(contents);
   const std::vector<Channel> channels = (*contents)->channels();
   contents->reset();
-  const auto found = find_topic(channels, {{Image::type, CompressedImage::type}, options.image, "--image-topic"});
+  const auto found =
+      find_topic(channels, {{Image::type, CompressedImage::type}, options.image, "--image-topic"});
   if (!found) return tl::unexpected<Fault>(found.error());
   const std::string topic = channels[found->front()].topic;
   std::map<std::size_t, ImageDecoder> decoders;

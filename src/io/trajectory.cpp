@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 #include "log_lines.hpp"
 #include "outrider/log/conversions.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
 #include "outrider/core/text.hpp"
 #include "outrider/log/channel_decoder.hpp"
@@ -161,7 +162,7 @@ std::string ros2_text(const Definitions& definitions, const std::vector<std::str
       has_time = has_time || field.type == "builtin_interfaces/Time";
       has_duration = has_duration || field.type == "builtin_interfaces/Duration";
     }
-    if (text.empty()) text = "\n";  // a type without fields
+    if (text.empty()) text += '\n';  // a type without fields
   }
   for (const auto& [has, name] : {std::pair(has_time, "Time"), std::pair(has_duration, "Duration")}) {
     if (!has) continue;

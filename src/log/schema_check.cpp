@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "definition.hpp"
 #include "field_words.hpp"
