@@ -40,7 +40,8 @@ std::vector<double> times_of(const LaserLog& log) {
 }
 
 /// Logs the mapping. Of a recording that is read while it is mapped, belief, odometry and scan are logged at
-/// the keyframes only: the log then grows with the map, and not with the recording.
+/// the keyframes only, and the map once in ten seconds: the log then grows with the map, and not with the
+/// recording.
 class Recorder {
  public:
   /// `times_s` are the times of all steps, or empty for a recording that is read while it is mapped.
@@ -49,7 +50,7 @@ class Recorder {
         log_(log, scenario, "laser"),
         keyframes_only_(times_s.empty()),
         times_s_(std::move(times_s)),
-        map_(options_.map, options_.robot_T_laser, options_.trust_odometry) {
+        map_(options_.map, options_.robot_T_laser, options_.trust_odometry, keyframes_only_ ? 10.0 : 1.0) {
     log_mount(log, "laser", options_.robot_T_laser, 0.0);
   }
 

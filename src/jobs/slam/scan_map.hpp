@@ -14,9 +14,13 @@ namespace outrider {
 
 class ScanMap {
  public:
-  /// With `final_poses`, the poses of add() are those of finish().
-  ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser, bool final_poses)
-      : options_(options), robot_T_laser_(robot_T_laser), final_poses_(final_poses), map_(options) {}
+  /// With `final_poses`, the poses of add() are those of finish(). The map is logged once in `period_s`.
+  ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser, bool final_poses, double period_s)
+      : options_(options),
+        robot_T_laser_(robot_T_laser),
+        final_poses_(final_poses),
+        map_(options),
+        logged_(period_s) {}
 
   /// Adds a scan. `pose_number` is the index of its pose in the argument of finish().
   void add(Log& log, const Pose2& world_T_robot, const LaserScan& scan, double time_s,
