@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "flags.hpp"
@@ -12,6 +13,8 @@
 #include "outrider/estimate/tag_detector.hpp"
 #include "outrider/io/camera_file.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/io/image_topics.hpp"
+#include "outrider/io/log_file.hpp"
 #include "outrider/io/photo.hpp"
 #include "tag_picture.hpp"
 #include "terminal.hpp"
@@ -25,6 +28,7 @@ struct DetectCommand {
   std::string svg;
   std::string calibration;
   std::string camera;
+  ImageTopicsOptions topics;  ///< of a log instead of a photo
   double size_m = default_tag_size_m;
   TagDetectorOptions detector;
   PlanarPnpOptions pnp;
@@ -35,6 +39,12 @@ std::vector<OptionGroup> describe(DetectCommand& command) {
            "output",
            {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
             {"svg", "", 0, 0, "file to write, the photo with what was found", &command.svg}}},
+          {"",
+           "logs of ROS",
+           {{"image_topic", "", 0, 0, "topic of the images; needed if the log has several",
+             &command.topics.image},
+            {"info_topic", "", 0, 0, "topic of the camera; empty: camera_info beside the images",
+             &command.topics.info}}},
           {"",
            "camera and tags",
            {{"calibration", "", 0, 0, "YAML file with the camera matrix; without it there are no poses",
@@ -68,7 +78,7 @@ nlohmann::ordered_json pose_json(const TagPose& pose) {
           {"sigma_deg", {degrees(sigma(3)), degrees(sigma(4)), degrees(sigma(5))}}};
 }
 
-nlohmann::ordered_json tags_json(const CameraImage& image, const std::vector<TagSighting>& sightings) {
+nlohmann::ordered_json tags_json(const std::vector<TagSighting>& sightings) {
   auto tags = nlohmann::ordered_json::array();
   for (const TagSighting& sighting : sightings) {
     auto corners = nlohmann::ordered_json::array();
@@ -81,7 +91,7 @@ nlohmann::ordered_json tags_json(const CameraImage& image, const std::vector<Tag
                     {"margin", sighting.margin},
                     {"poses", std::move(poses)}});
   }
-  return {{"status", "done"}, {"width", image.width}, {"height", image.height}, {"tags", std::move(tags)}};
+  return tags;
 }
 
 void print_table(const std::vector<TagSighting>& sightings) {
@@ -98,9 +108,8 @@ void print_table(const std::vector<TagSighting>& sightings) {
   }
 }
 
-/// Returns the camera from the calibration file, with the size of this image.
-Outcome<Camera> camera_for(const DetectCommand& command, const CameraImage& image) {
-  auto camera = load_camera(command.calibration, command.camera);
+/// Returns the camera for images of this size.
+Outcome<Camera> sized(Outcome<Camera> camera, const DetectCommand& command, const CameraImage& image) {
   if (!camera) return camera;
   const bool told = camera->width_px > 0 && camera->height_px > 0;
   if (told && (camera->width_px != image.width || camera->height_px != image.height)) {
@@ -108,34 +117,91 @@ Outcome<Camera> camera_for(const DetectCommand& command, const CameraImage& imag
         fmt::format("it is for images of {} x {} pixels, and {} has {} x {}; take the image as it came from "
                     "the camera",
                     camera->width_px, camera->height_px, command.path, image.width, image.height),
-        command.calibration);
+        command.calibration.empty() ? "--info-topic" : command.calibration);
   }
   camera->width_px = image.width;
   camera->height_px = image.height;
   return camera;
 }
 
+/// Detects the tags of an image, with their poses if the camera is known.
+std::vector<TagSighting> detect_tags(const DetectCommand& command, const CameraImage& image,
+                                     const std::optional<Camera>& camera) {
+  std::vector<TagSighting> sightings = TagDetector(command.detector).detect(image);
+  if (!camera) return sightings;
+  for (TagSighting& sighting : sightings) {
+    sighting.poses = planar_pnp(*camera, command.size_m, sighting.corners_px, command.pnp);
+  }
+  return sightings;
+}
+
+/// Returns the camera of the calibration file, or else that of the log, for images of this size.
+Outcome<std::optional<Camera>> camera_of_log(const DetectCommand& command, const ImageTopics& images,
+                                             const CameraImage& image) {
+  if (command.calibration.empty() && !images.camera()) return std::optional<Camera>{};
+  auto camera = command.calibration.empty() ? Outcome<Camera>(*images.camera())
+                                            : load_camera(command.calibration, command.camera);
+  camera = sized(std::move(camera), command, image);
+  if (!camera) return pass_on(camera);
+  return std::optional(*camera);
+}
+
+/// Detects the tags in each image of a log. Images without tags are counted only.
+int execute_on_log(const DetectCommand& command, bool json) {
+  if (!command.svg.empty()) {
+    return print_fault({FaultCode::bad_input, "a log has many images; --svg is for a photo", "--svg"}, json);
+  }
+  auto images = open_image_topics(command.path, command.topics);
+  if (!images) return print_fault(images.error(), json);
+  auto rows = nlohmann::ordered_json::array();
+  std::size_t count = 0;
+  for (;; ++count) {
+    const auto read = (*images)->next();
+    if (!read) return print_fault(read.error(), json);
+    if (!*read) break;
+    const auto& [time_s, image] = **read;
+    const auto camera = camera_of_log(command, **images, image);
+    if (!camera) return print_fault(camera.error(), json);
+    const auto sightings = detect_tags(command, image, *camera);
+    if (sightings.empty()) continue;
+    if (json) {
+      rows.push_back({{"time_s", time_s}, {"tags", tags_json(sightings)}});
+    } else {
+      show("at {:.3f} s: ", time_s);
+      print_table(sightings);
+    }
+  }
+  if (const std::string cut = (*images)->cut_short(); !cut.empty()) warn(cut);
+  if (json) {
+    print({{"status", "done"}, {"images", count}, {"sightings", std::move(rows)}});
+  } else {
+    show("{} images\n", count);
+  }
+  return job_done;
+}
+
 int execute(DetectCommand& command, const Command& flags) {
   const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, describe(command)); !ok) return print_fault(ok.error(), json);
+  if (is_log_file(command.path)) return execute_on_log(command, json);
   const auto image = load_photo(command.path);
   if (!image) return print_fault(image.error(), json);
-  Camera camera;
-  std::vector<TagSighting> sightings = TagDetector(command.detector).detect(*image);
+  std::optional<Camera> camera;
   if (flags.given("--calibration")) {
-    const auto calibrated = camera_for(command, *image);
+    const auto calibrated = sized(load_camera(command.calibration, command.camera), command, *image);
     if (!calibrated) return print_fault(calibrated.error(), json);
     camera = *calibrated;
-    for (TagSighting& sighting : sightings) {
-      sighting.poses = planar_pnp(camera, command.size_m, sighting.corners_px, command.pnp);
-    }
   }
+  const std::vector<TagSighting> sightings = detect_tags(command, *image, camera);
   if (flags.given("--svg")) {
-    const std::string picture = tag_picture(*image, camera, command.size_m, sightings);
+    const std::string picture = tag_picture(*image, camera.value_or(Camera{}), command.size_m, sightings);
     if (auto ok = write_file(command.svg, picture); !ok) return print_fault(ok.error(), json);
   }
   if (json) {
-    print(tags_json(*image, sightings));
+    print({{"status", "done"},
+           {"width", image->width},
+           {"height", image->height},
+           {"tags", tags_json(sightings)}});
   } else {
     print_table(sightings);
   }
@@ -147,7 +213,11 @@ int execute(DetectCommand& command, const Command& flags) {
 void add_detect(Command& tool) {
   Command& detect = tool.add("detect", "find AprilTags (tag36h11) in a photo, with their poses");
   auto command = std::make_shared<DetectCommand>();
-  detect.positional("image", &command->path, "photo: PNG, JPEG or PGM").required().type("FILE");
+  detect
+      .positional("image", &command->path,
+                  "photo: PNG, JPEG or PGM; or MCAP, ROS 1 bag or ROS 2 db3 with images")
+      .required()
+      .type("FILE");
   add_flags(detect, describe(*command));
   detect.does([command](const Command& flags) { return execute(*command, flags); });
   detect.footer("\nExample: outrider detect photo.jpg --calibration camera.yaml --size 0.166 --svg tags.svg");

@@ -27,7 +27,7 @@ LiveLog::LiveLog() {
   auto output = make_descriptor_sink(descriptor);
   if (!output) return;
   auto writer = McapWriter::begin(std::move(*output),
-                                  {.compression = McapCompression::none, .chunk_bytes = chunk_bytes});
+                                  {.compression = Codec::none, .chunk_bytes = chunk_bytes});
   if (!writer) return;
   sink_.emplace(std::move(*writer));
   flusher_ = std::jthread([this](const std::stop_token& stop) { flush_often(stop); });

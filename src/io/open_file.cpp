@@ -120,6 +120,8 @@ Outcome<int> open_file(const std::string& path) {
   return checked(descriptor, path, confined);
 }
 
+bool reading_is_confined() { return access_rule().root >= 0; }
+
 FileKind file_kind(const std::string& path) {
   if (supplied_content(path) != nullptr) return FileKind::other;
   const int descriptor = open_allowed(path, O_PATH);

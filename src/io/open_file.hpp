@@ -15,6 +15,9 @@ Outcome<int> open_file(const std::string& path);
 /// Returns the content that supply_file() set for the path, or null.
 const std::string* supplied_content(const std::string& path);
 
+/// Returns true if confine_reading() was called.
+bool reading_is_confined();
+
 enum class FileKind { missing, forbidden, folder, other };
 
 /// Returns the kind of file at a path; `forbidden` if it lies outside the confinement.

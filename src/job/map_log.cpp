@@ -9,8 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr double period_s = 1.0;
-
 /// Returns the probability that a cell is occupied, in percent; -1 if it is unknown.
 std::int8_t percent(std::uint8_t cell) {
   if (cell == unknown_cell) return -1;
@@ -30,7 +28,7 @@ void MapLog::note(Log& log, const Grid<std::uint8_t>& occupancy, bool redrawn,
   }
   if (time_s < next_s_) return;
   finish(log, occupancy, time_s);
-  next_s_ = time_s + period_s;
+  next_s_ = time_s + period_s_;
 }
 
 void MapLog::finish(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {

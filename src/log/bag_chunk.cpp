@@ -4,24 +4,25 @@
 
 #include "byte_reader.hpp"
 #include "compression.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider {
 namespace {
 
 Outcome<std::string> unpack(std::string packed, std::string_view compression, std::size_t size) {
-  if (compression == "bz2") return decompress(Codec::bz2, packed, size);
-  if (compression == "lz4") return decompress(Codec::lz4, packed, size);
-  if (compression != "none") {
-    return bad_input(fmt::format("it is compressed as '{}'; only none, bz2 and lz4 are known", compression));
+  const auto codec = compression == "none" ? Codec::none : codec_named(compression);
+  if (!codec || codec == Codec::zstd || compression.empty()) {
+    return bad_input(fmt::format("it is compressed as '{}'; only none, bz2 and lz4 are known",
+                                 printable(compression.substr(0, 32))));
   }
-  if (packed.size() == size) return packed;
-  return bad_input(fmt::format("it holds {} bytes, but states {}", packed.size(), size));
+  if (codec == Codec::none && packed.size() == size) return packed;
+  return decompress(*codec, packed, size);
 }
 
 }  // namespace
 
 Outcome<std::string> unpack_bag_chunk(const ByteSource& source, const BagRecord& chunk) {
-  const BagFields fields = chunk.fields();
+  const BagFields& fields = chunk.fields();
   const auto size = u32_field(fields, "size");
   if (chunk.op != BagOp::chunk || !size) return damaged(source, chunk.position, "this is not a chunk");
   if (*size > largest_bag_data) {

@@ -12,6 +12,7 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_connections = 10000;
+constexpr std::string_view reindex = "\"rosbag reindex\" makes a new index";
 
 struct BagHeader {
   std::uint64_t index_position = 0;  ///< 0: there is no index
@@ -25,7 +26,7 @@ Outcome<BagHeader> read_bag_header(const ByteSource& source) {
   if (!magic || *magic != bag_magic) return bad_input("it is not a ROS bag of version 2.0", source.name());
   auto record = read_bag_record(source, bag_magic.size());
   if (!record) return pass_on(record);
-  const BagFields fields = record->fields();
+  const BagFields& fields = record->fields();
   const auto index = u64_field(fields, "index_pos");
   const auto connections = u32_field(fields, "conn_count");
   const auto chunks = u32_field(fields, "chunk_count");
@@ -101,7 +102,7 @@ Outcome<IndexRead> read_index(const ByteSource& source, const BagHeader& header)
       wrong = add_chunk_info(index.contents, record->fields(), *data);
       ++chunks;
     }
-    if (!wrong.empty()) return damaged(source, at, wrong + "; \"rosbag reindex\" makes a new index");
+    if (!wrong.empty()) return damaged(source, at, wrong, reindex);
     at = record->end;
   }
   index.complete = at == source.size() && connections == header.connections && chunks == header.chunks;
@@ -168,9 +169,9 @@ Status check_connections(const ByteSource& source, const BagContents& contents) 
       if (!contents.channel_of.contains(connection)) {
         return damaged(
             source, chunk.position,
-            fmt::format("the index states messages of connection {} here, which it does not describe; "
-                        "\"rosbag reindex\" makes a new index",
-                        connection));
+            fmt::format("the index states messages of connection {} here, which it does not describe",
+                        connection),
+            reindex);
       }
     }
   }

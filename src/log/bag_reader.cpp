@@ -51,6 +51,9 @@ class BagReader : public LogReader {
 
   [[nodiscard]] const std::vector<Channel>& channels() const override { return contents_.channels; }
   [[nodiscard]] std::string cut_short() const override { return contents_.cut_short; }
+  [[nodiscard]] double progress() const override {
+    return waiting_.empty() ? 1.0 : static_cast<double>(opened_) / static_cast<double>(waiting_.size());
+  }
   Outcome<std::optional<LogMessage>> next() override;
 
  private:
@@ -96,8 +99,8 @@ Outcome<std::vector<BagEntry>> BagReader::list_entries(const BagChunkInfo& info,
     const auto channel = contents_.channel_of.find(*connection);
     if (channel == contents_.channel_of.end()) return fmt::format("connection {} is unknown", *connection);
     if (*time < info.first_ns || *time > info.last_ns) {
-      return "the time of a message is not among those that the index states; \"rosbag reindex\" makes a new "
-             "index";
+      return "the time of a message is not among those that the index states (\"rosbag reindex\" makes a new "
+             "one)";
     }
     const bool wanted =
         selected_[channel->second] && *time >= selection_.from_ns && *time <= selection_.to_ns;
@@ -141,9 +144,9 @@ Status BagReader::open_chunk(const BagChunkInfo& info) {
   if (messages_held_ > most_messages_held) {
     return damaged(
         *source_, info.position,
-        fmt::format("the chunks overlap in time so much that more than {} messages have to be sorted; "
-                    "\"rosbag filter\" writes them in their order",
-                    most_messages_held));
+        fmt::format("the chunks overlap in time so much that more than {} messages have to be sorted",
+                    most_messages_held),
+        "\"rosbag filter\" writes them in their order");
   }
   open_.push_back({&info, std::move(*entries), 0, {}, 0});
   hold(open_.back(), std::move(*bytes));

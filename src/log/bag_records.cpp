@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "byte_reader.hpp"
+#include "outrider/log/channel_decoder.hpp"
 
 namespace outrider {
 namespace {
@@ -12,15 +13,6 @@ std::optional<Number> number_field(const BagFields& fields, std::string_view nam
   const auto found = fields.find(name);
   if (found == fields.end() || found->second.size() != sizeof(Number)) return std::nullopt;
   return ByteReader(found->second).number<Number>();
-}
-
-/// "sensor_msgs/LaserScan" as ROS 2 writes it.
-std::string ros2_type(std::string_view type) {
-  const std::size_t slash = type.find('/');
-  if (slash == std::string_view::npos || type.find('/', slash + 1) != std::string_view::npos) {
-    return std::string(type);
-  }
-  return fmt::format("{}/msg/{}", type.substr(0, slash), type.substr(slash + 1));
 }
 
 }  // namespace
@@ -83,11 +75,12 @@ Outcome<BagRecord> read_bag_record(const ByteSource& source, std::uint64_t posit
   reader.take(length);
   record.data_length = reader.number<std::uint32_t>();
   header->resize(length);
-  record.header = std::move(*header);
-  const auto fields = split_bag_fields(record.header);
+  record.header_ = std::make_unique<const std::string>(std::move(*header));
+  auto fields = split_bag_fields(*record.header_);
   const auto op = fields ? bag_op(*fields) : std::nullopt;
   if (!op) return damaged(source, position, "the fields of a record are damaged");
   record.op = *op;
+  record.fields_ = std::move(*fields);
   record.data_position = position + 8 + length;
   record.end = record.data_position + record.data_length;
   if (record.end > source.size())
@@ -108,7 +101,7 @@ std::optional<BagConnection> read_bag_connection(const BagFields& fields, std::s
   connection.id = *id;
   Channel& channel = connection.channel;
   channel.topic = text_field(fields, "topic");
-  channel.type = ros2_type(text_field(*sent, "type"));
+  channel.type = ros2_type_name(text_field(*sent, "type"));
   channel.encoding = "ros1";
   channel.schema = text_field(*sent, "message_definition");
   if (!channel.schema.empty()) channel.schema_encoding = "ros1msg";

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,15 +44,20 @@ std::optional<std::int64_t> time_field(const BagFields& fields, std::string_view
 std::optional<BagOp> bag_op(const BagFields& fields);
 
 /// A record of a file whose header has been read and whose data has not.
-struct BagRecord {
+class BagRecord {
+ public:
   BagOp op = BagOp::message;
-  std::string header;          ///< what the fields are views of
   std::uint64_t position = 0;  ///< of the record
   std::uint64_t data_position = 0;
   std::uint32_t data_length = 0;
   std::uint64_t end = 0;  ///< of the record; within the file
 
-  [[nodiscard]] BagFields fields() const { return split_bag_fields(header).value_or(BagFields{}); }
+  [[nodiscard]] const BagFields& fields() const { return fields_; }
+
+ private:
+  friend Outcome<BagRecord> read_bag_record(const ByteSource& source, std::uint64_t position);
+  std::unique_ptr<const std::string> header_;  ///< what the fields are views of
+  BagFields fields_;
 };
 
 /// Reads the header of the record at a position. Fault: bad_input, if it is damaged or reaches beyond the

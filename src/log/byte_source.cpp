@@ -71,6 +71,10 @@ Outcome<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
     if (errno == ENOENT) return bad_input("there is no such file; check the path", path);
     return bad_input(fmt::format("it cannot be read: {}", reason(errno)), path);
   }
+  return file_source(descriptor, path);
+}
+
+Outcome<std::unique_ptr<ByteSource>> file_source(int descriptor, const std::string& path) {
   struct stat status{};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
     ::close(descriptor);
@@ -83,8 +87,10 @@ std::unique_ptr<ByteSource> memory_source(std::string_view bytes, std::string na
   return std::make_unique<MemorySource>(bytes, std::move(name));
 }
 
-tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string sentence) {
-  return bad_input(std::move(sentence), fmt::format("{}, byte {}", source.name(), offset));
+tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string_view complaint,
+                              std::string_view remedy) {
+  return bad_input(fmt::format("{}; {}", complaint, remedy),
+                   fmt::format("{}, byte {}", source.name(), offset));
 }
 
 }  // namespace outrider

@@ -38,11 +38,15 @@ class ByteSource {
 
 /// Opens a regular file. Fault: bad_input if there is none, or it cannot be read.
 Outcome<std::unique_ptr<ByteSource>> open_file_source(const std::string& path);
+/// Reads from a file that is open, and closes it in the end, also if this fails.
+Outcome<std::unique_ptr<ByteSource>> file_source(int descriptor, const std::string& path);
 
 /// Reads from memory that outlives the source.
 std::unique_ptr<ByteSource> memory_source(std::string_view bytes, std::string name);
 
-/// Returns a fault bad_input with the name of the source and the offset in bytes.
-tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string sentence);
+/// Returns the fault of a file that is wrong at a byte: bad_input with "<complaint>; <remedy>", and the name
+/// of the source and the offset in bytes as its place.
+tl::unexpected<Fault> damaged(const ByteSource& source, std::uint64_t offset, std::string_view complaint,
+                              std::string_view remedy = "copy the file again, or record it anew");
 
 }  // namespace outrider

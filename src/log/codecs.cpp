@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstring>
 
+#include "json_codec.hpp"
+
 namespace outrider {
 namespace {
 
@@ -173,13 +175,22 @@ class Decoder {
 
 }  // namespace
 
+std::optional<MessageEncoding> encoding_named(std::string_view name) {
+  if (name == "cdr") return MessageEncoding::cdr;
+  if (name == "ros1") return MessageEncoding::ros1;
+  if (name == "json") return MessageEncoding::json;
+  return std::nullopt;
+}
+
 std::string encode(MessageEncoding encoding, const MessageType& type, const void* message) {
+  if (encoding == MessageEncoding::json) return encode_json(type, message);
   Encoder encoder(encoding);
   encoder.message(type, static_cast<const char*>(message));
   return encoder.take();
 }
 
 Status decode(MessageEncoding encoding, const MessageType& type, std::string_view bytes, void* message) {
+  if (encoding == MessageEncoding::json) return decode_json(type, bytes, message);
   if (encoding == MessageEncoding::cdr) {
     if (!bytes.starts_with(cdr_head.substr(0, 2))) {
       return bad_input(fmt::format("a {} is not encoded as little-endian CDR", type.name));

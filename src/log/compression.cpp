@@ -6,6 +6,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <new>
@@ -129,7 +130,18 @@ std::string compress_zstd(std::string_view bytes) {
   return out;
 }
 
+/// The names of the codecs in the order of their numbers.
+constexpr std::array<std::string_view, 4> names = {"", "lz4", "zstd", "bz2"};
+
 }  // namespace
+
+std::string_view name_of(Codec codec) { return names.at(static_cast<std::size_t>(codec)); }
+
+std::optional<Codec> codec_named(std::string_view name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Codec>(found - names.begin());
+}
 
 Outcome<std::string> decompress(Codec codec, std::string_view bytes, std::uint64_t size) {
   const auto stated = static_cast<std::size_t>(size);

@@ -44,11 +44,9 @@ Status check_length(const ByteSource& source) {
   const std::uint64_t pages = header_number(*header, 28, 4);
   const bool pages_known = header_number(*header, 24, 4) == header_number(*header, 92, 4);
   if (pages_known && pages * page_bytes > source.size()) {
-    return damaged(
-        source, source.size(),
-        fmt::format("its end is missing: the database has {} bytes; copy it again, or save what is "
-                    "left by \"sqlite3 FILE .recover\"",
-                    pages * page_bytes));
+    return damaged(source, source.size(),
+                   fmt::format("its end is missing: the database has {} bytes", pages * page_bytes),
+                   "copy it again, or save what is left by \"sqlite3 FILE .recover\"");
   }
   return {};
 }

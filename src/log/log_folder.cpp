@@ -105,6 +105,9 @@ class FolderReader : public LogReader {
   Status survey(const std::string& folder, const std::vector<std::string>& names);
   [[nodiscard]] const std::vector<Channel>& channels() const override { return channels_; }
   [[nodiscard]] std::string cut_short() const override { return cut_short_; }
+  [[nodiscard]] double progress() const override {
+    return parts_.empty() ? 1.0 : static_cast<double>(opened_) / static_cast<double>(parts_.size());
+  }
   Outcome<std::optional<LogMessage>> next() override;
 
  private:

@@ -15,13 +15,11 @@
 namespace outrider {
 namespace {
 
-using mcap::damaged_mcap;
-
 Outcome<LogAttachment> decode(const ByteSource& source, std::uint64_t offset, std::string_view content) {
   const auto record = mcap::decode_attachment(content);
-  if (!record) return damaged_mcap(source, offset, "an attachment is shorter than its fields");
+  if (!record) return damaged(source, offset, "an attachment is shorter than its fields");
   if (record->crc != 0 && mcap::crc32_of(record->checked_fields) != record->crc) {
-    return damaged_mcap(source, offset, "the checksum of an attachment is wrong");
+    return damaged(source, offset, "the checksum of an attachment is wrong");
   }
   constexpr std::uint64_t latest = std::numeric_limits<std::int64_t>::max();
   const auto time_ns = static_cast<std::int64_t>(std::min(record->log_time, latest));
@@ -41,10 +39,7 @@ Outcome<std::vector<LogAttachment>> collect(const ByteSource& source, mcap::Reco
     const std::uint64_t offset = (*record)->offset;
     total += (*record)->length;
     if (total > mcap::largest_record_bytes) {
-      return bad_input(
-          fmt::format("at byte {}, its attachments exceed 256 MiB; take the large ones out of the log",
-                      offset),
-          source.name());
+      return damaged(source, offset, "its attachments exceed 256 MiB", "take the large ones out of the log");
     }
     auto content = walker.content(**record);
     if (!content) return pass_on(content);
@@ -65,7 +60,7 @@ Outcome<std::vector<LogAttachment>> read_attachments(const ByteSource& source) {
   mcap::RecordWalker walker(source, mcap::magic.size(), mcap::end_of_data(source, *footer));
   auto all = collect(source, walker);
   if (all && *footer && !walker.at_end()) {
-    return damaged_mcap(source, walker.position(), "a record reaches past the end of the data");
+    return damaged(source, walker.position(), "a record reaches past the end of the data");
   }
   return all;
 }

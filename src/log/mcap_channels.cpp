@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mcap_decode.hpp"
+#include "outrider/log/channel_decoder.hpp"
 
 namespace outrider::mcap {
 namespace {
@@ -58,7 +59,8 @@ Channel ChannelTable::channel(const ChannelRecord& record) const {
   channel.encoding = record.encoding;
   channel.metadata = record.metadata;
   if (const auto schema = schemas_.find(record.schema_id); schema != schemas_.end()) {
-    channel.type = schema->second.name;
+    const std::string& name = schema->second.name;
+    channel.type = schema->second.encoding == "ros1msg" ? ros2_type_name(name) : name;
     channel.schema_encoding = schema->second.encoding;
     channel.schema = schema->second.data;
   }

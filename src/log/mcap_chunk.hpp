@@ -19,6 +19,12 @@ struct Chunk {
   std::string records;  ///< decompressed
 };
 
+/// Returns a complaint if a time does not fit in the 63 bits of LogMessage::time_ns, else an empty text.
+inline std::string too_late(std::uint64_t time_ns) {
+  if (time_ns <= std::uint64_t{std::numeric_limits<std::int64_t>::max()}) return {};
+  return fmt::format("a message has the time {} ns, which lies after the year 2262", time_ns);
+}
+
 /// Reads the chunk record at an offset, whose content has `length` bytes. Its checksum holds, and it has at
 /// most `most_bytes` bytes when it is decompressed. Fault: bad_input with the offset.
 Outcome<Chunk> read_chunk(const ByteSource& source, std::uint64_t offset, std::uint64_t length,
@@ -36,9 +42,7 @@ std::string for_each_record(std::string_view block, OnDefinition on_definition, 
     } else if (record->op == Op::message) {
       const auto message = decode_message(record->content);
       if (!message) return "a message record is shorter than its fields";
-      if (message->log_time > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
-        return fmt::format("a message has the time {} ns, which lies after the year 2262", message->log_time);
-      }
+      if (auto late = too_late(message->log_time); !late.empty()) return late;
       complaint = on_message(*message);
     } else if (record->op <= Op::data_end) {
       complaint =
@@ -46,7 +50,7 @@ std::string for_each_record(std::string_view block, OnDefinition on_definition, 
     }
     if (!complaint.empty()) return complaint;
   }
-  return records.damaged_mcap() ? "a record reaches past the end of its chunk" : std::string();
+  return records.damaged() ? "a record reaches past the end of its chunk" : std::string();
 }
 
 }  // namespace outrider::mcap

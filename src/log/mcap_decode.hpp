@@ -34,7 +34,7 @@ class Records {
   std::optional<Record> next();
 
   /// Returns true if the block ended within a record.
-  [[nodiscard]] bool damaged_mcap() const { return !reader_.ok(); }
+  [[nodiscard]] bool damaged() const { return !reader_.ok(); }
 
  private:
   ByteReader reader_;

@@ -124,7 +124,7 @@ Status McapFollower::read(const std::function<void(const LogMessage&)>& on_messa
   const std::string complaint = mcap::for_each_record(
       *records, [&](mcap::Op op, std::string_view content) { return s.define(op, content); },
       [&](const mcap::MessageRecord& message) { return s.pass(message, on_message); });
-  if (!complaint.empty()) return mcap::damaged_mcap(*s.source, s.part->offset, complaint);
+  if (!complaint.empty()) return damaged(*s.source, s.part->offset, complaint);
   s.position = s.part->end();
   s.part.reset();
   return {};

@@ -43,7 +43,7 @@ class IndexBuilder {
     }
     if (auto whole = check_end(); !whole) return pass_on(whole);
     if (const std::string complaint = index_.table.check(); !complaint.empty()) {
-      return damaged_mcap(source_, 0, complaint);
+      return damaged(source_, 0, complaint);
     }
     return std::move(index_);
   }
@@ -73,7 +73,7 @@ class IndexBuilder {
 
 Status IndexBuilder::add(const RecordHead& record) {
   if ((header_end_ == 0) != (record.op == Op::header)) {
-    return damaged_mcap(source_, record.offset, "there is not one header at the start");
+    return damaged(source_, record.offset, "there is not one header at the start");
   }
   switch (record.op) {
     case Op::header: header_end_ = record.end(); return {};
@@ -90,7 +90,7 @@ Status IndexBuilder::add(const RecordHead& record) {
     case Op::metadata_index:
     case Op::summary_offset:
       if (data_ended_) return {};
-      return damaged_mcap(source_, record.offset, "a record of the summary lies among the data");
+      return damaged(source_, record.offset, "a record of the summary lies among the data");
     default: return {};  // attachments, metadata, and kinds that a later format adds
   }
 }
@@ -100,19 +100,20 @@ Status IndexBuilder::add_definition(const RecordHead& record) {
   if (!content) return pass_on(content);
   const std::string complaint =
       has_summary_ ? index_.table.find(record.op, *content) : index_.table.add(record.op, *content);
-  return complaint.empty() ? Status{} : damaged_mcap(source_, record.offset, complaint);
+  return complaint.empty() ? Status{} : damaged(source_, record.offset, complaint);
 }
 
 /// Adds a message outside of chunks. Neighbours make up one piece, as long as it is small.
 Status IndexBuilder::add_message(const RecordHead& record) {
   constexpr std::uint64_t usual_piece = 1U << 20U;
-  if (data_ended_) return damaged_mcap(source_, record.offset, "a message follows the end of the data");
+  if (data_ended_) return damaged(source_, record.offset, "a message follows the end of the data");
   unlisted_ = true;
   auto content = walker_.content(record, message_head_bytes);
   if (!content) return pass_on(content);
   const auto message = decode_message(*content);
-  if (!message) return damaged_mcap(source_, record.offset, "a message record is shorter than its fields");
+  if (!message) return damaged(source_, record.offset, "a message record is shorter than its fields");
   const std::uint64_t time = message->log_time;
+  if (const auto late = too_late(time); !late.empty()) return damaged(source_, record.offset, late);
   Piece* piece = index_.pieces.empty() ? nullptr : &index_.pieces.back();
   if (piece == nullptr || piece->is_chunk || piece->offset + piece->length != record.offset ||
       piece->length > usual_piece) {
@@ -125,11 +126,14 @@ Status IndexBuilder::add_message(const RecordHead& record) {
 }
 
 Status IndexBuilder::add_chunk(const RecordHead& record) {
-  if (data_ended_) return damaged_mcap(source_, record.offset, "a chunk follows the end of the data");
+  if (data_ended_) return damaged(source_, record.offset, "a chunk follows the end of the data");
   if (!lists_chunks_) return scan_chunk(record);
   const auto listed = chunks_.find(record.offset);
   if (listed == chunks_.end() || listed->second.chunk_length != head_bytes + record.length) {
-    return damaged_mcap(source_, record.offset, "there is a chunk that the summary does not name");
+    return damaged(source_, record.offset, "there is a chunk that the summary does not name");
+  }
+  if (const auto late = too_late(listed->second.end_time); !late.empty()) {
+    return damaged(source_, record.offset, late);
   }
   index_.pieces.push_back(piece_of(listed->second));
   chunks_.erase(listed);
@@ -150,10 +154,10 @@ Status IndexBuilder::scan_chunk(const RecordHead& record) {
     return std::string();
   };
   const std::string complaint = for_each_record(chunk->records, on_definition, on_message);
-  if (!complaint.empty()) return damaged_mcap(source_, record.offset, complaint);
+  if (!complaint.empty()) return damaged(source_, record.offset, complaint);
   if (piece.start_time > piece.end_time) return {};  // it has no message
   if (piece.start_time < chunk->start_time || piece.end_time > chunk->end_time) {
-    return damaged_mcap(source_, record.offset, "a message lies outside of the times of its chunk");
+    return damaged(source_, record.offset, "a message lies outside of the times of its chunk");
   }
   piece.start_time = chunk->start_time;
   piece.end_time = chunk->end_time;
@@ -170,20 +174,20 @@ Status IndexBuilder::check_message_index(const RecordHead& record) {
   const auto length = reader.number<std::uint32_t>();
   const bool follows = last_ == Op::chunk || last_ == Op::message_index;
   if (follows && reader.ok() && length % 16 == 0 && record.length == 6U + std::uint64_t{length}) return {};
-  return damaged_mcap(source_, record.offset, "a message index is wrong or follows no chunk");
+  return damaged(source_, record.offset, "a message index is wrong or follows no chunk");
 }
 
 /// The checksum of the data is compared where messages are read that no other checksum or index covers.
 Status IndexBuilder::end_data(const RecordHead& record) {
-  if (data_ended_) return damaged_mcap(source_, record.offset, "the data end a second time");
+  if (data_ended_) return damaged(source_, record.offset, "the data end a second time");
   if (footer_ && record.end() != end_of_data(source_, footer_)) {
-    return damaged_mcap(source_, record.offset, "the data end before the summary starts");
+    return damaged(source_, record.offset, "the data end before the summary starts");
   }
   data_ended_ = true;
   auto content = walker_.content(record);
   if (!content) return pass_on(content);
   const auto stated = decode_data_end(*content);
-  if (!stated) return damaged_mcap(source_, record.offset, "the end of the data is shorter than its fields");
+  if (!stated) return damaged(source_, record.offset, "the end of the data is shorter than its fields");
   if (*stated == 0 || !unlisted_) return {};
   // Some writers count from the start of the file, some from the end of the header.
   for (const std::uint64_t start : {std::uint64_t{0}, header_end_}) {
@@ -191,16 +195,16 @@ Status IndexBuilder::end_data(const RecordHead& record) {
     if (!crc) return tl::unexpected<Fault>(crc.error());
     if (*crc == *stated) return {};
   }
-  return damaged_mcap(source_, record.offset, "the checksum of the data is wrong");
+  return damaged(source_, record.offset, "the checksum of the data is wrong");
 }
 
 Status IndexBuilder::check_end() {
   if (footer_ && !walker_.at_end()) {
-    return damaged_mcap(source_, walker_.position(), "a record reaches past the end of the data");
+    return damaged(source_, walker_.position(), "a record reaches past the end of the data");
   }
-  if (footer_ && header_end_ == 0) return damaged_mcap(source_, magic.size(), "there is no header");
+  if (footer_ && header_end_ == 0) return damaged(source_, magic.size(), "there is no header");
   if (!chunks_.empty()) {
-    return damaged_mcap(source_, chunks_.begin()->first, "there is not the chunk that the summary names");
+    return damaged(source_, chunks_.begin()->first, "there is not the chunk that the summary names");
   }
   if (!footer_) {
     index_.cut_short = fmt::format("the log ends early: its last complete record ends at byte {} of {}",

@@ -9,11 +9,6 @@
 namespace outrider::mcap {
 namespace {
 
-Codec codec_of(std::string_view compression) {
-  if (compression == "zstd") return Codec::zstd;
-  return compression == "lz4" ? Codec::lz4 : Codec::none;
-}
-
 /// Appends the records of the summary group by group, and remembers where each group stands.
 class Groups {
  public:
@@ -83,13 +78,13 @@ void ChunkBuffer::add(const MessageRecord& message) {
   append_message(records_, message);
 }
 
-Status ChunkBuffer::write_to(Output& out, std::string_view compression,
-                             std::vector<ChunkIndexRecord>& chunks) {
+Status ChunkBuffer::write_to(Output& out, Codec codec, std::vector<ChunkIndexRecord>& chunks) {
   const std::string records = std::exchange(records_, {});
   if (!has_messages()) return out.write(records);
-  const std::string compressed = compress(codec_of(compression), records);
+  const std::string compressed = compress(codec, records);
   std::string bytes;
-  append_chunk(bytes, {start_time_, end_time_, records.size(), crc32_of(records), compression, compressed});
+  append_chunk(bytes,
+               {start_time_, end_time_, records.size(), crc32_of(records), name_of(codec), compressed});
   ChunkIndexRecord index{start_time_, end_time_, out.position(), bytes.size()};
   for (auto& [channel_id, messages] : indexes_) {
     // Earlier messages first, as readers that search an index expect.
@@ -99,7 +94,7 @@ Status ChunkBuffer::write_to(Output& out, std::string_view compression,
     append_message_index(bytes, channel_id, messages);
   }
   index.message_index_length = bytes.size() - index.chunk_length;
-  index.compression = compression;
+  index.compression = name_of(codec);
   index.compressed_size = compressed.size();
   index.uncompressed_size = records.size();
   chunks.push_back(std::move(index));

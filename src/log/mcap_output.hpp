@@ -12,6 +12,7 @@
 
 #include "mcap_encode.hpp"
 #include "outrider/log/byte_sink.hpp"
+#include "outrider/log/codec.hpp"
 #include "outrider/log/log_reader.hpp"
 
 namespace outrider::mcap {
@@ -54,7 +55,7 @@ class ChunkBuffer {
 
   /// Writes the chunk and its message indexes, and empties the buffer. Definitions alone need no chunk: they
   /// are written as they are, and nothing is added to `chunks`.
-  Status write_to(Output& out, std::string_view compression, std::vector<ChunkIndexRecord>& chunks);
+  Status write_to(Output& out, Codec codec, std::vector<ChunkIndexRecord>& chunks);
 
  private:
   std::string records_;

@@ -74,18 +74,17 @@ Outcome<McapReader::Loaded> McapReader::load(const Piece& piece) const {
     auto chunk = read_chunk(*source_, piece.offset, piece.length - head_bytes, room);
     if (!chunk) return pass_on(chunk);
     if (chunk->start_time != piece.start_time || chunk->end_time != piece.end_time) {
-      return damaged_mcap(*source_, piece.offset,
-                          "the times of a chunk are not those that the summary states");
+      return damaged(*source_, piece.offset, "the times of a chunk are not those that the summary states");
     }
     loaded.bytes = std::move(chunk->records);
   } else {
-    if (piece.length > room) return damaged_mcap(*source_, piece.offset, "a message does not fit in memory");
+    if (piece.length > room) return damaged(*source_, piece.offset, "a message does not fit in memory");
     auto bytes = source_->read(piece.offset, piece.length);
     if (!bytes) return pass_on(bytes);
     loaded.bytes = std::move(*bytes);
   }
   const std::string complaint = find_places(piece, loaded);
-  if (!complaint.empty()) return damaged_mcap(*source_, piece.offset, complaint);
+  if (!complaint.empty()) return damaged(*source_, piece.offset, complaint);
   const auto earlier = [](const Place& a, const Place& b) { return a.time < b.time; };
   if (!std::is_sorted(loaded.places.begin(), loaded.places.end(), earlier)) {
     std::stable_sort(loaded.places.begin(), loaded.places.end(), earlier);
@@ -114,10 +113,9 @@ Status McapReader::load_due() {
     if (loaded->places.empty()) continue;
     held_bytes_ += loaded->held();
     if (held_bytes_ > largest_loaded_bytes) {
-      return bad_input(
-          fmt::format("at byte {}, more than {} bytes of chunks overlap in time; sort the log by time",
-                      piece.offset, largest_loaded_bytes),
-          source_->name());
+      return damaged(*source_, piece.offset,
+                     fmt::format("more than {} bytes of chunks overlap in time", largest_loaded_bytes),
+                     "sort the log by time");
     }
     loaded_.push_back(std::make_unique<Loaded>(std::move(*loaded)));
     std::push_heap(loaded_.begin(), loaded_.end(), later);

@@ -27,6 +27,11 @@ class McapReader final : public LogReader {
   [[nodiscard]] const std::vector<Channel>& channels() const override { return channels_; }
   Outcome<std::optional<LogMessage>> next() override;
   [[nodiscard]] std::string cut_short() const override { return index_.cut_short; }
+  [[nodiscard]] double progress() const override {
+    return index_.pieces.empty()
+               ? 1.0
+               : static_cast<double>(next_piece_) / static_cast<double>(index_.pieces.size());
+  }
 
  private:
   struct Place {

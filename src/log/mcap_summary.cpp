@@ -38,7 +38,7 @@ Status check_crc(const ByteSource& source, const FooterRecord& footer) {
   const auto crc = crc32_of_range(source, footer.summary_start, source.size() - magic.size() - 4);
   if (!crc) return tl::unexpected<Fault>(crc.error());
   if (*crc != footer.summary_crc)
-    return damaged_mcap(source, footer.summary_start, "the checksum of the summary is wrong");
+    return damaged(source, footer.summary_start, "the checksum of the summary is wrong");
   return {};
 }
 
@@ -57,7 +57,7 @@ Outcome<std::optional<FooterRecord>> read_footer(const ByteSource& source) {
   const auto footer = decode_footer(reader.rest());
   const bool starts_inside = footer && (footer->summary_start == 0 || (footer->summary_start > magic.size() &&
                                                                        footer->summary_start <= offset));
-  if (!is_footer || !starts_inside) return damaged_mcap(source, offset, "the footer is wrong");
+  if (!is_footer || !starts_inside) return damaged(source, offset, "the footer is wrong");
   return footer;
 }
 
@@ -76,17 +76,16 @@ Outcome<FileSummary> read_summary(const ByteSource& source, const FooterRecord& 
     if (!record) return tl::unexpected<Fault>(record.error());
     if (!*record) break;
     if (belongs_to_data((*record)->op)) {
-      return damaged_mcap(source, (*record)->offset,
-                          "a record lies in the summary that does not belong there");
+      return damaged(source, (*record)->offset, "a record lies in the summary that does not belong there");
     }
     if (!is_read((*record)->op)) continue;
     auto content = walker.content(**record);
     if (!content) return pass_on(content);
     const std::string complaint = add((*record)->op, *content, footer.summary_start, summary);
-    if (!complaint.empty()) return damaged_mcap(source, (*record)->offset, complaint);
+    if (!complaint.empty()) return damaged(source, (*record)->offset, complaint);
   }
   if (!walker.at_end())
-    return damaged_mcap(source, walker.position(), "a record reaches past the end of the summary");
+    return damaged(source, walker.position(), "a record reaches past the end of the summary");
   return summary;
 }
 

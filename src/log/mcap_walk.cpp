@@ -9,15 +9,6 @@
 
 namespace outrider::mcap {
 
-tl::unexpected<Fault> damaged_mcap(const ByteSource& source, std::uint64_t offset,
-                                   std::string_view complaint) {
-  return bad_input(
-      fmt::format(
-          "at byte {}, {}; the file is damaged or not written as MCAP asks: copy it again, or record it anew",
-          offset, complaint),
-      source.name());
-}
-
 Outcome<std::string_view> RecordWalker::view(std::uint64_t offset, std::uint64_t count) {
   constexpr std::uint64_t usual = 16384;
   const bool inside = offset >= window_offset_ && offset - window_offset_ <= window_.size() &&
@@ -50,9 +41,9 @@ Outcome<std::optional<RecordHead>> RecordWalker::next() {
 Outcome<std::string_view> RecordWalker::content(const RecordHead& record, std::uint64_t most) {
   const std::uint64_t count = std::min(record.length, most);
   if (count > largest_record_bytes || (record.length > most && most == largest_record_bytes)) {
-    return damaged_mcap(source_, record.offset,
-                        fmt::format("a record has {} bytes, more than the {} that are read", record.length,
-                                    largest_record_bytes));
+    return damaged(source_, record.offset,
+                   fmt::format("a record has {} bytes, more than the {} that are read", record.length,
+                               largest_record_bytes));
   }
   return view(record.content(), count);
 }

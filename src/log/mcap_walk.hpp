@@ -11,10 +11,6 @@
 
 namespace outrider::mcap {
 
-/// Returns the fault of a file that is wrong at a byte: "at byte 81, <complaint>; <remedy>".
-tl::unexpected<Fault> damaged_mcap(const ByteSource& source, std::uint64_t offset,
-                                   std::string_view complaint);
-
 struct RecordHead {
   Op op{};
   std::uint64_t offset = 0;  ///< of the opcode

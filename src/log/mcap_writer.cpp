@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t largest_content = std::size_t{255} << 20U;  // of a message or an attachment
 
-std::string_view name_of(McapCompression compression) {
-  if (compression == McapCompression::zstd) return "zstd";
-  return compression == McapCompression::lz4 ? "lz4" : "";
-}
-
 Status check(std::int64_t time_ns, std::size_t bytes) {
   if (time_ns < 0)
     return bad_input(fmt::format("the time {} ns is negative; MCAP counts from 1970", time_ns));
@@ -32,7 +27,7 @@ Status check(std::int64_t time_ns, std::size_t bytes) {
 
 struct McapWriter::State {
   mcap::Output out;
-  std::string_view compression;
+  Codec codec = Codec::none;
   std::size_t chunk_bytes = 0;
   mcap::ChunkBuffer chunk = {};
   mcap::Summary summary = {};
@@ -43,7 +38,7 @@ struct McapWriter::State {
     if (!status) state = status;
     return status;
   }
-  Status flush() { return keep(chunk.write_to(out, compression, summary.chunks)); }
+  Status flush() { return keep(chunk.write_to(out, codec, summary.chunks)); }
   Status check_channel(std::size_t channel) {
     if (summary.definitions.too_many()) {
       return keep(bad_input(
@@ -70,7 +65,7 @@ Outcome<McapWriter> McapWriter::begin(std::unique_ptr<ByteSink> sink, const Mcap
   constexpr std::size_t largest_chunk = std::size_t{64} << 20U;
   McapWriter writer(std::make_unique<State>(
       State{.out = mcap::Output(std::move(sink)),
-            .compression = name_of(options.compression),
+            .codec = options.compression,
             .chunk_bytes = std::clamp(options.chunk_bytes, std::size_t{1}, largest_chunk)}));
   std::string head(mcap::magic);
   mcap::append_header(head, options.profile, options.library);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "definition.hpp"
+#include "field_words.hpp"
 #include "outrider/log/codecs.hpp"
 
 namespace outrider {
@@ -14,20 +16,8 @@ constexpr std::array<std::string_view, 13> kind_names = {"bool",    "int8",   "u
                                                          "int32",   "uint32", "int64", "uint64", "float32",
                                                          "float64", "string", ""};
 
-/// "geometry_msgs/msg/Point" is "geometry_msgs/Point" inside a definition.
-std::string short_name(std::string_view name) {
-  std::string result(name);
-  if (const auto at = result.find("/msg/"); at != std::string::npos) result.erase(at, 4);
-  return result;
-}
-
 std::string field_line(const MessageField& field) {
-  std::string type = field.kind == FieldKind::message
-                         ? short_name(field.message->name)
-                         : std::string(kind_names[static_cast<std::size_t>(field.kind)]);
-  if (field.shape == FieldShape::array) type += fmt::format("[{}]", field.array_length);
-  if (field.shape == FieldShape::sequence) type += "[]";
-  std::string line = fmt::format("{} {}", type, field.name);
+  std::string line = field_words(field);
   if (!field.default_text.empty()) line += fmt::format(" {}", field.default_text);
   if (!field.unit.empty()) line += fmt::format("  # {}", field.unit);
   return line + "\n";
@@ -52,6 +42,18 @@ std::string definition(const MessageType& type) {
 }
 
 }  // namespace
+
+std::string type_word(const MessageField& field) {
+  if (field.kind == FieldKind::message) return short_name(field.message->name);
+  return std::string(kind_names[static_cast<std::size_t>(field.kind)]);
+}
+
+std::string field_words(const MessageField& field) {
+  std::string type = type_word(field);
+  if (field.shape == FieldShape::array) type += fmt::format("[{}]", field.array_length);
+  if (field.shape == FieldShape::sequence) type += "[]";
+  return fmt::format("{} {}", type, field.name);
+}
 
 std::string schema_text(const MessageType& type) {
   std::vector<const MessageType*> used;

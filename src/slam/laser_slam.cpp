@@ -190,6 +190,7 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, cons
   const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
+  surface.shrink_to_fit();
   graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, std::move(surface)});
   if (key == 0) return;
   const MotionNoise driven = odometry_noise(unkept, options);

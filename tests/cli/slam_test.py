@@ -317,6 +317,21 @@ class Slam(ToolTest):
         found = self.result(folder / "landmark" / "mrclam5a_multirobot_with_gt.pyfg.gz")
         self.assertLess(found["landmark_rmse_aligned_m"], 0.1)
 
+    def mapped_again(self, log, folder):
+        run = self.run_tool("slam", log, "--out", folder, "--json", timeout=300)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return flat(self.json_of(run)), (self.folder / folder / "map.pgm").read_bytes()
+
+    def test_the_log_of_an_exploration_is_mapped_again(self):
+        run = self.run_tool("run", SOURCE / "scenarios/explore/office.yaml", "--out", "r", "--json", timeout=300)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        explored = flat(self.json_of(run))
+        found, image = self.mapped_again("r/run.mcap", "a")
+        self.assertEqual(found["steps_lost"], 0)
+        self.assertAlmostEqual(found["map_m2"], explored["mapped_free_m2"], delta=0.05 * found["map_m2"])
+        self.assertEqual(self.mapped_again("r", "b")[1], image)
+        self.refused("slam", "r", "--scan", "/front", says=["--scan", "the log has no topic '/front'", "/scan"])
+
 
 if __name__ == "__main__":
     main()

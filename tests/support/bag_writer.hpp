@@ -60,11 +60,14 @@ class BagWriter {
 
   /// Connections are numbered from 0.
   void add_connection(const std::string& topic, const std::string& type) {
+    add_connection(topic, type, "# " + type + "\nfloat64 x\n");
+  }
+  void add_connection(const std::string& topic, const std::string& type, const std::string& definition) {
     connections_.push_back(bag_record(7, {{"conn", little(connections_.size(), 4)}, {"topic", topic}},
                                       bag_fields({{"topic", topic},
                                                   {"type", type},
                                                   {"md5sum", "0123456789abcdef0123456789abcdef"},
-                                                  {"message_definition", "# " + type + "\nfloat64 x\n"}})));
+                                                  {"message_definition", definition}})));
   }
 
   /// Every chunk repeats the connections, as readers have to accept.

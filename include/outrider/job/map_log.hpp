@@ -1,6 +1,6 @@
 // MapLog: logs an occupancy map while it grows.
 //
-// The map is logged at most once a second of the run. It is logged whole, as nav_msgs/OccupancyGrid, when its
+// The map is logged at most once a second of the run, or in another period. It is logged whole, as nav_msgs/OccupancyGrid, when its
 // frame has changed or it was redrawn, and else as map_msgs/OccupancyGridUpdate: the smallest rectangle with
 // all changes. Thread rule: one at a time.
 #pragma once
@@ -15,6 +15,9 @@ namespace outrider {
 
 class MapLog {
  public:
+  /// The map is logged at most once in `period_s` of the run.
+  explicit MapLog(double period_s = 1.0) : period_s_(period_s) {}
+
   /// Notes a change. `occupancy` holds values of Occupancy. Only the cells with the indices `changed` may
   /// have changed since the last call, or any cell if `redrawn` is true. O(cells changed), and O(cells of the
   /// rectangle) once a second.
@@ -31,6 +34,7 @@ class MapLog {
   void log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
   void log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s);
 
+  double period_s_;
   GridFrame logged_{};    ///< frame of the newest whole map
   bool begun_ = false;    ///< a whole map was logged
   bool redrawn_ = false;  ///< the whole map must be logged

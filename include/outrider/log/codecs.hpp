@@ -1,11 +1,13 @@
-// The encodings of messages: ROS 2 CDR, ROS 1 bytes, and the text of a schema. All are made from MessageType.
+// The encodings of messages: ROS 2 CDR, ROS 1 bytes, JSON, and the text of a schema. All are made from
+// MessageType.
 //
 // CDR is XCDR1, little-endian, as ROS 2 writes it (OMG DDS-XTypes 1.3, section 7.4.1). The bytes of ROS 1 are
-// those of its message serialisation. Both take O(bytes); a sequence in foreign bytes is believed only as far
-// as bytes are there to fill it. Faults: bad_input with a sentence and without a place, which the caller
-// knows.
+// those of its message serialisation. JSON has the fields under their names (src/log/json_codec.hpp). All
+// take O(bytes); a sequence in foreign bytes is believed only as far as bytes are there to fill it. Faults:
+// bad_input with a sentence and without a place, which the caller knows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +17,10 @@
 
 namespace outrider {
 
-enum class MessageEncoding { cdr, ros1 };
+enum class MessageEncoding { cdr, ros1, json };
+
+/// Returns the encoding that a channel names "cdr", "ros1" or "json"; nothing for another name.
+std::optional<MessageEncoding> encoding_named(std::string_view name);
 
 /// Encodes the message of that type at `message`.
 std::string encode(MessageEncoding encoding, const MessageType& type, const void* message);

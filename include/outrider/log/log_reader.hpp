@@ -66,6 +66,9 @@ class LogReader {
   /// damaged.
   virtual Outcome<std::optional<LogMessage>> next() = 0;
 
+  /// Returns the part of the file that has been read, 0 to 1; 0 if it is not known.
+  [[nodiscard]] virtual double progress() const { return 0.0; }
+
   /// Returns a sentence if the end of the file is missing, else an empty text.
   [[nodiscard]] virtual std::string cut_short() const { return {}; }
 
@@ -73,8 +76,17 @@ class LogReader {
   LogReader() = default;
 };
 
+/// Returns true if a file that starts with these bytes (16 are enough) is MCAP, a ROS 1 bag or an SQLite
+/// database.
+bool starts_as_log(std::string_view start);
+
 /// Opens a log. The content decides the format, not the name: MCAP, ROS 1 bag 2.0, or ROS 2 db3. Fault:
 /// bad_input if the file cannot be opened or is none of these.
 Outcome<std::unique_ptr<LogReader>> open_log(const std::string& path, const LogSelection& selection = {});
+
+/// Opens a log in a file that is open for reading, and closes that in the end; faults name it `path`. Only
+/// MCAP and ROS 1 bags: the other formats have to open further files.
+Outcome<std::unique_ptr<LogReader>> open_log(int descriptor, const std::string& path,
+                                             const LogSelection& selection = {});
 
 }  // namespace outrider

@@ -21,14 +21,13 @@
 #include <string_view>
 
 #include "outrider/log/byte_sink.hpp"
+#include "outrider/log/codec.hpp"
 #include "outrider/log/log_reader.hpp"
 
 namespace outrider {
 
-enum class McapCompression { none, lz4, zstd };
-
 struct McapOptions {
-  McapCompression compression = McapCompression::zstd;
+  Codec compression = Codec::zstd;  ///< none, lz4 or zstd
   std::size_t chunk_bytes = std::size_t{1}
                             << 20U;  ///< uncompressed size at which a chunk is closed; at most 64 MiB
   std::string profile = "ros2";      ///< says how messages are encoded

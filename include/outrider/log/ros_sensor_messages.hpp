@@ -111,6 +111,44 @@ struct CameraInfo {
   }
 };
 
+/// The pixels of a camera, row by row from the top.
+struct Image {
+  std_msgs::Header header;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string encoding;  ///< such as "mono8", "rgb8" or "bgr8"
+  std::uint8_t is_bigendian = 0;
+  std::uint32_t step = 0;  ///< length of a row
+  std::vector<std::uint8_t> data;
+
+  static constexpr std::string_view type = "sensor_msgs/msg/Image";
+  template <class List>
+  static void describe(List& list) {
+    list.field("header", &Image::header);
+    list.field("height", &Image::height, "px");
+    list.field("width", &Image::width, "px");
+    list.field("encoding", &Image::encoding);
+    list.field("is_bigendian", &Image::is_bigendian);
+    list.field("step", &Image::step, "bytes");
+    list.field("data", &Image::data);
+  }
+};
+
+/// An image as a JPEG or PNG file.
+struct CompressedImage {
+  std_msgs::Header header;
+  std::string format;
+  std::vector<std::uint8_t> data;
+
+  static constexpr std::string_view type = "sensor_msgs/msg/CompressedImage";
+  template <class List>
+  static void describe(List& list) {
+    list.field("header", &CompressedImage::header);
+    list.field("format", &CompressedImage::format);
+    list.field("data", &CompressedImage::data);
+  }
+};
+
 }  // namespace sensor_msgs
 
 }  // namespace outrider

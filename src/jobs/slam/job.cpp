@@ -1,6 +1,7 @@
 #include "outrider/jobs/slam/job.hpp"
 
 #include "input.hpp"
+#include "outrider/io/log_file.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
 #include "summary.hpp"
@@ -8,17 +9,33 @@
 namespace outrider {
 
 struct SlamJob::Input {
-  SlamInput value;
+  SlamInput value = {};
+  TopicsInput topics = {};  ///< a log of ROS topics instead
+  bool has_topics = false;
 };
 
 SlamJob::SlamJob() : JobTask("slam") {}
 SlamJob::~SlamJob() = default;
 
+/// Takes the pose of the laser from the log, unless an option says it.
+void SlamJob::take_mount(const LaserTopics& topics) {
+  const bool is_given = given.contains("laser.laser_x") || given.contains("laser.laser_y") ||
+                        given.contains("laser.laser_heading");
+  if (!is_given) scenario.laser.robot_T_laser = topics.robot_T_laser().value_or(scenario.laser.robot_T_laser);
+}
+
 Outcome<Warnings> SlamJob::load() {
   if (auto ok = check(scenario); !ok) return pass_on(ok);
+  if (is_log_file(scenario.log)) {
+    auto topics = open_laser_topics(scenario.log, scenario.topics);
+    if (!topics) return pass_on(topics);
+    take_mount(**topics);
+    input_ = std::make_unique<Input>(Input{.topics = std::move(*topics), .has_topics = true});
+    return Warnings{};
+  }
   auto input = load_slam_input(scenario.log, scenario.truth, scenario.noise, scenario.carmen);
   if (!input) return pass_on(input);
-  input_ = std::make_unique<Input>(Input{std::move(*input)});
+  input_ = std::make_unique<Input>(Input{.value = std::move(*input)});
   return Warnings{};
 }
 
@@ -26,6 +43,7 @@ Status SlamJob::run(Run& run, const RunWatch& watch) {
   SlamInput& input = input_->value;
   run.report.status = "done";
   run.report.world_name = name_of(scenario);
+  if (input_->has_topics) return map_laser_topics(*this, std::move(input_->topics), run, watch);
   if (auto* graph = std::get_if<GraphInput>(&input)) return solve_graph(*this, *graph, run, watch);
   if (const auto* log = std::get_if<LaserLog>(&input)) return map_laser_log(*this, *log, run, watch);
   return map_landmark_log(*this, std::get<LandmarkLog>(input), run, watch);
@@ -38,8 +56,8 @@ Job slam_job() {
           .blank = [] { return std::make_unique<SlamJob>(); },
           .file_option = "log",
           .file_sentence =
-              "laser log, landmark log, g2o graph or PyFG graph, may be gzip-compressed, or a "
-              "scenario; docs/jobs/slam.md",
+              "ROS bag or MCAP, laser log, landmark log, g2o graph or PyFG graph, may be gzip-compressed, or "
+              "a scenario; docs/jobs/slam.md",
           .summary = slam_summary};
 }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "outrider/io/map_server.hpp"
+#include "outrider/io/trajectory.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
@@ -19,12 +20,13 @@
 namespace outrider {
 namespace {
 
-/// Returns one line per scan: number, time (s), x, y (m), heading (rad).
-std::string track_csv(const LaserLog& log, const std::vector<Pose2>& poses) {
+/// Returns one line per scan: number, time (s), x, y (m), heading (rad). The first pose is that before all
+/// scans.
+std::string track_csv(const std::vector<double>& times_s, const std::vector<Pose2>& poses) {
   std::string text = "step,time,x,y,heading\n";
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const Pose2& pose = poses[i + 1];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, log.steps[i].scan.time_s, pose.position.x,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, times_s[i], pose.position.x,
                    pose.position.y, pose.heading_rad);
   }
   return text;
@@ -48,26 +50,33 @@ Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy) {
   return part;
 }
 
-/// Logs the mapping.
+/// Logs the mapping. Of a recording that is read while it is mapped, belief, odometry and scan are logged at
+/// the keyframes only, and the map once in ten seconds: the log then grows with the map, and not with the
+/// recording.
 class Recorder {
  public:
-  Recorder(Log& log, const SlamScenario& scenario, const LaserLog& recording)
-      : recording_(recording),
-        options_(scenario.laser),
+  /// `times_s` are the times of all steps, or empty for a recording that is read while it is mapped.
+  Recorder(Log& log, const SlamScenario& scenario, std::vector<double> times_s)
+      : options_(scenario.laser),
         log_(log, scenario, "laser"),
-        times_s_(times_of(recording)),
-        map_(options_.map, options_.robot_T_laser) {
+        keyframes_only_(times_s.empty()),
+        times_s_(std::move(times_s)),
+        map_(options_.map, options_.robot_T_laser, options_.trust_odometry, keyframes_only_ ? 10.0 : 1.0) {
     log_mount(log, "laser", options_.robot_T_laser, 0.0);
   }
 
-  void note(const LaserSlam& slam, std::size_t step, const LaserSlamStep& outcome) {
-    const LaserLogStep& logged = recording_.steps[step];
+  void note(const LaserSlam& slam, std::size_t step, const Observation& seen, const LaserSlamStep& outcome) {
+    recorded_s_.push_back(seen.time_s);
+    if (keyframes_only_) times_s_.push_back(seen.time_s - recorded_s_.front());
     const double time_s = times_s_[step];
-    odometry_ = compose(odometry_, logged.motion);
-    log_.note({time_s, outcome.pose, slam.pose_covariance(), odometry_, outcome.closed_loop});
-    log_scan(log_.log(), time_s, logged.scan);
+    if (!keyframes_only_ || outcome.kept || step == 0) {
+      log_.note({time_s, outcome.pose, slam.pose_covariance(), seen.odometry, outcome.closed_loop});
+      log_scan(log_.log(), time_s, *seen.scan);
+    } else {
+      log_.pass(time_s);
+    }
     if (outcome.kept || options_.trust_odometry)
-      map_.add(log_.log(), outcome.pose, logged.scan, time_s, step + 1);
+      map_.add(log_.log(), outcome.pose, *seen.scan, time_s, step + 1);
     if (outcome.lost) log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
     if (outcome.closed_loop) log_loops(slam, slam.trajectory());
   }
@@ -83,6 +92,8 @@ class Recorder {
   }
 
   [[nodiscard]] double end_s() const { return log_.end_s(); }
+  /// Returns the times of the steps as they were recorded.
+  [[nodiscard]] const std::vector<double>& recorded_s() const { return recorded_s_; }
 
  private:
   void log_loops(const LaserSlam& slam, const std::vector<Pose2>& poses) {
@@ -97,12 +108,12 @@ class Recorder {
     if (!loops.loops.empty()) log_.log().append(topic::loops, log_.end_s(), std::move(loops));
   }
 
-  const LaserLog& recording_;
   const LaserSlamOptions& options_;
   SlamLog log_;
-  std::vector<double> times_s_;
+  bool keyframes_only_;
+  std::vector<double> times_s_;     ///< of the run
+  std::vector<double> recorded_s_;  ///< of the steps so far
   ScanMap map_;
-  Pose2 odometry_;
   std::size_t told_ = 0;  ///< number of loops that are logged as events
 };
 
@@ -123,30 +134,30 @@ Metrics metrics_of(const LaserRun& run) {
           {"log_s", run.log_s}};
 }
 
-Outcome<std::vector<NamedContent>> files_of(const LaserLog& log, const LaserRun& run) {
+Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_s, const LaserRun& run) {
   const std::vector<Pose2> poses = run.slam.trajectory();
   const Grid<std::uint8_t> map = known_part(run.slam.map().occupancy());
   auto text = map_server_text({map, 0.0}, "map.pgm");
   if (!text) return pass_on(text);
-  return std::vector<NamedContent>{{"track.csv", track_csv(log, poses)},
-                                   {"map.pgm", std::move(text->image)},
-                                   {"map.yaml", std::move(text->yaml)}};
+  return std::vector<NamedContent>{
+      {"track.csv", track_csv(recorded_s, poses)},
+      {"trajectory.tum", tum_text(trajectory_of(recorded_s, {poses.begin() + 1, poses.end()}))},
+      {"map.pgm", std::move(text->image)},
+      {"map.yaml", std::move(text->yaml)}};
 }
 
-}  // namespace
-
-Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
-  Recorder recorder(run.log, job.scenario, log);
+/// Maps what `map` runs, and reports it.
+template <class Map>
+Status report_mapping(Recorder& recorder, Run& run, const RunWatch& watch, const Map& map) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("mapping"); !ok) return ok;
   const RunWatch inner = steps.inner();
   LaserWatch mapping;
   mapping.stop = watch.stop;
   mapping.progress = [&](double done) { inner.part(done); };
-  mapping.stepped = [&](const LaserSlam& slam, std::size_t step, const LaserSlamStep& outcome) {
-    recorder.note(slam, step, outcome);
-  };
-  const auto mapped = run_laser_log(log, job.scenario.laser, mapping, processor_s);
+  mapping.stepped = [&](const LaserSlam& slam, std::size_t step, const Observation& seen,
+                        const LaserSlamStep& outcome) { recorder.note(slam, step, seen, outcome); };
+  const Outcome<LaserRun> mapped = map(mapping);
   if (!mapped) return tl::unexpected<Fault>(mapped.error());
   run.report.metrics = metrics_of(*mapped);
   run.report.metrics.emplace_back("distance_m", recorder.settle(*mapped));
@@ -154,11 +165,34 @@ Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const Ru
   const bool timed = mapped->log_s > 0.0 && mapped->time_s > 0.0;
   run.report.machine_times = {{"time_s", mapped->time_s}, {"max_step_s", mapped->max_step_s}};
   if (timed) run.report.machine_times.emplace_back("real_time_factor", mapped->log_s / mapped->time_s);
-  if (mapped->steps < log.steps.size()) mark_cancelled(run.report, run.log, recorder.end_s());
-  auto files = files_of(log, *mapped);
+  if (mapped->stopped) mark_cancelled(run.report, run.log, recorder.end_s());
+  auto files = files_of(recorder.recorded_s(), *mapped);
   if (!files) return tl::unexpected<Fault>(files.error());
   run.files = std::move(*files);
   return {};
+}
+
+}  // namespace
+
+Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
+  Recorder recorder(run.log, job.scenario, times_of(log));
+  return report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
+    return run_laser_log(log, job.scenario.laser, mapping, processor_s);
+  });
+}
+
+Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const RunWatch& watch) {
+  if (!source) {
+    auto opened = open_laser_topics(job.scenario.log, job.scenario.topics);
+    if (!opened) return pass_on(opened);
+    source = std::move(*opened);
+  }
+  Recorder recorder(run.log, job.scenario, {});
+  auto done = report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
+    return run_laser_log(*source, job.scenario.laser, mapping, processor_s);
+  });
+  for (std::string& warning : source->warnings()) run.report.warnings.push_back(std::move(warning));
+  return done;
 }
 
 }  // namespace outrider

@@ -27,19 +27,36 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   run.rms_error_m = rms_distance(from, onto, motion);
 }
 
-/// Returns the observations of the robot that recorded the log.
-std::vector<Observation> records_of(const LaserLog& log) {
-  std::vector<Observation> records;
-  Observation seen;
-  for (const LaserLogStep& step : log.steps) {
-    seen.time_s = step.scan.time_s;
-    seen.odometry = compose(seen.odometry, step.motion);
-    seen.motion = step.motion;
-    seen.scan = step.scan;
-    records.push_back(seen);
+/// The observations of the robot that recorded the log. A fault ends them.
+class Records {
+ public:
+  explicit Records(LaserSource& source) : source_(source) {}
+
+  std::optional<Observation> next() {
+    auto step = source_.next();
+    if (!step) fault_ = std::move(step.error());
+    if (fault_ || !*step) return std::nullopt;
+    LaserLogStep& read = **step;
+    if (!first_s_) first_s_ = read.scan.time_s;
+    seen_.time_s = read.scan.time_s;
+    seen_.odometry = compose(seen_.odometry, read.motion);
+    seen_.motion = read.motion;
+    seen_.scan = std::move(read.scan);
+    return seen_;
   }
-  return records;
-}
+
+  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
+  /// Returns the time from the first scan to the present one.
+  [[nodiscard]] double length_s() const {
+    return std::max(0.0, seen_.time_s - first_s_.value_or(seen_.time_s));
+  }
+
+ private:
+  LaserSource& source_;
+  Observation seen_;
+  std::optional<double> first_s_;
+  std::optional<Fault> fault_;
+};
 
 /// The mission, with the times of its steps.
 struct TimedMission {
@@ -61,7 +78,7 @@ struct TimedMission {
 
 }  // namespace
 
-Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options, const LaserWatch& watch,
+Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& options, const LaserWatch& watch,
                                 const std::function<double()>& processor_s) {
   if (watch.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled before the first scan");
@@ -69,32 +86,44 @@ Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& opt
   if (used.trust_odometry) used.draw_late = false;  // nothing is matched that settle() would draw
   auto begun = LaserSlam::begin(used, {});
   if (!begun) return pass_on(begun);
-  RecordedRobot robot(records_of(log));
+  Records records(source);
+  RecordedRobot robot([&] { return records.next(); });
   TimedMission timed{LaserMission(std::move(*begun)), processor_s};
   LaserMission& mission = timed.mission;
-  run_mission(timed, robot, watch.stop, [&](const Observation&, const Command* command) {
-    if (command == nullptr) return;
-    if (watch.stepped) watch.stepped(mission.slam, mission.scans - 1, *mission.newest);
-    if (watch.progress)
-      watch.progress(static_cast<double>(mission.scans) / static_cast<double>(log.steps.size()));
-  });
+  double log_s = 0.0;
+  const bool ended =
+      run_mission(timed, robot, watch.stop, [&](const Observation& seen, const Command* command) {
+        if (command == nullptr) return;
+        log_s = records.length_s();
+        if (watch.stepped) watch.stepped(mission.slam, mission.scans - 1, seen, *mission.newest);
+        if (watch.progress) watch.progress(source.progress());
+      });
+  if (records.fault()) return tl::unexpected<Fault>(*records.fault());
   if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
+  if (mission.scans == 0) return bad_input("the log has no scan");
   const double begin_s = processor_s();
   mission.slam.settle();
   timed.time_s += processor_s() - begin_s;
-  const double log_s =
-      std::max(0.0, log.steps[mission.scans - 1].scan.time_s - log.steps.front().scan.time_s);
-  LaserRun run{std::move(mission.slam),
-               mission.scans,
-               mission.matched,
-               mission.lost,
-               timed.time_s,
-               timed.max_step_s,
-               log_s,
-               {},
-               {},
-               {}};
-  compare(run, log.reference);
+  return LaserRun{.slam = std::move(mission.slam),
+                  .steps = mission.scans,
+                  .stopped = !ended,
+                  .matched = mission.matched,
+                  .lost = mission.lost,
+                  .time_s = timed.time_s,
+                  .max_step_s = timed.max_step_s,
+                  .log_s = log_s,
+                  .mean_error_m = {},
+                  .rms_error_m = {},
+                  .reference = {}};
+}
+
+Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options, const LaserWatch& watch,
+                                const std::function<double()>& processor_s) {
+  LoadedLaserSource source(log);
+  auto run = run_laser_log(source, options, watch, processor_s);
+  if (!run) return run;
+  run->stopped = run->steps < log.steps.size();
+  compare(*run, log.reference);
   return run;
 }
 

@@ -8,15 +8,21 @@
 #include <vector>
 
 #include "input.hpp"
+#include "outrider/io/laser_topics.hpp"
 #include "outrider/job/job.hpp"
 #include "outrider/jobs/slam/job.hpp"
 
 namespace outrider {
 
+/// A log of ROS topics, which is read while it is mapped.
+using TopicsInput = std::unique_ptr<LaserTopics>;
+
 /// Map a recording. Each reports the numbers that docs/jobs/slam.md lists.
 Status solve_graph(const SlamJob& job, GraphInput input, Run& run, const RunWatch& watch);
 Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const RunWatch& watch);
 Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch);
+/// Maps a log of ROS topics. Opens it again if `source` is null, because an earlier run has read it.
+Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const RunWatch& watch);
 
 using Metrics = std::vector<std::pair<std::string, double>>;
 

@@ -6,14 +6,14 @@ namespace outrider {
 
 void ScanMap::add(Log& log, const Pose2& world_T_robot, const LaserScan& scan, double time_s,
                   std::size_t pose_number) {
-  kept_.push_back({&scan, pose_number});
+  if (!final_poses_) kept_.push_back({scan, pose_number});
   const MapUpdate update = insert(world_T_robot, scan);
   logged_.note(log, map_.occupancy(), update.redrawn, update.cells, time_s);
 }
 
 void ScanMap::finish(Log& log, const std::vector<Pose2>& poses, double time_s) {
-  map_ = OccupancyMap(options_);
-  for (const Kept& kept : kept_) insert(poses[kept.pose_number], *kept.scan);
+  if (!final_poses_) map_ = OccupancyMap(options_);
+  for (const Kept& kept : kept_) insert(poses[kept.pose_number], kept.scan);
   logged_.redraw();
   logged_.finish(log, map_.occupancy(), time_s);
 }

@@ -1,8 +1,8 @@
 // ScanMap: the occupancy map of the scans of a recording, logged while it grows.
 //
 // add() draws a scan at its believed pose. After loops have moved the poses, finish() draws all scans again
-// at the settled poses. The map equals that of LaserSlam if the scans, the poses and their order are equal.
-// Thread rule: one at a time.
+// at the settled poses; with final poses, none is kept. The map equals that of LaserSlam if the scans, the
+// poses and their order are equal. Thread rule: one at a time.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,15 @@ namespace outrider {
 
 class ScanMap {
  public:
-  ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser)
-      : options_(options), robot_T_laser_(robot_T_laser), map_(options) {}
+  /// With `final_poses`, the poses of add() are those of finish(). The map is logged once in `period_s`.
+  ScanMap(const OccupancyMapOptions& options, const Pose2& robot_T_laser, bool final_poses, double period_s)
+      : options_(options),
+        robot_T_laser_(robot_T_laser),
+        final_poses_(final_poses),
+        map_(options),
+        logged_(period_s) {}
 
-  /// Adds a scan. `pose_number` is the index of its pose in the argument of finish(). The scan must outlive
-  /// the map.
+  /// Adds a scan. `pose_number` is the index of its pose in the argument of finish().
   void add(Log& log, const Pose2& world_T_robot, const LaserScan& scan, double time_s,
            std::size_t pose_number);
   /// Draws all scans again at these poses, and logs the map. O(cells that all scans cross).
@@ -29,13 +33,14 @@ class ScanMap {
 
  private:
   struct Kept {
-    const LaserScan* scan = nullptr;
+    LaserScan scan;
     std::size_t pose_number = 0;
   };
   MapUpdate insert(const Pose2& world_T_robot, const LaserScan& scan);
 
   OccupancyMapOptions options_;
   Pose2 robot_T_laser_;
+  bool final_poses_;
   OccupancyMap map_;
   MapLog logged_;
   std::vector<Kept> kept_;

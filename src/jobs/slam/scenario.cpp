@@ -22,12 +22,13 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
   graph.push_back({"measured_frame", "", 0, 0,
                    "errors of poses in the frame of the measured pose, as g2o has them",
                    &scenario.measured_frame});
-  return {{"",
-           "what was recorded",
-           {file_option("log", "laser log, landmark log, g2o graph or PyFG graph (.gz may follow)",
-                        &scenario.log),
-            file_option("truth", "file with the true landmarks of a Freiburg log", &scenario.truth),
-            file_option("resume", "state of an earlier run to continue from", &scenario.resume)}},
+  std::vector<Option> top = {
+      file_option("log", "ROS bag or MCAP, laser log, landmark log, g2o graph or PyFG graph (.gz may follow)",
+                  &scenario.log),
+      file_option("truth", "file with the true landmarks of a Freiburg log", &scenario.truth),
+      file_option("resume", "state of an earlier run to continue from", &scenario.resume)};
+  for (Option& option : describe(scenario.topics)) top.push_back(std::move(option));
+  return {{"", "what was recorded", std::move(top)},
           {"slam", "landmarks", describe(scenario.landmarks)},
           {"noise", "noise of logs that give none", describe(scenario.noise)},
           {"carmen", "laser logs", describe(scenario.carmen)},

@@ -36,7 +36,9 @@ std::vector<double> run_times(const std::vector<double>& recorded_s) {
 }
 
 std::string name_of(const SlamScenario& scenario) {
-  const std::string name = std::filesystem::path(scenario.log).filename().string();
+  std::filesystem::path path(scenario.log);
+  if (!path.has_filename()) path = path.parent_path();  // a folder with a slash at its end
+  const std::string name = path.filename().string();
   return name.substr(0, name.find('.'));
 }
 

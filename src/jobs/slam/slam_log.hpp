@@ -40,6 +40,8 @@ class SlamLog {
     bool recognised = false;                               ///< a known landmark or place corrected the belief
   };
   void note(const Step& step);
+  /// Notes only the time of a step, for the final path.
+  void pass(double time_s) { times_s_.push_back(time_s); }
 
   /// Logs the final path, with one pose for each step, and a reference in the same frame, which may be empty.
   /// Logs the bounds of everything, `others` included. Returns the length of the path, m.

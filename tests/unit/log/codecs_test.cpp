@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::array encodings = {MessageEncoding::cdr, MessageEncoding::ros1};
+constexpr std::array encodings = {MessageEncoding::cdr, MessageEncoding::ros1, MessageEncoding::json};
 
 std::string bytes(std::initializer_list<int> values) {
   std::string text;

@@ -12,8 +12,7 @@
 namespace outrider::testing {
 namespace {
 
-constexpr McapCompression compressions[] = {McapCompression::none, McapCompression::lz4,
-                                            McapCompression::zstd};
+constexpr Codec compressions[] = {Codec::none, Codec::lz4, Codec::zstd};
 
 /// A header, then whatever the test appends.
 std::string beginning() {
@@ -55,7 +54,7 @@ std::string without_summary(const std::string& bytes) {
 TEST(McapDamage, ACutLogOpensUpToItsLastCompleteChunk) {
   Rng rng(1);
   const OwnMessages messages = random_messages(rng, 60);
-  for (const McapCompression compression : compressions) {
+  for (const Codec compression : compressions) {
     const std::string bytes = mcap_of(messages, {.compression = compression, .chunk_bytes = 300});
     std::size_t before = 0;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -140,7 +139,7 @@ TEST(McapDamage, AfterAFullDiskEveryCallIsRefusedAndTheLogOpens) {
 TEST(McapDamage, AFlippedBitIsNoticedOrHarmless) {
   Rng rng(2);
   const OwnMessages messages = random_messages(rng, 30, 30);
-  for (const McapCompression compression : compressions) {
+  for (const Codec compression : compressions) {
     const std::string whole = mcap_of(messages, {.compression = compression, .chunk_bytes = 400});
     for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
       std::string bytes = whole;
@@ -170,7 +169,7 @@ TEST(McapDamage, AFlippedBitInACutLogGivesNoWrongMessage) {
 
 TEST(McapDamage, ABombIsRefused) {
   const std::string zeros(50U << 20U, '\0');
-  for (const McapCompression compression : {McapCompression::lz4, McapCompression::zstd}) {
+  for (const Codec compression : {Codec::lz4, Codec::zstd}) {
     const std::string honest = mcap_of({{"/a", 1, zeros}}, {.compression = compression});
     EXPECT_LT(honest.size(), 300000U);
     EXPECT_EQ(read_all(honest).fault, "");
@@ -183,6 +182,28 @@ TEST(McapDamage, ABombIsRefused) {
   EXPECT_NE(read_all(chunk_bytes({0, 1, 99, 0, "", lie})).fault.find("not the stated"), std::string::npos);
   EXPECT_NE(read_all(chunk_bytes({0, 1, 100, 0, "bzip9\n", lie})).fault.find("\"bzip9?\" is unknown"),
             std::string::npos);
+}
+
+TEST(McapDamage, ATimeBeyond63BitsIsRefusedWhereverItStands) {
+  const std::uint64_t late = std::uint64_t{1} << 63U;
+  const std::string sentence = "lies after the year 2262";
+  EXPECT_NE(read_all(ended(beginning() + message_bytes(late, "data"))).fault.find(sentence),
+            std::string::npos);
+  const std::string message = message_bytes(late, "data");
+  EXPECT_NE(read_all(chunk_bytes({late, late, message.size(), 0, "", message})).fault.find(sentence),
+            std::string::npos);
+  std::string listed = beginning();
+  const std::uint64_t at = listed.size();
+  mcap::append_chunk(listed, {late, late, message.size(), 0, "", message});
+  const std::uint64_t length = listed.size() - at;
+  mcap::append_data_end(listed, 0);
+  const std::uint64_t summary = listed.size();
+  mcap::append_channel(listed, {1, 0, "/a", "cdr"});
+  mcap::append_chunk_index(listed, {late, late, at, length});
+  mcap::append_footer(listed,
+                      {.summary_start = summary, .summary_crc = mcap::crc32_of(listed.substr(summary))});
+  listed.append(mcap::magic);
+  EXPECT_NE(read_all(listed).fault.find(sentence), std::string::npos) << read_all(listed).fault;
 }
 
 TEST(McapDamage, LiesOfAChunkAreRefused) {

@@ -37,7 +37,7 @@ std::string read_on(McapFollower& log, OwnMessages& messages) {
 TEST_F(McapFollowerTest, AtEachByteItHasTheChunksThatAreComplete) {
   Rng rng(1);
   const OwnMessages messages = random_messages(rng, 60);
-  const std::string bytes = mcap_of(messages, {.compression = McapCompression::none, .chunk_bytes = 200});
+  const std::string bytes = mcap_of(messages, {.compression = Codec::none, .chunk_bytes = 200});
   McapFollower log(path_);
   OwnMessages read;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -54,7 +54,7 @@ TEST_F(McapFollowerTest, AtEachByteItHasTheChunksThatAreComplete) {
 
 TEST_F(McapFollowerTest, ASecondOneComesToTheSamePlace) {
   Rng rng(2);
-  append(mcap_of(random_messages(rng, 100), {.compression = McapCompression::lz4, .chunk_bytes = 300}));
+  append(mcap_of(random_messages(rng, 100), {.compression = Codec::lz4, .chunk_bytes = 300}));
   McapFollower one(path_), two(path_);
   OwnMessages read_by_one, read_by_two;
   EXPECT_EQ(read_on(one, read_by_one), "");
@@ -75,7 +75,7 @@ TEST_F(McapFollowerTest, WhatIsNoLogIsRefused) {
 TEST_F(McapFollowerTest, DamageIsSaid) {
   Rng rng(3);
   std::string bytes =
-      mcap_of(random_messages(rng, 50), {.compression = McapCompression::none, .chunk_bytes = 1 << 20});
+      mcap_of(random_messages(rng, 50), {.compression = Codec::none, .chunk_bytes = 1 << 20});
   bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 1);
   append(bytes);
   McapFollower log(path_);

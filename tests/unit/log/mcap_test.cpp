@@ -9,12 +9,11 @@
 namespace outrider::testing {
 namespace {
 
-constexpr McapCompression compressions[] = {McapCompression::none, McapCompression::lz4,
-                                            McapCompression::zstd};
+constexpr Codec compressions[] = {Codec::none, Codec::lz4, Codec::zstd};
 
 TEST(Mcap, WhatIsWrittenIsRead) {
   Rng rng(1);
-  for (const McapCompression compression : compressions) {
+  for (const Codec compression : compressions) {
     for (const std::size_t chunk_bytes : {1U, 200U, 5000U, 1U << 20U}) {
       const OwnMessages messages = random_messages(rng, 300);
       const ReadLog read =
@@ -90,7 +89,7 @@ TEST(Mcap, ASelectionReadsAFewChunksOnly) {
   for (std::int64_t i = 0; i < 200; ++i) {
     messages.push_back({i == 77 ? "/rare" : "/often", i, std::string(100000, static_cast<char>(i))});
   }
-  const std::string bytes = mcap_of(messages, {.compression = McapCompression::none});
+  const std::string bytes = mcap_of(messages, {.compression = Codec::none});
   for (const LogSelection& selection : {LogSelection{{"/rare"}}, LogSelection{{}, 77, 77}}) {
     std::uint64_t count = 0;
     const ReadLog read = read_all(open_mcap(std::make_unique<CountingSource>(bytes, count), selection));
@@ -128,7 +127,7 @@ TEST(Mcap, ChannelsComeBackWholeAndSchemasAreStoredOnce) {
                                          channel_named("/b", "x/msg/Y"),
                                          {"/json", "", "json", "", ""}};
   std::string bytes;
-  auto writer = McapWriter::begin(make_string_sink(bytes), {.compression = McapCompression::none});
+  auto writer = McapWriter::begin(make_string_sink(bytes), {.compression = Codec::none});
   for (const Channel& channel : channels) writer->add_channel(channel);
   EXPECT_TRUE(writer->write(2, 5, "data"));
   EXPECT_TRUE(writer->finish());
@@ -141,7 +140,7 @@ TEST(Mcap, ChannelsComeBackWholeAndSchemasAreStoredOnce) {
 TEST(Mcap, SameCallsSameBytes) {
   Rng rng(4);
   const OwnMessages messages = random_messages(rng, 300, 50);
-  for (const McapCompression compression : compressions) {
+  for (const Codec compression : compressions) {
     const McapOptions options{.compression = compression, .chunk_bytes = 1000};
     EXPECT_EQ(mcap_of(messages, options), mcap_of(messages, options));
   }

@@ -77,7 +77,7 @@ class Listener {
 inline std::string log_of(int count) {
   std::string bytes;
   auto writer = McapWriter::begin(make_string_sink(bytes),
-                                  {.compression = McapCompression::none, .chunk_bytes = 65536});
+                                  {.compression = Codec::none, .chunk_bytes = 65536});
   const auto channel = [&](const char* topic) {
     return writer->add_channel({topic, "std_msgs/msg/String", "cdr", "ros2msg", "string data\n", {}});
   };

@@ -19,7 +19,9 @@ class SlamJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 
  private:
-  struct Input;                   ///< the log, read
+  void take_mount(const LaserTopics& topics);
+
+  struct Input;                   ///< the log, read or opened
   std::unique_ptr<Input> input_;  ///< once loaded
 };
 

@@ -6,7 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "outrider/io/carmen_log.hpp"
+#include "outrider/io/laser_source.hpp"
+#include "outrider/robot/observation.hpp"
 #include "outrider/slam/laser_slam.hpp"
 
 namespace outrider {
@@ -14,7 +15,8 @@ namespace outrider {
 /// A mapped log.
 struct LaserRun {
   LaserSlam slam;
-  std::size_t steps = 0;    ///< number of mapped steps; fewer than in the log if it was stopped
+  std::size_t steps = 0;    ///< number of mapped steps
+  bool stopped = false;     ///< the rest of the log was skipped on request
   std::size_t matched = 0;  ///< steps whose scan was matched
   std::size_t lost = 0;     ///< steps at which the robot was lost
   double time_s = 0.0;      ///< total time by the given clock
@@ -29,11 +31,18 @@ struct LaserRun {
 struct LaserWatch {
   std::stop_token stop = {};                       ///< on request the rest of the log is skipped
   std::function<void(double)> progress = nullptr;  ///< receives the progress, 0 to 1
-  std::function<void(const LaserSlam&, std::size_t step, const LaserSlamStep&)> stepped = nullptr;
+  /// Receives the state after a step, its number, what was observed, and what came of it.
+  std::function<void(const LaserSlam&, std::size_t step, const Observation&, const LaserSlamStep&)> stepped =
+      nullptr;
 };
 
-/// Maps the whole log. Times are differences of `processor_s`, a clock of the caller in seconds, because the
-/// library reads no clock. Faults: those of LaserSlam.
+/// Maps the whole log, and holds one scan of it besides those that the map is made of. Times are differences
+/// of `processor_s`, a clock of the caller in seconds, because the library reads no clock. Reading the log
+/// does not count. Faults: those of LaserSlam and of the source; bad_input without a scan.
+Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& options, const LaserWatch& watch,
+                                const std::function<double()>& processor_s);
+
+/// Maps a log in memory, and compares the track with its reference.
 Outcome<LaserRun> run_laser_log(const LaserLog& log, const LaserSlamOptions& options, const LaserWatch& watch,
                                 const std::function<double()>& processor_s);
 

@@ -12,6 +12,7 @@
 
 #include "outrider/io/carmen_log.hpp"
 #include "outrider/io/landmark_logs.hpp"
+#include "outrider/io/laser_topics.hpp"
 #include "outrider/slam/landmark_slam.hpp"
 #include "outrider/slam/laser_slam.hpp"
 #include "outrider/slam/pose_graph.hpp"
@@ -24,7 +25,7 @@ LaserSlamOptions laser_options_for_logs();
 
 /// The settings of the job.
 struct SlamScenario {
-  std::string log;     ///< path of a file
+  std::string log;     ///< path of a file, or of the folder of a log
   std::string truth;   ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
   std::string resume;  ///< path of the state of an earlier run to continue from; landmark logs only
   bool measured_frame = false;  ///< errors of graph poses in the frame of the measured pose, as g2o has them
@@ -32,6 +33,7 @@ struct SlamScenario {
   LogNoise noise;                                     ///< noise of landmark logs
   PoseGraphOptions graph;                             ///< of pose graphs
   CarmenOptions carmen;                               ///< of reading laser logs
+  LaserTopicsOptions topics;                          ///< of reading logs of ROS topics
   LaserSlamOptions laser = laser_options_for_logs();  ///< of laser logs
 };
 

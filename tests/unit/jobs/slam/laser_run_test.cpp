@@ -35,7 +35,7 @@ TEST(LaserRun, TimesAreThoseOfTheClockGiven) {
   double ticks = 0.0;
   std::size_t stepped = 0;
   LaserWatch watch;
-  watch.stepped = [&](const LaserSlam&, std::size_t step, const LaserSlamStep&) {
+  watch.stepped = [&](const LaserSlam&, std::size_t step, const Observation&, const LaserSlamStep&) {
     EXPECT_EQ(step, stepped++);
     ticks += 1000.0;  // what the watch does does not count
   };

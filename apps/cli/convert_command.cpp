@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "flags.hpp"
+#include "output.hpp"
+#include "outrider/io/files.hpp"
+#include "outrider/io/log_file.hpp"
+#include "outrider/io/log_trajectory.hpp"
+#include "outrider/io/text.hpp"
+#include "outrider/log/copy_log.hpp"
+#include "terminal.hpp"
+
+namespace outrider::cli {
+namespace {
+
+struct ConvertCommand {
+  std::string in;
+  std::string out;
+  std::string topic;
+  bool json = false;
+};
+
+OptionGroup describe(ConvertCommand& command) {
+  return {"",
+          "output",
+          {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
+           {"topic", "", 0, 0, "topic of the poses; needed if the log has several", &command.topic}}};
+}
+
+/// What was converted.
+struct Converted {
+  std::string what;  ///< "messages" or "poses"
+  std::size_t count = 0;
+  std::vector<std::string> warnings = {};
+};
+
+/// Returns the number of words of the first line that is no comment.
+std::size_t words_of_first_line(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = take_line(text);
+    const auto all = words(line.substr(0, line.find('#')));
+    if (!all.empty()) return all.size();
+  }
+  return 0;
+}
+
+/// Reads a trajectory from a log, or from a text, whose lines say its format.
+Outcome<Trajectory> load_trajectory(const ConvertCommand& command) {
+  if (is_log_file(command.in)) return trajectory_from_log(command.in, command.topic);
+  const auto text = read_file(command.in);
+  if (!text) return tl::unexpected<Fault>(text.error());
+  const std::size_t count = words_of_first_line(*text);
+  if (count == 8) return trajectory_from_tum(*text, command.in);
+  if (count == 12) return trajectory_from_kitti(*text, command.in);
+  return bad_input("it is neither a log nor a trajectory, with 8 numbers in a line (TUM) or 12 (KITTI)",
+                   command.in);
+}
+
+Outcome<Converted> convert_to_log(const ConvertCommand& command, const std::stop_token& stop) {
+  Converted converted;
+  auto done = write_log_file(command.out, [&](McapWriter& writer) -> Status {
+    if (!is_log_file(command.in)) {
+      const auto trajectory = load_trajectory(command);
+      if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
+      converted = {"poses", trajectory->size()};
+      return write_trajectory(*trajectory, writer, command.topic.empty() ? "/pose" : command.topic);
+    }
+    LogSelection selection;
+    if (!command.topic.empty()) selection.topics = {command.topic};
+    auto reader = open_log_file(command.in, selection);
+    if (!reader) return pass_on(reader);
+    auto copy = copy_log(**reader, writer, [&](double) { return !stop.stop_requested(); });
+    if (!copy) return pass_on(copy);
+    converted = {"messages", copy->messages};
+    for (const std::string& topic : copy->kept_ros1) {
+      converted.warnings.push_back(
+          fmt::format("{} has no schema, so its messages stay in ROS 1 bytes", topic));
+    }
+    if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
+    return {};
+  });
+  if (!done) return pass_on(done);
+  return converted;
+}
+
+Outcome<Converted> convert_to_text(const ConvertCommand& command, std::string (*text_of)(const Trajectory&)) {
+  const auto trajectory = load_trajectory(command);
+  if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
+  if (auto ok = write_file(command.out, text_of(*trajectory)); !ok) return pass_on(ok);
+  return Converted{"poses", trajectory->size()};
+}
+
+Outcome<Converted> convert(const ConvertCommand& command, const std::stop_token& stop) {
+  const std::string ending = std::filesystem::path(command.out).extension().string();
+  if (ending == ".mcap") return convert_to_log(command, stop);
+  if (ending == ".tum") return convert_to_text(command, tum_text);
+  if (ending == ".kitti") return convert_to_text(command, kitti_text);
+  return bad_input(
+      fmt::format("'{}' does not say what to write; end it in .mcap, .tum or .kitti", excerpt(command.out)),
+      "out");
+}
+
+int execute(ConvertCommand& command, const Command& flags, const std::stop_token& stop) {
+  const bool json = flags.given("--json");
+  if (auto ok = apply_flags(flags, {describe(command)}); !ok) return print_fault(ok.error(), json);
+  const auto converted = convert(command, stop);
+  if (!converted) return print_fault(converted.error(), json);
+  warn(converted->warnings);
+  if (json) {
+    print({{"status", "done"},
+           {converted->what, converted->count},
+           {"files", {{"converted", command.out}}},
+           {"warnings", converted->warnings}});
+  } else {
+    show("{} {} to {}\n", converted->count, converted->what, command.out);
+  }
+  return job_done;
+}
+
+}  // namespace
+
+void add_convert(Command& tool, const std::stop_token& stop) {
+  Command& convert = tool.add("convert", "write a log as MCAP, or its trajectory as TUM or KITTI, and back");
+  auto command = std::make_shared<ConvertCommand>();
+  convert
+      .positional("in", &command->in,
+                  "MCAP, ROS 1 bag, ROS 2 db3, folder of one or of a run; or a trajectory")
+      .required()
+      .type("FILE");
+  convert.positional("out", &command->out, "file to write; its ending says how: .mcap, .tum or .kitti")
+      .required()
+      .type("FILE");
+  add_flags(convert, {describe(*command)});
+  convert.does([command, stop](const Command& flags) { return execute(*command, flags, stop); });
+  convert.footer("\nExample: outrider convert run.bag run.mcap");
+}
+
+}  // namespace outrider::cli

@@ -1,0 +1,61 @@
+// RobotLog: the scans, the odometry and the transforms of a log, decoded, in the order of the log.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "outrider/io/laser_topics.hpp"
+#include "outrider/log/channel_decoder.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/transform_buffer.hpp"
+
+namespace outrider {
+
+/// The channels of a log that mapping uses, by their index in it.
+struct RobotChannels {
+  std::string scan_topic;
+  std::string odometry_topic;  ///< empty: odometry is in /tf
+  std::map<std::size_t, ChannelDecoder<sensor_msgs::LaserScan>> scans = {};
+  std::map<std::size_t, ChannelDecoder<nav_msgs::Odometry>> odometry = {};
+  std::map<std::size_t, ChannelDecoder<tf2_msgs::TFMessage>> moving = {};  ///< transforms
+  std::map<std::size_t, ChannelDecoder<tf2_msgs::TFMessage>> fixed = {};   ///< transforms
+};
+
+/// Chooses the channels. Fault: bad_input with the option that names a topic, or with the topic whose schema
+/// is wrong.
+Outcome<RobotChannels> find_robot_channels(const std::vector<Channel>& channels,
+                                           const LaserTopicsOptions& options);
+
+/// A message; one of the pointers is not null. It is valid until the next one.
+struct RobotMessage {
+  std::int64_t time_ns = 0;  ///< the stamp of a scan or of odometry; when it was recorded if that is 0
+  const sensor_msgs::LaserScan* scan = nullptr;
+  const nav_msgs::Odometry* odometry = nullptr;
+  const tf2_msgs::TFMessage* transforms = nullptr;
+  Transforms kind = Transforms::moving;
+};
+
+class RobotLog {
+ public:
+  /// Opens the log for the channels; for its moving transforms only if `with_moving` is true.
+  static Outcome<RobotLog> open(const std::string& path, const RobotChannels& channels, bool with_moving);
+
+  /// Returns the next message; nothing at the end. Fault: bad_input.
+  Outcome<std::optional<RobotMessage>> next();
+  [[nodiscard]] const LogReader& reader() const { return *reader_; }
+
+ private:
+  RobotLog(std::unique_ptr<LogReader> reader, const RobotChannels& channels)
+      : reader_(std::move(reader)), channels_(&channels) {}
+
+  std::unique_ptr<LogReader> reader_;
+  const RobotChannels* channels_;
+  sensor_msgs::LaserScan scan_;
+  nav_msgs::Odometry odometry_;
+  tf2_msgs::TFMessage transforms_;
+};
+
+}  // namespace outrider

@@ -1,0 +1,39 @@
+// Messages: any bytes are a message or a refusal with a sentence, in each encoding. A message that was read
+// is written and read again as the same. The first byte of an input chooses the encoding, the second the
+// type.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "outrider/log/codecs.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
+#include "read_fuzzed_log.hpp"
+
+namespace {
+
+using outrider::MessageEncoding;
+
+template <class Message>
+void read(MessageEncoding encoding, std::string_view bytes) {
+  const auto message = outrider::decode<Message>(encoding, bytes);
+  if (!message) return require(!message.error().sentence.empty());
+  const std::string written = outrider::encode(encoding, *message);
+  const auto again = outrider::decode<Message>(encoding, written);
+  require(again.has_value());
+  require(outrider::encode(encoding, *again) == written);
+}
+
+constexpr std::array readers = {
+    read<outrider::sensor_msgs::LaserScan>,  read<outrider::nav_msgs::Odometry>,
+    read<outrider::tf2_msgs::TFMessage>,     read<outrider::sensor_msgs::CameraInfo>,
+    read<outrider::sensor_msgs::JointState>, read<outrider::nav_msgs::OccupancyGrid>};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  constexpr std::array encodings = {MessageEncoding::cdr, MessageEncoding::ros1, MessageEncoding::json};
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 2, size - 2);
+  readers[data[1] % readers.size()](encodings[data[0] % encodings.size()], bytes);
+  return 0;
+}
