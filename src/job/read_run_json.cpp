@@ -67,7 +67,8 @@ Report report_of(const Json& object) {
   report.reason = object.at("reason").get<std::string>();
   for (const auto& [name, value] : object.at("metrics").items())
     report.metrics.emplace_back(name, number_of(value));
-  for (const auto& [name, value] : object.value("settings", Json::object()).items())
+  const Json settings = object.value("settings", Json::object());
+  for (const auto& [name, value] : settings.items())
     report.settings.emplace_back(name, value.get<std::string>());
   report.warnings = object.at("warnings").get<std::vector<std::string>>();
   for (const auto& [name, value] : object.items()) {

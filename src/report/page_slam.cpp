@@ -126,9 +126,10 @@ void add_other_robots(PageReport& page, const Log& log) {
     page.paths.push_back({0.0, end_s, places_of(path)});
     return true;
   };
+  if (log.latest<nav_msgs::Path>("/robot_2/trajectory") == nullptr) return;
+  add(log.latest<nav_msgs::Path>(topic::trajectory));
   for (int robot = 2; add(log.latest<nav_msgs::Path>("/robot_" + std::to_string(robot) + "/trajectory"));)
     ++robot;
-  if (!page.paths.empty()) add(log.latest<nav_msgs::Path>(topic::trajectory));
 }
 
 }  // namespace

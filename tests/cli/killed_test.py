@@ -9,7 +9,7 @@ SCENARIO = SOURCE / "scenarios/explore/unknown_yard.yaml"
 
 class Killed(ToolTest):
     def started(self, folder):
-        return subprocess.Popen([TOOL, "explore", "--scenario", str(SCENARIO), "--out", folder], cwd=self.folder,
+        return subprocess.Popen([TOOL, "run", str(SCENARIO), "--out", folder], cwd=self.folder,
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def test_the_log_opens_up_to_there(self):
@@ -59,7 +59,7 @@ class Killed(ToolTest):
         self.assertEqual(self.run_tool(*self.guard("--out", "out")).returncode, 0)
         data = (self.folder / "out/run.mcap").read_bytes()
         self.assertIn(b"scenario.yaml", data)
-        self.assertIn(b"job: guard", data)
+        self.assertIn(b'job: "guard"', data)
 
 
 if __name__ == "__main__":

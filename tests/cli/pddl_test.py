@@ -149,7 +149,7 @@ class Pddl(ToolTest):
             with self.subTest(flags=flags):
                 answer = self.written(*flags)
                 self.assertEqual(sorted(p.name for p in (self.folder / "pddl").iterdir()),
-                                 ["domain.pddl", "guard.json", "plan.txt", "problem.pddl"])
+                                 ["domain.pddl", "plan.txt", "problem.pddl", "run.json"])
                 self.assertAlmostEqual(self.followed(), answer["makespan_s"], places=6)
                 verdict = self.judged(self.text("plan.txt"), *flags)
                 self.assertEqual((verdict["status"], verdict["reason"]), ("done", ""))

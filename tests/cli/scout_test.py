@@ -21,7 +21,7 @@ class Scout(ToolTest):
         self.assertGreater(report["shots"][0]["time_s"], metrics["explore_s"])
         self.assertIn("state_runs", report["explore"]["map"])
         if PAGE:
-            with open(f"{self.folder}/explore.html", encoding="utf-8") as file:
+            with open(f"{self.folder}/guard.html", encoding="utf-8") as file:
                 self.assertIn("state_runs", file.read())
 
     def test_what_does_not_go_together(self):

@@ -95,12 +95,12 @@ class Slam(ToolTest):
         for one in slam["landmarks"]:
             self.assertEqual(one["sightings"], sum(edge[2] == str(one["id"]) for edge in edges))
         self.assertEqual(report["paths"], [])
-        text = self.run_tool("replay", "out/slam.json", "--svg", "moving.svg")
+        text = self.run_tool("replay", "out", "--svg", "moving.svg")
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("yard: ", text.stdout)
-        self.assertIn("3 landmarks", text.stdout)
+        self.assertIn("landmarks  3\n", text.stdout)
         self.assertIn("way as settled", (self.folder / "moving.svg").read_text())
-        again = self.json_of(self.run_tool("replay", "out/slam.json", "--json"))
+        again = self.json_of(self.run_tool("replay", "out", "--json"))
         self.assertEqual((again["job"], again["metrics"]["cost"]), ("slam", found["cost"]))
 
     def test_several_robots_are_not_joined(self):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -19,6 +20,8 @@
 
 namespace outrider {
 namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 using NodeIndex = std::uint32_t;
 
@@ -143,7 +146,8 @@ struct Solved {
   }
 };
 
-void log_landmarks(Log& log, double end_s, const Solved& solved, const Ways& ways, Box2& box) {
+/// Returns the number of landmarks.
+std::size_t log_landmarks(Log& log, double end_s, const Solved& solved, const Ways& ways, Box2& box) {
   const PoseGraph& graph = solved.input.graph;
   std::map<NodeIndex, outrider_msgs::Landmark> found;
   for (const GraphEdge& edge : graph.edges) {
@@ -165,6 +169,7 @@ void log_landmarks(Log& log, double end_s, const Solved& solved, const Ways& way
     message.landmarks.push_back(landmark);
   }
   if (!found.empty()) log.append(topic::landmarks, end_s, std::move(message));
+  return found.size();
 }
 
 /// Returns the number of loops.
@@ -219,10 +224,11 @@ Metrics log_graph(Log& to, const SlamScenario& scenario, const Solved& solved) {
     if (!solved.input.truth.empty()) reference.push_back(solved.true_place(way[i]));
   }
   Box2 box;
-  log_landmarks(to, log.end_s(), solved, ways, box);
+  const std::size_t landmarks = log_landmarks(to, log.end_s(), solved, ways, box);
   const std::size_t loops = log_loops(to, log.end_s(), solved, ways);
   log_others(to, log.end_s(), solved, ways, box);
-  return {{"loops", static_cast<double>(loops)},
+  return {{"landmarks", landmarks > 0 ? static_cast<double>(landmarks) : unknown},
+          {"loops", static_cast<double>(loops)},
           {"distance_m", log.settle(settled, reference, box)},
           {"run_s", log.end_s()}};
 }

@@ -202,8 +202,8 @@ TEST(PageSlam, OfSeveralRobotsEachHasItsPath) {
   log.append("/robot_2/trajectory", 2.0, path_of(times_s, second));
   const auto paths = page_of(log).paths;
   ASSERT_EQ(paths.size(), 2U);
-  EXPECT_EQ(paths[0].waypoints, (std::vector<Vec2>{{5.0, 0.0}, {5.0, 1.0}}));
-  EXPECT_EQ(paths[1].waypoints, (std::vector<Vec2>{{0.0, 0.0}, {1.0, 0.0}}));
+  EXPECT_EQ(paths[0].waypoints, (std::vector<Vec2>{{0.0, 0.0}, {1.0, 0.0}}));
+  EXPECT_EQ(paths[1].waypoints, (std::vector<Vec2>{{5.0, 0.0}, {5.0, 1.0}}));
   EXPECT_EQ(paths[0].end_s, 2.0);
 }
 
