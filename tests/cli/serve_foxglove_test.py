@@ -4,6 +4,8 @@ Source: docs/spec.md of https://github.com/foxglove/ws-protocol.
 """
 import json
 import math
+import os
+import pathlib
 import re
 import socket
 import struct
@@ -131,6 +133,16 @@ class Foxglove(Serve):
         server.wait(run)
         return time.monotonic() - begin, server.request("GET", f"/api/v1/runs/{run}/result")[2]
 
+    def sockets(self, server):
+        """How many sockets the server has open."""
+        count = 0
+        for link in pathlib.Path(f"/proc/{server.process.pid}/fd").iterdir():
+            try:
+                count += os.readlink(link).startswith("socket:")
+            except FileNotFoundError:
+                pass  # it was closed meanwhile
+        return count
+
     def test_stalled_clients_cost_a_mission_nothing(self):
         scenario = write_building(self, rooms=5)  # a log of more bytes than connections hold
         with Server(self.folder) as server:
@@ -152,6 +164,10 @@ class Foxglove(Serve):
             print(f"a mission takes {alone:.2f} s alone, {watched:.2f} s with two clients that stall")
             self.assertEqual(watched_result, result)
             self.assertLess(watched, 1.5 * alone + 1)
+            end = time.monotonic() + 40
+            while self.sockets(server) > 1:  # the one that it listens at
+                self.assertLess(time.monotonic(), end, "who does not read loses the connection after 10 s")
+                time.sleep(0.5)
             for one in (*stalled, page):
                 one.close()
 
