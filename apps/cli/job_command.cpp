@@ -35,7 +35,7 @@ OptionGroup describe(JobRequest& request) {
   return {"",
           "output",
           {{"json", "", 0, 0, "print one JSON object on standard output", &request.output.json},
-           {"out", "", 0, 0, "folder for the report, a moving picture and what else the job makes",
+           {"out", "", 0, 0, "folder for the log, a picture and what else the job makes",
             &request.output.folder},
            {"html", "", 0, 0, "write a page that plays the run, in the folder", &request.output.html},
            {"live", "", 0, 0, "draw a map that is found on the terminal as it grows", &request.live},

@@ -15,6 +15,7 @@
 #include "outrider/log/read_log.hpp"
 #include "outrider/log/scene_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/picture/plan_view.hpp"
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
 #include "run_output.hpp"
@@ -28,7 +29,6 @@ struct ReplayCommand {
   bool json = false;
   std::string html;
   std::string svg;
-  double seconds = 24.0;
 };
 
 OptionGroup describe(ReplayCommand& command) {
@@ -36,8 +36,7 @@ OptionGroup describe(ReplayCommand& command) {
           "output",
           {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
            {"html", "", 0, 0, "file to write, a page that plays the run", &command.html},
-           {"svg", "", 0, 0, "file to write, a moving picture of the run", &command.svg},
-           {"seconds", "s", 1, 600, "length of the moving picture", &command.seconds}}};
+           {"svg", "", 0, 0, "file to write, a picture of the run from above", &command.svg}}};
 }
 
 /// A run as it is read from its folder, its log or its run.json.
@@ -119,14 +118,13 @@ Status write_views(const ReplayCommand& command, const Command& flags, const Sto
   const bool html = flags.given("--html"), svg = flags.given("--svg");
   if (!html && !svg) return {};
   if (run.path.empty())
-    return bad_input("a page or a picture needs the log of a run in which something moves; give RUN/run.mcap",
-                     command.path);
-  auto page = page_of(run.report, run.log);
-  if (!page) return pass_on(page);
+    return bad_input("a page or a picture needs the log of a run; give RUN/run.mcap", command.path);
   if (html) {
+    auto page = page_of(run.report, run.log);
+    if (!page) return pass_on(page);
     if (auto ok = write_file(command.html, to_html(*page, page::viewer())); !ok) return ok;
   }
-  return svg ? write_file(command.svg, to_animated_svg(*page, command.seconds)) : Status{};
+  return svg ? write_file(command.svg, plan_view(run.log)) : Status{};
 }
 
 int execute(ReplayCommand& command, const std::vector<Job>& jobs, const Command& flags) {

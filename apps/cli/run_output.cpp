@@ -9,6 +9,7 @@
 #include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/picture/plan_view.hpp"
 #include "outrider/report/json.hpp"
 #include "outrider/report/pictures.hpp"
 #include "page.hpp"
@@ -76,13 +77,12 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, con
   if (!log_path->empty()) {
     complete.push_back({output.folder + "/run.mcap", *log_path});
     written.emplace_back("log", complete.back().path);
+    add("picture", "run.svg", plan_view(run.log));
   }
   if (plays(run)) {
     auto page = page_of(run.report, run.log);
     if (!page) return pass_on(page);
     add("report", name + ".json", to_json(*page));
-    const bool drawn = std::ranges::count(run.files, name + ".svg", &NamedContent::path) > 0;
-    if (!drawn) add("picture", name + ".svg", to_animated_svg(*page, job.picture_s));
     if (output.html) add("page", name + ".html", to_html(*page, page::viewer()));
   }
   for (const NamedContent& file : run.files) add(file.path, file.path, file.content);

@@ -25,12 +25,12 @@ Status check(const RunOutput& output, bool folder_given);
 /// differ from run to run.
 std::string result_text(const Run& run);
 
-/// Completes the log, and writes run.json, a moving picture unless the job has drawn one, the page, and the
+/// Completes the log, and writes run.json, its plan view run.svg, the page, and the
 /// files of the job: all of them or none. A run without messages has no log. Writes nothing for a run that
 /// was cancelled before its mission began, so the files of an earlier run stay whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output);
 
-/// Returns the run as the page and the picture show it.
+/// Returns the run as the page shows it.
 Outcome<PageReport> page_of(const Report& report, const Log& log);
 
 /// Returns the report as text for people.

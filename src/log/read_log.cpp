@@ -45,11 +45,11 @@ constexpr auto run_types = known_types<
     nav_msgs::OccupancyGrid, map_msgs::OccupancyGridUpdate, tf2_msgs::TFMessage, rcl_interfaces::Log,
     sensor_msgs::LaserScan, sensor_msgs::JointState, sensor_msgs::CameraInfo, outrider_msgs::RunInfo,
     outrider_msgs::Solids, outrider_msgs::Terrain, outrider_msgs::Outlines, outrider_msgs::Shot,
-    outrider_msgs::Target, outrider_msgs::TargetPosition, outrider_msgs::Supplies, outrider_msgs::StoreLevels,
-    outrider_msgs::Tags, outrider_msgs::Waypoints, outrider_msgs::Decision, outrider_msgs::Refusal,
-    outrider_msgs::CoverageArea, outrider_msgs::Coverage, outrider_msgs::CoveragePass,
-    outrider_msgs::CostGrid, outrider_msgs::PaidCost, outrider_msgs::CostBound, outrider_msgs::Landmarks,
-    outrider_msgs::Sightings, outrider_msgs::Loops>();
+    outrider_msgs::FiringRegion, outrider_msgs::Target, outrider_msgs::TargetPosition,
+    outrider_msgs::Supplies, outrider_msgs::StoreLevels, outrider_msgs::Tags, outrider_msgs::Waypoints,
+    outrider_msgs::Decision, outrider_msgs::Refusal, outrider_msgs::CoverageArea, outrider_msgs::Coverage,
+    outrider_msgs::CoveragePass, outrider_msgs::CostGrid, outrider_msgs::PaidCost, outrider_msgs::CostBound,
+    outrider_msgs::Landmarks, outrider_msgs::Sightings, outrider_msgs::Loops>();
 
 /// Returns how to append a message of the channel; null if a run never has its type or its encoding.
 AppendDecoded append_of(const Channel& channel) {

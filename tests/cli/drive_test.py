@@ -66,12 +66,12 @@ class Drive(ToolTest):
         flags = ["drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled", "--out"]
         self.assertEqual(self.run_tool(*flags, "a").returncode, 0)
         self.assertEqual(self.run_tool(*flags, "b").returncode, 0)
-        for name in ("drive.json", "drive.svg", "run.json", "run.mcap"):
+        for name in ("drive.json", "run.svg", "run.json", "run.mcap"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
         replay = self.run_json("replay", "a/run.mcap")
         self.assertEqual(replay["waypoints"], self.run_json(*flags[:-1])["waypoints"])
         self.assertIn("4 of 4 stops reached", self.run_tool("replay", "a/run.mcap", "--svg", "p.svg").stdout)
-        self.assertEqual((self.folder / "p.svg").read_bytes(), (self.folder / "a/drive.svg").read_bytes())
+        self.assertEqual((self.folder / "p.svg").read_bytes(), (self.folder / "a/run.svg").read_bytes())
 
     def test_a_robot_that_is_lost_stops_and_says_so(self):
         for fault in ("--faults-blind-from", "--faults-kidnapped-at"):

@@ -31,7 +31,7 @@ class Explore(ToolTest):
         self.assertEqual(answer["report"], "out/explore.json")
         self.assertLess(answer["time_s"], 60)
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
-                         {"run.json", "run.mcap", "explore.json", "explore.svg", "track.csv", "map.yaml", "map.pgm"} | set(["explore.html"] * len(PAGE)))
+                         {"run.json", "run.mcap", "explore.json", "run.svg", "track.csv", "map.yaml", "map.pgm"} | set(["explore.html"] * len(PAGE)))
         self.assertGreater(len((self.folder / "out/track.csv").read_text().splitlines()), 20)
         # What was mapped is a world to explore as well, once more with another seed.
         self.explore("out/map.yaml", "--start=-0.8,-0.5,30", "--seed", "2")

@@ -40,10 +40,11 @@ class GuardPlanners(ToolTest):
     def test_picture_of_the_regions(self):
         result = self.run_tool(*self.guard("--regions", "--out", "out"))
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("out/firing_regions.svg", result.stdout)
-        picture = ElementTree.fromstring((self.folder / "out/firing_regions.svg").read_text())
+        self.assertIn("out/run.svg", result.stdout)
+        picture = ElementTree.fromstring((self.folder / "out/run.svg").read_text())
         words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
         self.assertIn("fox", words)
+        self.assertIn("no target in range", words)
 
 
 class GuardBench(ToolTest):

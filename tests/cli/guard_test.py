@@ -46,7 +46,7 @@ class Guard(ToolTest):
         self.assertEqual(summary["status"], "done")
         self.assertEqual([t["status"] for t in summary["targets"]], ["reached"] * 3)
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
-                         ["guard.html", "guard.json", "guard.svg", "run.json", "run.mcap"][not PAGE:])
+                         ["guard.html", "guard.json", "run.json", "run.mcap", "run.svg"][not PAGE:])
         report = json.loads((self.folder / summary["files"].get("report")).read_text())
         self.assertEqual(report["status"], "done")
         self.assertEqual(len(report["targets"]), 3)
@@ -141,7 +141,7 @@ class Replay(ToolTest):
     def test_makes_the_picture(self):
         result = self.run_tool("replay", "out/run.mcap", "--svg", "picture.svg")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/guard.svg").read_bytes())
+        self.assertEqual((self.folder / "picture.svg").read_bytes(), (self.folder / "out/run.svg").read_bytes())
         self.assertTrue((self.folder / "picture.svg").read_text().startswith("<svg"))
 
     @unittest.skipIf(PAGE, "this tool has a page")

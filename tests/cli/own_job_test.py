@@ -21,7 +21,7 @@ class OwnJob(ToolTest):
             self.assertEqual((answer["job"], answer["status"], answer["metrics"]["visits"]), ("patrol", "done", 8))
         reports = [(self.folder / name / "patrol.json").read_text() for name in ("patrol", "run")]
         self.assertEqual(json.loads(reports[0])["track"], json.loads(reports[1])["track"])
-        picture = (self.folder / "run/patrol.svg").read_text()
+        picture = (self.folder / "run/run.svg").read_text()
         self.assertTrue(picture.startswith("<svg"))
         self.assertNotIn("reached", picture, "it has no targets to count")
         replayed = self.run_tool("replay", "run", "--json")

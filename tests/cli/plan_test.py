@@ -179,12 +179,11 @@ class Plan(ToolTest):
         for name, ends in [("small.map", ("0.5,3.5", "5.5,3.5")), ("yard.sdf", ("0,-2", "2,2"))]:
             result = self.run_tool("plan", name, "--from", ends[0], "--to", ends[1], "--compare", "--out", "out")
             self.assertEqual(result.returncode, 0, result.stderr)
-            picture = xml.etree.ElementTree.parse(self.folder / "out" / "plan.svg").getroot()
+            picture = xml.etree.ElementTree.parse(self.folder / "out" / "run.svg").getroot()
             left = json.loads((self.folder / "out" / "run.json").read_text())
             self.assertEqual([row["planner"] for row in left["rows"]], PLANNERS)
-            self.assertEqual(len(picture.findall(f"{svg}polyline")), len(PLANNERS))
-            texts = [t.text for t in picture.findall(f"{svg}text")]
-            for word in PLANNERS + ["from", "to"]:
+            texts = [t.text or "" for t in picture.iter(f"{svg}text")]
+            for word in PLANNERS + ["robot at the start", "goal"]:
                 self.assertTrue(any(word in t for t in texts), texts)
 
     def test_many_goals_from_one_start(self):
@@ -211,8 +210,7 @@ class Plan(ToolTest):
         self.assertEqual(trace[0]["vertex"], trace[0]["parent"])
         for expansion in trace:
             self.assertAlmostEqual(expansion["f"], expansion["g"] + expansion["h"], places=9)
-        svg = (self.folder / "out" / "plan.svg").read_text()
-        self.assertEqual(svg.count('class="label"'), len(trace))
+        self.assertIn("expanded first", (self.folder / "out" / "run.svg").read_text())
         self.refused("plan", *question, "--compare", says=["trace", "one search"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "5,3 1,1", "--trace", says=["trace", "one search"])
 

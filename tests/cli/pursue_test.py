@@ -65,9 +65,8 @@ class Pursue(ToolTest):
     def test_files_and_replay(self):
         self.pursue("small.txt", "--out", "a", *PAGE)
         self.pursue("small.txt", "--out", "b", *PAGE)
-        for ending in ("json", "svg", "html")[:2 + len(PAGE)]:
-            self.assertEqual((self.folder / f"a/pursue.{ending}").read_bytes(),
-                             (self.folder / f"b/pursue.{ending}").read_bytes())
+        for name in ("pursue.json", "run.svg", "pursue.html")[:2 + len(PAGE)]:
+            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
         replay = self.run_tool("replay", "a/run.mcap", "--json")
         self.assertEqual(self.json_of(replay)["metrics"]["cost"], 11)
         text = self.run_tool("replay", "a/run.mcap").stdout

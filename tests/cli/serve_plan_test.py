@@ -104,7 +104,7 @@ class Plans(Serve):
                     self.assertTrue((self.folder / name).is_file(), name)
                 tool = self.json_of(self.run_tool("run", path, "--json", "--out", f"out_{i}"))
                 self.assertEqual(untimed(tool), untimed(plan), question)
-                self.assertTrue((self.folder / f"out_{i}/plan.svg").is_file())
+                self.assertTrue((self.folder / f"out_{i}/run.svg").is_file())
                 # Opened again it is the same question.
                 shown = self.valid("Scenario", server.json("GET", f"/api/v1/scenarios/{path}"))
                 again = {name: shown[name] for name in ("start", "goal", "planner", "options", "model", "radius_m", "resolution_m")}

@@ -99,7 +99,7 @@ class Slam(ToolTest):
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("yard: ", text.stdout)
         self.assertIn("landmarks  3\n", text.stdout)
-        self.assertIn("way as settled", (self.folder / "moving.svg").read_text())
+        self.assertIn("settled track", (self.folder / "moving.svg").read_text())
         again = self.json_of(self.run_tool("replay", "out", "--json"))
         self.assertEqual((again["job"], again["metrics"]["cost"]), ("slam", found["cost"]))
 

@@ -20,7 +20,7 @@ class Stations(ToolTest):
         self.assertEqual([s["name"] for s in report["supplies"]["stations"]], ["well", "dock"])
         self.assertEqual(report["supplies"]["levels"][0], [0, 1, 3600])
         self.assertIn("fill", [event["kind"] for event in report["events"]])
-        self.assertIn("<title>well</title>", (self.folder / "out" / "guard.svg").read_text())
+        self.assertIn(">well</text>", (self.folder / "out" / "run.svg").read_text())
 
     def test_without_ends_nothing_changes(self):
         reports = []

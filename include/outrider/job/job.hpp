@@ -76,7 +76,6 @@ struct Job {
   std::string_view file_sentence = {};  ///< which files this option accepts
   /// Alternative names of flags, such as {"planner", "plan.planner"}.
   std::vector<std::pair<std::string_view, std::string_view>> aliases = {};
-  double picture_s = 24.0;  ///< length of the animation, s
   /// Formats what run.json has of a run of this job, metrics, tables and settings, as text for a person.
   std::function<std::string(const Report&)> summary = {};
 };

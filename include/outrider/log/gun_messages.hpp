@@ -105,6 +105,20 @@ struct TargetPosition {
   }
 };
 
+/// From where a target can be hit. The cells of the grid have the share of the permitted error, in percent,
+/// that a shot from there forgives: 1 to 100, 0 if no shot hits from there, -1 if the robot cannot get there.
+struct FiringRegion {
+  std::string target;
+  nav_msgs::OccupancyGrid grid;
+
+  static constexpr std::string_view type = "outrider_msgs/msg/FiringRegion";
+  template <class List>
+  static void describe(List& list) {
+    list.field("target", &FiringRegion::target);
+    list.field("grid", &FiringRegion::grid);
+  }
+};
+
 /// A station that refills the tank or charges the battery.
 struct Station {
   std::string name;

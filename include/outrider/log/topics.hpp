@@ -15,11 +15,19 @@ inline constexpr std::string_view odometry = "/odom";            ///< nav_msgs/O
 inline constexpr std::string_view joints = "/joint_states";      ///< sensor_msgs/JointState: the gun
 inline constexpr std::string_view scan = "/scan";                ///< sensor_msgs/LaserScan
 inline constexpr std::string_view camera = "/camera/camera_info";  ///< sensor_msgs/CameraInfo
-inline constexpr std::string_view plan = "/plan";              ///< nav_msgs/Path: path of the present drive
+inline constexpr std::string_view plan = "/plan";  ///< nav_msgs/Path: path of the present drive
+/// geometry_msgs/PoseWithCovarianceStamped: start of a planned path
+inline constexpr std::string_view start = "/initialpose";
+/// The prefix of topics with nav_msgs/Path: the paths of the planner of that name, one message for each query
+inline constexpr std::string_view plan_of = "/plan/";
 inline constexpr std::string_view goal = "/goal_pose";         ///< geometry_msgs/PoseStamped
 inline constexpr std::string_view trajectory = "/trajectory";  ///< nav_msgs/Path: settled path so far
 inline constexpr std::string_view reference = "/reference";    ///< nav_msgs/Path: reference for `trajectory`
 inline constexpr std::string_view map = "/map";                ///< nav_msgs/OccupancyGrid
+/// nav_msgs/OccupancyGrid: 100 occupied, 99 no room for the centre of the robot, 0 room
+inline constexpr std::string_view costmap = "/costmap";
+/// nav_msgs/OccupancyGrid: how much of a search was done when it expanded the cell, in percent; -1: never
+inline constexpr std::string_view expanded = "/expanded";
 inline constexpr std::string_view map_updates = "/map_updates";  ///< map_msgs/OccupancyGridUpdate
 inline constexpr std::string_view target_pose =
     "/target_pose";                                    ///< geometry_msgs/PoseStamped: who is pursued
@@ -32,6 +40,7 @@ inline constexpr std::string_view solids = "/solids";
 inline constexpr std::string_view terrain = "/terrain";
 inline constexpr std::string_view walls = "/walls";
 inline constexpr std::string_view shots = "/shots";
+inline constexpr std::string_view firing_regions = "/firing_regions";
 inline constexpr std::string_view targets = "/targets";
 inline constexpr std::string_view target_positions = "/target_positions";
 inline constexpr std::string_view supplies = "/supplies";

@@ -1,4 +1,4 @@
-// Pictures of a report: an HTML page that plays it, and an animated SVG for a README.
+// The page of a report: one HTML file that plays it.
 #pragma once
 
 #include <string>
@@ -12,15 +12,5 @@ namespace outrider {
 /// built from web/): HTML with the markers @TITLE@ (text) and @REPORT@ (JSON, inside a script element), each
 /// once and in this order. All names in the report are escaped. O(length of both).
 std::string to_html(const PageReport& report, std::string_view viewer);
-
-/// Returns a self-contained animated SVG (SMIL, no script) of the plan view for use in an <img>. It plays the
-/// whole run in one loop of `seconds` (1 to 600, clamped).
-///
-/// Flights play in slow motion: each takes at least 0.4 s, and all together take at most 45 % of the loop.
-/// The last 6 % show the end. The motion is simplified with tolerances of 0.01 m and 0.005 rad. If the text
-/// exceeds 400,000 bytes, the tolerances are doubled until it does not; the yard is never simplified. Shots
-/// with unknown numbers are left out. Source of the simplification: Douglas and Peucker, Cartographica 10
-/// (1973) 112-122.
-std::string to_animated_svg(const PageReport& report, double seconds);
 
 }  // namespace outrider

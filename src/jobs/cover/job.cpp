@@ -7,7 +7,6 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
-#include "picture.hpp"
 #include "summary.hpp"
 
 namespace outrider {
@@ -128,9 +127,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);
   run.files = {{"track.json", text_of(track_json(driven))},
-               {"areas.geojson", text_of(areas_json(driven))},
-               {"cover.svg", cover_picture(planned, driven.proof.planned, {})},
-               {"driven.svg", cover_picture(planned, driven.driven, driven.drive.way)}};
+               {"areas.geojson", text_of(areas_json(driven))}};
   return {};
 }
 

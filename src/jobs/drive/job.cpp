@@ -29,7 +29,6 @@ Job drive_job() {
           .sentence = "Drive to waypoints by the tags in sight, or open loop by time.",
           .example = "drive --scenario scenarios/waypoints/closed_loop.yaml --loop open",
           .blank = [] { return std::make_unique<DriveJob>(); },
-          .picture_s = 12.0,
           .summary = drive_summary};
 }
 

@@ -49,7 +49,6 @@ Job explore_job() {
       .file_option = "world",
       .file_sentence = "world to explore: SDF, map_server YAML, PGM or PNG image, slices CSV; or a scenario",
       .aliases = {{"planner", "explore.strategy"}},
-      .picture_s = 20.0,
       .summary = explore_summary};
 }
 

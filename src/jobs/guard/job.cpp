@@ -12,7 +12,7 @@
 #include "outrider/jobs/guard/simulate.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
 #include "pddl_task.hpp"
-#include "regions_picture.hpp"
+#include "regions_log.hpp"
 #include "summary.hpp"
 
 namespace outrider {
@@ -45,11 +45,9 @@ Outcome<Report> carry_out(const GuardScenario& scenario, const FiringMap& firing
                    log, watch);
 }
 
-void finish(Run& run, Report report, double planning_s, const GuardScenario& scenario,
-            const GuardProblem& problem, const FiringMap& firing_map) {
+void finish(Run& run, Report report, double planning_s) {
   run.report = std::move(report);
   run.report.machine_times.insert(run.report.machine_times.begin(), {"planning_s", planning_s});
-  if (scenario.regions) run.files.push_back({"firing_regions.svg", regions_svg(problem, firing_map)});
 }
 
 /// The plan of the still yard, with what its capabilities add. Stations are planned where everybody is there
@@ -77,6 +75,7 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
   auto firing_map = build_firing_map(scenario.problem, scenario.options, watch.budget(),
                                      needs_regions ? RegionSearch::proven : RegionSearch::none);
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
+  if (scenario.regions) log_firing_regions(run.log, scenario.problem, *firing_map);
   if (auto ok = steps.next("planning the tour"); !ok) return ok;
   auto plan = plan_still_yard(scenario, scenario.problem, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
@@ -85,7 +84,7 @@ Status guard_known_yard(const GuardScenario& scenario, const GuardPlanner& plann
   auto report = carry_out(scenario, *firing_map, *plan, run.log, steps.inner());
   if (!report) return tl::unexpected<Fault>(report.error());
   if (scenario.sim == "physics") report->machine_times.emplace_back("physics_s", wall_s() - planned_s);
-  finish(run, std::move(*report), planned_s - began_s, scenario, scenario.problem, *firing_map);
+  finish(run, std::move(*report), planned_s - began_s);
   return {};
 }
 
@@ -98,6 +97,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
   const GuardProblem& found = yard.found.problem;
+  if (scenario.regions) log_firing_regions(run.log, found, *firing_map);
   const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
@@ -106,7 +106,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   auto report = run_guard_on_map(scenario.problem, yard, *firing_map, *plan, scenario.options, seed, run.log,
                                  steps.inner());
   if (!report) return tl::unexpected<Fault>(report.error());
-  finish(run, std::move(*report), planning_s, scenario, found, *firing_map);
+  finish(run, std::move(*report), planning_s);
   return {};
 }
 

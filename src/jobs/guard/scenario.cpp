@@ -98,7 +98,7 @@ std::vector<OptionGroup> describe(GuardScenario& scenario) {
         {"targets_block", "", 0, 0, "targets stop the robot and the shots at other targets",
          &problem.targets_block},
         {"tries", "", 1, 100, "shots at a target before it has failed", &problem.tries},
-        {"regions", "", 0, 0, "draw firing_regions.svg, heat maps of the firing regions",
+        {"regions", "", 0, 0, "log and draw from where each target can be hit",
          &scenario.regions}}},
       {"robot", "the robot", describe(problem.robot)},
       {"gun", "the water gun", describe(problem.gun)},

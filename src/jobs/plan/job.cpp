@@ -4,9 +4,10 @@
 
 #include <filesystem>
 
-#include "files.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/job/run_job.hpp"
+#include "plan_log.hpp"
+#include "report.hpp"
 #include "summary.hpp"
 
 namespace outrider {
@@ -63,7 +64,7 @@ Status PlanJob::run(Run& run, const RunWatch& watch) {
   if (!found) return tl::unexpected<Fault>(found.error());
   if (auto ok = check_single(*found); !ok) return ok;
   run.report = plan_report(*question, *found);
-  run.files = plan_pictures(*question, *found, traces ? &trace : nullptr);
+  log_answer(run.log, *task, *question, *found, traces ? &trace : nullptr);
   run.report.world_name = printable(std::filesystem::path(task->settled.map).filename().string());
   run.report.settings = settled_settings(task->settled);
   if (traces) run.files.push_back({"trace.json", trace_json(trace, *question->ground->grid)});

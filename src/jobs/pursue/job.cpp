@@ -100,7 +100,6 @@ Job pursue_job() {
           .blank = [] { return std::make_unique<PursueJob>(); },
           .file_option = "map",
           .file_sentence = "map of costs with the robot and the target; may be gzip-compressed",
-          .picture_s = 12.0,
           .summary = pursuit_summary};
 }
 

@@ -16,7 +16,6 @@
 #include "outrider/slam/map_error.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
-#include "slam_picture.hpp"
 
 namespace outrider {
 namespace {
@@ -27,24 +26,6 @@ using NodeIndex = std::uint32_t;
 
 constexpr double step_s = 0.1;  // graphs have no times
 constexpr std::size_t most_events = 300;
-
-/// Makes the picture; loops are edges between poses that are not consecutive.
-SlamPicture picture_of(const PoseGraph& graph, const PoseGraphSolution& solution,
-                       const std::vector<Eigen::Matrix3d>& covariances) {
-  SlamPicture picture;
-  const auto at = [&](NodeIndex node) { return solution.poses[node].position; };
-  for (const GraphEdge& edge : graph.edges) {
-    if (edge.kind != EdgeKind::pose) continue;
-    const bool follows = edge.to == edge.from + 1;
-    (follows ? picture.driven : picture.loops).push_back({at(edge.from), at(edge.to)});
-  }
-  for (NodeIndex i = 0; i < graph.nodes.size() && !covariances.empty(); ++i) {
-    if (!graph.nodes[i].is_point) continue;
-    const Eigen::Matrix3d& c = covariances[i];
-    picture.landmarks.push_back({i, at(i), c.topLeftCorner<2, 2>(), 0});
-  }
-  return picture;
-}
 
 /// Estimated positions of the points, or of the poses, and their true positions.
 struct Compared {
@@ -278,8 +259,7 @@ Status solve_graph(const SlamJob& job, GraphInput input, Run& run, const RunWatc
   run.report.machine_times = {
       {"time_s", time_s},
       {"max_step_s", time_s / static_cast<double>(std::max<std::int64_t>(1, solution->iterations))}};
-  run.files = {{"track.csv", track_csv(solution->poses)},
-               {"slam.svg", to_svg(picture_of(input.graph, *solution, covariances))}};
+  run.files = {{"track.csv", track_csv(solution->poses)}};
   if (auto g2o = to_g2o(input.graph, solution->poses)) run.files.push_back({"graph.g2o", *g2o});
   return {};
 }

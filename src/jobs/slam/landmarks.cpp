@@ -17,19 +17,12 @@
 #include "outrider/slam/map_error.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
-#include "slam_picture.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double map_every_s = 30.0;  // between two messages with all landmarks
 constexpr double reach_m = 0.5;  // largest distance between a true place and a landmark with a meaningless id
-
-std::vector<Vec2> places(const std::vector<Pose2>& poses) {
-  std::vector<Vec2> result;
-  for (const Pose2& pose : poses) result.push_back(pose.position);
-  return result;
-}
 
 std::string landmarks_csv(const LandmarkMap& map) {
   std::string text = "id,x,y,xx,xy,yy,sightings\n";
@@ -233,16 +226,10 @@ Metrics times_of(const LandmarkMission& run) {
   return {{"time_s", time_s}, {"max_step_s", sorted.back()}, {"median_step_s", sorted[sorted.size() / 2]}};
 }
 
-std::vector<NamedContent> files_of(const LandmarkMission& run, const LandmarkMap& map,
-                                   const std::map<std::int64_t, Vec2>& truth) {
-  const std::vector<Pose2> track = run.slam.trajectory();
-  std::vector<Vec2> true_places;
-  for (const auto& [id, place] : truth) true_places.push_back(place);
-  const SlamPicture picture{{places(track)}, {places(run.odometry)}, {}, map, true_places};
-  return {{"track.csv", track_csv(track)},
+std::vector<NamedContent> files_of(const LandmarkMission& run, const LandmarkMap& map) {
+  return {{"track.csv", track_csv(run.slam.trajectory())},
           {"landmarks.csv", landmarks_csv(map)},
-          {"state.txt", run.slam.state()},
-          {"slam.svg", to_svg(picture)}};
+          {"state.txt", run.slam.state()}};
 }
 
 }  // namespace
@@ -265,7 +252,7 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
   run.report.metrics.emplace_back("run_s", recorder.end_s());
   run.report.machine_times = times_of(*mapped);
   if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
-  run.files = files_of(*mapped, map, truth);
+  run.files = files_of(*mapped, map);
   return {};
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "laser_picture.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/sensor_log.hpp"
@@ -35,6 +34,18 @@ std::vector<double> times_of(const LaserLog& log) {
   std::vector<double> recorded_s;
   for (const LaserLogStep& step : log.steps) recorded_s.push_back(step.scan.time_s);
   return run_times(recorded_s);
+}
+
+/// Returns the smallest part of a map that contains all known cells; one cell if there are none.
+Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy) {
+  const GridFrame& frame = occupancy.frame;
+  const CellExtent known = known_extent(occupancy);
+  Grid<std::uint8_t> part;
+  part.frame = {frame.corner(known.low), frame.resolution_m, std::max(1, known.width()),
+                std::max(1, known.height())};
+  part.cells = moved_cells(occupancy.cells, frame, part.frame, {-known.low.x, -known.low.y},
+                           static_cast<std::uint8_t>(unknown_cell));
+  return part;
 }
 
 /// Logs the mapping.
@@ -114,13 +125,10 @@ Metrics metrics_of(const LaserRun& run) {
 
 Outcome<std::vector<NamedContent>> files_of(const LaserLog& log, const LaserRun& run) {
   const std::vector<Pose2> poses = run.slam.trajectory();
-  std::vector<Vec2> track;
-  for (const Pose2& pose : poses) track.push_back(pose.position);
   const Grid<std::uint8_t> map = known_part(run.slam.map().occupancy());
   auto text = map_server_text({map, 0.0}, "map.pgm");
   if (!text) return pass_on(text);
   return std::vector<NamedContent>{{"track.csv", track_csv(log, poses)},
-                                   {"slam.svg", to_svg(map, track, run.reference)},
                                    {"map.pgm", std::move(text->image)},
                                    {"map.yaml", std::move(text->yaml)}};
 }

@@ -1,14 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 
 #include "outrider/core/rng.hpp"
 #include "outrider/report/discovery.hpp"
 #include "outrider/report/json.hpp"
-#include "outrider/report/pictures.hpp"
 #include "sample_explore.hpp"
 #include "support/random_cases.hpp"
 
@@ -129,27 +126,6 @@ TEST(ExploreReport, FaultsNameThePlace) {
   const auto report = report_from_json(text);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().where, "explore.map.state_runs");
-}
-
-TEST(ExploreReport, PictureGrowsAndEscapesNames) {
-  const PageReport report = test::sample_explore();
-  const std::string picture = to_animated_svg(report, 12.0);
-  if (const char* folder = std::getenv("OUTRIDER_PICTURES")) {
-    std::ofstream(std::string(folder) + "/explore.svg") << picture;
-  }
-  EXPECT_NE(picture.find("three &lt;rooms&gt;"), std::string::npos);
-  EXPECT_NE(picture.find("no place &lt;near&gt; it"), std::string::npos);
-  EXPECT_NE(picture.find("<animate"), std::string::npos);
-  EXPECT_EQ(picture.find("nan"), std::string::npos);
-}
-
-TEST(ExploreReport, PictureOfAMapThatIsCutShortIsStillOne) {
-  PageReport report = test::sample_explore();
-  report.explore->map.state_runs.resize(7);
-  report.explore->map.known_runs = {99999, 1000000000};
-  EXPECT_NE(to_animated_svg(report, 12.0).find("</svg>"), std::string::npos);
-  report.explore->map.columns = report.explore->map.rows = 1000000000;
-  EXPECT_NE(to_animated_svg(report, 12.0).find("</svg>"), std::string::npos);
 }
 
 }  // namespace

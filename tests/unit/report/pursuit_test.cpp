@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "outrider/report/json.hpp"
-#include "outrider/report/pictures.hpp"
 
 namespace outrider {
 namespace {
@@ -51,26 +50,6 @@ TEST(PursuitReport, FaultsNameThePlace) {
   const auto report = report_from_json(text);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().where, "pursuit.rows");
-}
-
-TEST(PursuitReport, RunsBeyondTheMapAreNotDrawn) {
-  const std::string picture = to_animated_svg(sample(), 12.0);
-  PageReport report = sample();
-  report.pursuit->cost_runs.back() = 1e300;
-  EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size()) << "a map that does not add up is left out";
-  report.pursuit->cost_runs = {std::numeric_limits<double>::quiet_NaN(), 2, 7, 3, 1, 1e300, 4, -1e300};
-  report.pursuit->rows = 1'000'000'000;
-  EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size() + 1000);
-  report.pursuit->columns = 0;
-  EXPECT_LT(to_animated_svg(report, 12.0).size(), picture.size() + 1000);
-}
-
-TEST(PursuitReport, PictureHoldsEverybodyAndEscapesTheName) {
-  const PageReport report = sample();
-  const std::string picture = to_animated_svg(report, 12.0);
-  EXPECT_NE(picture.find("a &lt;small&gt; map"), std::string::npos);
-  EXPECT_NE(picture.find("<animate"), std::string::npos);
-  EXPECT_EQ(picture.find("nan"), std::string::npos);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <regex>
 
 #include "outrider/report/json.hpp"
-#include "outrider/report/pictures.hpp"
 #include "sample_explore.hpp"
 
 namespace outrider {
@@ -71,19 +70,6 @@ TEST(Runs, DiscoveredMapsAreCheckedAlike) {
     expect_refused(with_runs(key, "[0,-1]"), where + "[1]", "whole number");
     expect_refused(with_runs(key, "[0,1.5]"), where + "[1]", "whole number");
   }
-}
-
-// A report that was put together without its file.
-TEST(Runs, PictureOfRunsThatDoNotFitEndsWithoutTheMap) {
-  for (const double count : {7.0, 1e9, 1e300}) {
-    EXPECT_LT(to_animated_svg(pursuit_of(3, 2, {1, 1, 2, count}), 12.0).size(), 5000U) << count;
-  }
-}
-
-TEST(Runs, PictureIsNoLargerThanItsRuns) {
-  const std::string picture = to_animated_svg(pursuit_of(2, 2'000'000, {1, 1, 2, 3'999'998, 3, 1}), 12.0);
-  EXPECT_LT(picture.size(), 5000U);
-  EXPECT_EQ(picture.find("nan"), std::string::npos);
 }
 
 }  // namespace

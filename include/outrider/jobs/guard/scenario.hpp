@@ -50,7 +50,7 @@ struct GuardScenario {
   std::vector<Track> history;       ///< recorded tracks, from `wander` when loaded
   ScoutOptions scout;
   ExplorerSimParams sensors;  ///< laser and wheels of a robot that explores an unknown yard
-  bool regions = false;       ///< draw firing_regions.svg
+  bool regions = false;       ///< log from where each target can be hit
   PddlOptions pddl;
 };
 

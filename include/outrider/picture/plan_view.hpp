@@ -1,0 +1,33 @@
+// The plan view: a picture of a run from above, made from its log.
+//
+// What is drawn follows from the channels of the log (docs/log.md), never from the job. From below to above:
+//
+//   ground     /run (corners of the plan), /map with /map_updates, /costmap, /expanded, /cost_grid,
+//              /firing_regions, /coverage_area, /walls, /terrain, /solids
+//   lines      /plan and /plan/NAME, /initialpose, /reference, /odom, /belief with ellipses of two standard
+//   deviations,
+//              /target_pose, every .../pose and .../trajectory, /loops
+//   marks      /landmarks, /tags, /waypoints, /goal_pose, /refusals, /supplies, /target_positions, /shots,
+//              /targets, and the robot at its start and at its end, drawn to size
+//
+// A single true track is coloured by time, or by the passes on /coverage_passes. The legend names exactly
+// what is drawn. Numbers that are not finite are left out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "outrider/log/log.hpp"
+
+namespace outrider {
+
+struct PlanViewOptions {
+  double width_px = 1000.0;          ///< width of the picture; the plan is at most 0.8 times as high
+  std::size_t most_bytes = 400'000;  ///< a longer picture is drawn again with coarser lines and cells
+};
+
+/// Returns a static, self-contained SVG with a white background. The same log gives the same bytes. Takes
+/// time proportional to the messages, apart from the simplification of lines.
+std::string plan_view(const Log& log, const PlanViewOptions& options = {});
+
+}  // namespace outrider

@@ -1,0 +1,132 @@
+#include "plan_log.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "outrider/core/text.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/job/scene.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/topics.hpp"
+#include "outrider/path/pieces.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double arc_step_rad = radians(5.0);
+
+/// Returns a grid for `width` x `height` cells whose values are -1. `yaw_rad` turns it about its origin.
+nav_msgs::OccupancyGrid blank_grid(const GridFrame& frame, double yaw_rad, int width, int height) {
+  nav_msgs::OccupancyGrid grid;
+  grid.header = header_of(0.0, "map");
+  grid.info.resolution = static_cast<float>(frame.resolution_m);
+  grid.info.width = static_cast<std::uint32_t>(width);
+  grid.info.height = static_cast<std::uint32_t>(height);
+  grid.info.origin = pose_of(Pose2{frame.origin, yaw_rad});
+  grid.data.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -1);
+  return grid;
+}
+
+/// Returns where the robot has room, as a costmap of ROS: 100 occupied, 99 too close to it, 0 free.
+nav_msgs::OccupancyGrid costmap_of(const PlanGround& ground) {
+  const GridFrame& frame = ground.blocked.frame;
+  auto grid = blank_grid(frame, ground.yaw_rad, frame.width, frame.height);
+  const bool known = ground.occupied.frame == frame;
+  for (std::size_t i = 0; i < grid.data.size(); ++i) {
+    const bool occupied = known && ground.occupied.cells[i] != 0;
+    grid.data[i] = static_cast<std::int8_t>(occupied ? 100 : ground.blocked.cells[i] != 0 ? 99 : 0);
+  }
+  return grid;
+}
+
+/// Returns when each vertex was expanded first, in percent of the search. A vertex is the middle of its cell.
+nav_msgs::OccupancyGrid expanded_of(const Trace& trace, const PlanGround& ground) {
+  const GridMap& map = *ground.grid;
+  const int more = map.model == GridModel::corners ? 1 : 0;
+  GridFrame frame = map.frame;
+  if (more > 0)
+    frame.origin = ground.to_world(frame.corner({0, 0}) - 0.5 * frame.resolution_m * Vec2{1.0, 1.0});
+  const int width = frame.width + more, height = frame.height + more;
+  auto grid = blank_grid(frame, ground.yaw_rad, width, height);
+  for (std::size_t i = 0; i < trace.expansions.size(); ++i) {
+    const Cell v = map.at(trace.expansions[i].state);
+    auto& percent = grid.data[static_cast<std::size_t>(v.y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(v.x)];
+    if (percent < 0) percent = static_cast<std::int8_t>(100 * i / trace.expansions.size());
+  }
+  return grid;
+}
+
+/// Returns the solid parts of polygons: the obstacles, and a rim outside the boundary.
+outrider_msgs::Outlines walls_of(const PolygonGround& ground) {
+  const Box2 box = ground.bounds.grown(0.02 * norm(ground.bounds.size()));
+  std::vector<std::vector<Vec2>> walls = {
+      {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, ground.boundary};
+  walls.insert(walls.end(), ground.obstacles.begin(), ground.obstacles.end());
+  return {outlines_of(walls)};
+}
+
+void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
+  const auto* world = std::get_if<World>(&task.map.shape);
+  outrider_msgs::RunInfo info = run_info("plan", 0, world == nullptr ? World{} : *world, ground.radius_m);
+  info.world = printable(std::filesystem::path(task.settled.map).filename().string());
+  const Box2 bounds =
+      ground.polygons ? ground.bounds().grown(0.02 * norm(ground.bounds().size())) : ground.bounds();
+  info.low = point_of(bounds.low);
+  info.high = point_of(bounds.high);
+  if (world != nullptr) {
+    log_scene(log, std::move(info), *world, task.settled.height_m);
+  } else {
+    log.append(topic::run, 0.0, std::move(info));
+  }
+  if (world == nullptr && ground.polygons) log.append(topic::walls, 0.0, walls_of(*ground.polygons));
+  if (ground.grid) log.append(topic::costmap, 0.0, costmap_of(ground));
+}
+
+void log_queries(Log& log, const std::vector<PlanQuery>& queries) {
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const auto& [number, from, to] = queries[i];
+    const double heading_rad = heading_of(to - from);
+    if (i == 0 || from != queries[i - 1].from) {
+      geometry_msgs::PoseWithCovarianceStamped start;
+      start.header = header_of(0.0, "map");
+      start.pose.pose = pose_of(Pose2{from, heading_rad});
+      log.append(topic::start, 0.0, std::move(start));
+    }
+    log.append(topic::goal, 0.0, stamped(0.0, {to, heading_rad}));
+  }
+}
+
+}  // namespace
+
+void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, const PlanAnswer& answer,
+                const Trace* trace) {
+  const PlanGround& ground = *question.ground;
+  log_ground(log, task, ground);
+  if (trace != nullptr && !trace->expansions.empty())
+    log.append(topic::expanded, 0.0, expanded_of(*trace, ground));
+  log_queries(log, question.queries);
+  for (const PlanRow& row : answer.rows) {
+    if (!row.found()) continue;
+    const bool exact = !row.pieces.empty();
+    const auto points = exact ? points_along(row.waypoints.front(), row.pieces, arc_step_rad) : row.waypoints;
+    log.append(std::string(topic::plan_of) + row.planner, 0.0, path_of(0.0, points));
+  }
+}
+
+std::string trace_json(const Trace& trace, const GridMap& ground) {
+  auto expansions = nlohmann::ordered_json::array();
+  for (const Expansion& expansion : trace.expansions) {
+    const Cell v = ground.at(expansion.state), parent = ground.at(expansion.parent);
+    expansions.push_back({{"vertex", {v.x, v.y}},
+                          {"parent", {parent.x, parent.y}},
+                          {"f", expansion.f},
+                          {"g", expansion.g},
+                          {"h", expansion.h}});
+  }
+  return expansions.dump() + "\n";
+}
+
+}  // namespace outrider
