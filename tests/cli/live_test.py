@@ -3,6 +3,7 @@ import json
 import os
 import subprocess
 
+from building import write_building
 from explore_test import ROOM
 from mcap_log import McapLog, pose_stamped
 from pursue_test import SMALL
@@ -75,11 +76,11 @@ class Live(ToolTest):
 
     def test_it_comes_while_it_happens(self):
         """Of a mission that is killed, the messages until then were read."""
-        long = self.guard("--plan-resolution", "0.01", "--plan-iterations", "10000000", "--plan-refinements", "20")
-        process, told = self.start(*long)
+        self.write("explore.yaml", write_building(self))
+        process, told = self.start("run", "explore.yaml")
         with told:
             data = told.read(65536)
-            while not McapLog(data).messages:
+            while not McapLog(data).of("/pose"):
                 more = told.read(65536)
                 self.assertTrue(more, "the mission ended first")
                 data += more
