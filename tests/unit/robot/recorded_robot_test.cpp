@@ -22,7 +22,7 @@ TEST(RecordedRobot, EachCommandLeadsToTheNextRecordAndAfterTheLastNothingIsSense
   EXPECT_EQ(after.time_s, 0.5);
   EXPECT_EQ(after.odometry.position.x, 1.0);
   EXPECT_FALSE(after.scan);
-  EXPECT_FALSE(RecordedRobot({}).sense().scan);
+  EXPECT_FALSE(RecordedRobot(std::vector<Observation>{}).sense().scan);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(ScanMap, IsThatOfTheMapper) {
   auto slam = LaserSlam::begin(options, rounds.poses.front());
   ASSERT_TRUE(slam);
   Log log;
-  ScanMap map(options.map, options.robot_T_laser);
+  ScanMap map(options.map, options.robot_T_laser, false, 1.0);
   for (std::size_t i = 0; i < rounds.scans.size(); ++i) {
     const auto step = slam->advance(rounds.motions[i], rounds.scans[i]);
     ASSERT_TRUE(step);
