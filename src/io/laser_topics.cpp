@@ -252,7 +252,11 @@ Outcome<std::unique_ptr<LaserTopics>> open_laser_topics(const std::string& path,
   auto contents = open_log_file(path);
   if (!contents) return pass_on(contents);
   auto found = find_robot_channels((*contents)->channels(), options);
-  if (!found) return pass_on(found);
+  if (!found) {
+    const std::string cut = (*contents)->cut_short();  // the topic may be in the part that is missing
+    if (!cut.empty()) found.error().sentence += "; " + cut;
+    return pass_on(found);
+  }
   contents->reset();
   auto channels = std::make_unique<const RobotChannels>(std::move(*found));
   auto survey = survey_log(path, *channels, options);

@@ -53,7 +53,8 @@ Trajectory trajectory_of(const std::vector<double>& times_s, const std::vector<P
   trajectory.reserve(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double whole_s = std::floor(times_s[i]);  // apart from the rest, which then keeps all of its digits
-    const std::int64_t time_ns = static_cast<std::int64_t>(whole_s) * 1'000'000'000 + nanoseconds(times_s[i] - whole_s);
+    const std::int64_t time_ns =
+        static_cast<std::int64_t>(whole_s) * 1'000'000'000 + nanoseconds(times_s[i] - whole_s);
     trajectory.push_back({time_ns, pose_of(poses[i])});
   }
   return trajectory;

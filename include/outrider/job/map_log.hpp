@@ -1,8 +1,8 @@
 // MapLog: logs an occupancy map while it grows.
 //
-// The map is logged at most once a second of the run, or in another period. It is logged whole, as nav_msgs/OccupancyGrid, when its
-// frame has changed or it was redrawn, and else as map_msgs/OccupancyGridUpdate: the smallest rectangle with
-// all changes. Thread rule: one at a time.
+// The map is logged at most once a second of the run, or in another period. It is logged whole, as
+// nav_msgs/OccupancyGrid, when its frame has changed or it was redrawn, and else as
+// map_msgs/OccupancyGridUpdate: the smallest rectangle with all changes. Thread rule: one at a time.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // RecordedRobot: a Robot that replays recorded observations.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -12,11 +13,10 @@ namespace outrider {
 
 class RecordedRobot final : public Robot {
  public:
-  /// Returns the next record, or nothing at the end.
-  using Next = std::function<std::optional<Observation>()>;
-
   explicit RecordedRobot(std::vector<Observation> records);
-  /// Takes each record when it is needed, and holds no other.
+  /// Calls `next()`, which returns the next record or nothing at the end, when a record is needed, and holds
+  /// no other.
+  template <std::invocable Next>
   explicit RecordedRobot(Next next) : next_(std::move(next)) {}
 
   /// Returns the present record. After the end of the recording, returns only the time and the odometry of
@@ -27,7 +27,7 @@ class RecordedRobot final : public Robot {
   void act(const Command&) override { present_.reset(); }
 
  private:
-  Next next_;
+  std::function<std::optional<Observation>()> next_;
   std::optional<Observation> present_;
   Observation last_;  ///< time and odometry only
 };

@@ -74,8 +74,7 @@ TEST_F(McapFollowerTest, WhatIsNoLogIsRefused) {
 
 TEST_F(McapFollowerTest, DamageIsSaid) {
   Rng rng(3);
-  std::string bytes =
-      mcap_of(random_messages(rng, 50), {.compression = Codec::none, .chunk_bytes = 1 << 20});
+  std::string bytes = mcap_of(random_messages(rng, 50), {.compression = Codec::none, .chunk_bytes = 1 << 20});
   bytes[bytes.size() / 3] = static_cast<char>(bytes[bytes.size() / 3] ^ 1);
   append(bytes);
   McapFollower log(path_);

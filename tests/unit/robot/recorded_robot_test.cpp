@@ -25,5 +25,25 @@ TEST(RecordedRobot, EachCommandLeadsToTheNextRecordAndAfterTheLastNothingIsSense
   EXPECT_FALSE(RecordedRobot(std::vector<Observation>{}).sense().scan);
 }
 
+TEST(RecordedRobot, ARecordIsTakenOnceAndWhenItIsNeeded) {
+  int taken = 0;
+  RecordedRobot robot([&]() -> std::optional<Observation> {
+    if (taken == 2) return std::nullopt;
+    Observation seen;
+    seen.time_s = static_cast<double>(++taken);
+    seen.scan = LaserScan{};
+    return seen;
+  });
+  EXPECT_EQ(taken, 0);
+  EXPECT_EQ(robot.sense().time_s, 1.0);
+  EXPECT_EQ(robot.sense().time_s, 1.0);
+  robot.act(Wait{});
+  EXPECT_EQ(taken, 1);
+  EXPECT_EQ(robot.sense().time_s, 2.0);
+  robot.act(Wait{});
+  EXPECT_EQ(robot.sense().time_s, 2.0);
+  EXPECT_FALSE(robot.sense().scan);
+}
+
 }  // namespace
 }  // namespace outrider
