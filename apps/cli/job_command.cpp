@@ -32,15 +32,15 @@ struct JobRequest {
 };
 
 OptionGroup describe(JobRequest& request) {
-  return {"",
-          "output",
-          {{"json", "", 0, 0, "print one JSON object on standard output", &request.output.json},
-           {"out", "", 0, 0, "folder for the log, a picture and what else the job makes",
-            &request.output.folder},
-           {"html", "", 0, 0, "write a page that plays the run, in the folder", &request.output.html},
-           {"live", "", 0, 0, "draw a map that is found on the terminal as it grows", &request.live},
-           {"threads", "", 0, 1024, "threads to compute with; 0: all; the answer is the same",
-            &request.threads}}};
+  return {
+      "",
+      "output",
+      {{"json", "", 0, 0, "print one JSON object on standard output", &request.output.json},
+       {"out", "", 0, 0, "folder for the log, a picture and what else the job makes", &request.output.folder},
+       {"html", "", 0, 0, "write a page that plays the run, in the folder", &request.output.html},
+       {"live", "", 0, 0, "draw a map that is found on the terminal as it grows", &request.live},
+       {"threads", "", 0, 1024, "threads to compute with; 0: all; the answer is the same",
+        &request.threads}}};
 }
 
 /// Reads the scenario, then the flags, which override it.

@@ -26,8 +26,8 @@ LiveLog::LiveLog() {
   if (descriptor < 0 || variable("OUTRIDER_LIVE") == variable("OUTRIDER_PROGRESS")) return;
   auto output = make_descriptor_sink(descriptor);
   if (!output) return;
-  auto writer = McapWriter::begin(std::move(*output),
-                                  {.compression = Codec::none, .chunk_bytes = chunk_bytes});
+  auto writer =
+      McapWriter::begin(std::move(*output), {.compression = Codec::none, .chunk_bytes = chunk_bytes});
   if (!writer) return;
   sink_.emplace(std::move(*writer));
   flusher_ = std::jthread([this](const std::stop_token& stop) { flush_often(stop); });

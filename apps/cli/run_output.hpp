@@ -29,7 +29,8 @@ std::string result_text(const Run& run);
 /// was cancelled before its mission began, so the files of an earlier run stay whole.
 Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output);
 
-/// Returns a page that plays the run whose log is in that file. Fault: bad_input if the log is larger than 256 MiB.
+/// Returns a page that plays the run whose log is in that file. Fault: bad_input if the log is larger than
+/// 256 MiB.
 Outcome<std::string> page_text(const Report& report, const std::string& log_path);
 
 /// Returns the report as text for people.

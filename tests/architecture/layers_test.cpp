@@ -98,7 +98,7 @@ TEST(Layers, TheCommandLineIsParsedBehindOneDoor) {
 /// margin.
 std::vector<std::string> types_defined(const std::string& code) {
   static const std::regex line(
-      R"((?:^|\n)(?:namespace ([a-z_:]+) \{|(?:struct|class|enum class|enum) (\w+)\b[^;\n]*\{))");
+      R"((?:^|\n)(?:namespace ([a-z_:]+) \{|(?:struct|class|enum class|enum) (\w+)\b(?!::)[^;\n]*\{))");
   std::vector<std::string> found;
   std::string space;
   for (std::sregex_iterator it(code.begin(), code.end(), line), end; it != end; ++it) {

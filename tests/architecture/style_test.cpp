@@ -45,7 +45,7 @@ bool opens_through_the_gate(const Source& s) {
       "src/io/file_lock.cpp",      "src/io/open_file.cpp",
       "src/io/temporary_file.cpp", "src/log/byte_source.cpp",
       "src/log/byte_sink.cpp",     "apps/server/folder.cpp",
-      "apps/server/runs.cpp",      "apps/server/temporary_folder.cpp"};
+      "apps/server/run_files.cpp", "apps/server/temporary_folder.cpp"};
   const bool ours = s.in_library() || s.path.starts_with("apps/");
   return ours && !others.contains(s.path);
 }

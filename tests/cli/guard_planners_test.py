@@ -44,7 +44,7 @@ class GuardPlanners(ToolTest):
         picture = ElementTree.fromstring((self.folder / "out/run.svg").read_text())
         words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
         self.assertIn("fox", words)
-        self.assertIn("no target in range", words)
+        self.assertIn("3 of 3 targets in range", words)
 
 
 class GuardBench(ToolTest):

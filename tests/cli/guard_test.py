@@ -1,4 +1,5 @@
 """The job guard from the command line: what it says, writes and returns."""
+import base64
 import json
 import pathlib
 import re
@@ -156,7 +157,7 @@ class Replay(ToolTest):
         self.assertEqual((self.folder / "page.html").read_bytes(), (self.folder / "out/guard.html").read_bytes())
         page = (self.folder / "page.html").read_text()
         self.assertTrue(page.lstrip().lower().startswith("<!doctype html"))
-        self.assertIn("fox", page)
+        self.assertIn(base64.b64encode((self.folder / "out/run.mcap").read_bytes()).decode(), page)
         self.assertIsNone(re.search(r"""(src|href)\s*=\s*["']?(https?:)?//""", page), "it loads something")
 
     def test_reads_compressed_reports(self):

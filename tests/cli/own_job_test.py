@@ -23,7 +23,7 @@ class OwnJob(ToolTest):
         self.assertEqual(json.loads(reports[0])["track"], json.loads(reports[1])["track"])
         picture = (self.folder / "run/run.svg").read_text()
         self.assertTrue(picture.startswith("<svg"))
-        self.assertNotIn("reached", picture, "it has no targets to count")
+        self.assertNotIn(">reached", picture, "it has no targets to count")
         replayed = self.run_tool("replay", "run", "--json")
         self.assertEqual(replayed.returncode, 0, replayed.stderr)
 
@@ -50,10 +50,10 @@ class OwnJob(ToolTest):
             viewer.receive()
             run = server.json("POST", "/api/v1/runs", {"scenario": "patrol.yaml"}, status=202)["id"]
             viewer.send({"type": "watch", "run": run, "from": 0})
-            told = [message for message in viewer.until("end") if message["type"] != "runs"]
-            report = server.json("GET", f"/api/v1/runs/{run}/report")
-        self.assertEqual(report["status"], "done")
-        self.assertEqual([row for m in told if m["type"] == "samples" for row in m["rows"]], report["track"])
+            viewer.until("end")
+            result = server.json("GET", f"/api/v1/runs/{run}/result")
+        self.assertEqual((result["status"], result["metrics"]["visits"]), ("done", 8))
+        self.assertIn(b"geometry_msgs/msg/PoseStamped", viewer.log)
 
 
 if __name__ == "__main__":

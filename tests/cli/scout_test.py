@@ -1,4 +1,5 @@
 """Guarding a yard that is not known: explored first, one report of both."""
+import base64
 import json
 
 from tool import PAGE, SOURCE, ToolTest, main
@@ -22,7 +23,8 @@ class Scout(ToolTest):
         self.assertIn("state_runs", report["explore"]["map"])
         if PAGE:
             with open(f"{self.folder}/guard.html", encoding="utf-8") as file:
-                self.assertIn("state_runs", file.read())
+                log = (self.folder / "run.mcap").read_bytes()
+                self.assertIn(base64.b64encode(log).decode(), file.read())
 
     def test_what_does_not_go_together(self):
         for words in [["--targets-block"], ["--plan-shoot-on-the-move"], ["--wander-speed", "0.5"]]:

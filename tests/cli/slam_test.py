@@ -183,7 +183,7 @@ class Slam(ToolTest):
         found = self.result("square.g2o", "--out", "out")
         self.assertEqual((found["nodes"], found["edges"]), (4, 4))
         self.assertLess(found["cost"], found["start_cost"] + 1e-9)
-        for name in ("track.csv", "graph.g2o", "slam.svg"):
+        for name in ("track.csv", "graph.g2o", "run.svg"):
             self.assertTrue((self.folder / "out" / name).exists(), name)
         again = self.result("out/graph.g2o", "--graph-start", "given")
         self.assertAlmostEqual(again["start_cost"], found["cost"], places=9)
@@ -193,7 +193,7 @@ class Slam(ToolTest):
     def test_example(self):
         found = self.result(SOURCE / "scenarios" / "slam" / "yard.g2o", "--out", "out")
         self.assertEqual(found["nodes"], 28)
-        self.assertIn("<ellipse", (self.folder / "out" / "slam.svg").read_text())
+        self.assertIn('class="landmark', (self.folder / "out" / "run.svg").read_text())
 
     def test_landmarks(self):
         log, world = freiburg_log()
@@ -203,7 +203,7 @@ class Slam(ToolTest):
             found = self.result("log.dat", "--slam-engine", engine, "--out", engine)
             self.assertEqual((found["steps"], found["landmarks"]), (16, 2))
             self.assertLess(found["landmark_rmse_m"], 1e-6)
-            self.assertIn("<ellipse", (self.folder / engine / "slam.svg").read_text())
+            self.assertIn('class="landmark', (self.folder / engine / "run.svg").read_text())
         self.assertEqual(len((self.folder / "ekf" / "track.csv").read_text().splitlines()), 18)
         self.assertEqual((self.folder / "graph" / "landmarks.csv").read_text().splitlines()[0],
                          "id,x,y,xx,xy,yy,sightings")
@@ -226,7 +226,7 @@ class Slam(ToolTest):
         self.write("log.dat", log)
         self.result("log.dat", "--out", "a")
         self.result("log.dat", "--out", "b")
-        for name in ("slam.json", "track.csv", "landmarks.csv", "state.txt", "slam.svg"):
+        for name in ("slam.json", "track.csv", "landmarks.csv", "state.txt", "run.svg"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
 
     def test_refusals(self):
@@ -281,7 +281,7 @@ class Slam(ToolTest):
         self.assertLess(found["ate_m"], 0.15)
         self.assertGreater(found["real_time_factor"], 1)
         self.mapped(log, "--out", "b")
-        for name in ("track.csv", "slam.svg", "map.yaml", "map.pgm"):
+        for name in ("track.csv", "run.svg", "map.yaml", "map.pgm"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
         self.assertEqual(len((self.folder / "a" / "track.csv").read_text().splitlines()), 121)
         path = self.run_tool("plan", "a/map.yaml", "--from", "0,0", "--to", "0.5,0", "--json")

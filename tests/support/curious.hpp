@@ -1,4 +1,5 @@
-// Looks on while a run logs, with nothing but the bytes of its messages: what it has seen must make the report.
+// Looks on while a run logs, with nothing but the bytes of its messages: what it has seen must make the
+// report.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -126,8 +126,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);
-  run.files = {{"track.json", text_of(track_json(driven))},
-               {"areas.geojson", text_of(areas_json(driven))}};
+  run.files = {{"track.json", text_of(track_json(driven))}, {"areas.geojson", text_of(areas_json(driven))}};
   return {};
 }
 

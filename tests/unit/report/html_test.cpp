@@ -40,8 +40,8 @@ TEST(ReplayPage, HoldsTheWholeLog) {
 TEST(ReplayPage, TheTitleCannotBreakOut) {
   const std::string plain = to_html("guard: yard", all_bytes(), viewer);
   for (const std::string name :
-       {"</title><script>alert(1)</script>", "<!--<script>", "</title><img onerror=alert(1)>", "@TITLE@ @LOG@",
-        "\"'`&<>", "]]>", "\xE2\x80\xA8", "\xff\xfe</script>"}) {
+       {"</title><script>alert(1)</script>", "<!--<script>", "</title><img onerror=alert(1)>",
+        "@TITLE@ @LOG@", "\"'`&<>", "]]>", "\xE2\x80\xA8", "\xff\xfe</script>"}) {
     const std::string page = to_html(name, all_bytes(), viewer);
     EXPECT_EQ(count(page, "<script"), count(plain, "<script")) << name;
     EXPECT_EQ(count(page, "</script"), count(plain, "</script")) << name;

@@ -76,8 +76,8 @@ class Listener {
 /// /b before the first and one after the last.
 inline std::string log_of(int count) {
   std::string bytes;
-  auto writer = McapWriter::begin(make_string_sink(bytes),
-                                  {.compression = Codec::none, .chunk_bytes = 65536});
+  auto writer =
+      McapWriter::begin(make_string_sink(bytes), {.compression = Codec::none, .chunk_bytes = 65536});
   const auto channel = [&](const char* topic) {
     return writer->add_channel({topic, "std_msgs/msg/String", "cdr", "ros2msg", "string data\n", {}});
   };

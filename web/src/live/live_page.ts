@@ -126,14 +126,13 @@ export class LivePage {
     this.cancel.disabled = false;
   }
 
-  /** The run is over. A run without a log, which is a plan, is shown by the page that plans. */
+  /** The run is over. A plan is shown by the page that plans. */
   private end(run: RunRow): void {
     this.ended = run;
     this.show(run.state);
     this.words.textContent = run.error || run.scenario;
-    if (this.live.log.channels.size > 0) this.grow();
-    else if (run.job === "plan" && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
+    if (run.job === "plan" && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
       location.replace(formatAddress({ view: "change", path: run.scenario, query: {} }));
-    }
+    } else if (this.live.log.channels.size > 0) this.grow();
   }
 }

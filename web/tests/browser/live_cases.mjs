@@ -98,7 +98,7 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.close();
   },
 
-  async "a plan that was run is shown with its search, since it leaves no log; what cannot run is not offered"() {
+  async "a plan that was run is shown with its search, not the log that it leaves; what cannot run is not offered"() {
     writeFileSync(join(folder, "maps/gallery.yaml"), "job: plan\nmap: gallery.map\nfrom: 2,2\nto: 29,12\nradius: 0\nplanner: a_star\n");
     const answer = await fetch(`${server.url}api/v1/runs`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ scenario: "maps/gallery.yaml" }) });
     const { id } = await answer.json();
