@@ -62,6 +62,17 @@ std::vector<std::string_view> main_topics(const Log& log) {
   return topics;
 }
 
+/// Returns the odometry as if it had begun where the robot was first: its own frame begins anywhere.
+std::vector<Vec2> odometry_of(const Log& log) {
+  const Track odometry = track_on(log, topic::odometry);
+  const Track main = track_on(log, main_topics(log).front());
+  if (odometry.poses.empty() || main.poses.empty()) return odometry.points;
+  const Pose2 map_T_odom = compose(main.poses.front(), inverse(odometry.poses.front()));
+  std::vector<Vec2> points;
+  for (const Vec2 point : odometry.points) points.push_back(map_T_odom * point);
+  return points;
+}
+
 std::string words_of(std::string_view topic) {
   if (topic == topic::pose) return "driven";
   if (topic == topic::trajectory) return "settled track";
@@ -198,7 +209,7 @@ void draw_belief(Sheet& sheet, const Log& log) {
 void draw_lines(Sheet& sheet, const Log& log) {
   const auto* info = log.latest<outrider_msgs::RunInfo>(topic::run);
   draw_plans(sheet, log);
-  sheet.put("odometry", sheet.line(track_on(log, topic::odometry).points), line_sample, "odometry alone");
+  sheet.put("odometry", sheet.line(odometry_of(log)), line_sample, "odometry alone");
   sheet.put("reference", sheet.line(track_on(log, topic::reference).points), line_sample, "reference");
   sheet.put("target", sheet.line(track_on(log, topic::target_pose).points), line_sample, "target");
   draw_belief(sheet, log);

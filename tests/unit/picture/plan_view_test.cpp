@@ -172,6 +172,22 @@ TEST(PlanView, DrawsPathsTracksAndBeliefs) {
   }
 }
 
+TEST(PlanView, TheOdometryBeginsWhereTheRobotWas) {
+  const auto drawn = [](const Pose2& odom_T_start) {
+    Log log = run_log();
+    for (const double time_s : {0.0, 1.0}) {
+      log_pose(log, time_s, {{2.0 + time_s, 2.0}, 0.0});
+      nav_msgs::Odometry odometry;
+      odometry.pose.pose = pose_of(compose(odom_T_start, Pose2{{1.5 * time_s, 0.0}, 0.0}));
+      log.append(topic::odometry, time_s, odometry);
+    }
+    return plan_view(log);
+  };
+  EXPECT_TRUE(legend(drawn({}), "odometry alone"));
+  EXPECT_EQ(drawn({}), drawn({{5.0, -3.0}, 0.0})) << "its own frame begins anywhere";
+  EXPECT_EQ(drawn({}), drawn({{0.0, 0.0}, 1.5707963267948966}));
+}
+
 TEST(PlanView, ColoursATrackByThePassesOverAnArea) {
   Log log = run_log();
   for (int i = 0; i <= 4; ++i) log_pose(log, i, {{1.0 * i, 1.0 * (i % 2)}, 0.0});
