@@ -23,7 +23,7 @@ MOMENTS ?= 50
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
 
-# If npm cannot get its packages, the tool has no page; the moving picture does not need npm.
+# If npm cannot get its packages, the tool has no page; the picture run.svg does not need npm.
 demo: tool-and-page  ## guard the example yard, print the summary, write a page and a picture to out/yard
 	@build/outrider run scenarios/yard/yard.yaml --out out/yard $$(grep -qs incbin build/web/page_files.cpp && echo --html)
 

@@ -1,10 +1,10 @@
 // A command of the tool and the arguments it takes. Only this header gives access to the command line parser.
 //
-//   Command& replay = tool.add("replay", "summarise a report, or make a page or a picture of it");
-//   replay.positional("report", &request->path, "report of a run").required().type("FILE");
-//   replay.option("--seconds", &request->seconds, "length of the picture [24]").between(1.0, 600.0);
+//   Command& replay = tool.add("replay", "summarise a run, or make a page or a picture of it");
+//   replay.positional("run", &request->path, "log of a run, or its folder").required().type("FILE");
+//   bench.option("--repeat", &request->repeat, "runs of each case [3]").between(1.0, 100.0);
 //   replay.flag("--json", &request->json, "print one JSON object on standard output");
-//   replay.footer("\nExample: outrider replay out/guard.json");
+//   replay.footer("\nExample: outrider replay out");
 //   replay.does([request](const Command& words) { return execute(*request, words); });
 //
 // add_flags() (flags.hpp) adds flags for described options.
