@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "base64.hpp"
 #include "json_codec.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/core/text.hpp"
 
 namespace outrider {
@@ -188,7 +188,7 @@ bool JsonDecoder::put_number(Number value, std::string_view what) {
 
 bool JsonDecoder::put_bytes(const Place& place, const std::string& text) {
   const bool bytes = place.field->shape == FieldShape::sequence && place.field->element_bytes == 1;
-  const auto content = bytes ? bytes_of_base64(text) : std::nullopt;
+  const auto content = bytes ? base64_decoded(text) : std::nullopt;
   if (!content) return refuse(bytes ? "no base64" : "a text");
   void* first = place.field->resize(place.at, content->size());
   if (!content->empty()) std::memcpy(first, content->data(), content->size());

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base64.hpp"
 #include "json_codec.hpp"
+#include "outrider/core/base64.hpp"
 
 namespace outrider {
 namespace {
@@ -39,7 +39,7 @@ class JsonEncoder {
     const std::size_t length = sequence ? field.length(at) : field.array_length;
     const char* first = sequence ? static_cast<const char*>(field.elements(at)) : at;
     if (sequence && field.kind == FieldKind::uint8) {
-      text_ += '"' + base64_of({first, length}) + '"';
+      text_ += '"' + base64_encoded({first, length}) + '"';
       return;
     }
     text_ += '[';

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 #include <vector>
 
+#include "outrider/log/channel_decoder.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/mapping_messages.hpp"
 #include "outrider/log/motion_messages.hpp"
@@ -17,26 +19,30 @@
 namespace outrider {
 namespace {
 
-using AppendDecoded = Status (*)(Log& log, const Channel& channel, const LogMessage& message);
+/// Decodes a message and appends it to a log.
+using AppendDecoded = std::function<Status(Log& log, const LogMessage& message)>;
 
-/// A type of message, and the function that decodes one and appends it to a log.
+/// A type of message, and the function that makes the decoder of a channel of that type.
 struct KnownType {
   std::string_view name;
-  AppendDecoded append;
+  Outcome<AppendDecoded> (*decoder_of)(const Channel& channel);
 };
 
 template <class Message>
-Status append_decoded(Log& log, const Channel& channel, const LogMessage& message) {
-  const auto encoding = channel.encoding == "ros1" ? MessageEncoding::ros1 : MessageEncoding::cdr;
-  auto decoded = decode<Message>(encoding, message.data);
-  if (!decoded) return pass_on(decoded);
-  log.append(channel.topic, seconds(message.time_ns), std::move(*decoded));
-  return {};
+Outcome<AppendDecoded> decoder_of(const Channel& channel) {
+  auto decoder = ChannelDecoder<Message>::of(channel);
+  if (!decoder) return pass_on(decoder);
+  return AppendDecoded([topic = channel.topic, decoder = *decoder](Log& log, const LogMessage& message) {
+    Message decoded;
+    auto ok = decoder.decode(message.data, decoded);
+    if (ok) log.append(topic, seconds(message.time_ns), std::move(decoded));
+    return ok;
+  });
 }
 
 template <class... Messages>
 constexpr std::array<KnownType, sizeof...(Messages)> known_types() {
-  return {{{Messages::type, &append_decoded<Messages>}...}};
+  return {{{Messages::type, &decoder_of<Messages>}...}};
 }
 
 /// The types of the channels that a run leaves.
@@ -51,11 +57,21 @@ constexpr auto run_types = known_types<
     outrider_msgs::CoveragePass, outrider_msgs::CostGrid, outrider_msgs::PaidCost, outrider_msgs::CostBound,
     outrider_msgs::Landmarks, outrider_msgs::Sightings, outrider_msgs::Loops>();
 
-/// Returns how to append a message of the channel; null if a run never has its type or its encoding.
-AppendDecoded append_of(const Channel& channel) {
-  if (channel.encoding != "cdr" && channel.encoding != "ros1") return nullptr;
-  const auto* known = std::ranges::find(run_types, channel.type, &KnownType::name);
-  return known == run_types.end() ? nullptr : known->append;
+/// Returns the decoders of the channels; an empty one for a channel whose type a run never has.
+Outcome<std::vector<AppendDecoded>> decoders_of(const std::vector<Channel>& channels,
+                                                const std::string& path) {
+  std::vector<AppendDecoded> decoders;
+  for (const Channel& channel : channels) {
+    const auto* known = std::ranges::find(run_types, ros2_type_name(channel.type), &KnownType::name);
+    if (known == run_types.end()) {
+      decoders.emplace_back();
+      continue;
+    }
+    auto decoder = known->decoder_of(channel);
+    if (!decoder) return bad_input(decoder.error().sentence, path + ": " + decoder.error().where);
+    decoders.push_back(std::move(*decoder));
+  }
+  return decoders;
 }
 
 /// Refuses a topic with channels of two types, which a run never has.
@@ -80,8 +96,8 @@ Outcome<StoredLog> read_log(const std::string& path) {
   auto reader = open_log(path);
   if (!reader) return pass_on(reader);
   if (auto ok = check_topics((*reader)->channels(), path); !ok) return pass_on(ok);
-  std::vector<AppendDecoded> appends;
-  for (const Channel& channel : (*reader)->channels()) appends.push_back(append_of(channel));
+  const auto decoders = decoders_of((*reader)->channels(), path);
+  if (!decoders) return tl::unexpected<Fault>(decoders.error());
   StoredLog stored;
   std::size_t bytes = 0;
   while (true) {
@@ -91,12 +107,12 @@ Outcome<StoredLog> read_log(const std::string& path) {
     bytes += (*message)->data.size();
     if (bytes > most_bytes)
       return bad_input("its messages have more than 4 GiB; open it with the page instead", path);
-    const std::size_t number = (*message)->channel;
-    if (appends[number] == nullptr) continue;
-    const Channel& channel = (*reader)->channels()[number];
-    if (auto ok = appends[number](stored.log, channel, **message); !ok) {
-      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", channel.topic,
-                                   seconds((*message)->time_ns), ok.error().sentence),
+    const AppendDecoded& append = (*decoders)[(*message)->channel];
+    if (!append) continue;
+    if (auto ok = append(stored.log, **message); !ok) {
+      const std::string& topic = (*reader)->channels()[(*message)->channel].topic;
+      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", topic, seconds((*message)->time_ns),
+                                   ok.error().sentence),
                        path);
     }
   }

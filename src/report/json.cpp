@@ -372,8 +372,6 @@ std::string to_json(const PageReport& report) {
   return text + "\n";
 }
 
-std::string to_json_line(const PageReport& report) { return text_of(json_of(report)); }
-
 Outcome<PageReport> report_from_json(std::string_view text) {
   Json json;
   try {  // the library reports syntax by exception

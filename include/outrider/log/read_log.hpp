@@ -15,8 +15,8 @@ struct StoredLog {
 };
 
 /// Reads the log of a run with all its messages. Channels whose types a run never has are left out. Takes
-/// O(file) time and memory. Fault: bad_input if the file is not a log, is damaged, has a message that does
-/// not fit its type, a topic with two types, or more than 4 GiB of messages.
+/// O(file) time and memory. Fault: bad_input if the file is not a log, is damaged, has a schema or a message
+/// that does not fit its type, a topic with two types, or more than 4 GiB of messages.
 Outcome<StoredLog> read_log(const std::string& path);
 
 }  // namespace outrider

@@ -31,7 +31,6 @@ inline constexpr std::string_view expanded = "/expanded";
 inline constexpr std::string_view map_updates = "/map_updates";  ///< map_msgs/OccupancyGridUpdate
 inline constexpr std::string_view target_pose =
     "/target_pose";                                    ///< geometry_msgs/PoseStamped: who is pursued
-inline constexpr std::string_view scene = "/scene";    ///< visualization_msgs/MarkerArray
 inline constexpr std::string_view events = "/rosout";  ///< rcl_interfaces/Log
 
 // Messages of our own: outrider_msgs/*.

@@ -14,9 +14,6 @@ namespace outrider {
 /// and unknown numbers are null.
 std::string to_json(const PageReport& report);
 
-/// Returns the same text on one line, without a line break at the end.
-std::string to_json_line(const PageReport& report);
-
 /// Reads a report. to_json() of the outcome is the same text again. Reads null as NaN, but refuses null in
 /// values that are drawn. Ignores unknown keys. Faults: bad_input on text that is not a report of this
 /// version; the fault names the missing or wrong place, as in targets[3].pose[1].

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base64.hpp"
+#include "outrider/core/base64.hpp"
 #include "outrider/log/codecs.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 
@@ -106,13 +106,13 @@ TEST(JsonCodec, AnArrayHasItsLength) {
 TEST(Base64, BytesComeBack) {
   std::string bytes;
   for (int i = 0; i < 260; ++i) {
-    EXPECT_EQ(bytes_of_base64(base64_of(bytes)), bytes);
+    EXPECT_EQ(base64_decoded(base64_encoded(bytes)), bytes);
     bytes += static_cast<char>(i * 37);
   }
-  EXPECT_EQ(base64_of("Man"), "TWFu");
-  EXPECT_EQ(base64_of("M"), "TQ==");
+  EXPECT_EQ(base64_encoded("Man"), "TWFu");
+  EXPECT_EQ(base64_encoded("M"), "TQ==");
   for (const char* wrong : {"TQ=", "T===", "TQ!=", "=QAA", "T=QA"})
-    EXPECT_FALSE(bytes_of_base64(wrong)) << wrong;
+    EXPECT_FALSE(base64_decoded(wrong)) << wrong;
 }
 
 }  // namespace
