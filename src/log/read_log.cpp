@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -101,17 +102,18 @@ Outcome<StoredLog> read_log(const std::string& path) {
   StoredLog stored;
   std::size_t bytes = 0;
   while (true) {
-    auto message = (*reader)->next();
-    if (!message) return pass_on(message);
-    if (!*message) break;
-    bytes += (*message)->data.size();
+    auto next = (*reader)->next();
+    if (!next) return pass_on(next);
+    const std::optional<LogMessage> message = *next;
+    if (!message) break;
+    bytes += message->data.size();
     if (bytes > most_bytes)
       return bad_input("its messages have more than 4 GiB; open it with the page instead", path);
-    const AppendDecoded& append = (*decoders)[(*message)->channel];
+    const AppendDecoded& append = (*decoders)[message->channel];
     if (!append) continue;
-    if (auto ok = append(stored.log, **message); !ok) {
-      const std::string& topic = (*reader)->channels()[(*message)->channel].topic;
-      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", topic, seconds((*message)->time_ns),
+    if (auto ok = append(stored.log, *message); !ok) {
+      const std::string& topic = (*reader)->channels()[message->channel].topic;
+      return bad_input(fmt::format("a message on '{}' at {:.3f} s: {}", topic, seconds(message->time_ns),
                                    ok.error().sentence),
                        path);
     }

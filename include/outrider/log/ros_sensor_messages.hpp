@@ -10,9 +10,7 @@
 
 #include "outrider/log/ros_messages.hpp"
 
-namespace outrider {
-
-namespace sensor_msgs {
+namespace outrider::sensor_msgs {
 
 /// Ranges at equal angles, counter-clockwise from `angle_min`, in the frame of the header.
 struct LaserScan {
@@ -149,6 +147,4 @@ struct CompressedImage {
   }
 };
 
-}  // namespace sensor_msgs
-
-}  // namespace outrider
+}  // namespace outrider::sensor_msgs
