@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +10,7 @@
 #include "flags.hpp"
 #include "output.hpp"
 #include "outrider/io/files.hpp"
+#include "outrider/io/log_export.hpp"
 #include "outrider/io/log_file.hpp"
 #include "outrider/io/log_trajectory.hpp"
 #include "outrider/io/text.hpp"
@@ -28,7 +31,8 @@ OptionGroup describe(ConvertCommand& command) {
   return {"",
           "output",
           {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
-           {"topic", "", 0, 0, "topic of the poses; needed if the log has several", &command.topic}}};
+           {"topic", "", 0, 0, "topic that is converted; needed for poses if the log has several",
+            &command.topic}}};
 }
 
 /// What was converted.
@@ -60,30 +64,66 @@ Outcome<Trajectory> load_trajectory(const ConvertCommand& command) {
                    command.in);
 }
 
+/// Opens the log that is converted, with the topic that was asked for, or all.
+Outcome<std::unique_ptr<LogReader>> open_input(const ConvertCommand& command) {
+  LogSelection selection;
+  if (!command.topic.empty()) selection.topics = {command.topic};
+  auto reader = open_log_file(command.in, selection);
+  if (!reader || command.topic.empty()) return reader;
+  const auto& channels = (*reader)->channels();
+  if (std::ranges::find(channels, command.topic, &Channel::topic) != channels.end()) return reader;
+  std::vector<std::string_view> topics(channels.size());
+  std::ranges::transform(channels, topics.begin(), &Channel::topic);
+  return bad_input(fmt::format("there is no topic '{}'; the topics are {}", excerpt(command.topic),
+                               fmt::join(topics, ", ")),
+                   command.in);
+}
+
+Outcome<Converted> copy_messages(const ConvertCommand& command, McapWriter& writer,
+                                 const std::stop_token& stop) {
+  auto reader = open_input(command);
+  if (!reader) return pass_on(reader);
+  auto copy = copy_log(**reader, writer, [&](double) { return !stop.stop_requested(); });
+  if (!copy) return pass_on(copy);
+  Converted converted{"messages", copy->messages};
+  for (const std::string& topic : copy->kept_ros1) {
+    converted.warnings.push_back(fmt::format("{} has no schema, so its messages stay in ROS 1 bytes", topic));
+  }
+  if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
+  return converted;
+}
+
+Outcome<Converted> copy_poses(const ConvertCommand& command, McapWriter& writer) {
+  const auto trajectory = load_trajectory(command);
+  if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
+  const std::string topic = command.topic.empty() ? "/pose" : command.topic;
+  if (auto ok = write_trajectory(*trajectory, writer, topic); !ok) return pass_on(ok);
+  return Converted{"poses", trajectory->size()};
+}
+
 Outcome<Converted> convert_to_log(const ConvertCommand& command, const std::stop_token& stop) {
-  Converted converted;
+  Outcome<Converted> converted;
   auto done = write_log_file(command.out, [&](McapWriter& writer) -> Status {
-    if (!is_log_file(command.in)) {
-      const auto trajectory = load_trajectory(command);
-      if (!trajectory) return tl::unexpected<Fault>(trajectory.error());
-      converted = {"poses", trajectory->size()};
-      return write_trajectory(*trajectory, writer, command.topic.empty() ? "/pose" : command.topic);
-    }
-    LogSelection selection;
-    if (!command.topic.empty()) selection.topics = {command.topic};
-    auto reader = open_log_file(command.in, selection);
-    if (!reader) return pass_on(reader);
-    auto copy = copy_log(**reader, writer, [&](double) { return !stop.stop_requested(); });
-    if (!copy) return pass_on(copy);
-    converted = {"messages", copy->messages};
-    for (const std::string& topic : copy->kept_ros1) {
-      converted.warnings.push_back(
-          fmt::format("{} has no schema, so its messages stay in ROS 1 bytes", topic));
-    }
-    if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
+    converted = is_log_file(command.in) ? copy_messages(command, writer, stop) : copy_poses(command, writer);
+    if (!converted) return pass_on(converted);
     return {};
   });
   if (!done) return pass_on(done);
+  return converted;
+}
+
+/// Writes the messages of a log as JSON lines or as numpy arrays.
+Outcome<Converted> export_messages(const ConvertCommand& command, const std::stop_token& stop,
+                                   decltype(write_numpy)& write) {
+  if (!is_log_file(command.in)) return bad_input("it is not a log: MCAP, ROS 1 bag or ROS 2 db3", command.in);
+  auto reader = open_input(command);
+  if (!reader) return pass_on(reader);
+  const auto done = write(**reader, command.out, [&](double) { return !stop.stop_requested(); });
+  if (!done) return tl::unexpected<Fault>(done.error());
+  Converted converted{"messages", done->messages};
+  for (const std::string& channel : done->left_out)
+    converted.warnings.push_back(fmt::format("{} is left out; the type is not known", channel));
+  if (const auto cut = (*reader)->cut_short(); !cut.empty()) converted.warnings.push_back(cut);
   return converted;
 }
 
@@ -99,8 +139,11 @@ Outcome<Converted> convert(const ConvertCommand& command, const std::stop_token&
   if (ending == ".mcap") return convert_to_log(command, stop);
   if (ending == ".tum") return convert_to_text(command, tum_text);
   if (ending == ".kitti") return convert_to_text(command, kitti_text);
+  if (ending == ".jsonl") return export_messages(command, stop, write_json_lines);
+  if (ending == ".npz") return export_messages(command, stop, write_numpy);
   return bad_input(
-      fmt::format("'{}' does not say what to write; end it in .mcap, .tum or .kitti", excerpt(command.out)),
+      fmt::format("'{}' does not say what to write; end it in .mcap, .jsonl, .npz, .tum or .kitti",
+                  excerpt(command.out)),
       "out");
 }
 
@@ -124,14 +167,18 @@ int execute(ConvertCommand& command, const Command& flags, const std::stop_token
 }  // namespace
 
 void add_convert(Command& tool, const std::stop_token& stop) {
-  Command& convert = tool.add("convert", "write a log as MCAP, or its trajectory as TUM or KITTI, and back");
+  Command& convert = tool.add(
+      "convert",
+      "write a log as MCAP, JSON lines or numpy arrays, or its trajectory as TUM or KITTI, and back");
   auto command = std::make_shared<ConvertCommand>();
   convert
       .positional("in", &command->in,
                   "MCAP, ROS 1 bag, ROS 2 db3, folder of one or of a run; or a trajectory")
       .required()
       .type("FILE");
-  convert.positional("out", &command->out, "file to write; its ending says how: .mcap, .tum or .kitti")
+  convert
+      .positional("out", &command->out,
+                  "file to write; its ending says how: .mcap, .jsonl, .npz, .tum or .kitti")
       .required()
       .type("FILE");
   add_flags(convert, {describe(*command)});

@@ -48,17 +48,27 @@ Outcome<std::unique_ptr<LogReader>> open_log_file(const std::string& path, const
   return open_log(*descriptor, path, selection);
 }
 
-Status write_log_file(const std::string& path, const std::function<Status(McapWriter&)>& fill) {
-  const std::string part = path + ".part";
-  auto writer = McapWriter::create(part);
-  if (!writer) return fault(writer.error().code, writer.error().sentence, path);
-  Status written = fill(*writer);
-  if (written) written = writer->finish();
+Status write_under_part_name(const std::string& path,
+                             const std::function<Status(const std::string& part)>& write) {
   std::error_code error;
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+    return bad_input("its folder does not exist; make it first", path);
+  const std::string part = path + ".part";
+  Status written = write(part);
   if (written) std::filesystem::rename(part, path, error);
   if (error) written = fault(FaultCode::cannot_write, "it cannot be written: " + error.message(), path);
   if (!written) std::filesystem::remove(part, error);
   return written;
+}
+
+Status write_log_file(const std::string& path, const std::function<Status(McapWriter&)>& fill) {
+  return write_under_part_name(path, [&](const std::string& part) -> Status {
+    auto writer = McapWriter::create(part);
+    if (!writer) return fault(writer.error().code, writer.error().sentence, path);
+    if (auto ok = fill(*writer); !ok) return ok;
+    return writer->finish();
+  });
 }
 
 }  // namespace outrider

@@ -10,12 +10,7 @@
 #include <vector>
 
 #include "outrider/log/channel_decoder.hpp"
-#include "outrider/log/gun_messages.hpp"
-#include "outrider/log/mapping_messages.hpp"
-#include "outrider/log/motion_messages.hpp"
-#include "outrider/log/ros_messages.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
-#include "outrider/log/scene_messages.hpp"
+#include "run_messages.hpp"
 
 namespace outrider {
 namespace {
@@ -42,21 +37,11 @@ Outcome<AppendDecoded> decoder_of(const Channel& channel) {
 }
 
 template <class... Messages>
-constexpr std::array<KnownType, sizeof...(Messages)> known_types() {
+constexpr std::array<KnownType, sizeof...(Messages)> known_types(MessageList<Messages...> /*unused*/) {
   return {{{Messages::type, &decoder_of<Messages>}...}};
 }
 
-/// The types of the channels that a run leaves.
-constexpr auto run_types = known_types<
-    geometry_msgs::PoseStamped, geometry_msgs::PoseWithCovarianceStamped, nav_msgs::Odometry, nav_msgs::Path,
-    nav_msgs::OccupancyGrid, map_msgs::OccupancyGridUpdate, tf2_msgs::TFMessage, rcl_interfaces::Log,
-    sensor_msgs::LaserScan, sensor_msgs::JointState, sensor_msgs::CameraInfo, outrider_msgs::RunInfo,
-    outrider_msgs::Solids, outrider_msgs::Terrain, outrider_msgs::Outlines, outrider_msgs::Shot,
-    outrider_msgs::FiringRegion, outrider_msgs::Target, outrider_msgs::TargetPosition,
-    outrider_msgs::Supplies, outrider_msgs::StoreLevels, outrider_msgs::Tags, outrider_msgs::Waypoints,
-    outrider_msgs::Decision, outrider_msgs::Refusal, outrider_msgs::CoverageArea, outrider_msgs::Coverage,
-    outrider_msgs::CoveragePass, outrider_msgs::CostGrid, outrider_msgs::PaidCost, outrider_msgs::CostBound,
-    outrider_msgs::Landmarks, outrider_msgs::Sightings, outrider_msgs::Loops>();
+constexpr auto run_types = known_types(RunMessages());
 
 /// Returns the decoders of the channels; an empty one for a channel whose type a run never has.
 Outcome<std::vector<AppendDecoded>> decoders_of(const std::vector<Channel>& channels,

@@ -20,9 +20,14 @@ bool is_log_file(const std::string& path);
 Outcome<std::unique_ptr<LogReader>> open_log_file(const std::string& path,
                                                   const LogSelection& selection = {});
 
-/// Creates or replaces an MCAP file with what `fill` writes. Until it is complete it has the name PATH.part;
-/// if `fill` or the system fails, that is removed and the file at the path stays. Fault: that of `fill`;
-/// cannot_write.
+/// Creates or replaces a file: `write` gets the name PATH.part, and only when it is done has the file its
+/// name. If `write` or the system fails, the part is removed and the file at the path stays. Fault: that of
+/// `write`; cannot_write.
+Status write_under_part_name(const std::string& path,
+                             const std::function<Status(const std::string& part)>& write);
+
+/// Creates or replaces an MCAP file, in this way, with what `fill` writes. Fault:
+/// that of `fill`; cannot_write.
 Status write_log_file(const std::string& path, const std::function<Status(McapWriter&)>& fill);
 
 }  // namespace outrider

@@ -20,6 +20,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -77,6 +78,7 @@ struct MessageType {
   std::string_view name;  ///< ROS 2 name, such as "sensor_msgs/msg/LaserScan"
   std::vector<MessageField> fields = {};
   std::vector<MessageConstant> constants = {};
+  std::shared_ptr<void> (*make)() = nullptr;  ///< makes a message with its default values
 };
 
 /// Returns the description of a message type. The first call makes it.
@@ -180,6 +182,7 @@ const MessageType& message_type() {
     MessageType type{Message::type};
     detail::FieldList<Message> list(type);
     Message::describe(list);
+    type.make = [] { return std::shared_ptr<void>(std::make_shared<Message>()); };
     return type;
   }();
   return made;
