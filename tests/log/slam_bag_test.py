@@ -13,24 +13,28 @@ import genpy
 import rosbag
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import LaserScan
+from sensor_msgs.msg import Image, LaserScan
 from tf2_msgs.msg import TFMessage
 
 TOOL = os.environ["OUTRIDER"]
 START_S = 1600000000
+BIG_MB = int(os.environ.get("OUTRIDER_BAG_MB", "100"))
+MOST_MEMORY_MB = 200
+SANITIZED = b"__asan_init" in pathlib.Path(TOOL).read_bytes()  # the address sanitizer holds on to freed memory
 
 
 def quaternion(message, heading):
     message.z, message.w = math.sin(heading / 2), math.cos(heading / 2)
 
 
-def scan(x, y, heading, stamp):
+def scan(x, y, heading, stamp, beams=200):
     """In a room of 8 m by 5 m."""
-    message = LaserScan(angle_min=-2.0, angle_max=1.98, angle_increment=0.02, range_min=0.1, range_max=30.0)
+    step = 4.0 / beams
+    message = LaserScan(angle_min=-2.0, angle_max=2.0 - step, angle_increment=step, range_min=0.1, range_max=30.0)
     message.header.frame_id = "laser"
     message.header.stamp = stamp
-    for beam in range(200):
-        angle = heading - 2.0 + 0.02 * beam + 1e-9  # no beam along a wall
+    for beam in range(beams):
+        angle = heading - 2.0 + step * beam + 1e-9  # no beam along a wall
         dx, dy = math.cos(angle), math.sin(angle)
         message.ranges.append(min((8 - x if dx > 0 else -x) / dx, (5 - y if dy > 0 else -y) / dy))
     return message
@@ -69,6 +73,31 @@ def write(path, compression="none", steps=60, with_odometry=True, scans=("/scan"
             x, y, heading = x + 0.1 * math.cos(heading), y + 0.1 * math.sin(heading), heading + 0.05
 
 
+def write_big(path, size_mb, with_cameras):
+    """A robot goes round and round in the room, slowly. Its laser has 1000 beams, with intensities, at 40 Hz; two
+    cameras may look on."""
+    turn = 1000
+    scans = []
+    picture = Image(height=480, width=640, encoding="mono8", step=640, data=os.urandom(640 * 480))
+    with rosbag.Bag(path, "w") as bag:
+        bag.write("/tf_static", transform("base_link", "laser", 0, 0, 0, genpy.Time(START_S)), genpy.Time(START_S))
+        step = 0
+        while bag.size < size_mb * 1e6:
+            time = genpy.Time.from_sec(START_S + 0.025 * step)
+            heading = 2 * math.pi * (step % turn) / turn
+            x, y = 4 + 2 * math.sin(heading), 2.5 - 2 * math.cos(heading)
+            if step < turn:
+                scans.append(scan(x, y, heading, time, beams=1000))
+                scans[step].intensities = [1.0] * len(scans[step].ranges)
+            scans[step % turn].header.stamp = time
+            bag.write("/odom", odometry(x, y, heading, time), time)
+            bag.write("/scan", scans[step % turn], time)
+            for camera in ("/left/image", "/right/image") if with_cameras else ():
+                bag.write(camera, picture, time)
+            step += 1
+    return step
+
+
 class SlamBagTest(unittest.TestCase):
     def setUp(self):
         home = tempfile.TemporaryDirectory(prefix="outrider-bag-")
@@ -104,6 +133,22 @@ class SlamBagTest(unittest.TestCase):
         # A log that was converted is not converted further.
         self.assertEqual(self.run_tool("convert", "run.mcap", "again.mcap").returncode, 0)
         self.assertEqual((self.folder / "again.mcap").read_bytes(), (self.folder / "run.mcap").read_bytes())
+
+    def test_memory_does_not_grow_with_the_bag(self):
+        """A bag of OUTRIDER_BAG_MB is mapped in 200 MB of memory, whether it is full of pictures or of scans."""
+        for with_cameras in (True, False):
+            steps = write_big(self.folder / "big.bag", BIG_MB, with_cameras)
+            with subprocess.Popen([TOOL, "slam", "big.bag", "--out", "out"], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+                complaint = process.stderr.read()
+                _, status, usage = os.wait4(process.pid, 0)
+                process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0, complaint)
+            result = json.loads((self.folder / "out/run.json").read_text())
+            self.assertEqual(result["metrics"]["steps"], steps)
+            if not SANITIZED:
+                self.assertLess(usage.ru_maxrss / 1000, MOST_MEMORY_MB)
+            print(f"{BIG_MB} MB, {steps} scans, cameras: {with_cameras}: {usage.ru_maxrss / 1000:.0f} MB of memory")
 
     def test_odometry_of_the_transforms(self):
         write(self.folder / "run.bag")
@@ -158,7 +203,7 @@ class SlamBagTest(unittest.TestCase):
         self.assertIn("is 'float64 angle_max', and not 'float32 angle_max'",
                       self.refusal("slam", "lie.bag", "--scan", "/rear"))
         before = sorted(self.folder.iterdir())
-        self.assertIn("end it in .mcap, .tum or .kitti",
+        self.assertIn("end it in .mcap, .jsonl, .npz, .tum or .kitti",
                       self.refusal("convert", "two.bag", "run.bagg"))
         self.assertIn("--topic: the log has no topic", self.refusal("convert", "two.bag", "a.tum", "--topic", "/x"))
         self.assertIn("compressed as 'zipp'", self.refusal("convert", "zip.bag", "a.mcap"))
