@@ -36,7 +36,7 @@ function building() {
 export function makeLongExploration(folder) {
   writeFileSync(join(folder, "maps/building.pgm"), building());
   writeFileSync(join(folder, "maps/building.yaml"), yaml("building.pgm"));
-  execFileSync(tool, ["explore", "--world", join(folder, "maps/building.yaml"), "--start", "2,2,0", "--seed", "1", "--robot-speed", "0.08",
+  execFileSync(tool, ["explore", "--world", join(folder, "maps/building.yaml"), "--start", "2,2,0", "--seed", "1", "--robot-speed", "0.15",
     "--out", join(folder, "runs/building")], { stdio: "ignore" });
   return JSON.parse(readFileSync(join(folder, "runs/building/run.json"), "utf8"));
 }
