@@ -5,7 +5,7 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/report/log_map.hpp"
+#include "outrider/job/log_map.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider {
