@@ -112,8 +112,7 @@ inline Replayed replay_shots(const Run& run, const GuardProblem& truth, const Bo
         << shot.target << " at " << shot_s << " s: said " << shot.hit << " after " << shot.flight
         << " s, flown " << end.hit << " after " << end.time_s << " s";
     const double t = shot.flight;
-    const Vec3 parabola =
-        muzzle + t * velocity_mps - Vec3{0, 0, 0.5 * truth.world.gravity_mps2 * t * t};
+    const Vec3 parabola = muzzle + t * velocity_mps - Vec3{0, 0, 0.5 * truth.world.gravity_mps2 * t * t};
     told.moved_by_air_m = std::max(told.moved_by_air_m, norm(parabola - vec3_of(shot.contact_point)));
     told.moved_while_flying_m = std::max(
         told.moved_while_flying_m,

@@ -1,6 +1,8 @@
 // Runs of functions that log and report, and what their logs say.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -45,6 +47,17 @@ inline std::vector<TrackSample> track_of(const Log& log) {
     track.push_back({stamped.time_s(), pose_of(stamped.message.pose)});
   }
   return track;
+}
+
+/// True if the stamps of poses and events never go back. The log itself puts a message that is late to the
+/// time of the one before.
+inline bool stamps_are_sorted(const Log& log) {
+  std::vector<std::int64_t> poses_ns, events_ns;
+  for (const auto& one : log.messages<geometry_msgs::PoseStamped>(topic::pose)) {
+    poses_ns.push_back(nanoseconds_of(one.message.header.stamp));
+  }
+  for (const auto& one : events_of(log)) events_ns.push_back(nanoseconds_of(one.message.stamp));
+  return std::ranges::is_sorted(poses_ns) && std::ranges::is_sorted(events_ns);
 }
 
 /// The points of the paths that were driven, of each one that has any.
