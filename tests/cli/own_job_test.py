@@ -10,7 +10,7 @@ PATROL = f"job: patrol\nworld: {ARENA}\npoints: {POINTS}\nrounds: 2\n"
 
 
 class OwnJob(ToolTest):
-    def test_verb_scenario_and_report(self):
+    def test_verb_scenario_and_log(self):
         self.write("patrol.yaml", PATROL)
         answers = []
         for words in (["patrol", "--world", ARENA, "--points", POINTS, "--rounds", "2"], ["run", "patrol.yaml"]):
