@@ -156,6 +156,21 @@ def xyz(point):
     return [getattr(point, axis) for axis in "xyz" if hasattr(point, axis)]
 
 
+def map_of(log):
+    """The final map: its info, and its rows of cells from the lowest."""
+    messages = log.read("/map") + log.read("/map_updates")
+    info, rows = None, []
+    for _, message in sorted(messages, key=lambda pair: pair[0]):  # of one time the whole map comes first
+        part = message
+        if hasattr(message, "info"):
+            info = message.info
+            rows = [[-1] * info.width for _ in range(info.height)]
+            part = types.SimpleNamespace(x=0, y=0, width=info.width, height=info.height, data=message.data)
+        for y in range(part.height):
+            rows[part.y + y][part.x:part.x + part.width] = part.data[y * part.width:(y + 1) * part.width]
+    return info, rows
+
+
 def targets_of(log):
     """The newest message of each target by its name, with its `places`: (time in s, position message) in order."""
     found = {message.name: message for _, message in log.read("/targets")}
