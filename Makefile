@@ -54,8 +54,8 @@ asan:  ## run the test programs, costly tests in part, under the address and und
 	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
 
-# Units that use threads: the server, and the parallel parts of guard, explore and the report.
-THREADED = core guard explore report server
+# Units that use threads: the server, and the parallel parts of guard and explore.
+THREADED = core guard explore server
 
 tsan:  ## run the tests of what uses threads, costly ones in part, under the thread sanitizer
 	$(INSTALL) build test cbc

@@ -18,7 +18,7 @@ describe("addresses", () => {
 
   it("can be typed by hand", () => {
     expect(parseAddress("#/watch/a.mcap?t=3")).toEqual({ view: "watch", path: "a.mcap", query: { t: "3" } });
-    expect(parseAddress("#watch/100%.json").path).toBe("100%.mcap");
+    expect(parseAddress("#watch/100%.mcap").path).toBe("100%.mcap");
     expect(formatAddress({ view: "plan", path: "m", query: { start: "1,2", empty: "" } })).toBe("#plan/m?start=1,2");
   });
 
