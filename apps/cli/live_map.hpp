@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "outrider/report/log_map.hpp"
+#include "outrider/job/log_map.hpp"
 #include "outrider/world/grid.hpp"
 
 namespace outrider::cli {

@@ -8,11 +8,7 @@
 #include "output.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/files.hpp"
-#include "outrider/log/topics.hpp"
 #include "outrider/picture/plan_view.hpp"
-#include "outrider/report/json.hpp"
-#include "outrider/report/page_report.hpp"
-#include "outrider/report/pictures.hpp"
 #include "page.hpp"
 #include "terminal.hpp"
 
@@ -20,14 +16,6 @@ namespace outrider::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Returns true if the run can be played: it has a robot that moves.
-bool plays(const Run& run) {
-  const auto moves = [](const Channel& channel) {
-    return channel.topic == topic::pose || channel.topic == topic::belief;
-  };
-  return std::ranges::any_of(run.log.channels(), moves);
-}
 
 /// Returns true if the report has content; a run that was cancelled at once has none.
 bool has_parts(const Report& report) { return !report.metrics.empty(); }
@@ -46,7 +34,7 @@ Outcome<std::string> page_text(const Report& report, const std::string& log_path
   auto log = read_file(log_path);
   if (!log) return pass_on(log);
   const std::string world = report.world_name.empty() ? "" : ": " + report.world_name;
-  return to_html(printable(report.job + world), *log, page::viewer());
+  return page::page_of_run(report.job + world, *log);
 }
 
 std::string text_of(const Job& job, const Report& report) {
@@ -83,7 +71,6 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, con
     written.emplace_back("log", complete.back().path);
     add("picture", "run.svg", plan_view(run.log));
   }
-  if (plays(run)) add("report", name + ".json", to_json(page_report(run.report, run.log)));
   if (output.html && !log_path->empty()) {
     auto page = page_text(run.report, *log_path);
     if (!page) return pass_on(page);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "outrider/job/job.hpp"
-#include "outrider/job/run_json.hpp"
+#include "outrider/report/run_json.hpp"
 #include "run_log.hpp"
 
 namespace outrider::cli {

@@ -1,9 +1,10 @@
-// The web page that was built into the tool: its files for `outrider serve`, and the viewer of one report for
+// The web page that was built into the tool: its files for `outrider serve`, and the viewer of one run for
 // `outrider replay --html`. cmake/Page.cmake makes them from web/. If npm could not build them, both are
 // empty.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace outrider::page {
@@ -18,9 +19,13 @@ struct File {
 /// Returns the files, sorted by path. Names under assets/ contain a hash of the content.
 std::span<const File> files();
 
-/// Returns a self-contained page. It holds each of @TITLE@ (HTML text) and @REPORT@ (JSON in a script
-/// element) once, in this order.
+/// Returns a self-contained page without a run. It holds each of @TITLE@ (HTML text) and @LOG@ (base64 in a
+/// script element) once, in this order.
 std::string_view viewer();
+
+/// Returns an HTML page that plays a run. `mcap` is the log of the run as an MCAP file, `title` the title of
+/// the page, which is escaped; `empty` has the markers of viewer(). O(length of all).
+std::string page_of_run(std::string_view title, std::string_view mcap, std::string_view empty = viewer());
 
 /// Explains what is missing if both are empty.
 constexpr std::string_view missing =

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "outrider/job/run_json.hpp"
 #include "outrider/jobs/plan/answer.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
+#include "outrider/report/run_json.hpp"
 
 namespace outrider::server {
 namespace {

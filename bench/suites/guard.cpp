@@ -10,7 +10,9 @@
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/report/page_report.hpp"
+#include "outrider/log/conversions.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 
@@ -41,17 +43,18 @@ struct GuardRow {
   std::optional<double> ratio;  ///< mission time relative to the first planner of the catalogue
 };
 
-/// Splits the time by what changes between consecutive samples of the track.
-Shares shares_of(const PageReport& report) {
+/// Splits the time by what changes between consecutive poses. A guard logs its gun with each pose.
+Shares shares_of(const Log& log) {
   Shares shares;
-  for (std::size_t i = 1; i < report.track.size(); ++i) {
-    const TrackSample& a = report.track[i - 1];
-    const TrackSample& b = report.track[i];
-    const bool moved = a.pose.position != b.pose.position;
-    const bool turned = a.pose.heading_rad != b.pose.heading_rad;
-    const bool aimed = a.gun_yaw_rad != b.gun_yaw_rad || a.gun_pitch_rad != b.gun_pitch_rad;
+  const auto& poses = log.messages<geometry_msgs::PoseStamped>(topic::pose);
+  const auto& guns = log.messages<sensor_msgs::JointState>(topic::joints);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Pose2 a = pose_of(poses[i - 1].message.pose), b = pose_of(poses[i].message.pose);
+    const bool moved = a.position != b.position;
+    const bool turned = a.heading_rad != b.heading_rad;
+    const bool aimed = guns.at(i).message.position != guns.at(i - 1).message.position;
     double& share = moved ? shares.drive : turned ? shares.turn : aimed ? shares.aim : shares.flight;
-    share += b.time_s - a.time_s;
+    share += poses[i].time_s() - poses[i - 1].time_s();
   }
   return shares;
 }
@@ -102,7 +105,7 @@ GuardRow row_of(const GuardScenario& yard, const GuardPlanner& planner, const Re
           metric(report, "planned_s"),
           metric(report, "lower_bound_s"),
           metric(report, "mission_s"),
-          shares_of(page_report(report, log)),
+          shares_of(log),
           {}};
 }
 

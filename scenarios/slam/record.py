@@ -1,12 +1,13 @@
 """Makes recorded logs of an exploration that Outrider has simulated, with the truth in them.
 
     outrider run scenarios/explore/office.yaml --out out
-    python3 scenarios/slam/record.py out/explore.json scenarios/slam
+    outrider convert out out/run.jsonl
+    python3 scenarios/slam/record.py out/run.jsonl scenarios/slam
 
-The robot drives the way of the report. From there its sensors are cast anew against the true walls:
+The robot drives the way of the log. From there its sensors are cast anew against the true walls:
   office.log.gz              a laser of 8 m over 180 degrees (CARMEN), off by 1 cm; the poses of FLASER are true
   posts.dat, posts_world.dat 16 posts seen within 3 m (Freiburg), off by 5 cm and 1 degree
-Its wheels count 2 % too little and drift to the left. Same report, same bytes.
+Its wheels count 2 % too little and drift to the left. Same log, same bytes.
 """
 import gzip
 import json
@@ -103,14 +104,29 @@ def landmark_log(rows, edges, posts, chance):
     return "\n".join(lines) + "\n"
 
 
-def main(report, folder):
-    with open(report, encoding="utf-8") as text:
-        found = json.load(text)
-    edges = edges_of(found["explore"]["walls"])
-    rows = [row[:4] for row in found["track"]]
+def read(path):
+    """The outlines of the walls, and the rows (time, x, y, heading) of the way, to the micrometre."""
+    walls, rows = [], []
+    with open(path, encoding="utf-8") as lines:
+        for line in lines:
+            logged = json.loads(line)
+            if logged["topic"] == "/walls":
+                walls = [[(point["x"], point["y"]) for point in wall["points"]] for wall in logged["message"]["outlines"]]
+            elif logged["topic"] == "/pose":
+                place, turn = (logged["message"]["pose"][part] for part in ("position", "orientation"))
+                heading = 2 * math.atan2(turn["z"], turn["w"])
+                before = rows[-1][3] if rows else 0.0
+                heading = before + math.remainder(heading - before, 2 * math.pi)  # without a jump
+                rows.append([round(value, 6) for value in (logged["time_ns"] / 1e9, place["x"], place["y"], heading)])
+    return walls, rows
+
+
+def main(log, folder):
+    walls, rows = read(log)
+    edges = edges_of(walls)
     folder = pathlib.Path(folder)
-    log = laser_log(rows, edges, random.Random(1)).encode()
-    (folder / "office.log.gz").write_bytes(gzip.compress(log, 9, mtime=0))
+    scans = laser_log(rows, edges, random.Random(1)).encode()
+    (folder / "office.log.gz").write_bytes(gzip.compress(scans, 9, mtime=0))
     steps = rows[::3]
     chance = random.Random(2)
     posts = posts_of(steps, edges, chance)

@@ -2,6 +2,7 @@
 import json
 import unittest
 
+from mcap_log import targets_of
 from tool import PAGE, SOURCE, ToolTest, main
 
 DOORS = "--arrivals-entrances=gate=-2,-2 gap=2,-2.5"
@@ -24,45 +25,39 @@ class Arrivals(ToolTest):
         self.assertLessEqual(metrics["intruder_seconds_bound"], metrics["intruder_seconds"])
         self.assertLessEqual(metrics["makespan_bound_s"], metrics["makespan_s"])
         self.assertLessEqual(metrics["makespan_s"], metrics["mission_s"])
-        report = json.loads((self.folder / "out" / "guard.json").read_text())
-        enters = [event for event in report["events"] if event["kind"] == "enter"]
+        log = self.log_of("out")
+        events = log.read("/rosout")
+        enters = [(time, event.msg) for time, event in events if event.name == "enter"]
         self.assertEqual(len(enters), 5)
-        times = [event["time_s"] for event in report["events"]]
-        self.assertEqual(times, sorted(times))
-        for target, event in zip(report["targets"], enters):
-            self.assertEqual(target["visit"]["enters_s"], event["time_s"])
-            self.assertIn(target["visit"]["entrance"], ["gate", "gap"])
-            self.assertIn(target["name"], event["text"])
+        stamps = [(event.stamp.sec, event.stamp.nanosec) for _, event in events]
+        self.assertEqual(stamps, sorted(stamps))
+        for target, (time, sentence) in zip(targets_of(log).values(), enters):
+            self.assertEqual(target.places[0][0], time)
+            self.assertIn(target.entrance, ["gate", "gap"])
+            self.assertIn(target.name, sentence)
 
     def test_a_schedule_says_who_comes(self):
         self.write("list.txt", LIST)
         result = self.run_tool(*self.watch("--arrivals-list", "list.txt", "--json", "--out", "out"))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual([t["name"] for t in self.json_of(result)["targets"]], ["fox", "1_0", "fox_2"])
-        report = json.loads((self.folder / "out" / "guard.json").read_text())
-        self.assertEqual([t["visit"]["enters_s"] for t in report["targets"]], [0, 4, 9.5])
+        self.assertEqual([target.places[0][0] for target in targets_of(self.log_of("out")).values()], [0, 4, 9.5])
 
     def test_every_policy_and_objective_twice_the_same(self):
         listed = json.loads(self.run_tool("list", "--json").stdout)["guard_policies"]
         self.assertGreaterEqual(len(listed), 3)
         for policy in listed:
             for objective in ["time_inside", "makespan"]:
-                reports = []
-                for threads in ["1", "2"]:
-                    out = f"{policy['name']}-{objective}-{threads}"
+                outs = [f"{policy['name']}-{objective}-{threads}" for threads in "12"]
+                for out in outs:
                     self.run_tool(*self.watch("--arrivals-count", "4", "--arrivals-policy", policy["name"],
-                                              "--arrivals-objective", objective, "--threads", threads, "--out", out))
-                    reports.append((self.folder / out / "guard.json").read_bytes())
-                self.assertEqual(reports[0], reports[1], policy["name"])
+                                              "--arrivals-objective", objective, "--threads", out[-1], "--out", out))
+                self.same_run(*outs)
 
     def test_an_empty_process_is_the_still_yard(self):
-        reports = []
         for out, flags in [("still", []), ("nobody", [DOORS, "--arrivals-policy", "groups"])]:
             self.assertEqual(self.run_tool(*self.guard(*flags, "--out", out)).returncode, 0)
-            report = json.loads((self.folder / out / "guard.json").read_text())
-            del report["settings"]
-            reports.append(report)
-        self.assertEqual(reports[0], reports[1])
+        self.same_mission("still", "nobody")
 
     def test_what_is_wrong_gets_a_sentence(self):
         for flags, says in [

@@ -95,9 +95,9 @@ class Output(ToolTest):
     def test_refused_before_any_work(self):
         self.refused("guard", "--out", "yard.sdf", says=["--out"])
 
-    def test_a_report_in_the_place_of_a_folder(self):
-        (self.folder / "out" / "guard.json").mkdir(parents=True)
-        self.refused(*self.guard("--out", "out"), says=["out/guard.json", "folder"])
+    def test_a_folder_in_the_place_of_a_file(self):
+        (self.folder / "out" / "run.svg").mkdir(parents=True)
+        self.refused(*self.guard("--out", "out"), says=["out/run.svg", "folder"])
 
     def test_standard_output_that_is_full(self):
         if os.path.exists("/dev/full"):

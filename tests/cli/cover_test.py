@@ -1,9 +1,10 @@
-"""The command cover: the room, published fields, bounds, pictures, areas and the report, scenarios, refusals."""
+"""The command cover: the room, published fields, bounds, pictures, areas and the log, scenarios, refusals."""
 import json
 import math
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+from mcap_log import xyz
 from tool import DATA, PAGE, SOURCE, ToolTest, flat, main
 
 ROOM = "(0,0) (1.5,0) (1.5,1.5) (0,1.5)\n---\n"
@@ -93,25 +94,25 @@ class Cover(ToolTest):
             self.assertLess(abs(piece["from"][0] - at[0]) + abs(piece["from"][1] - at[1]), 1e-8)
             at = piece["to"]
 
-    def test_the_report_is_the_drive(self):
+    def test_the_log_is_the_drive(self):
         answer = self.cover("room.txt", "--out", "out", "--tracking-error", "0.005", "--seed", "7")
-        self.assertEqual(answer["report"], "out/cover.json")
-        report = json.loads((self.folder / "out/cover.json").read_text())
-        self.assertEqual((report["job"], report["status"], report["seed"]), ("cover", "done", 7))
-        self.assertIn(report["settings"]["method"], ("spiral", "boustrophedon"))
-        metrics, track = report["metrics"], report["track"]
+        self.assertEqual(answer["log"], "out/run.mcap")
+        result, log = self.result_of("out"), self.log_of("out")
+        self.assertEqual((result["job"], result["status"], log.latest("/run").seed), ("cover", "done", 7))
+        self.assertIn(result["settings"]["method"], ("spiral", "boustrophedon"))
+        metrics, poses = result["metrics"], log.read("/pose")
         self.assertEqual(metrics, answer["metrics"], "one name has one meaning")
-        self.assertAlmostEqual(track[-1][0], metrics["time_s"], places=5)
-        length = sum(math.dist(a[1:3], b[1:3]) for a, b in zip(track, track[1:]))
-        self.assertAlmostEqual(length, metrics["length_m"], places=3)
-        cover = report["cover"]
-        self.assertAlmostEqual(sum(map(signed_area, cover["reach"])), answer["reach_m2"], places=4)
-        self.assertAlmostEqual(cover["covered"][-1][1], metrics["covered_m2"], places=3)
-        self.assertEqual([p["role"] for p in cover["passes"]].count("lane"), answer["lanes"])
+        self.assertAlmostEqual(poses[-1][0], metrics["time_s"], places=5)
+        track = [xyz(pose.pose.position)[:2] for _, pose in poses]
+        self.assertAlmostEqual(sum(map(math.dist, track, track[1:])), metrics["length_m"], places=3)
+        reach = [[xyz(point) for point in outline.points] for outline in log.latest("/coverage_area").reach]
+        self.assertAlmostEqual(sum(map(signed_area, reach)), answer["reach_m2"], places=4)
+        self.assertAlmostEqual(log.latest("/coverage").covered, metrics["covered_m2"], places=3)
+        self.assertEqual([one.role for _, one in log.read("/coverage_passes")].count("lane"), answer["lanes"])
         way = json.loads((self.folder / "out/track.json").read_text())["driven"]
-        self.assertLess(math.dist(way[-1], track[-1][1:3]), 1e-5)
+        self.assertLess(math.dist(way[-1], track[-1]), 1e-5)
 
-    def test_the_report_is_replayed(self):
+    def test_the_run_is_replayed(self):
         summary = self.run_tool("cover", "room.txt", "--out", "out", *PAGE).stdout
         self.assertEqual([path.name for path in self.folder.glob("out/*.html")], ["cover.html"] * len(PAGE))
         result = self.run_tool("replay", "out/run.mcap", "--svg", "moving.svg")

@@ -1,16 +1,17 @@
 """Shooting while driving, from the command line."""
-import json
 import math
 import unittest
 
+from mcap_log import xyz
 from tool import PAGE, SOURCE, ToolTest, main
 
 LANE = SOURCE / "scenarios" / "driveby" / "driveby.yaml"
 QUICK = ["--plan-resolution", "0.2", "--plan-iterations", "200", "--plan-stops", "100"]
 
 
-def place_at(track, time):
-    """Place and velocity of the robot by the track, whose rows begin with time, x, y."""
+def place_at(log, time):
+    """Place and velocity of the robot by its poses."""
+    track = [(at, pose.pose.position.x, pose.pose.position.y) for at, pose in log.read("/pose")]
     for a, b in zip(track, track[1:]):
         if a[0] < b[0] and b[0] >= time:
             velocity = [(b[k] - a[k]) / (b[0] - a[0]) for k in (1, 2)]
@@ -19,43 +20,43 @@ def place_at(track, time):
 
 
 class DriveBy(ToolTest):
-    def report_of(self, *args, out="out"):
+    def run_of(self, *args, out="out"):
+        """The metrics and the log of a run."""
         result = self.run_tool(*args, "--out", out, timeout=300)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return json.loads((self.folder / out / "guard.json").read_text())
+        return self.result_of(out)["metrics"], self.log_of(out)
 
     def test_the_lane(self):
-        report = self.report_of("run", LANE, *QUICK, *PAGE)
-        metrics = report["metrics"]
+        metrics, log = self.run_of("run", LANE, *QUICK, *PAGE)
         self.assertEqual(metrics["reached"], metrics["targets"])
-        passing = [shot for shot in report["shots"] if "platform_velocity_mps" in shot]
+        passing = [shot for _, shot in log.read("/shots") if shot.platform_velocity.x or shot.platform_velocity.y]
         self.assertGreaterEqual(len(passing), 4)
         self.assertEqual(metrics["shots_in_passing"], len(passing))
-        self.assertEqual(metrics["hits_in_passing"], sum(shot["hit"] for shot in passing))
+        self.assertEqual(metrics["hits_in_passing"], sum(shot.hit for shot in passing))
         self.assertLessEqual(metrics["lower_bound_s"], metrics["planned_s"])
-        standing = self.report_of("run", LANE, *QUICK, "--plan-shoot-on-the-move=false", out="standing")
-        self.assertLess(metrics["planned_s"], standing["metrics"]["planned_s"])
-        self.assertLess(metrics["mission_s"], standing["metrics"]["mission_s"])
+        standing, _ = self.run_of("run", LANE, *QUICK, "--plan-shoot-on-the-move=false", out="standing")
+        self.assertLess(metrics["planned_s"], standing["planned_s"])
+        self.assertLess(metrics["mission_s"], standing["mission_s"])
 
     def test_flights_begin_at_the_robot_that_drives(self):
-        report = self.report_of("run", LANE, *QUICK)
-        for shot in report["shots"]:
-            place, velocity = place_at(report["track"], shot["time_s"])
-            platform = shot.get("platform_velocity_mps", [0, 0])
+        _, log = self.run_of("run", LANE, *QUICK)
+        gravity = log.latest("/run").gravity
+        for time, shot in log.read("/shots"):
+            place, velocity = place_at(log, time)
+            platform, muzzle, leaves = xyz(shot.platform_velocity), xyz(shot.muzzle), xyz(shot.velocity)
             self.assertLess(math.dist(platform, velocity), 0.05)
-            tip = [shot["muzzle"][k] - place[k] for k in range(2)]
-            along = [shot["velocity_mps"][k] - platform[k] for k in range(2)]
+            tip = [muzzle[k] - place[k] for k in range(2)]
+            along = [leaves[k] - platform[k] for k in range(2)]
             self.assertAlmostEqual(tip[0] * along[1], tip[1] * along[0], delta=5e-5)
-            # The flight, by its closed form, ends where the report says.
-            t, g = shot["flight_s"], report["world"]["gravity_mps2"]
-            end = [shot["muzzle"][k] + t * shot["velocity_mps"][k] - (0.5 * g * t * t if k == 2 else 0)
-                   for k in range(3)]
-            self.assertLess(math.dist(end, shot["contact_point"]), 1e-6)
+            # The flight, by its closed form, ends where the log says.
+            t = shot.flight
+            end = [muzzle[k] + t * leaves[k] - (0.5 * gravity * t * t if k == 2 else 0) for k in range(3)]
+            self.assertLess(math.dist(end, xyz(shot.contact_point)), 1e-6)
 
     def test_the_same_bytes_with_one_thread_and_two(self):
         for threads in ["1", "2"]:
-            self.report_of("run", LANE, *QUICK, "--threads", threads, out=threads)
-        self.assertEqual((self.folder / "1/guard.json").read_bytes(), (self.folder / "2/guard.json").read_bytes())
+            self.run_of("run", LANE, *QUICK, "--threads", threads, out=threads)
+        self.same_run("1", "2")
 
     def test_what_does_not_go_together_gets_a_sentence(self):
         for flags, says in [

@@ -28,10 +28,10 @@ class Explore(ToolTest):
 
     def test_a_room_and_its_files(self):
         answer = self.explore("room.sdf", "--start=-0.8,-0.5,30", "--out", "out", *PAGE)
-        self.assertEqual(answer["report"], "out/explore.json")
+        self.assertEqual(answer["log"], "out/run.mcap")
         self.assertLess(answer["time_s"], 60)
         self.assertEqual({path.name for path in (self.folder / "out").iterdir()},
-                         {"run.json", "run.mcap", "explore.json", "run.svg", "track.csv", "map.yaml", "map.pgm"} | set(["explore.html"] * len(PAGE)))
+                         {"run.json", "run.mcap", "run.svg", "track.csv", "map.yaml", "map.pgm"} | set(["explore.html"] * len(PAGE)))
         self.assertGreater(len((self.folder / "out/track.csv").read_text().splitlines()), 20)
         # What was mapped is a world to explore as well, once more with another seed.
         self.explore("out/map.yaml", "--start=-0.8,-0.5,30", "--seed", "2")

@@ -24,11 +24,10 @@ class GuardPlanners(ToolTest):
             first = self.json_of(self.run_tool(*self.guard("--planner", name, "--json", "--out", f"{name}-a")))
             self.assertEqual(first["metrics"]["reached"], 3, name)
             self.run_tool(*self.guard("--plan-planner", name, "--out", f"{name}-b"))
-            self.assertEqual((self.folder / f"{name}-a/guard.json").read_bytes(),
-                             (self.folder / f"{name}-b/guard.json").read_bytes())
+            self.same_run(f"{name}-a", f"{name}-b")
         self.write("m.yaml", SCENARIO + "  planner: shrinking_circles\n")
         self.run_tool("run", "m.yaml", "--out", "key")
-        settings = json.loads((self.folder / "key/guard.json").read_text())["settings"]
+        settings = self.result_of("key")["settings"]
         self.assertIn("shrinking_circles", json.dumps(settings))
 
     def test_unknown_planners_and_groups(self):

@@ -5,6 +5,7 @@ import pathlib
 import re
 import unittest
 
+from mcap_log import targets_of
 from tool import DATA, NO_PAGE, PAGE, SOURCE, TARGETS, ToolTest, main
 
 METRICS = ["targets", "reached", "failed", "unreachable", "reached_by_reference_rule", "planning_s", "mission_s",
@@ -38,7 +39,7 @@ class Guard(ToolTest):
                 self.assertGreater(target["speed_mps"], 0)
                 self.assertGreaterEqual(target["clearance_m"], 0)
 
-    def test_json_is_one_object_and_names_the_report(self):
+    def test_json_is_one_object_and_names_the_files(self):
         result = self.run_tool(*self.guard("--json", "--out", "out", *PAGE))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
@@ -47,10 +48,13 @@ class Guard(ToolTest):
         self.assertEqual(summary["status"], "done")
         self.assertEqual([t["status"] for t in summary["targets"]], ["reached"] * 3)
         self.assertEqual(sorted(p.name for p in (self.folder / "out").iterdir()),
-                         ["guard.html", "guard.json", "run.json", "run.mcap", "run.svg"][not PAGE:])
-        report = json.loads((self.folder / summary["files"].get("report")).read_text())
-        self.assertEqual(report["status"], "done")
-        self.assertEqual(len(report["targets"]), 3)
+                         ["guard.html", "run.json", "run.mcap", "run.svg"][not PAGE:])
+        self.assertEqual(summary["files"]["result"], "out/run.json")
+        self.assertEqual(summary["files"]["log"], "out/run.mcap")
+        result = self.result_of("out")
+        self.assertEqual(result["status"], "done")
+        self.assertEqual(len(result["targets"]), 3)
+        self.assertEqual(list(targets_of(self.log_of("out"))), [target["name"] for target in result["targets"]])
 
     def test_prove_makes_the_gap_no_larger(self):
         gaps = [self.json_of(self.run_tool(*self.guard("--json", *flags)))["metrics"]["gap"]
@@ -62,7 +66,7 @@ class Guard(ToolTest):
     def test_without_a_folder_nothing_is_written(self):
         before = self.tree()
         summary = self.json_of(self.run_tool(*self.guard("--json")))
-        self.assertIsNone(summary["files"].get("report"))
+        self.assertEqual(summary["files"], {})
         self.assertEqual(self.tree(), before)
 
     def test_text_is_for_people(self):
@@ -70,7 +74,7 @@ class Guard(ToolTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue(result.stdout.startswith("court: 3 of 3 targets reached in "), result.stdout)
         self.assertNotIn("{", result.stdout)
-        for word in ["fox", "deep/er/out/guard.json", "planning took"] + ["deep/er/out/guard.html"] * len(PAGE):
+        for word in ["fox", "deep/er/out/run.json", "planning took"] + ["deep/er/out/guard.html"] * len(PAGE):
             self.assertIn(word, result.stdout)
 
     def test_warnings_go_to_standard_error(self):
@@ -82,14 +86,12 @@ class Guard(ToolTest):
         self.assertEqual(len(self.json_of(result)["warnings"]), len(result.stderr.splitlines()))
 
     def test_same_bytes_for_any_number_of_threads(self):
-        reports = []
-        for threads in ["1", "2", "1"]:
-            self.run_tool(*self.guard("--out", f"t{len(reports)}", "--threads", threads, "--seed", "5"))
-            reports.append((self.folder / f"t{len(reports)}" / "guard.json").read_bytes())
-        self.assertEqual(reports[0], reports[1])
-        self.assertEqual(reports[0], reports[2])
+        for out, threads in [("a", "1"), ("b", "2"), ("c", "1")]:
+            self.run_tool(*self.guard("--out", out, "--threads", threads, "--seed", "5"))
+        self.same_run("a", "b")
+        self.same_run("a", "c")
         self.run_tool(*self.guard("--out", "other", "--seed", "6"))
-        self.assertNotEqual(reports[0], (self.folder / "other" / "guard.json").read_bytes())
+        self.assertNotEqual(self.log_of("a").of("/shots"), self.log_of("other").of("/shots"))
 
     def test_a_target_that_fails_is_exit_status_1(self):
         wild = self.guard("--errors-gun", "1", "--errors-speed", "0.5", "--tries", "1", "--json", "--seed", "3")
@@ -119,8 +121,8 @@ class Guard(ToolTest):
         first = self.json_of(self.run_tool("run", "missions/m.yaml", "--json", "--out", "a"))
         self.run_tool("run", "missions/m.yaml", "--out", "b", "--seed", "4", "--targets", "targets.txt")
         self.run_tool("guard", "--scenario", "missions/m.yaml", "--out", "c", "--seed", "5")
-        settings = {name: json.loads((self.folder / name / "guard.json").read_text())["seed"] for name in "abc"}
-        self.assertEqual(settings, {"a": 4, "b": 4, "c": 5})
+        seeds = {name: self.log_of(name).latest("/run").seed for name in "abc"}
+        self.assertEqual(seeds, {"a": 4, "b": 4, "c": 5})
         self.check_summary(first)
 
 
@@ -133,7 +135,7 @@ class Replay(ToolTest):
         result = self.run_tool("replay", "out/run.mcap", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
         again = self.json_of(result)
-        del self.summary["metrics"]["planning_s"]  # no report holds it: it differs from run to run
+        del self.summary["metrics"]["planning_s"]  # no file holds it: it differs from run to run
         self.summary["files"] = {"log": self.summary["files"]["log"]}  # a replay knows of no other
         self.assertEqual(again, self.summary)
         text = self.run_tool("replay", "out/run.mcap").stdout
@@ -160,16 +162,15 @@ class Replay(ToolTest):
         self.assertIn(base64.b64encode((self.folder / "out/run.mcap").read_bytes()).decode(), page)
         self.assertIsNone(re.search(r"""(src|href)\s*=\s*["']?(https?:)?//""", page), "it loads something")
 
-    def test_reads_compressed_reports(self):
+    def test_reads_compressed_results(self):
         import gzip
         self.write("r.json.gz", gzip.compress((self.folder / "out/run.json").read_bytes()))
         self.assertEqual(self.run_tool("replay", "r.json.gz").returncode, 0)
 
-    def test_refuses_what_is_no_report(self):
-        self.refused("replay", "out/guard.json", says=["out/guard.json", "older version", "--out DIR", "run.mcap"])
-        report = (self.folder / "out/run.json").read_text()
+    def test_refuses_what_is_no_run(self):
+        result = (self.folder / "out/run.json").read_text()
         self.refused("replay", "out/run.json", "--svg", "p.svg", says=["out/run.json", "run.mcap"])
-        self.write("cut.json", report[:len(report) // 2])
+        self.write("cut.json", result[:len(result) // 2])
         self.refused("replay", "cut.json", "--svg", "p.svg", says=["cut.json", "JSON"])
         self.write("other.json", '{"type": "FeatureCollection"}')
         self.refused("replay", "other.json", says=["other.json", "run.json", "run the job again"])

@@ -1,7 +1,7 @@
 """Intruders that survive hits, and intruders that walk about, from the command line."""
-import json
 import unittest
 
+from mcap_log import targets_of
 from tool import COARSE, PAGE, ToolTest, main
 
 FOXES = ("name=fox size=0.3,0.3,0.3 x=1.8 y=1.9\nname=hare size=0.3,0.3,0.3 x=-1.5 y=1\n"
@@ -17,9 +17,6 @@ class Movers(ToolTest):
         return self.run_tool("guard", "--world", "yard.sdf", "--targets", "foxes.txt", "--start", "0,-2,90",
                              *COARSE, *args)
 
-    def report(self, out):
-        return json.loads((self.folder / out / "guard.json").read_text())
-
     def refused(self, result, where, words):
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn(where, result.stderr)
@@ -31,22 +28,20 @@ class Movers(ToolTest):
         metrics = self.json_of(result)["metrics"]
         self.assertEqual(metrics["reached"], 3)
         self.assertGreater(metrics["expected_s"], metrics["expected_error_s"])
-        report = self.report("out")
-        survived = [event for event in report["events"] if event["kind"] == "survive"]
+        log = self.log_of("out")
+        survived = [event for _, event in log.read("/rosout") if event.name == "survive"]
         self.assertEqual(len(survived), metrics["survived"])
         self.assertGreater(len(survived), 0)
-        self.assertEqual(sum((len(target.get("moves", [0])) - 1) // 2 for target in report["targets"]),
-                         len(survived))
+        self.assertEqual(sum((len(target.places) - 1) // 2 for target in targets_of(log).values()), len(survived))
         again = self.hunt("--arrivals-leave", "0.4", "--seed", "2", "--threads", "1", "--out", "again")
         self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertEqual(self.report("again"), report)
+        self.same_run("out", "again")
 
     def test_when_all_leave_it_is_the_still_yard(self):
         for out, flags in [("still", []), ("leave", ["--arrivals-leave", "1"]), ("stay", ["--wander-speed", "0"])]:
             self.assertEqual(self.hunt("--out", out, *flags).returncode, 0)
-        still = (self.folder / "still" / "guard.json").read_bytes()
-        self.assertEqual((self.folder / "leave" / "guard.json").read_bytes(), still)
-        self.assertEqual((self.folder / "stay" / "guard.json").read_bytes(), still)
+        for out in ("leave", "stay"):
+            self.same_mission(out, "still")
 
     def test_probabilities_without_an_end_are_refused(self):
         self.refused(self.hunt("--arrivals-leave", "0"), "arrivals.leave", "would not end")
@@ -62,14 +57,15 @@ class Movers(ToolTest):
         result = self.hunt(*flags, "--out", "out")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.json_of(result)["metrics"]["reached"], 3)
-        report = self.report("out")
-        for target in report["targets"]:
-            times = [move["time_s"] for move in target["moves"]]
+        log = self.log_of("out")
+        for target in targets_of(log).values():
+            times = [time for time, _ in target.places]
+            self.assertGreater(len(times), 1)
             self.assertEqual(times, sorted(times))
-        leads = [event for event in report["events"] if event["kind"] == "lead"]
-        self.assertEqual(len(leads), len(report["shots"]))
+        leads = [event for _, event in log.read("/rosout") if event.name == "lead"]
+        self.assertEqual(len(leads), len(log.of("/shots")))
         self.assertEqual(self.hunt(*flags, "--threads", "1", "--out", "again").returncode, 0)
-        self.assertEqual(self.report("again"), report)
+        self.same_run("out", "again")
 
     def test_bad_walkers_are_refused(self):
         walk = ["--wander-speed", "0.4"]

@@ -1,5 +1,4 @@
 """guard --sim physics from outside: rigid bodies where the engine is built in, a sentence where it is not."""
-import json
 import unittest
 
 from tool import PAGE, ToolTest, main
@@ -14,7 +13,7 @@ class Physics(ToolTest):
             self.skipTest(result.stderr.strip())
         return result
 
-    def test_report_and_summary_say_what_carried_it_out(self):
+    def test_log_and_summary_say_what_carried_it_out(self):
         result = self.carried_out("--json", "--out", "a")
         summary = self.json_of(result)
         self.assertGreater(summary["metrics"]["physics_s"], 0)
@@ -22,20 +21,19 @@ class Physics(ToolTest):
         self.assertEqual(summary["metrics"]["reached"], 3)
         self.assertLess(summary["metrics"]["arrival_error_max_m"], 0.01)
         self.assertIn("times real time", self.carried_out().stdout)
-        report = json.loads((self.folder / "a/guard.json").read_text())
-        self.assertEqual(report["sim"], "physics")
-        self.assertEqual(report["settings"]["sim"], "physics")
+        self.assertEqual(self.log_of("a").latest("/run").sim, "physics")
+        self.assertEqual(self.result_of("a")["settings"]["sim"], "physics")
 
     def test_the_same_seed_gives_the_same_bytes(self):
         self.carried_out("--seed", "3", "--out", "a", *PAGE)
         self.carried_out("--seed", "3", "--out", "b", "--threads", "1")
-        self.assertEqual((self.folder / "a/guard.json").read_bytes(), (self.folder / "b/guard.json").read_bytes())
+        self.same_run("a", "b")
         self.assertEqual((self.folder / "a/guard.html").exists(), bool(PAGE))
 
-    def test_a_kinematic_report_has_no_sim(self):
+    def test_a_kinematic_run_has_no_sim(self):
         summary = self.json_of(self.run_tool(*self.guard("--sim", "kinematic", "--json", "--out", "a")))
         self.assertNotIn("sim", summary)
-        self.assertNotIn("sim", json.loads((self.folder / "a/guard.json").read_text()))
+        self.assertEqual(self.log_of("a").latest("/run").sim, "")
 
     def test_what_it_is_refused_for(self):
         self.refused(*self.guard("--sim", "magic"), says=["sim", "'magic'", "kinematic or physics"])

@@ -1,4 +1,4 @@
-"""Guarding a yard that is not known: explored first, one report of both."""
+"""Guarding a yard that is not known: explored first, one log of both."""
 import base64
 import json
 
@@ -17,10 +17,10 @@ class Scout(ToolTest):
         self.assertEqual(metrics["reached"], metrics["targets"])
         self.assertEqual(metrics["contacts"], 0)
         self.assertGreater(metrics["explored_fraction"], 0.98)
-        with open(f"{self.folder}/guard.json", encoding="utf-8") as file:
-            report = json.load(file)
-        self.assertGreater(report["shots"][0]["time_s"], metrics["explore_s"])
-        self.assertIn("state_runs", report["explore"]["map"])
+        log = self.log_of(".")
+        self.assertGreater(log.read("/shots")[0][0], metrics["explore_s"])
+        found = log.latest("/map")
+        self.assertEqual(len(found.data), found.info.width * found.info.height)
         if PAGE:
             with open(f"{self.folder}/guard.html", encoding="utf-8") as file:
                 log = (self.folder / "run.mcap").read_bytes()

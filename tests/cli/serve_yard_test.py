@@ -1,7 +1,7 @@
 """`outrider serve` from outside: a yard that was changed is run as it was shown."""
-import json
 import math
 
+from mcap_log import targets_of
 from serve_case import Serve
 from server_client import Server
 from tool import main
@@ -33,10 +33,10 @@ class Yards(Serve):
                 refused = server.json("PUT", "/api/v1/scenarios/x.yaml", {"guard": {**same, **wrong}}, status=400)
                 self.assertIn(says, self.fault(refused, "bad_input"))
         # What was not moved is the same mission; what was is another.
-        runs = {name: self.json_of(self.run_tool("run", f"{name}.yaml", "--json", "--out", name)) for name in ("court", "same", "moved")}
-        reports = {name: (self.folder / name / "guard.json").read_text() for name in runs}
-        self.assertEqual(*(reports[name].split('"settings"')[0] for name in ("court", "same")))
-        self.assertIn("new", [target["name"] for target in json.loads(reports["moved"])["targets"]])
+        for name in ("court", "same", "moved"):
+            self.json_of(self.run_tool("run", f"{name}.yaml", "--json", "--out", name))
+        self.same_mission("court", "same")
+        self.assertIn("new", targets_of(self.log_of("moved")))
     def placed(self, thing):
         """The polygons of a thing where it stands, as the page draws them."""
         c, s = math.cos(thing["turn_rad"]), math.sin(thing["turn_rad"])
@@ -45,7 +45,7 @@ class Yards(Serve):
                 for polygon in thing["polygons"]]
 
     def test_things_that_were_moved_stand_there_when_it_is_run(self):
-        """What the page draws before it saves is what the report of the saved scenario has."""
+        """What the page draws before it saves is what the log of the saved scenario has."""
         with Server(self.folder) as server:
             shown = self.valid("Scenario", server.json("GET", "/api/v1/scenarios/court.yaml"))
             self.assertEqual([thing["name"] for thing in shown["things"]], ["north", "south", "east", "west", "crate"])
@@ -65,14 +65,15 @@ class Yards(Serve):
         self.assertRegex(text, r"moved: .?crate=-1,0.5,40\.1")
         self.assertRegex(text, r"removed: .?east")
         self.json_of(self.run_tool("run", "turned.yaml", "--json", "--out", "out"))
-        report = json.loads((self.folder / "out/guard.json").read_text())
-        solids = {solid["name"]: solid for solid in report["world"]["solids"]}
+        log = self.log_of("out")
+        solids = {solid.name: solid for solid in log.latest("/solids").solids}
         self.assertNotIn("east", solids)
-        core = solids["crate"]["footprint"][0]["core"]
+        core = solids["crate"].footprint[0].points
         for x, y in preview:
-            self.assertLess(min(math.hypot(x - u, y - v) for u, v in core), 1e-4, (preview, core))
-        self.assertAlmostEqual(report["robot"]["start"][2], 2, 3)
-        self.assertAlmostEqual(report["targets"][0]["box_yaw_rad"], 0.5, 3)
+            self.assertLess(min(math.hypot(x - one.x, y - one.y) for one in core), 1e-4, (preview, core))
+        start = log.read("/pose")[0][1].pose.orientation
+        self.assertAlmostEqual(2 * math.atan2(start.z, start.w), 2, 3)
+        self.assertAlmostEqual(targets_of(log)["fox"].yaw, 0.5, 3)
         self.refused("run", "court.yaml", "--moved", "cratte=1,2,3", says=["moved", "cratte", "'crate'"])
         self.refused("run", "court.yaml", "--removed", "floor", says=["removed", "'floor'", "ground"])
 

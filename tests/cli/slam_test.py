@@ -5,12 +5,13 @@ import math
 import os
 import unittest
 
+from mcap_log import map_of, xyz
 from tool import DATA, SOURCE, ToolTest, flat, main
 
 EDGE = "EDGE_SE2 {} {} 1 0 {} 100 0 0 100 0 400\n"
 SQUARE = "".join(EDGE.format(i, (i + 1) % 4, math.pi / 2 + 0.02 * i) for i in range(4))
 KEYS = {"landmark_rmse_m", "landmark_rmse_aligned_m", "ate_m", "cost", "steps", "time_s", "max_step_s"}
-MACHINE_TIMES = {"time_s", "max_step_s", "median_step_s", "real_time_factor"}  # printed, and in no report
+MACHINE_TIMES = {"time_s", "max_step_s", "median_step_s", "real_time_factor"}  # printed, and in no file
 
 
 def freiburg_log():
@@ -27,6 +28,11 @@ def freiburg_log():
     return "\n".join(lines) + "\n", "".join(f"{n} {x} {y}\n" for n, (x, y) in posts.items())
 
 
+def path_of(path):
+    """(time, x, y) of each pose of a nav_msgs/Path."""
+    return [(one.header.stamp.sec + one.header.stamp.nanosec / 1e9, *xyz(one.pose.position)[:2]) for one in path.poses]
+
+
 class Slam(ToolTest):
     def result(self, *args):
         run = self.run_tool("slam", *args, "--json", timeout=300)
@@ -36,65 +42,62 @@ class Slam(ToolTest):
         self.assertLessEqual(KEYS, set(found))
         return found
 
-    def report(self, folder):
-        return json.loads((self.folder / folder / "slam.json").read_text())
-
     def rows(self, folder):
         """The columns x, y of track.csv."""
         lines = (self.folder / folder / "track.csv").read_text().splitlines()
         at = lines[0].split(",").index("x")
         return [[float(value) for value in line.split(",")[at:at + 2]] for line in lines[1:]]
 
-    def check_report(self, found, folder, track):
-        """The report says what was printed, and its track is that of track.csv."""
-        report = self.report(folder)
-        self.assertEqual((report["job"], report["status"]), ("slam", found["status"]))
-        self.assertEqual(found["report"], f"{folder}/slam.json")
+    def check_log(self, found, folder, track):
+        """The files say what was printed, and the settled path is that of track.csv."""
+        result, log = self.result_of(folder), self.log_of(folder)
+        self.assertEqual((result["job"], result["status"]), ("slam", found["status"]))
+        self.assertEqual(found["log"], f"{folder}/run.mcap")
         for name, value in found.items():
             if isinstance(value, (int, float)) and name not in MACHINE_TIMES:
-                self.assertEqual(report["metrics"][name], value, name)
-        self.assertFalse(MACHINE_TIMES & set(report["metrics"]))
-        slam = report["slam"]
-        self.assertEqual(len(report["track"]), len(slam["beliefs"]))
-        self.assertEqual(len(slam["odometry"]), len(slam["beliefs"]))
-        self.assertEqual(len(report["track"]), len(track))
-        for row, (x, y) in zip(report["track"], track):
-            self.assertLess(math.dist(row[1:3], (x, y)), 2e-6)
-        for belief, row in zip(slam["beliefs"], report["track"]):
-            self.assertEqual(belief["time_s"], row[0])
-        low, high = report["world"]["bounds"]
-        self.assertTrue(all(low[0] < row[1] < high[0] and low[1] < row[2] < high[1] for row in report["track"]))
-        return report
+                self.assertEqual(result["metrics"][name], value, name)
+        self.assertFalse(MACHINE_TIMES & {name for name, value in result["metrics"].items() if value is not None})
+        settled, beliefs = path_of(log.latest("/trajectory")), log.read("/belief")
+        self.assertEqual(len(settled), len(beliefs))
+        self.assertEqual(len(log.of("/odom")), len(beliefs))
+        self.assertEqual(len(settled), len(track))
+        for (_, *place), (x, y) in zip(settled, track):
+            self.assertLess(math.dist(place, (x, y)), 2e-6)
+        self.assertEqual([time for time, _ in beliefs], [time for time, *_ in settled])
+        info = log.latest("/run")
+        self.assertTrue(all(info.low.x < x < info.high.x and info.low.y < y < info.high.y for _, x, y in settled))
+        return log
 
-    def test_report_of_landmarks(self):
+    def test_log_of_landmarks(self):
         log, world = freiburg_log()
         self.write("log.dat", log)
         self.write("world.dat", world)
         for engine in ("ekf", "graph"):
             found = self.result("log.dat", "--slam-engine", engine, "--out", engine)
-            report = self.check_report(found, engine, self.rows(engine)[1:])
-            slam = report["slam"]
-            self.assertEqual([row[0] for row in report["track"]], [round(0.1 * i, 6) for i in range(16)])
-            self.assertEqual([one["id"] for one in slam["landmarks"]], [1, 2])
-            for one in slam["landmarks"]:
-                self.assertLess(math.dist(one["position"], one["truth"]), 1e-5)
-                self.assertEqual((one["first_s"], one["sightings"]), (0.1, 16 if engine == "graph" else 15))
-            self.assertEqual([event["time_s"] for event in report["events"]], [0.1, 0.1])
-            self.assertEqual((len(slam["scans"]), len(slam["scans"][0]["points"])), (16, 2))
-            self.assertNotIn("map", slam)
+            log = self.check_log(found, engine, self.rows(engine)[1:])
+            self.assertEqual([time for time, _ in log.read("/belief")], [round(0.1 * i, 6) for i in range(16)])
+            landmarks = log.latest("/landmarks").landmarks
+            self.assertEqual([one.id for one in landmarks], [1, 2])
+            for one in landmarks:
+                self.assertLess(math.dist(xyz(one.position), xyz(one.truth)), 1e-5)
+                self.assertEqual((one.first_seen, one.sightings), (0.1, 16 if engine == "graph" else 15))
+            self.assertEqual([time for time, _ in log.read("/rosout")], [0.1, 0.1])
+            sightings = log.read("/sightings")
+            self.assertEqual((len(sightings), len(sightings[0][1].points)), (16, 2))
+            self.assertEqual(log.of("/map"), [])
 
-    def test_report_of_a_graph(self):
+    def test_log_of_a_graph(self):
         found = self.result(SOURCE / "scenarios/slam/yard.g2o", "--out", "out")
-        report = self.check_report(found, "out", [pose for i, pose in enumerate(self.rows("out")) if i < 25])
-        slam = report["slam"]
-        self.assertEqual([one["id"] for one in slam["landmarks"]], [100, 101, 102])
+        log = self.check_log(found, "out", [pose for i, pose in enumerate(self.rows("out")) if i < 25])
+        landmarks = log.latest("/landmarks").landmarks
+        self.assertEqual([one.id for one in landmarks], [100, 101, 102])
         edges = [line.split() for line in (SOURCE / "scenarios/slam/yard.g2o").read_text().splitlines() if line.startswith("EDGE")]
         ends = [tuple(map(int, edge[1:3])) for edge in edges if edge[0] == "EDGE_SE2"]
         loops = sorted(0.1 * max(a, b) for a, b in ends if abs(a - b) > 1)
-        self.assertEqual([loop["time_s"] for loop in slam["loops"]], [round(t, 6) for t in loops])
-        for one in slam["landmarks"]:
-            self.assertEqual(one["sightings"], sum(edge[2] == str(one["id"]) for edge in edges))
-        self.assertEqual(report["paths"], [])
+        self.assertEqual([round(loop.closed, 6) for loop in log.latest("/loops").loops], [round(t, 6) for t in loops])
+        for one in landmarks:
+            self.assertEqual(one.sightings, sum(edge[2] == str(one.id) for edge in edges))
+        self.assertEqual(log.of("/robot_2/trajectory"), [])
         text = self.run_tool("replay", "out", "--svg", "moving.svg")
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("yard: ", text.stdout)
@@ -109,12 +112,13 @@ class Slam(ToolTest):
         self.write("two.g2o", "".join(EDGE.format(i, i + 1, 0) for i in range(5)) + away +
                    "EDGE_SE2 2 11 0 8 0 100 0 0 100 0 400\nEDGE_SE2 3 12 0 8 0 100 0 0 100 0 400\n")
         self.result("two.g2o", "--out", "out")
-        report = self.report("out")
-        self.assertEqual(len(report["track"]), 6)
-        self.assertEqual([len(path["waypoints"]) for path in report["paths"]], [6, 4])
-        for way in [[row[1:3] for row in report["track"]], *(path["waypoints"] for path in report["paths"])]:
-            self.assertTrue(all(math.dist(a, b) < 1.5 for a, b in zip(way, way[1:])))
-        self.assertEqual([loop["time_s"] for loop in report["slam"]["loops"]], [0.2, 0.3])
+        log = self.log_of("out")
+        ways = [path_of(log.latest(topic)) for topic in ("/trajectory", "/robot_2/trajectory")]
+        self.assertEqual([len(way) for way in ways], [6, 4])
+        self.assertEqual(log.of("/robot_3/trajectory"), [])
+        for way in ways:
+            self.assertTrue(all(math.dist(a[1:], b[1:]) < 1.5 for a, b in zip(way, way[1:])))
+        self.assertEqual([round(loop.closed, 6) for loop in log.latest("/loops").loops], [0.2, 0.3])
 
     def test_scenario(self):
         by_file = flat(self.json_of(self.run_tool("run", SOURCE / "scenarios/slam/posts.yaml", "--json", "--out", "a")))
@@ -127,7 +131,7 @@ class Slam(ToolTest):
         for folder in "bc":
             self.assertEqual((self.folder / "a/landmarks.csv").read_bytes(), (self.folder / folder / "landmarks.csv").read_bytes())
         by_flag = self.result(SOURCE / "scenarios/slam/posts.yaml", "--slam-engine", "ekf", "--out", "d")
-        self.assertEqual(self.report("d")["slam"]["engine"], "ekf")
+        self.assertEqual(self.log_of("d").latest("/run").engine, "ekf")
 
     def test_scenario_refusals(self):
         def refused(text, says, *flags):
@@ -154,29 +158,31 @@ class Slam(ToolTest):
         """The bundled log of a simulated robot: the map it makes, beside the truth in the log."""
         found = self.mapped("--scenario", SOURCE / "scenarios/slam/office.yaml", "--out", "out")
         self.assertLess(found["mean_absolute_error_m"], 0.05)
-        report = self.check_report(found, "out", self.rows("out"))
-        slam = report["slam"]
-        for belief, reference, row in zip(slam["beliefs"], slam["reference"], report["track"]):
-            self.assertLess(math.dist(reference, row[1:3]), 0.2)
-            self.assertLess(math.dist(belief["pose"][:2], row[1:3]), 0.5)
-        self.assertEqual(len(slam["loops"]), found["loops"])
-        self.assertEqual(len([one for one in report["events"] if one["kind"] == "loop"]), found["loops"])
-        times = [scan["time_s"] for scan in slam["scans"]]
-        self.assertEqual(times, sorted(times))
-        self.assertTrue(50 < len(times) <= 400)
-        self.assertTrue(all(len(scan["points"]) <= 180 for scan in slam["scans"]))
-        known = slam["map"]
-        self.assertEqual(sum(known["state_runs"][1::2]), known["columns"] * known["rows"])
-        self.assertEqual(sum(known["known_runs"][1::2]), known["columns"] * known["rows"])
-        self.assertGreater(max(known["known_runs"][::2]) * known["step_s"], 0.5 * report["track"][-1][0])
-        self.assertLess((self.folder / "out/slam.json").stat().st_size, 3_000_000)
+        log = self.check_log(found, "out", self.rows("out"))
+        settled, reference = path_of(log.latest("/trajectory")), path_of(log.latest("/reference"))
+        self.assertEqual(len(settled), len(reference))
+        for (_, belief), true, place in zip(log.read("/belief"), reference, settled):
+            self.assertLess(math.dist(true[1:], place[1:]), 0.2)
+            self.assertLess(math.dist(xyz(belief.pose.pose.position)[:2], place[1:]), 0.5)
+        self.assertEqual(len(log.latest("/loops").loops), found["loops"])
+        self.assertEqual(len([one for _, one in log.read("/rosout") if one.name == "loop"]), found["loops"])
+        scans = log.read("/scan")
+        stamps = [(scan.header.stamp.sec, scan.header.stamp.nanosec) for _, scan in scans]
+        self.assertEqual(stamps, sorted(stamps))
+        self.assertGreater(len(scans), 50)
+        self.assertEqual({len(scan.ranges) for _, scan in scans}, {120})
+        for _, known in log.read("/map"):
+            self.assertEqual(len(known.data), known.info.width * known.info.height)
+        self.assertGreater(log.read("/map_updates")[-1][0], 0.5 * settled[-1][0])
 
     def test_trusted_odometry_has_a_map(self):
         self.mapped(SOURCE / "scenarios/slam/office.log.gz", "--laser-trust-odometry", "--out", "out")
         size = (self.folder / "out/map.pgm").read_bytes().split()[1:3]
         self.assertTrue(all(int(side) > 50 for side in size))
-        drawn = self.report("out")["slam"]["map"]
-        self.assertLess(abs(drawn["columns"] * drawn["cell_m"] - 0.05 * int(size[0])), 0.2)
+        info, rows = map_of(self.log_of("out"))
+        self.assertAlmostEqual(info.resolution, 0.05, places=6)
+        known = [x for x in range(info.width) if any(row[x] >= 0 for row in rows)]
+        self.assertLessEqual(abs(known[-1] - known[0] + 1 - int(size[0])), 4)
 
     def test_graph(self):
         self.write("square.g2o", SQUARE)
@@ -226,7 +232,7 @@ class Slam(ToolTest):
         self.write("log.dat", log)
         self.result("log.dat", "--out", "a")
         self.result("log.dat", "--out", "b")
-        for name in ("slam.json", "track.csv", "landmarks.csv", "state.txt", "run.svg"):
+        for name in ("run.json", "run.mcap", "track.csv", "landmarks.csv", "state.txt", "run.svg"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
 
     def test_refusals(self):

@@ -6,6 +6,8 @@ import subprocess
 import tempfile
 import unittest
 
+from mcap_log import McapLog
+
 TOOL = os.environ["OUTRIDER"]
 SOURCE = pathlib.Path(os.environ["OUTRIDER_SOURCE"])
 DATA = pathlib.Path(os.environ.get("OUTRIDER_DATA") or SOURCE.parent / "shared" / "data")
@@ -49,8 +51,8 @@ PAGE = [] if NO_PAGE in subprocess.run([TOOL, "replay", "none.json", "--html", "
 
 
 def flat(answer):
-    """The answer with its metrics beside its other keys, and the path of its report."""
-    return {**answer["metrics"], **answer, **{name: answer["files"].get(name) for name in ("report", "log")}}
+    """The answer with its metrics beside its other keys, and the path of its log."""
+    return {**answer["metrics"], **answer, "log": answer["files"].get("log")}
 
 
 class ToolTest(unittest.TestCase):
@@ -77,6 +79,28 @@ class ToolTest(unittest.TestCase):
         """Every file and folder with its bytes."""
         return {path.relative_to(self.folder): path.read_bytes() if path.is_file() else None
                 for path in sorted(self.folder.rglob("*"))}
+
+    def result_of(self, folder):
+        """The run.json of a run."""
+        return json.loads((self.folder / folder / "run.json").read_text())
+
+    def log_of(self, folder):
+        """The run.mcap of a run."""
+        return McapLog((self.folder / folder / "run.mcap").read_bytes())
+
+    def same_run(self, a, b):
+        """Both runs left the same bytes."""
+        for name in ("run.json", "run.mcap"):
+            self.assertEqual((self.folder / a / name).read_bytes(), (self.folder / b / name).read_bytes(), (a, b, name))
+
+    def same_mission(self, a, b):
+        """Both runs came to the same, and logged the same messages; their settings may differ."""
+        came_to = []
+        for folder in (a, b):
+            came_to.append(self.result_of(folder))
+            del came_to[-1]["settings"]
+        self.assertEqual(*came_to)
+        self.assertEqual(self.log_of(a).messages, self.log_of(b).messages)
 
     def json_of(self, result):
         """The one object on standard output."""

@@ -10,16 +10,14 @@
 #include <tbb/global_control.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/run_job.hpp"
-#include "outrider/job/run_json.hpp"
-#include "outrider/log/mcap_sink.hpp"
 #include "support/data.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider::test {
 
@@ -37,25 +35,9 @@ inline std::vector<KeyedOption> keyed_options(JobTask& task) {
   return all;
 }
 
-/// The log of a run as an MCAP file.
-inline std::string bytes_of_log(Log& log) {
-  std::string bytes;
-  McapSink sink(McapWriter::begin(make_string_sink(bytes)).value());
-  log.add_sink(sink);
-  log.remove_sink(sink);
-  EXPECT_TRUE(sink.finish());
-  return bytes;
-}
-
-/// All of a run that must repeat: its report but for how long the machine took, its log, and the names of its
-/// files.
+/// All of a run that must repeat, or why there is none.
 inline std::string bytes_of_run(Outcome<Run> run) {
-  if (!run) return to_string(run.error());
-  const Report report = without_machine_times(run->report);
-  std::string bytes = run_json<nlohmann::ordered_json>(report).dump();
-  for (const auto& [key, value] : report.settings) bytes += "\n" + key + " = " + value;
-  for (const NamedContent& file : run->files) bytes += "\n" + file.path;
-  return bytes + bytes_of_log(run->log);
+  return run ? bytes_of_run(*run) : to_string(run.error());
 }
 
 inline Outcome<Run> run_scenario(const Job& job, const std::string& scenario, const RunWatch& watch = {}) {

@@ -9,10 +9,11 @@
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/guard/job.hpp"
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/report/json.hpp"
 #include "support/costly_cases.hpp"
 #include "support/fine_flight.hpp"
 #include "support/guard_runs.hpp"
+#include "support/logged_targets.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -22,7 +23,7 @@ struct Mission {
   std::optional<FiringMap> firing_map;
   GuardPlan plan;
 
-  [[nodiscard]] PageReport run(std::uint64_t seed) const {
+  [[nodiscard]] Run run(std::uint64_t seed) const {
     return testing::run_still(scenario.problem, *firing_map, plan, scenario.options, seed);
   }
 };
@@ -48,61 +49,58 @@ Mission our_yard() {
   return prepared(std::move(job.scenario));
 }
 
-/// Flies every shot of a report again, in small steps; the contact must be where the report says.
-void expect_replays(const Mission& mission, const PageReport& report) {
+/// Flies every shot of a run again, in small steps; the contact must be where the log says.
+void expect_replays(const Mission& mission, const Run& run) {
   const GuardProblem& problem = mission.scenario.problem;
-  for (const ReportShot& shot : report.shots) {
+  for (const auto& [time_ns, shot] : testing::shots_of(run.log)) {
     const auto target = std::find_if(problem.targets.begin(), problem.targets.end(),
                                      [&](const Target& t) { return t.name == shot.target; });
     ASSERT_NE(target, problem.targets.end());
     const auto index = static_cast<std::size_t>(target - problem.targets.begin());
     const Solid box = solid_of(*target);
     const auto& solids = mission.firing_map->space(index).solids();
-    const auto end =
-        testing::fly_fine(shot.muzzle, shot.velocity_mps, problem.world.gravity_mps2,
-                          problem.gun.ball_radius_m, solids, &box, problem.world.floor_z_m - 1.0);
+    const auto end = testing::fly_fine(testing::vec3_of(shot.muzzle), testing::vec3_of(shot.velocity),
+                                       problem.world.gravity_mps2, problem.gun.ball_radius_m, solids, &box,
+                                       problem.world.floor_z_m - 1.0);
     EXPECT_EQ(end.hit, shot.hit) << shot.target;
     EXPECT_EQ(shot.contact, end.hit ? shot.target : solids[end.solid.value()].name);
     // A step is 0.2 mm; along a face that is grazed it takes a few more.
-    EXPECT_LT(norm(end.position - shot.contact_point), 2e-3) << shot.target;
+    EXPECT_LT(norm(end.position - testing::vec3_of(shot.contact_point)), 2e-3) << shot.target;
   }
   // Where the robot was, it fitted.
-  for (const TrackSample& sample : report.track) {
-    ASSERT_GE(mission.firing_map->ground.clearance(sample.pose.position, 1.0), problem.robot.radius_m - 2e-9);
+  for (const Pose2& pose : poses_of(run.log)) {
+    ASSERT_GE(mission.firing_map->ground.clearance(pose.position, 1.0), problem.robot.radius_m - 2e-9);
   }
 }
 
-void expect_counts(const PageReport& report, double reached, double unreachable) {
-  EXPECT_EQ(metric(report, "reached"), reached);
-  EXPECT_EQ(metric(report, "failed"), 0.0);
-  EXPECT_EQ(metric(report, "unreachable"), unreachable);
-  EXPECT_EQ(report.status, "done");
-  EXPECT_EQ(report.targets.size(), static_cast<std::size_t>(reached + unreachable));
-  EXPECT_LE(metric(report, "lower_bound_s"), metric(report, "expected_s") + 1e-9);
+void expect_counts(const Run& run, double reached, double unreachable) {
+  EXPECT_EQ(metric(run, "reached"), reached);
+  EXPECT_EQ(metric(run, "failed"), 0.0);
+  EXPECT_EQ(metric(run, "unreachable"), unreachable);
+  EXPECT_EQ(run.report.status, "done");
+  EXPECT_EQ(testing::targets_of(run.log).size(), static_cast<std::size_t>(reached + unreachable));
+  EXPECT_LE(metric(run, "lower_bound_s"), metric(run, "expected_s") + 1e-9);
 }
 
 TEST(OurYard, IsGuardedButForTheCatInTheShed) {
   const Mission mission = our_yard();
-  const PageReport report = mission.run(static_cast<std::uint64_t>(mission.scenario.seed));
-  expect_counts(report, 23, 1);
-  expect_replays(mission, report);
-  for (const ReportTarget& target : report.targets) {
+  const auto run = mission.run(static_cast<std::uint64_t>(mission.scenario.seed));
+  expect_counts(run, 23, 1);
+  expect_replays(mission, run);
+  for (const testing::LoggedTarget& target : testing::targets_of(run.log)) {
     EXPECT_EQ(target.status == "unreachable", target.name == "schroedi") << target.name;
     if (target.name == "schroedi") {
       EXPECT_NE(target.reason.find("shed"), std::string::npos) << target.reason;
     }
   }
-  const auto back = report_from_json(to_json(report));
-  ASSERT_TRUE(back.has_value());
-  EXPECT_EQ(to_json(*back), to_json(report));
 }
 
 TEST(OurYard, GivesTheSameBytesTwiceAndWithOneThread) {
   if (!testing::in_full()) GTEST_SKIP() << "three missions like the one above";
-  const std::string first = to_json(our_yard().run(7));
+  const std::string first = test::bytes_of_run(our_yard().run(7));
   for (const std::size_t most_threads : {1U, 2U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
-    EXPECT_EQ(first, to_json(our_yard().run(7))) << most_threads << " threads";
+    EXPECT_EQ(first, test::bytes_of_run(our_yard().run(7))) << most_threads << " threads";
   }
 }
 
@@ -122,10 +120,10 @@ TEST_P(ReferenceWorld, LosesNoTargetWhateverTheSeed) {
   const Mission mission = prepared(scenario);
   EXPECT_TRUE(mission.plan.unreachable.empty());
   for (int seed = 1; seed <= testing::part_of(5); ++seed) {
-    const PageReport report = mission.run(static_cast<std::uint64_t>(seed));
-    expect_counts(report, 24, 0);
-    expect_replays(mission, report);
-    RecordProperty("mission_s_" + std::to_string(seed), std::to_string(metric(report, "mission_s")));
+    const auto run = mission.run(static_cast<std::uint64_t>(seed));
+    expect_counts(run, 24, 0);
+    expect_replays(mission, run);
+    RecordProperty("mission_s_" + std::to_string(seed), std::to_string(metric(run, "mission_s")));
   }
 }
 

@@ -1,28 +1,28 @@
-// Guard missions of each kind in one call, as the page reads them.
+// Guard missions of each kind in one call.
 #pragma once
 
 #include "outrider/jobs/guard/run.hpp"
-#include "support/paged.hpp"
+#include "support/logged_run.hpp"
 
 namespace outrider::testing {
 
-inline PageReport carried_out(const GuardRun& run, const RunWatch& watch) {
-  return paged(watch, [&](Log& log) { return run_guard(run, log, watch); }).value();
+inline Run carried_out(const GuardRun& run, const RunWatch& watch) {
+  return logged_run(watch, [&](Log& log) { return run_guard(run, log, watch); }).value();
 }
 
-inline PageReport run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
-                            const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
+inline Run run_still(const GuardProblem& problem, const FiringMap& firing_map, const GuardPlan& plan,
+                     const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
   return carried_out({problem, firing_map, plan, options, seed}, watch);
 }
 
-inline PageReport run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
-                               const Survival& survival = {}, const RunWatch& watch = {}) {
+inline Run run_arrivals(const ArrivalPlan& plan, const GuardOptions& options, std::uint64_t seed,
+                        const Survival& survival = {}, const RunWatch& watch = {}) {
   const GuardPlan none;
   return carried_out({plan.yard.problem, plan.yard.firing_map, none, options, seed, plan, survival}, watch);
 }
 
-inline PageReport run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks,
-                              const GuardOptions& options, std::uint64_t seed, const RunWatch& watch = {}) {
+inline Run run_walkers(const MovingPlan& plan, const std::vector<Walk>& walks, const GuardOptions& options,
+                       std::uint64_t seed, const RunWatch& watch = {}) {
   const GuardPlan none;
   return carried_out({.problem = plan.problem,
                       .firing_map = plan.firing_map,

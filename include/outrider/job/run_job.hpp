@@ -44,9 +44,6 @@ Outcome<Run> run_task(const Job& job, JobTask& task, const RunWatch& watch = {})
 Outcome<Run> run_job(const std::vector<Job>& jobs, const std::string& scenario_path,
                      const Changes& changes = {}, const RunWatch& watch = {});
 
-/// Reads run.json, as a run leaves it. Fault: bad_input with `name`.
-Outcome<Report> read_run_json(const std::string& text, const std::string& name);
-
 /// Returns the full key of an option, as used in changes and reports: "seed", or "robot.radius" for an option
 /// of the section "robot".
 std::string key_of(const OptionGroup& group, const Option& option);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "outrider/job/log_map.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/report/log_map.hpp"
 #include "outrider/world/occupancy.hpp"
 #include "support/growing_map.hpp"
 #include "support/random_cases.hpp"

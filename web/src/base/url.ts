@@ -1,4 +1,4 @@
-// The address of a view: #watch/scenarios/yard.json?t=12.5&view=plan. Everything after # stays in the browser.
+// The address of a view: #watch/out/run.mcap?t=12.5&view=plan. Everything after # stays in the browser.
 
 export interface Address {
   view: string;

@@ -9,16 +9,16 @@ describe("addresses", () => {
 
   it("come back as they were written", () => {
     for (const address of [
-      { view: "watch", path: "out/yard/guard.json", query: { t: "12.5", view: "3d" } },
+      { view: "watch", path: "out/yard/run.mcap", query: { t: "12.5", view: "3d" } },
       { view: "plan", path: "a folder/ümlaut & more.map", query: { start: "1,2", goal: "3,-4" } },
       { view: "", path: "", query: {} },
-      { view: "watch", path: "100%.json", query: { a: "x=y&z?" } },
+      { view: "watch", path: "100%.mcap", query: { a: "x=y&z?" } },
     ]) expect(parseAddress(formatAddress(address))).toEqual(address);
   });
 
   it("can be typed by hand", () => {
-    expect(parseAddress("#/watch/a.json?t=3")).toEqual({ view: "watch", path: "a.json", query: { t: "3" } });
-    expect(parseAddress("#watch/100%.json").path).toBe("100%.json");
+    expect(parseAddress("#/watch/a.mcap?t=3")).toEqual({ view: "watch", path: "a.mcap", query: { t: "3" } });
+    expect(parseAddress("#watch/100%.mcap").path).toBe("100%.mcap");
     expect(formatAddress({ view: "plan", path: "m", query: { start: "1,2", empty: "" } })).toBe("#plan/m?start=1,2");
   });
 

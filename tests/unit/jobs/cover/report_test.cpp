@@ -4,9 +4,9 @@
 
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/cover/mission.hpp"
-#include "outrider/report/json.hpp"
-#include "outrider/report/page_report.hpp"
+#include "outrider/log/motion_messages.hpp"
 #include "support/cover_areas.hpp"
+#include "support/logged_run.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider {
@@ -29,7 +29,7 @@ CoverRun run_of(const CoverProblem& problem, const char* method, std::uint64_t s
 struct Case {
   CoverProblem problem;
   CoverRun run;
-  PageReport report;
+  Log log;
 };
 
 std::vector<Case> made_cases() {
@@ -44,8 +44,8 @@ std::vector<Case> made_cases() {
     CoverRun run = run_of(problem, cases.empty() ? "spiral" : "boustrophedon", 3);
     Log log;
     log_cover(log, problem, run, 3, "area");
-    PageReport report = page_report(cover_report(problem, run, "area"), log);
-    cases.push_back({problem, std::move(run), std::move(report)});
+    EXPECT_EQ(cover_report(problem, run, "area").status, "done");
+    cases.push_back({problem, std::move(run), std::move(log)});
   }
   return cases;
 }
@@ -69,16 +69,17 @@ std::vector<Vec2> way_until(const std::vector<TimedPose>& track, double time_s) 
 }
 
 TEST(CoverReport, TheTrackIsTheDrive) {
-  for (const auto& [problem, run, report] : all_cases()) {
+  for (const auto& [problem, run, log] : all_cases()) {
     const auto& track = run.drive.track;
-    ASSERT_EQ(report.track.size(), track.size());
+    const auto logged = testing::track_of(log);
+    ASSERT_EQ(logged.size(), track.size());
     for (std::size_t i = 0; i < track.size(); ++i) {
-      EXPECT_EQ(nanoseconds(report.track[i].time_s), nanoseconds(track[i].time_s));
-      EXPECT_EQ(report.track[i].pose.position, track[i].pose.position);
-      EXPECT_NEAR(wrap_angle(report.track[i].pose.heading_rad - track[i].pose.heading_rad), 0.0, 1e-12);
+      EXPECT_EQ(nanoseconds(logged[i].time_s), nanoseconds(track[i].time_s));
+      EXPECT_EQ(logged[i].pose.position, track[i].pose.position);
+      EXPECT_NEAR(wrap_angle(logged[i].pose.heading_rad - track[i].pose.heading_rad), 0.0, 1e-12);
     }
     EXPECT_EQ(track.front().time_s, 0.0);
-    EXPECT_EQ(track.front().pose.position, report.start.position);
+    EXPECT_EQ(track.front().pose.position, run.drive.way.front());
     EXPECT_EQ(track.back().time_s, run.drive.time_s);
     EXPECT_EQ(track.back().pose.position, run.drive.way.back());
     double length = 0.0;
@@ -98,7 +99,7 @@ TEST(CoverReport, TheTrackIsTheDrive) {
 
 /// From the samples alone: no faster than the robot goes, no jump of the speed, and it looks where it goes.
 TEST(CoverReport, TheTrackKeepsTheLimitsOfTheRobot) {
-  for (const auto& [problem, run, report] : all_cases()) {
+  for (const auto& [problem, run, log] : all_cases()) {
     const Pace& pace = problem.pace;
     const auto& track = run.drive.track;
     double speed_before = 0.0, rate_before = 0.0, span_before = 0.0;
@@ -127,21 +128,21 @@ TEST(CoverReport, TheTrackKeepsTheLimitsOfTheRobot) {
 }
 
 TEST(CoverReport, WhatIsCoveredByThenAgreesWithARaster) {
-  for (const auto& [problem, run, report] : all_cases()) {
-    const auto& rows = report.cover->covered;
+  for (const auto& [problem, run, log] : all_cases()) {
+    const auto& rows = log.messages<outrider_msgs::Coverage>(topic::coverage);
     const double reach = area_of(run.plan.ground.reach);
     ASSERT_EQ(rows.size(), 61U);
     for (std::size_t i = 1; i < rows.size(); ++i) {
-      EXPECT_GT(rows[i].time_s, rows[i - 1].time_s);
-      EXPECT_GE(rows[i].covered_m2, rows[i - 1].covered_m2 - 1e-9 * reach);
-      EXPECT_GE(rows[i].overlap_m2, rows[i - 1].overlap_m2 - 1e-9 * reach);
+      EXPECT_GT(rows[i].time_ns, rows[i - 1].time_ns);
+      EXPECT_GE(rows[i].message.covered, rows[i - 1].message.covered - 1e-9 * reach);
+      EXPECT_GE(rows[i].message.overlap, rows[i - 1].message.overlap - 1e-9 * reach);
     }
-    EXPECT_NEAR(rows.back().covered_m2, run.driven.covered_m2, 1e-4 * reach);
-    EXPECT_NEAR(rows.back().overlap_m2, run.driven.overlap_m2, 2e-3 * reach);
+    EXPECT_NEAR(rows.back().message.covered, run.driven.covered_m2, 1e-4 * reach);
+    EXPECT_NEAR(rows.back().message.overlap, run.driven.overlap_m2, 2e-3 * reach);
     const Box2 box = bounds_of(run.plan.ground.reach);
     const double cell = box.size().x / 120.0;
     for (const std::size_t i : {0U, 17U, 41U}) {
-      const auto way = way_until(run.drive.track, rows[i].time_s);
+      const auto way = way_until(run.drive.track, rows[i].time_s());
       double covered = 0.0, overlap = 0.0;
       for (double x = box.low.x + 0.5 * cell; x < box.high.x; x += cell) {
         for (double y = box.low.y + 0.5 * cell; y < box.high.y; y += cell) {
@@ -152,41 +153,32 @@ TEST(CoverReport, WhatIsCoveredByThenAgreesWithARaster) {
           overlap += passes >= 2 ? cell * cell : 0.0;
         }
       }
-      EXPECT_NEAR(rows[i].covered_m2, covered, 0.005 * reach) << i;
-      EXPECT_NEAR(rows[i].overlap_m2, overlap, 0.007 * reach) << i;
+      EXPECT_NEAR(rows[i].message.covered, covered, 0.005 * reach) << i;
+      EXPECT_NEAR(rows[i].message.overlap, overlap, 0.007 * reach) << i;
     }
   }
 }
 
 TEST(CoverReport, PassesAndEventsTellTheWholeDrive) {
-  for (const auto& [problem, run, report] : all_cases()) {
-    const auto& passes = report.cover->passes;
-    EXPECT_EQ(passes.front().start_s, 0.0);
-    EXPECT_EQ(passes.back().end_s, run.drive.time_s);
+  for (const auto& [problem, run, log] : all_cases()) {
+    const auto& passes = log.messages<outrider_msgs::CoveragePass>(topic::coverage_passes);
+    EXPECT_EQ(passes.front().time_ns, 0);
+    EXPECT_EQ(passes.back().message.end, run.drive.time_s);
     for (std::size_t i = 1; i < passes.size(); ++i) {
-      EXPECT_EQ(nanoseconds(passes[i].start_s), nanoseconds(passes[i - 1].end_s));
+      EXPECT_EQ(passes[i].time_ns, nanoseconds(passes[i - 1].message.end));
     }
-    const auto count = [](const auto& all, const auto& is) {
-      return static_cast<std::size_t>(std::ranges::count_if(all, is));
-    };
     const auto with_role = [&](const char* role) {
-      return count(passes, [&](const ReportPass& pass) { return pass.role == role; });
+      return static_cast<std::size_t>(
+          std::ranges::count_if(passes, [&](const auto& pass) { return pass.message.role == role; }));
     };
     EXPECT_EQ(with_role("lap"), run.plan.laps);
     EXPECT_EQ(with_role("lane"), run.plan.lanes);
     for (const auto& [kind, many] : {std::pair{"lap", run.plan.laps}, {"cell", run.plan.cells}}) {
-      EXPECT_EQ(count(report.events, [&](const ReportEvent& event) { return event.kind == kind; }), many);
+      EXPECT_EQ(events_of(log, kind).size(), many);
     }
-    EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
-    EXPECT_EQ(report.events.back().kind, "done");
+    EXPECT_TRUE(testing::stamps_are_sorted(log));
+    EXPECT_EQ(events_of(log).back().message.name, "done");
   }
-}
-
-TEST(CoverReport, ReadsBackAsItWasWritten) {
-  const std::string text = to_json(all_cases().front().report);
-  const auto again = report_from_json(text);
-  ASSERT_TRUE(again);
-  EXPECT_EQ(to_json(*again), text);
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
-#include "outrider/report/json.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
 #include "support/costly_cases.hpp"
-#include "support/curious.hpp"
-#include "support/paged.hpp"
+#include "support/logged_run.hpp"
 #include "support/random_cases.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -42,29 +43,30 @@ struct Worst {
   double position_m = 0.0;
   double heading_rad = 0.0;
 };
-Worst worst_of(const PageReport& report) {
+Worst worst_of(const Run& run) {
   Worst worst;
-  for (const ReportStop& stop : report.drive->stops) {
-    worst.position_m = std::max({worst.position_m, std::abs(stop.error.x), std::abs(stop.error.y)});
-    worst.heading_rad = std::max(worst.heading_rad, std::abs(stop.heading_error_rad));
+  for (const auto& one : run.log.latest<outrider_msgs::Waypoints>(topic::waypoints)->waypoints) {
+    if (std::isnan(one.reached)) continue;
+    worst.position_m = std::max({worst.position_m, std::abs(one.error.x), std::abs(one.error.y)});
+    worst.heading_rad = std::max(worst.heading_rad, std::abs(one.heading_error));
   }
   return worst;
 }
 
-PageReport driven(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
-                  const RunWatch& watch = {}) {
-  const auto run = testing::paged(watch, [&](Log& log) -> Outcome<Report> {
+Run driven(const DriveTask& task, const DriveSimParams& params, bool rendered, std::uint64_t seed,
+           const RunWatch& watch = {}) {
+  auto run = testing::logged_run(watch, [&](Log& log) -> Outcome<Report> {
     return run_drive(task, params, rendered, seed, log, watch);
   });
-  return run.value();
+  return std::move(run.value());
 }
 
 void expect_arrives(const DriveTask& task, std::uint64_t seed, double most_ratio) {
-  const PageReport report = driven(task, faults(), false, seed);
-  ASSERT_EQ(report.status, "done") << report.reason;
-  EXPECT_LE(worst_of(report).position_m, 0.03) << seed;
-  EXPECT_LE(worst_of(report).heading_rad, 0.03) << seed;
-  EXPECT_LE(metric(report, "driven_m"), most_ratio * metric(report, "ideal_m")) << seed;
+  const auto run = driven(task, faults(), false, seed);
+  ASSERT_EQ(run.report.status, "done") << run.report.reason;
+  EXPECT_LE(worst_of(run).position_m, 0.03) << seed;
+  EXPECT_LE(worst_of(run).heading_rad, 0.03) << seed;
+  EXPECT_LE(metric(run, "driven_m"), most_ratio * metric(run, "ideal_m")) << seed;
 }
 
 TEST(DriveRun, ClosedLoopArrivesWithinThreeCentimetres) {
@@ -91,14 +93,16 @@ TEST(DriveRun, RenderedImagesSayTheSame) {
   DriveTask task = waypoints();
   task.waypoints = {{{{0.5, 0}, 0}}, {{{0.5, 0.5}, pi / 4}}};
   task.eye.rate_hz = 5.0;
-  const PageReport report = driven(task, faults(), true, 1);
-  ASSERT_EQ(report.status, "done") << report.reason;
-  EXPECT_LE(worst_of(report).position_m, 0.03);
-  EXPECT_LE(worst_of(report).heading_rad, 0.03);
-  EXPECT_GT(metric(report, "tag_fraction"), 0.5);
-  ASSERT_TRUE(report.drive->camera);
-  EXPECT_EQ(report.drive->camera->fx, task.eye.camera.fx);
-  EXPECT_EQ(report.drive->tags.front().height_m, task.tags.tags.front().world_T_tag.position.z);
+  const auto run = driven(task, faults(), true, 1);
+  ASSERT_EQ(run.report.status, "done") << run.report.reason;
+  EXPECT_LE(worst_of(run).position_m, 0.03);
+  EXPECT_LE(worst_of(run).heading_rad, 0.03);
+  EXPECT_GT(metric(run, "tag_fraction"), 0.5);
+  const auto* camera = run.log.latest<sensor_msgs::CameraInfo>(topic::camera);
+  ASSERT_NE(camera, nullptr);
+  EXPECT_EQ(camera->k[0], task.eye.camera.fx);
+  EXPECT_EQ(run.log.latest<outrider_msgs::Tags>(topic::tags)->tags.front().position.z,
+            task.tags.tags.front().world_T_tag.position.z);
 }
 
 TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
@@ -123,35 +127,36 @@ TEST(DriveRun, CalibrationTakesTwoThirdsOfTheErrorOfTheOpenLoop) {
 TEST(DriveRun, ABlindedRobotStopsAndSaysSo) {
   DriveSimParams params = faults();
   params.sight.blind_from_s = 8.0;
-  const PageReport report = driven(waypoints(), params, false, 1);
-  EXPECT_EQ(report.status, "not_done");
-  EXPECT_NE(report.reason.find("lost: the belief"), std::string::npos) << report.reason;
-  const Pose2 last = report.track.back().pose, before = report.track[report.track.size() - 2].pose;
+  const auto run = driven(waypoints(), params, false, 1);
+  EXPECT_EQ(run.report.status, "not_done");
+  EXPECT_NE(run.report.reason.find("lost: the belief"), std::string::npos) << run.report.reason;
+  const auto poses = poses_of(run.log);
+  const Pose2 last = poses.back(), before = poses[poses.size() - 2];
   EXPECT_LT(distance(last.position, before.position), 0.1);
-  EXPECT_TRUE(std::isnan(report.drive->stops.back().time_s));
+  EXPECT_TRUE(
+      std::isnan(run.log.latest<outrider_msgs::Waypoints>(topic::waypoints)->waypoints.back().reached));
 }
 
 TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
   for (int seed = 1; seed <= testing::cases(5); ++seed) {
     DriveSimParams params = faults();
     params.kidnapping.at_s = 6.0;
-    const PageReport report = driven(waypoints(), params, false, static_cast<std::uint64_t>(seed));
-    EXPECT_EQ(report.status, "not_done");
-    EXPECT_NE(report.reason.find("lost"), std::string::npos) << report.reason;
-    EXPECT_EQ(report.events.back().kind, "lost");
+    const auto run = driven(waypoints(), params, false, static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(run.report.status, "not_done");
+    EXPECT_NE(run.report.reason.find("lost"), std::string::npos) << run.report.reason;
+    EXPECT_EQ(events_of(run.log).back().message.name, "lost");
   }
 }
 
 TEST(DriveRun, SameSeedSameBytes) {
-  const PageReport report = driven(waypoints(), faults(), false, 7);
-  const std::string once = to_json(report);
-  testing::Curious curious;
-  EXPECT_EQ(once, to_json(driven(waypoints(), faults(), false, 7, {.sinks = {&curious}})));
-  curious.expect_to_have_seen(report);
-  EXPECT_NE(once, to_json(driven(waypoints(), faults(), false, 8)));
-  const auto read = report_from_json(once);
-  ASSERT_TRUE(read);
-  EXPECT_EQ(to_json(*read), once);
+  auto run = driven(waypoints(), faults(), false, 7);
+  const std::string once = test::bytes_of_run(run);
+  test::LogRecorder recorder;
+  EXPECT_EQ(once, test::bytes_of_run(driven(waypoints(), faults(), false, 7, {.sinks = {&recorder}})));
+  EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
+  auto other = driven(waypoints(), faults(), false, 8);
+  EXPECT_NE(once, test::bytes_of_run(other));
+  EXPECT_NE(poses_of(run.log), poses_of(other.log));
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
-#include "support/paged.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/motion_messages.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
+#include "outrider/log/topics.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -37,21 +39,21 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
   Log log;
   const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
   ASSERT_TRUE(run) << run.error().sentence;
-  const PageReport report = page_report(run->report, log);
-  EXPECT_EQ(report.status, "done") << report.reason;
+  EXPECT_EQ(run->report.status, "done") << run->report.reason;
   EXPECT_EQ(run->stop_reason, "complete");
-  EXPECT_GE(metric(report, "explored_fraction"), 0.99);
-  EXPECT_LE(metric(report, "map_error_m"), 0.05);
-  EXPECT_EQ(metric(report, "contacts"), 0.0);
-  EXPECT_EQ(metric(report, "returned_home"), 1.0);
+  EXPECT_GE(metric(run->report, "explored_fraction"), 0.99);
+  EXPECT_LE(metric(run->report, "map_error_m"), 0.05);
+  EXPECT_EQ(metric(run->report, "contacts"), 0.0);
+  EXPECT_EQ(metric(run->report, "returned_home"), 1.0);
   EXPECT_LT(distance(run->pose.position, run->true_pose.position), 0.05);
-  ASSERT_FALSE(report.track.empty());
-  EXPECT_LT(distance(report.track.back().pose.position, run->true_pose.position), 1e-9);
-  EXPECT_FALSE(report.explore->beliefs.empty());
-  EXPECT_FALSE(report.explore->decisions.empty());
-  EXPECT_EQ(report.explore->walls.size(), 5U);
-  ASSERT_TRUE(report.explore->laser);
-  EXPECT_EQ(report.explore->laser->range_m, RangeFinderModel{}.most_m);
+  ASSERT_FALSE(poses_of(log).empty());
+  EXPECT_LT(distance(poses_of(log).back().position, run->true_pose.position), 1e-9);
+  EXPECT_FALSE(log.messages<geometry_msgs::PoseWithCovarianceStamped>(topic::belief).empty());
+  EXPECT_FALSE(log.messages<outrider_msgs::Decision>(topic::decisions).empty());
+  EXPECT_EQ(log.latest<outrider_msgs::Outlines>(topic::walls)->outlines.size(), 5U);
+  const auto* scan = log.latest<sensor_msgs::LaserScan>(topic::scan);
+  ASSERT_NE(scan, nullptr);
+  EXPECT_EQ(scan->range_max, static_cast<float>(RangeFinderModel{}.most_m));
 }
 
 TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
@@ -61,16 +63,16 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   double part = 0.0;
   RunWatch watch;
   watch.progress = [&](const RunStep& step) { part = std::max(part, step.part); };
-  testing::Curious curious;
-  watched.add_sink(curious);
+  test::LogRecorder recorder;
+  watched.add_sink(recorder);
   const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
                                [&](const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
-  const PageReport report = page_report(one->report, log);
-  EXPECT_EQ(to_json(report), to_json(page_report(two->report, watched)));
+  watched.remove_sink(recorder);
   EXPECT_EQ(one->map.cells, two->map.cells);
-  curious.expect_to_have_seen(report);
-  EXPECT_EQ(curious.events().size(), report.events.size());
+  outrider::Run first{one->report, std::move(log)}, second{two->report, std::move(watched)};
+  EXPECT_EQ(test::bytes_of_run(first), test::bytes_of_run(second));
+  EXPECT_EQ(recorder.finish(), test::bytes_of_log(first.log));
   EXPECT_EQ(static_cast<std::size_t>(scans) + 1, two->track.size());
   EXPECT_GT(part, 0.3);
 }

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "outrider/jobs/guard/robot.hpp"
-#include "outrider/jobs/guard/run.hpp"
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
+#include "outrider/log/ros_sensor_messages.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
+#include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -54,12 +55,13 @@ ArrivalYard crowd(const Yard& yard, std::int64_t count, double rate_hz, std::uin
 
 /// Nobody is lost, nobody is shot at before it is there, and nobody does better than the bound.
 void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, const ReplanPolicy& policy,
-                 const PageReport& report) {
+                 const Run& run) {
+  const auto targets = testing::targets_of(run.log);
   double failed = 0.0;
   for (std::size_t i = 0; i < watch.intruders.size(); ++i) {
-    const ReportTarget& target = report.targets[i];
+    const testing::LoggedTarget& target = targets.at(i);
     EXPECT_EQ(target.name, watch.intruders[i].name);
-    EXPECT_NE(target.status, "waiting");
+    EXPECT_TRUE(target.status != "waiting" && target.status != "outside") << target.status;
     EXPECT_FALSE(target.reason.empty());
     const bool can_be_hit = precomputed.reachable[watch.intruders[i].place] != 0;
     failed += target.status == "failed" ? 1.0 : 0.0;
@@ -67,16 +69,15 @@ void expect_laws(const ArrivalYard& watch, const PrecomputedStops& precomputed, 
     EXPECT_NE(target.status, "unreachable");
     EXPECT_GE(nanoseconds(target.done_s), nanoseconds(watch.intruders[i].settles_s));
   }
-  EXPECT_EQ(metric(report, "failed"), failed);
-  EXPECT_EQ(report.status == "done", failed == 0.0);
-  for (const ReportShot& shot : report.shots) {
-    const auto one = std::find_if(watch.intruders.begin(), watch.intruders.end(),
-                                  [&](const Intruder& i) { return i.name == shot.target; });
+  EXPECT_EQ(metric(run, "failed"), failed);
+  EXPECT_EQ(run.report.status == "done", failed == 0.0);
+  for (const auto& shot : testing::shots_of(run.log)) {
+    const auto one = std::ranges::find(watch.intruders, shot.message.target, &Intruder::name);
     ASSERT_NE(one, watch.intruders.end());
-    EXPECT_GE(nanoseconds(shot.time_s), nanoseconds(one->settles_s));
+    EXPECT_GE(shot.time_ns, nanoseconds(one->settles_s));
   }
-  EXPECT_GE(metric(report, "intruder_seconds"), metric(report, "intruder_seconds_bound")) << policy.name;
-  EXPECT_GE(metric(report, "makespan_s"), metric(report, "makespan_bound_s")) << policy.name;
+  EXPECT_GE(metric(run, "intruder_seconds"), metric(run, "intruder_seconds_bound")) << policy.name;
+  EXPECT_GE(metric(run, "makespan_s"), metric(run, "makespan_bound_s")) << policy.name;
 }
 
 TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
@@ -88,19 +89,15 @@ TEST(ArrivingTargets, LosesNobodyStaysAboveTheBoundAndRepeats) {
       for (const ReplanPolicy& policy : replan_policies()) {
         const auto objective = seed % 2 == 0 ? ArrivalObjective::makespan : ArrivalObjective::time_inside;
         const ArrivalPlan plan{watch, yard.precomputed, policy, objective, 3, 50};
-        const PageReport report = testing::run_arrivals(plan, quick(), seed);
-        expect_laws(watch, yard.precomputed, policy, report);
-        EXPECT_GT(metric(report, "makespan_bound_s"), 0.0);
-        testing::Curious curious;
-        EXPECT_EQ(to_json(report),
-                  to_json(testing::run_arrivals(plan, quick(), seed, {}, {.sinks = {&curious}})));
-        curious.expect_to_have_seen(report);
-        const auto back = report_from_json(to_json(report));
-        ASSERT_TRUE(back.has_value()) << to_string(back.error());
-        EXPECT_EQ(to_json(*back), to_json(report));
-        for (const TrackSample& sample : report.track) {
-          ASSERT_GE(yard.firing_map.ground.clearance(sample.pose.position, 1.0),
-                    yard.problem.robot.radius_m - 2e-9);
+        auto run = testing::run_arrivals(plan, quick(), seed);
+        expect_laws(watch, yard.precomputed, policy, run);
+        EXPECT_GT(metric(run, "makespan_bound_s"), 0.0);
+        test::LogRecorder recorder;
+        EXPECT_EQ(test::bytes_of_run(run),
+                  test::bytes_of_run(testing::run_arrivals(plan, quick(), seed, {}, {.sinks = {&recorder}})));
+        EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
+        for (const Pose2& pose : poses_of(run.log)) {
+          ASSERT_GE(yard.firing_map.ground.clearance(pose.position, 1.0), yard.problem.robot.radius_m - 2e-9);
         }
       }
     }
@@ -156,12 +153,56 @@ TEST(ArrivingTargets, FinishesWhatIsInHand) {
   EXPECT_GT(shortened, 0) << "no drive was ever cut short: the test shows nothing";
 }
 
+/// The messages of one channel, encoded, with their times.
+template <class Message>
+std::string bytes_of_channel(const Log& log, std::string_view topic) {
+  std::string bytes;
+  for (const auto& [time_ns, message] : log.messages<Message>(topic)) {
+    bytes += std::to_string(time_ns) + ' ' + encode(MessageEncoding::cdr, message) + '\n';
+  }
+  return bytes;
+}
+
+/// The robot does and hits the same, at the same times; nobody has to come in.
+void expect_same_mission(const Run& a, const Run& b) {
+  const auto expect_same = [&]<class Message>(const Message&, std::string_view topic) {
+    const std::string bytes = bytes_of_channel<Message>(a.log, topic);
+    EXPECT_FALSE(bytes.empty() && topic != topic::shots && topic != topic::plan) << topic;
+    EXPECT_EQ(bytes, bytes_of_channel<Message>(b.log, topic)) << topic;
+  };
+  expect_same(outrider_msgs::RunInfo{}, topic::run);
+  expect_same(outrider_msgs::Solids{}, topic::solids);
+  expect_same(geometry_msgs::PoseStamped{}, topic::pose);
+  expect_same(tf2_msgs::TFMessage{}, topic::transforms);
+  expect_same(sensor_msgs::JointState{}, topic::joints);
+  expect_same(nav_msgs::Path{}, topic::plan);
+  expect_same(outrider_msgs::Shot{}, topic::shots);
+  const auto what_happened = [](const Log& log) {
+    std::vector<std::tuple<std::int64_t, std::string, std::string>> events;
+    for (const auto& [time_ns, event] : events_of(log)) {
+      if (event.name != "enter") events.emplace_back(time_ns, event.name, event.msg);
+    }
+    return events;
+  };
+  EXPECT_EQ(what_happened(a.log), what_happened(b.log));
+  const auto ends = [](const Log& log) {
+    std::vector<std::tuple<std::string, std::string, double, std::uint32_t, double>> all;
+    for (const auto& t : testing::targets_of(log)) {
+      all.emplace_back(t.name, t.status, t.done_s, t.shots, t.yaw);
+      EXPECT_EQ(t.moves().size(), 1U) << t.name;
+    }
+    return all;
+  };
+  EXPECT_EQ(ends(a.log), ends(b.log));
+  EXPECT_EQ(a.report.status, b.report.status);
+}
+
 /// When all are there from the start and the makespan counts, it is the still yard, to the last byte.
 TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
   Rng rng(53);
   for (int y = 0; y < cases(5); ++y) {
     const Yard yard = random_yard(rng, y % 2 == 0);
-    PageReport still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
+    const auto still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 1);
     std::vector<Intruder> all;
     for (std::size_t t = 0; t < yard.problem.targets.size(); ++t)
       all.push_back({"", t, "gate", {}, 0.0, 0.0});
@@ -170,19 +211,14 @@ TEST(ArrivingTargets, OfThoseWhoAreThereFromTheStartIsTheStillYard) {
     ASSERT_TRUE(watch.has_value());
     for (const ReplanPolicy& policy : replan_policies()) {
       const ArrivalPlan plan{*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 50};
-      PageReport report = testing::run_arrivals(plan, quick(), 1);
-      expect_laws(*watch, yard.precomputed, policy, report);
-      EXPECT_EQ(metric(report, "unreachable"), metric(still, "unreachable"));
+      const auto run = testing::run_arrivals(plan, quick(), 1);
+      expect_laws(*watch, yard.precomputed, policy, run);
+      EXPECT_EQ(metric(run, "unreachable"), metric(still, "unreachable"));
       if (policy.name == "groups") continue;
-      EXPECT_EQ(metric(report, "mission_s"), metric(still, "mission_s")) << policy.name;
-      EXPECT_EQ(metric(report, "plans"), metric(still, "targets") > metric(still, "unreachable") ? 1.0 : 0.0);
-      for (ReportTarget& target : report.targets) target.visit.reset();
-      for (ReportTarget& target : still.targets) target.reason.clear();
-      for (ReportTarget& target : report.targets) target.reason.clear();  // of those out of reach
-      std::erase_if(report.events, [](const ReportEvent& event) { return event.kind == "enter"; });
-      report.metrics = still.metrics;
-      report.reason = still.reason;
-      EXPECT_EQ(to_json(report), to_json(still)) << policy.name;
+      EXPECT_EQ(metric(run, "mission_s"), metric(still, "mission_s")) << policy.name;
+      EXPECT_EQ(metric(run, "plans"), metric(still, "targets") > metric(still, "unreachable") ? 1.0 : 0.0);
+      SCOPED_TRACE(std::string(policy.name));
+      expect_same_mission(run, still);
     }
   }
 }
@@ -192,11 +228,10 @@ TEST(ArrivingTargets, OfNobodyIsOverAtOnce) {
   const Yard yard = random_yard(rng, true);
   const auto watch = arrival_yard(yard.problem, yard.firing_map, {});
   ASSERT_TRUE(watch.has_value());
-  const PageReport report =
-      testing::run_arrivals({*watch, yard.precomputed, replan_policies().front()}, quick(), 1);
-  EXPECT_EQ(report.status, "done");
-  EXPECT_EQ(metric(report, "mission_s"), 0.0);
-  EXPECT_TRUE(report.shots.empty());
+  const auto run = testing::run_arrivals({*watch, yard.precomputed, replan_policies().front()}, quick(), 1);
+  EXPECT_EQ(run.report.status, "done");
+  EXPECT_EQ(metric(run, "mission_s"), 0.0);
+  EXPECT_TRUE(testing::shots_of(run.log).empty());
   auto blocking = yard.problem;
   blocking.targets_block = true;
   EXPECT_EQ(arrival_yard(blocking, yard.firing_map, {}).error().where, "targets_block");
@@ -210,9 +245,9 @@ TEST(ArrivingTargets, IsShorterOnAverageForThoseWhoPlanAnew) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const ArrivalYard watch = crowd(yard, 12, 0.2, seed);
     for (const ReplanPolicy& policy : replan_policies()) {
-      const PageReport report = testing::run_arrivals(
+      const auto run = testing::run_arrivals(
           {watch, yard.precomputed, policy, ArrivalObjective::time_inside, 2, 50}, quick(), seed);
-      sums[std::string(policy.name)] += metric(report, "intruder_seconds");
+      sums[std::string(policy.name)] += metric(run, "intruder_seconds");
     }
   }
   EXPECT_LE(sums["each_arrival"], sums["groups"]);

@@ -8,7 +8,6 @@
 #include "outrider/jobs/guard/scout_run.hpp"
 #include "outrider/jobs/guard/simulate.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
-#include "outrider/report/json.hpp"
 #include "support/guard_replay.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
@@ -22,14 +21,15 @@ using testing::cases;
 using testing::expect_everybody_accounted_for;
 using testing::expect_sound_stores;
 using testing::Ledger;
-using testing::paged;
+using testing::logged_run;
+using testing::LoggedTarget;
 using testing::replay_shots;
 using testing::Replayed;
 
 /// Where somebody at the place of a target is, and how large.
 auto boxes_of(const GuardProblem& problem) {
-  return [&problem](const ReportTarget& target, const ReportShot& shot, double) {
-    return testing::box_in(problem, target, shot.time_s);  // who was hit goes on only then
+  return [&problem](const LoggedTarget& target, double shot_s, double) {
+    return testing::box_in(problem, target, shot_s);  // who was hit goes on only then
   };
 }
 
@@ -60,34 +60,29 @@ ArrivalOptions eight_intruders() {
 }
 
 /// Intruders that come by one of two doors, as the options say; they are drawn from the seed.
-Outcome<PageReport> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals,
-                                 std::uint64_t seed) {
+Outcome<Run> run_arrivals(const GuardProblem& problem, const ArrivalOptions& arrivals, std::uint64_t seed) {
   const auto firing_map = build_firing_map(problem, coarse());
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   if (auto ok = check_supplies(problem, *firing_map); !ok) return pass_on(ok);
   const auto plan = plan_guard(problem, *firing_map, coarse(), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
   if (!arrivals.any()) {
-    return paged({}, [&](Log& log) {
+    return logged_run({}, [&](Log& log) {
       return simulate_surviving_targets(problem, *firing_map, *plan, arrivals, coarse(), seed, log);
     });
   }
   const std::vector<Entrance> doors = {{"gate", {-2.4, -2.4}}, {"gap", {2.4, 2.4}}};
   const auto intruders = draw_arrivals(problem, doors, arrivals, seed);
   if (!intruders) return tl::unexpected<Fault>(intruders.error());
-  return paged({}, [&](Log& log) {
+  return logged_run({}, [&](Log& log) {
     return simulate_arriving_targets(problem, *firing_map, *plan, *intruders, arrivals, coarse(), seed, log);
   });
 }
 
-bool came(const PageReport& report, const std::string& name) {
-  return std::ranges::any_of(report.events, [&](const ReportEvent& event) {
-    return event.kind == "enter" && event.text.starts_with(name + " comes in by ");
+bool came(const Run& run, const std::string& name) {
+  return std::ranges::any_of(events_of(run.log, "enter"), [&](const auto& event) {
+    return event.message.msg.starts_with(name + " comes in by ");
   });
-}
-
-double survivals(const PageReport& report) {
-  return static_cast<double>(std::ranges::count(report.events, "survive", &ReportEvent::kind));
 }
 
 /// What several missions with limited stores had in them, so that a test shows something.
@@ -108,30 +103,32 @@ Premises run_with_limited_stores(const ArrivalOptions& arrivals, std::uint64_t f
     GuardProblem problem = testing::random_guard_problem(rng, 3, 4, 3.0);
     limit_stores(problem);
     problem.supplies.battery_wh = rng.uniform(0.15, 0.5);
-    const auto report = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3));
-    if (!report) {
-      EXPECT_EQ(report.error().where, "supplies.stations") << report.error().sentence;
+    const auto run = run_arrivals(problem, arrivals, 1 + static_cast<std::uint64_t>(i % 3));
+    if (!run) {
+      EXPECT_EQ(run.error().where, "supplies.stations") << run.error().sentence;
       continue;  // a station stands in an obstacle
     }
     ++had.missions;
     SCOPED_TRACE(first_yard + static_cast<std::uint64_t>(i));
-    expect_everybody_accounted_for(*report, arrivals.any() ? 8 : 4);
-    const Replayed told = replay_shots(*report, problem, boxes_of(problem));
-    const Ledger ledger = expect_sound_stores(*report, problem);
+    expect_everybody_accounted_for(*run, arrivals.any() ? 8 : 4);
+    const Replayed told = replay_shots(*run, problem, boxes_of(problem));
+    const Ledger ledger = expect_sound_stores(*run, problem);
     EXPECT_GE(ledger.least_water, -1e-9);
     EXPECT_GE(ledger.least_charge_j, -1e-3);
-    EXPECT_EQ(told.shots, static_cast<int>(report->shots.size()));
-    for (const ReportShot& shot : report->shots) {
-      const auto target = std::ranges::find(report->targets, shot.target, &ReportTarget::name);
-      if (target->visit) {
-        EXPECT_GE(shot.time_s, target->visit->settles_s) << shot.target;
+    const auto targets = testing::targets_of(run->log);
+    const auto& shots = testing::shots_of(run->log);
+    EXPECT_EQ(told.shots, static_cast<int>(shots.size()));
+    for (const auto& shot : shots) {
+      const auto target = std::ranges::find(targets, shot.message.target, &LoggedTarget::name);
+      if (target->comes_in()) {
+        EXPECT_GE(shot.time_s(), target->settles_s()) << target->name;
       }
     }
-    had.done += report->status == "done" ? 1 : 0;
+    had.done += run->report.status == "done" ? 1 : 0;
     had.fills += ledger.fills;
     had.recharges += ledger.recharges;
     had.hits += told.hits;
-    had.survived += survivals(*report);
+    had.survived += static_cast<double>(events_of(run->log, "survive").size());
   }
   return had;
 }
@@ -179,21 +176,23 @@ TEST(Combinations, IntrudersKeepComingOverHills) {
       at.z += field.height(xy(at));
     }
     for (Target& target : problem.targets) target.base.z += field.height(xy(target.base));
-    const auto report = run_arrivals(problem, eight_intruders(), 1);
-    ASSERT_TRUE(report) << to_string(report.error());
-    expect_everybody_accounted_for(*report, 8);
-    const Replayed told = replay_shots(*report, problem, boxes_of(problem));
+    const auto run = run_arrivals(problem, eight_intruders(), 1);
+    ASSERT_TRUE(run) << to_string(run.error());
+    expect_everybody_accounted_for(*run, 8);
+    const Replayed told = replay_shots(*run, problem, boxes_of(problem));
     shots += told.shots;
     hits += told.hits;
-    for (const ReportShot& shot : report->shots) {
-      const auto target = std::ranges::find(report->targets, shot.target, &ReportTarget::name);
-      on_slopes += std::abs(target->centre.z - shot.muzzle.z) > 0.3 ? 1 : 0;
+    const auto targets = testing::targets_of(run->log);
+    for (const auto& [time_ns, shot] : testing::shots_of(run->log)) {
+      const auto target = std::ranges::find(targets, shot.target, &LoggedTarget::name);
+      on_slopes += std::abs(target->places.back().centre.z - shot.muzzle.z) > 0.3 ? 1 : 0;
     }
+    const auto poses = poses_of(run->log);
     double along = 0.0;
-    for (std::size_t k = 1; k < report->track.size(); ++k) {
-      along += field.length({report->track[k - 1].pose.position, report->track[k].pose.position});
+    for (std::size_t k = 1; k < poses.size(); ++k) {
+      along += field.length({poses[k - 1].position, poses[k].position});
     }
-    EXPECT_NEAR(metric(*report, "driven_m"), along, 1e-9);
+    EXPECT_NEAR(metric(*run, "driven_m"), along, 1e-9);
   }
   EXPECT_GT(hits, 0);
   EXPECT_GT(shots, 8);
@@ -237,18 +236,17 @@ TEST(Combinations, IntrudersWalkAboutInWind) {
     const auto plan =
         plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), options, wander);
     ASSERT_TRUE(walks && plan);
-    const PageReport report = testing::run_walkers(*plan, *walks, options, seed);
-    expect_everybody_accounted_for(report, 3);
-    EXPECT_EQ(report.status, "done") << report.reason;
-    const Replayed told =
-        replay_shots(report, problem, [&](const ReportTarget& target, const ReportShot&, double time_s) {
-          const auto who = static_cast<std::size_t>(
-              std::ranges::find(problem.targets, target.name, &Target::name) - problem.targets.begin());
-          Target box = problem.targets[who];
-          const Vec2 place = place_on((*walks)[who], time_s);
-          box.base = {place.x, place.y, 0.0};
-          return box;
-        });
+    const auto run = testing::run_walkers(*plan, *walks, options, seed);
+    expect_everybody_accounted_for(run, 3);
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    const Replayed told = replay_shots(run, problem, [&](const LoggedTarget& target, double, double time_s) {
+      const auto who = static_cast<std::size_t>(
+          std::ranges::find(problem.targets, target.name, &Target::name) - problem.targets.begin());
+      Target box = problem.targets[who];
+      const Vec2 place = place_on((*walks)[who], time_s);
+      box.base = {place.x, place.y, 0.0};
+      return box;
+    });
     hits += told.hits;
     walking += told.moved_while_flying_m > 0.02 ? 1 : 0;
     by_air_m = std::max(by_air_m, told.moved_by_air_m);
@@ -285,11 +283,11 @@ GuardProblem room() {
 }
 
 /// Explores the room, plans with stations on the map found, and guards it.
-Outcome<PageReport> explore_and_guard(const GuardProblem& problem, std::uint64_t seed) {
+Outcome<Run> explore_and_guard(const GuardProblem& problem, std::uint64_t seed) {
   ScoutTask task;
   task.options.unknown = true;
-  Log log;
-  auto yard = scout(problem, task, seed, log);
+  Run run;
+  auto yard = scout(problem, task, seed, run.log);
   if (!yard) return pass_on(yard);
   const auto firing_map = build_firing_map(yard->found.problem, coarse());
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
@@ -297,29 +295,30 @@ Outcome<PageReport> explore_and_guard(const GuardProblem& problem, std::uint64_t
   auto plan = plan_guard(yard->found.problem, *firing_map, coarse(), {});
   if (plan) plan = supply_plan(yard->found.problem, *firing_map, std::move(*plan), {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  const auto report = run_guard_on_map(problem, *yard, *firing_map, *plan, coarse(), seed, log);
-  if (!report) return tl::unexpected<Fault>(report.error());
-  return page_report(*report, log);
+  auto report = run_guard_on_map(problem, *yard, *firing_map, *plan, coarse(), seed, run.log);
+  if (!report) return pass_on(report);
+  run.report = std::move(*report);
+  return run;
 }
 
 TEST(Combinations, TheYardIsUnknownAndStoresEnd) {
   const GuardProblem problem = room();
   int fills = 0, hits = 0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(2)); ++seed) {
-    const auto report = explore_and_guard(problem, seed);
-    ASSERT_TRUE(report) << to_string(report.error());
-    expect_everybody_accounted_for(*report, problem.targets.size());
+    const auto run = explore_and_guard(problem, seed);
+    ASSERT_TRUE(run) << to_string(run.error());
+    expect_everybody_accounted_for(*run, problem.targets.size());
     // The track of the exploring has a pose a scan: its chords are a little shorter than the way.
-    const Ledger ledger = expect_sound_stores(*report, problem, 60.0);
-    hits += replay_shots(*report, problem, boxes_of(problem)).hits;
+    const Ledger ledger = expect_sound_stores(*run, problem, 60.0);
+    hits += replay_shots(*run, problem, boxes_of(problem)).hits;
     fills += ledger.fills;
-    EXPECT_EQ(report->status, "done") << report->reason;
+    EXPECT_EQ(run->report.status, "done") << run->report.reason;
     EXPECT_GE(ledger.least_water, 0.0);
     EXPECT_GE(ledger.least_charge_j, 0.0);
     EXPECT_LT(ledger.least_charge_j, 0.9 * 3600.0 * problem.supplies.battery_wh);
-    const double explore_s = metric(*report, "explore_s");
-    ASSERT_FALSE(report->shots.empty());
-    EXPECT_GT(report->shots.front().time_s, explore_s);
+    const double explore_s = metric(*run, "explore_s");
+    ASSERT_FALSE(testing::shots_of(run->log).empty());
+    EXPECT_GT(testing::shots_of(run->log).front().time_s(), explore_s);
   }
   EXPECT_GE(fills, 2) << "a tank of one shot has to be filled for three targets";
   EXPECT_GE(hits, 3);
@@ -328,13 +327,13 @@ TEST(Combinations, TheYardIsUnknownAndStoresEnd) {
 TEST(Combinations, ABatteryThatIsEmptyBeforeTheYardIsExploredIsSaid) {
   GuardProblem problem = room();
   problem.supplies.battery_wh = 0.1;
-  const auto report = explore_and_guard(problem, 1);
-  ASSERT_TRUE(report) << to_string(report.error());
-  expect_everybody_accounted_for(*report, problem.targets.size());
-  EXPECT_EQ(report->status, "not_done");
-  EXPECT_NE(report->reason.find("the battery was empty"), std::string::npos) << report->reason;
-  EXPECT_LT(testing::count_stores(*report, problem).least_charge_j, 0.0);
-  EXPECT_TRUE(report->shots.empty()) << "it shot with an empty battery";
+  const auto run = explore_and_guard(problem, 1);
+  ASSERT_TRUE(run) << to_string(run.error());
+  expect_everybody_accounted_for(*run, problem.targets.size());
+  EXPECT_EQ(run->report.status, "not_done");
+  EXPECT_NE(run->report.reason.find("the battery was empty"), std::string::npos) << run->report.reason;
+  EXPECT_LT(testing::count_stores(*run, problem).least_charge_j, 0.0);
+  EXPECT_TRUE(testing::shots_of(run->log).empty()) << "it shot with an empty battery";
 }
 
 /// A tank that nothing fills: the mission ends while intruders keep coming, and says why.
@@ -346,20 +345,22 @@ TEST(Combinations, WithoutAWellTheMissionEndsWhenTheTankIsEmpty) {
     problem.supplies.stations.erase(problem.supplies.stations.begin());
     ArrivalOptions arrivals = eight_intruders();
     arrivals.leave = leave;
-    const auto report = run_arrivals(problem, arrivals, 1);
-    ASSERT_TRUE(report) << to_string(report.error());
-    expect_everybody_accounted_for(*report, 8);
-    EXPECT_EQ(report->status, "not_done");
-    EXPECT_EQ(report->shots.size(), 2U);
-    EXPECT_NE(report->reason.find("water"), std::string::npos) << report->reason;
-    EXPECT_LT(metric(*report, "reached"), 3.0);
-    const double end_s = report->track.back().time_s;
-    EXPECT_FALSE(report->targets.back().visit->enters_s <= end_s) << "everybody had come by then";
-    EXPECT_FALSE(came(*report, report->targets.back().name));
-    EXPECT_GE(metric(*report, "intruder_seconds"), 0.0);
-    for (const ReportEvent& event : report->events) EXPECT_LE(event.time_s, end_s + 1e-9) << event.text;
-    replay_shots(*report, problem, boxes_of(problem));
-    EXPECT_GE(expect_sound_stores(*report, problem).least_water, 0.0);
+    const auto run = run_arrivals(problem, arrivals, 1);
+    ASSERT_TRUE(run) << to_string(run.error());
+    expect_everybody_accounted_for(*run, 8);
+    EXPECT_EQ(run->report.status, "not_done");
+    EXPECT_EQ(testing::shots_of(run->log).size(), 2U);
+    EXPECT_NE(run->report.reason.find("water"), std::string::npos) << run->report.reason;
+    EXPECT_LT(metric(*run, "reached"), 3.0);
+    const double end_s = testing::track_of(run->log).back().time_s;
+    const LoggedTarget last = testing::targets_of(run->log).back();
+    EXPECT_GT(last.enters_s(), end_s) << "everybody had come by then";
+    EXPECT_FALSE(came(*run, last.name));
+    EXPECT_GE(metric(*run, "intruder_seconds"), 0.0);
+    for (const auto& event : events_of(run->log))
+      EXPECT_LE(event.time_s(), end_s + 1e-9) << event.message.msg;
+    replay_shots(*run, problem, boxes_of(problem));
+    EXPECT_GE(expect_sound_stores(*run, problem).least_water, 0.0);
   }
 }
 
@@ -372,16 +373,16 @@ TEST(Combinations, WithoutAChargerInReachTheMissionEnds) {
     problem.supplies.battery_wh = 0.06;
     problem.supplies.stations.pop_back();
     if (far_charger) problem.supplies.stations.push_back({"dock", {0.0, 2.6}, false, true});
-    const auto report = run_arrivals(problem, eight_intruders(), 1);
-    ASSERT_TRUE(report) << to_string(report.error());
-    expect_everybody_accounted_for(*report, 8);
-    EXPECT_EQ(report->status, "not_done");
-    EXPECT_NE(report->reason.find("charge"), std::string::npos) << report->reason;
-    EXPECT_GE(expect_sound_stores(*report, problem).least_charge_j, -1e-3)
-        << "it drove or shot without charge";
-    EXPECT_FALSE(report->targets.back().visit->enters_s <= report->track.back().time_s);
-    EXPECT_FALSE(came(*report, report->targets.back().name));
-    EXPECT_GE(metric(*report, "intruder_seconds"), 0.0);
+    const auto run = run_arrivals(problem, eight_intruders(), 1);
+    ASSERT_TRUE(run) << to_string(run.error());
+    expect_everybody_accounted_for(*run, 8);
+    EXPECT_EQ(run->report.status, "not_done");
+    EXPECT_NE(run->report.reason.find("charge"), std::string::npos) << run->report.reason;
+    EXPECT_GE(expect_sound_stores(*run, problem).least_charge_j, -1e-3) << "it drove or shot without charge";
+    const LoggedTarget last = testing::targets_of(run->log).back();
+    EXPECT_GT(last.enters_s(), testing::track_of(run->log).back().time_s);
+    EXPECT_FALSE(came(*run, last.name));
+    EXPECT_GE(metric(*run, "intruder_seconds"), 0.0);
   }
 }
 

@@ -8,11 +8,11 @@
 #include "outrider/jobs/guard/robot.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
 #include "support/guard_runs.hpp"
+#include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_yard.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -143,7 +143,7 @@ TEST(VisitMap, TellsAWalkFromARest) {
   EXPECT_NEAR(straight_on(stride, 20.0).at(9.5).x, 1.0 + 0.6 * 6.0, 1e-9);
 }
 
-/// Every shot of a report, flown again in small steps at the true walk; all that was promised; the same
+/// Every shot of a run, flown again in small steps at the true walk; all that was promised; the same
 /// twice.
 TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
   WanderOptions wander;
@@ -157,32 +157,30 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
     const auto plan =
         plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    const PageReport report = testing::run_walkers(*plan, *walks, quick(), seed);
-    EXPECT_EQ(report.status, "done") << report.reason;
-    testing::Curious curious;
-    EXPECT_EQ(to_json(report),
-              to_json(testing::run_walkers(*plan, *walks, quick(), seed, {.sinks = {&curious}})));
-    curious.expect_to_have_seen(report);
-    const auto back = report_from_json(to_json(report));
-    ASSERT_TRUE(back.has_value()) << to_string(back.error());
-    EXPECT_EQ(to_json(*back), to_json(report));
-    for (const ReportShot& shot : report.shots) {
+    auto run = testing::run_walkers(*plan, *walks, quick(), seed);
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    test::LogRecorder recorder;
+    EXPECT_EQ(test::bytes_of_run(run),
+              test::bytes_of_run(testing::run_walkers(*plan, *walks, quick(), seed, {.sinks = {&recorder}})));
+    EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
+    for (const auto& stamped : testing::shots_of(run.log)) {
+      const outrider_msgs::Shot& shot = stamped.message;
       const auto who =
           static_cast<std::size_t>(std::find_if(problem.targets.begin(), problem.targets.end(),
                                                 [&](const Target& t) { return t.name == shot.target; }) -
                                    problem.targets.begin());
       ASSERT_LT(who, problem.targets.size());
-      const Flight flight{shot.muzzle, shot.velocity_mps, problem.world.gravity_mps2};
-      const Target there = moved_to(problem.targets[who], (*walks)[who].at(shot.time_s + shot.flight_s));
-      const double gap =
-          distance(flight.position(shot.flight_s), solid_of(there)) - problem.gun.ball_radius_m;
+      const Flight flight{testing::vec3_of(shot.muzzle), testing::vec3_of(shot.velocity),
+                          problem.world.gravity_mps2};
+      const Target there = moved_to(problem.targets[who], (*walks)[who].at(stamped.time_s() + shot.flight));
+      const double gap = distance(flight.position(shot.flight), solid_of(there)) - problem.gun.ball_radius_m;
       EXPECT_EQ(gap < 1e-5, shot.hit) << shot.target;
     }
+    const auto targets = testing::targets_of(run.log);
     for (std::size_t who = 0; who < problem.targets.size(); ++who) {
-      const ReportTarget& target = report.targets[who];
-      ASSERT_TRUE(target.moves.has_value());
-      for (const ReportMove& move : *target.moves) {
-        EXPECT_LT(distance(move.position, (*walks)[who].at(move.time_s)), 1e-9);
+      ASSERT_GT(targets[who].moves().size(), 1U);
+      for (const auto& move : targets[who].moves()) {
+        EXPECT_LT(distance(xy(move.centre), (*walks)[who].at(move.time_s)), 1e-9);
       }
     }
   }
@@ -273,8 +271,8 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
-    const PageReport a = testing::run_walkers(*learned, *walks, quick(), seed);
-    const PageReport b = testing::run_walkers(*unlearned, *walks, quick(), seed);
+    const auto a = testing::run_walkers(*learned, *walks, quick(), seed);
+    const auto b = testing::run_walkers(*unlearned, *walks, quick(), seed);
     with_map += metric(a, "intruder_seconds");
     without += metric(b, "intruder_seconds");
     expected += metric(a, "expected_hits");

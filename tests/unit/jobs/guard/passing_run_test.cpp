@@ -7,11 +7,10 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/gun_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -62,18 +61,18 @@ TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
   const Planned p = planned(problem);
-  const PageReport report = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
-  EXPECT_NEAR(metric(report, "mission_s"), p.plan.cost_s, 1e-6);
-  EXPECT_EQ(metric(report, "reached"), 5.0);
-  EXPECT_EQ(metric(report, "shots"), 5.0);
-  EXPECT_GT(metric(report, "hits_in_passing"), 0.0);
+  const auto run = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
+  EXPECT_NEAR(metric(run, "mission_s"), p.plan.cost_s, 1e-6);
+  EXPECT_EQ(metric(run, "reached"), 5.0);
+  EXPECT_EQ(metric(run, "shots"), 5.0);
+  EXPECT_GT(metric(run, "hits_in_passing"), 0.0);
 }
 
 /// The robot's place and velocity by the track, at a time between two samples.
-Platform seen_at(const PageReport& report, double time_s) {
-  for (std::size_t i = 1; i < report.track.size(); ++i) {
-    const TrackSample& a = report.track[i - 1];
-    const TrackSample& b = report.track[i];
+Platform seen_at(const std::vector<testing::TrackSample>& track, double time_s) {
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    const testing::TrackSample& a = track[i - 1];
+    const testing::TrackSample& b = track[i];
     if (b.time_s < time_s || b.time_s == a.time_s) continue;
     const double part = (time_s - a.time_s) / (b.time_s - a.time_s);
     return {a.pose.position + part * (b.pose.position - a.pose.position),
@@ -86,38 +85,35 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   const Planned p = planned(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
-    const PageReport report =
-        testing::run_still(p.problem, p.firing_map, p.plan, quick(), static_cast<std::uint64_t>(seed));
-    EXPECT_EQ(metric(report, "reached"), 5.0);
-    for (const ReportShot& shot : report.shots) {
-      const Platform seen = seen_at(report, shot.time_s);
-      const Vec2 tip = xy(shot.muzzle) - seen.position;
-      EXPECT_LT(norm(tip), report.gun_length_m + 1e-9);
-      const Vec2 platform = shot.platform_velocity_mps.value_or(Vec2{});
+    auto run = testing::run_still(p.problem, p.firing_map, p.plan, quick(), static_cast<std::uint64_t>(seed));
+    const auto track = testing::track_of(run.log);
+    const double gun_length_m = run.log.latest<outrider_msgs::RunInfo>(topic::run)->gun_length;
+    EXPECT_EQ(metric(run, "reached"), 5.0);
+    for (const auto& stamped : testing::shots_of(run.log)) {
+      const outrider_msgs::Shot& shot = stamped.message;
+      const Vec3 muzzle = testing::vec3_of(shot.muzzle), velocity_mps = testing::vec3_of(shot.velocity);
+      const Platform seen = seen_at(track, stamped.time_s());
+      const Vec2 tip = xy(muzzle) - seen.position;
+      EXPECT_LT(norm(tip), gun_length_m + 1e-9);
+      const Vec2 platform = vec2_of(shot.platform_velocity);
       EXPECT_LT(distance(platform, seen.velocity_mps), 0.05);  // the samples are up to 0.1 s apart
       // Without the robot's velocity the ball leaves along the barrel, which is above the yaw axis.
-      const Vec2 along = xy(shot.velocity_mps) - platform;
+      const Vec2 along = xy(velocity_mps) - platform;
       EXPECT_NEAR(cross(tip, along), 0.0, 1e-9 * norm(along));
       const auto& target = *std::ranges::find(p.problem.targets, shot.target, &Target::name);
       const Solid solid = solid_of(target);
-      const auto end = fly_fine(shot.muzzle, shot.velocity_mps, 9.8, p.problem.gun.ball_radius_m,
+      const auto end = fly_fine(muzzle, velocity_mps, 9.8, p.problem.gun.ball_radius_m,
                                 p.problem.world.solids, &solid, -1.0);
       EXPECT_EQ(end.hit, shot.hit);
-      EXPECT_NEAR(end.time_s, shot.flight_s, 1e-4);
-      passed += shot.platform_velocity_mps ? 1.0 : 0.0;
+      EXPECT_NEAR(end.time_s, shot.flight, 1e-4);
+      passed += platform != Vec2{} ? 1.0 : 0.0;
     }
-    EXPECT_TRUE(std::ranges::is_sorted(report.events, {}, &ReportEvent::time_s));
-    EXPECT_TRUE(std::ranges::is_sorted(report.track, {}, &TrackSample::time_s));
-    testing::Curious curious;
-    EXPECT_EQ(to_json(report),
-              to_json(testing::run_still(p.problem, p.firing_map, p.plan, quick(),
-                                         static_cast<std::uint64_t>(seed), {.sinks = {&curious}})));
-    curious.expect_to_have_seen(report);
-    EXPECT_TRUE(std::ranges::is_sorted(curious.events(), {}, &ReportEvent::time_s));
-    EXPECT_EQ(curious.events().size(), report.events.size());
-    const auto stored = report_from_json(to_json(report));
-    ASSERT_TRUE(stored.has_value());
-    EXPECT_EQ(to_json(*stored), to_json(report));
+    EXPECT_TRUE(testing::stamps_are_sorted(run.log));
+    test::LogRecorder recorder;
+    EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(testing::run_still(
+                                           p.problem, p.firing_map, p.plan, quick(),
+                                           static_cast<std::uint64_t>(seed), {.sinks = {&recorder}})));
+    EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
   }
   EXPECT_GT(passed, 3.0);
 }

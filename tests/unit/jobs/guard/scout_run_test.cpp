@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "outrider/jobs/guard/plan.hpp"
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
-#include "support/paged.hpp"
+#include "outrider/log/ros_messages.hpp"
+#include "support/logged_targets.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -34,36 +34,31 @@ GuardProblem yard() {
   return problem;
 }
 
-struct Done {
-  Report report;
-  PageReport page;
-};
-
-Outcome<Done> mission(std::uint64_t seed, LogSink* sink = nullptr) {
+Outcome<Run> mission(std::uint64_t seed, LogSink* sink = nullptr) {
   const GuardProblem problem = yard();
   GuardOptions options;
   options.resolution_m = 0.25;
   ScoutTask task;
   task.options.unknown = true;
-  Log log;
-  if (sink != nullptr) log.add_sink(*sink);
-  auto found = scout(problem, task, seed, log);
+  Run run;
+  if (sink != nullptr) run.log.add_sink(*sink);
+  auto found = scout(problem, task, seed, run.log);
   if (!found) return pass_on(found);
   const auto firing_map = build_firing_map(found->found.problem, options);
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   const auto plan = plan_guard(found->found.problem, *firing_map, options, {});
   if (!plan) return tl::unexpected<Fault>(plan.error());
-  auto report = run_guard_on_map(problem, *found, *firing_map, *plan, options, seed, log);
+  auto report = run_guard_on_map(problem, *found, *firing_map, *plan, options, seed, run.log);
   if (!report) return pass_on(report);
-  PageReport page = page_report(*report, log);
-  return Done{std::move(*report), std::move(page)};
+  if (sink != nullptr) run.log.remove_sink(*sink);
+  run.report = std::move(*report);
+  return run;
 }
 
 TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {
-  const auto done = mission(1);
-  ASSERT_TRUE(done) << to_string(done.error());
-  const PageReport* const report = &done->page;
-  const Table& targets = table_named(done->report, "targets");
+  const auto run = mission(1);
+  ASSERT_TRUE(run) << to_string(run.error());
+  const Table& targets = table_named(run->report, "targets");
   ASSERT_EQ(targets.rows.size(), 3U);
   const auto target = [&](std::size_t i) { return TableRow{targets, targets.rows[i]}; };
   EXPECT_EQ(target(0).text("name"), "open");
@@ -71,31 +66,32 @@ TEST(ScoutRun, HitsWhomItSawOnTheMapItMade) {
   EXPECT_EQ(target(1).text("status"), "failed");
   EXPECT_EQ(target(1).text("reason"), "not seen while exploring");
   EXPECT_EQ(target(2).text("status"), "reached") << target(2).text("reason");
-  ASSERT_EQ(report->targets.size(), 3U);
-  for (const ReportTarget& one : report->targets) {
+  const auto logged = testing::targets_of(run->log);
+  ASSERT_EQ(logged.size(), 3U);
+  for (const auto& one : logged) {
     EXPECT_EQ(one.status, one.name == "shut in" ? "failed" : "reached") << one.name;
   }
-  EXPECT_EQ(report->status, "not_done");
-  EXPECT_EQ(metric(*report, "seen"), 2.0);
-  EXPECT_EQ(metric(*report, "contacts"), 0.0);
-  EXPECT_GT(metric(*report, "explored_fraction"), 0.97);
-  const double explore_s = metric(*report, "explore_s");
-  ASSERT_FALSE(report->shots.empty());
-  for (const ReportShot& shot : report->shots) EXPECT_GT(shot.time_s, explore_s);
-  EXPECT_TRUE(std::ranges::is_sorted(report->track, {}, &TrackSample::time_s));
-  EXPECT_TRUE(std::ranges::is_sorted(report->events, {}, &ReportEvent::time_s));
-  EXPECT_EQ(std::ranges::count(report->events, "seen", &ReportEvent::kind), 2);
-  EXPECT_NEAR(metric(*report, "mission_s"), report->track.back().time_s, 1e-9);
-  ASSERT_TRUE(report->explore);
-  EXPECT_GT(report->explore->map.columns, 80);
+  EXPECT_EQ(run->report.status, "not_done");
+  EXPECT_EQ(metric(*run, "seen"), 2.0);
+  EXPECT_EQ(metric(*run, "contacts"), 0.0);
+  EXPECT_GT(metric(*run, "explored_fraction"), 0.97);
+  const double explore_s = metric(*run, "explore_s");
+  ASSERT_FALSE(testing::shots_of(run->log).empty());
+  for (const auto& shot : testing::shots_of(run->log)) EXPECT_GT(shot.time_s(), explore_s);
+  EXPECT_TRUE(testing::stamps_are_sorted(run->log));
+  EXPECT_EQ(events_of(run->log, "seen").size(), 2U);
+  EXPECT_NEAR(metric(*run, "mission_s"), testing::track_of(run->log).back().time_s, 1e-9);
+  const auto* map = run->log.latest<nav_msgs::OccupancyGrid>(topic::map);
+  ASSERT_NE(map, nullptr);
+  EXPECT_GT(map->info.width, 80U);
 }
 
 TEST(ScoutRun, IsTheSameForTheSameSeed) {
-  testing::Curious curious;
-  const auto once = mission(2), again = mission(2, &curious);
+  test::LogRecorder recorder;
+  auto once = mission(2), again = mission(2, &recorder);
   ASSERT_TRUE(once && again);
-  EXPECT_EQ(to_json(once->page), to_json(again->page));
-  curious.expect_to_have_seen(once->page);
+  EXPECT_EQ(test::bytes_of_run(*once), test::bytes_of_run(*again));
+  EXPECT_EQ(recorder.finish(), test::bytes_of_log(once->log));
 }
 
 }  // namespace

@@ -9,11 +9,10 @@
 
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/supply_plan.hpp"
-#include "outrider/report/json.hpp"
-#include "support/curious.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
 #include "support/random_cases.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -54,21 +53,23 @@ Outcome<Mission> planned(GuardProblem problem) {
 }
 
 /// No store below zero or above full, and each level goes up only where the robot fills it.
-void expect_sound_levels(const PageReport& report) {
-  ASSERT_TRUE(report.supplies);
-  ASSERT_FALSE(report.supplies->levels.empty());
+void expect_sound_levels(const Run& run) {
+  const auto* supplies = run.log.latest<outrider_msgs::Supplies>(topic::supplies);
+  const auto& levels = run.log.messages<outrider_msgs::StoreLevels>(topic::stores);
+  ASSERT_NE(supplies, nullptr);
+  ASSERT_FALSE(levels.empty());
   int filled = 0;
-  for (std::size_t i = 0; i < report.supplies->levels.size(); ++i) {
-    const ReportLevel& level = report.supplies->levels[i];
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const outrider_msgs::StoreLevels& level = levels[i].message;
     EXPECT_GE(level.water, -1e-9);
-    EXPECT_GE(level.charge_j, -1e-6);
-    EXPECT_LE(level.water, report.supplies->tank);
-    EXPECT_LE(level.charge_j, report.supplies->battery_j);
+    EXPECT_GE(level.charge, -1e-6);
+    EXPECT_LE(level.water, supplies->tank);
+    EXPECT_LE(level.charge, supplies->battery);
     if (i == 0) continue;
-    const ReportLevel& before = report.supplies->levels[i - 1];
-    if (level.water > before.water || level.charge_j > before.charge_j) ++filled;
+    const outrider_msgs::StoreLevels& before = levels[i - 1].message;
+    if (level.water > before.water || level.charge > before.charge) ++filled;
   }
-  EXPECT_LE(filled, static_cast<int>(metric(report, "fills")));
+  EXPECT_LE(filled, static_cast<int>(metric(run, "fills")));
 }
 
 TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
@@ -78,17 +79,17 @@ TEST(SupplyRun, WithoutErrorsTakesWhatItsPlanSays) {
     problem.errors = {0.0, 0.0, {0.0, 0.0}};
     const auto mission = planned(std::move(problem));
     if (!mission) continue;  // a station stands in an obstacle
-    const PageReport report =
-        testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
-    expect_sound_levels(report);
-    EXPECT_NEAR(metric(report, "mission_s"), mission->plan.cost_s, 1e-6) << i;
-    EXPECT_EQ(metric(report, "unplanned_fills"), 0.0) << i;
+    const auto run = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
+    expect_sound_levels(run);
+    EXPECT_NEAR(metric(run, "mission_s"), mission->plan.cost_s, 1e-6) << i;
+    EXPECT_EQ(metric(run, "unplanned_fills"), 0.0) << i;
     const auto after = planned_levels(mission->problem, mission->firing_map, mission->plan);
     if (!after.empty()) {
-      EXPECT_NEAR(report.supplies->levels.back().charge_j, after.back().charge, 1e-6);
-      EXPECT_NEAR(report.supplies->levels.back().water, after.back().water, 1e-9);
+      const auto* last = run.log.latest<outrider_msgs::StoreLevels>(topic::stores);
+      EXPECT_NEAR(last->charge, after.back().charge, 1e-6);
+      EXPECT_NEAR(last->water, after.back().water, 1e-9);
     }
-    fills += static_cast<int>(metric(report, "fills"));
+    fills += static_cast<int>(metric(run, "fills"));
   }
   EXPECT_GT(fills, 0);
 }
@@ -100,17 +101,13 @@ TEST(SupplyRun, WithErrorsNeverRunsDryAndIsTheSameTwice) {
     if (!mission) continue;
     ++missions;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const PageReport report =
-          testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), seed);
-      expect_sound_levels(report);
-      const std::string text = to_json(report);
-      testing::Curious curious;
-      EXPECT_EQ(text, to_json(testing::run_still(mission->problem, mission->firing_map, mission->plan,
-                                                 coarse(), seed, {.sinks = {&curious}})));
-      curious.expect_to_have_seen(report);
-      const auto again = report_from_json(text);
-      ASSERT_TRUE(again) << again.error().sentence;
-      EXPECT_EQ(to_json(*again), text);
+      auto run = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), seed);
+      expect_sound_levels(run);
+      test::LogRecorder recorder;
+      EXPECT_EQ(test::bytes_of_run(run),
+                test::bytes_of_run(testing::run_still(mission->problem, mission->firing_map, mission->plan,
+                                                      coarse(), seed, {.sinks = {&recorder}})));
+      EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
     }
   }
   EXPECT_GE(missions, 2);
@@ -125,10 +122,9 @@ TEST(SupplyRun, SaysWhatTheSuppliesDoNotSufficeFor) {
   const std::size_t hits = problem.targets.size() - mission->plan.unreachable.size();
   ASSERT_EQ(mission->plan.unsupplied.size(), hits - 2);
   EXPECT_NE(mission->plan.unsupplied[0].reason.find("no station gives water"), std::string::npos);
-  const PageReport report =
-      testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
-  EXPECT_EQ(report.status, "not_done");
-  expect_sound_levels(report);
+  const auto run = testing::run_still(mission->problem, mission->firing_map, mission->plan, coarse(), 1);
+  EXPECT_EQ(run.report.status, "not_done");
+  expect_sound_levels(run);
 }
 
 TEST(SupplyPlan, RefusesWhatIsWrong) {

@@ -7,10 +7,11 @@
 
 #include "outrider/jobs/guard/run.hpp"
 #include "outrider/jobs/guard/sequence.hpp"
-#include "outrider/report/json.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
+#include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -48,16 +49,11 @@ Yard open_yard(Rng& rng, std::size_t targets, bool with_errors) {
   }
 }
 
-PageReport mission(const Yard& yard, std::uint64_t seed) {
+Run mission(const Yard& yard, std::uint64_t seed) {
   const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
   const ReplanPolicy policy = replan_policies()[seed % 3];
   return testing::run_arrivals({*watch, yard.precomputed, policy, ArrivalObjective::makespan, 3, 10}, quick(),
                                seed, {yard.options.leave, yard.options.walk_mps});
-}
-
-std::size_t count(const PageReport& report, std::string_view kind) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(report.events, [&](const ReportEvent& e) { return e.kind == kind; }));
 }
 
 TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
@@ -67,34 +63,34 @@ TEST(Survivors, AreHitUntilTheyLeaveAndRepeat) {
     Yard yard = random_yard(rng, 5, true);
     yard.options.leave = 0.5;
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const PageReport report = mission(yard, seed);
+      auto run = mission(yard, seed);
+      const auto& shots = testing::shots_of(run.log);
       const auto hits = static_cast<std::size_t>(
-          std::ranges::count_if(report.shots, [](const ReportShot& s) { return s.hit; }));
-      survived += count(report, "survive");
-      EXPECT_EQ(metric(report, "survived"), static_cast<double>(count(report, "survive")));
+          std::ranges::count_if(shots, [](const auto& shot) { return shot.message.hit; }));
+      const std::size_t survivals = events_of(run.log, "survive").size();
+      survived += survivals;
+      EXPECT_EQ(metric(run, "survived"), static_cast<double>(survivals));
       std::size_t ended_after_a_hit = 0;
-      for (const ReportTarget& target : report.targets) {
+      for (const testing::LoggedTarget& target : testing::targets_of(run.log)) {
+        const auto moves = target.moves();
         EXPECT_NE(target.status, "waiting");
         std::size_t own = 0;
-        for (const ReportShot& shot : report.shots) {
-          if (shot.target == target.name && shot.hit) ++own;
+        for (const auto& shot : shots) {
+          if (shot.message.target != target.name) continue;
+          if (shot.message.hit) ++own;
           // Nobody is hit on its way: where a shot is fired at it, it has been at rest since the last hit.
-          if (shot.target != target.name || !target.moves) continue;
-          for (std::size_t i = 2; i < target.moves->size(); i += 2) {
-            const bool walks = shot.time_s > (*target.moves)[i - 1].time_s + 1e-9 &&
-                               shot.time_s < (*target.moves)[i].time_s - 1e-9;
+          for (std::size_t i = 2; i < moves.size(); i += 2) {
+            const bool walks =
+                shot.time_s() > moves[i - 1].time_s + 1e-9 && shot.time_s() < moves[i].time_s - 1e-9;
             EXPECT_FALSE(walks);
           }
         }
-        const std::size_t moved = target.moves ? (target.moves->size() - 1) / 2 : 0;
+        const std::size_t moved = (moves.size() - 1) / 2;
         EXPECT_EQ(own, moved + (target.status == "reached" ? 1 : 0)) << target.name;
         ended_after_a_hit += own;
       }
       EXPECT_EQ(ended_after_a_hit, hits);
-      EXPECT_EQ(to_json(report), to_json(mission(yard, seed)));
-      const auto back = report_from_json(to_json(report));
-      ASSERT_TRUE(back.has_value()) << to_string(back.error());
-      EXPECT_EQ(to_json(*back), to_json(report));
+      EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(mission(yard, seed)));
     }
   }
   EXPECT_GT(survived, 8U);
@@ -180,9 +176,9 @@ TEST(Survivors, TakeOnAverageWhatIsExpected) {
     constexpr int missions = 60;
     double sum = 0.0, squares = 0.0;
     for (std::uint64_t seed = 1; seed <= missions; ++seed) {
-      const PageReport report = testing::run_arrivals(plan, quick(), seed, {0.6, yard.options.walk_mps});
-      EXPECT_EQ(report.status, "done");
-      const double time = metric(report, "makespan_s");
+      const auto run = testing::run_arrivals(plan, quick(), seed, {0.6, yard.options.walk_mps});
+      EXPECT_EQ(run.report.status, "done");
+      const double time = metric(run, "makespan_s");
       sum += time;
       squares += time * time;
     }
@@ -215,11 +211,10 @@ TEST(Survivors, ThatThereAreNoneIsTheStillYard) {
     const auto watch = arrival_yard(yard.problem, yard.firing_map, settled_intruders(yard.problem));
     const auto policy = find_replan_policy("each_arrival");
     const ArrivalPlan plan{*watch, yard.precomputed, *policy, ArrivalObjective::makespan, 3, 30};
-    PageReport report = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
-    PageReport still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
-    report.metrics = still.metrics;
-    report.reason = still.reason;
-    EXPECT_EQ(to_json(report), to_json(still));
+    auto run = testing::run_arrivals(plan, quick(), 7, {1.0, 1.0});
+    auto still = testing::run_still(yard.problem, yard.firing_map, yard.plan, quick(), 7);
+    EXPECT_EQ(run.report.status, still.report.status);
+    EXPECT_EQ(test::bytes_of_log(run.log), test::bytes_of_log(still.log));
   }
 }
 

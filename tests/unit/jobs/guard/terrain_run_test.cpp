@@ -2,11 +2,12 @@
 
 #include "outrider/ballistics/stance.hpp"
 #include "outrider/jobs/guard/run.hpp"
-#include "outrider/report/json.hpp"
 #include "support/guard_runs.hpp"
 #include "support/guard_yard.hpp"
+#include "support/logged_targets.hpp"
 #include "support/random_cases.hpp"
 #include "support/random_terrain.hpp"
+#include "support/run_bytes.hpp"
 
 namespace outrider {
 namespace {
@@ -26,7 +27,7 @@ GuardOptions quick() {
 struct Mission {
   FiringMap firing_map;
   GuardPlan plan;
-  PageReport report;
+  Run run;
 };
 
 Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
@@ -34,8 +35,8 @@ Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
   EXPECT_TRUE(firing_map) << firing_map.error().sentence;
   auto plan = plan_guard(problem, *firing_map, quick(), {});
   EXPECT_TRUE(plan);
-  PageReport report = testing::run_still(problem, *firing_map, *plan, quick(), seed);
-  return {std::move(*firing_map), std::move(*plan), std::move(report)};
+  auto run = testing::run_still(problem, *firing_map, *plan, quick(), seed);
+  return {std::move(*firing_map), std::move(*plan), std::move(run)};
 }
 
 /// The yard with its things and targets lifted onto ground of that shape.
@@ -54,7 +55,7 @@ TEST(TerrainRun, FlatGroundGivesTheSameBytesAsNone) {
   const GuardProblem problem = testing::random_guard_problem(rng, 6, 3, 3.0);
   const GuardProblem flat =
       lifted(problem, terrain_of({-4, -4}, {0.5, 0.5}, 17, 17, [](Vec2) { return 0.0; }));
-  EXPECT_EQ(to_json(run_of(problem, 3).report), to_json(run_of(flat, 3).report));
+  EXPECT_EQ(test::bytes_of_run(run_of(problem, 3).run), test::bytes_of_run(run_of(flat, 3).run));
 }
 
 TEST(TerrainRun, GroundThatIsFlatAndHigherGivesTheSamePlan) {
@@ -80,15 +81,15 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
   for (int i = 0; i < cases(3); ++i) {
     const HeightField field = hill(4.5, 0.5, rng.uniform(0.3, 0.8), 3.0);
     const GuardProblem problem = lifted(testing::random_guard_problem(rng, 4, 3, 3.0), field);
-    const Mission run = run_of(problem, 1);
-    EXPECT_LE(run.plan.lower_bound_s, run.plan.bounded_s() + 1e-6);
-    for (const PlannedStop& stop : run.plan.stops) {
-      const Stance stance = stance_at(run.firing_map.rules, stop.position);
+    const Mission mission = run_of(problem, 1);
+    EXPECT_LE(mission.plan.lower_bound_s, mission.plan.bounded_s() + 1e-6);
+    for (const PlannedStop& stop : mission.plan.stops) {
+      const Stance stance = stance_at(mission.firing_map.rules, stop.position);
       for (const PlannedHit& hit : stop.hits) {
         const Target& target = problem.targets[hit.target];
-        const Flight flight = launch(run.firing_map.rules, {stop.position, {}}, target, hit.shot.shot);
+        const Flight flight = launch(mission.firing_map.rules, {stop.position, {}}, target, hit.shot.shot);
         EXPECT_NEAR(flight.muzzle.z, muzzle(problem.gun, stance, stop.position, hit.shot.gun).z, 1e-9);
-        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, run.firing_map.space(hit.target), target,
+        EXPECT_TRUE(fly(flight, problem.gun.ball_radius_m, mission.firing_map.space(hit.target), target,
                         problem.world.floor_z_m)
                         .hit);
         EXPECT_GE(hit.shot.gun.pitch_rad, problem.gun.pitch_low_rad - 1e-9);
@@ -104,24 +105,18 @@ TEST(TerrainRun, OnHillsTheBoundHoldsShotsHitAndDrivesAreOnTheSurface) {
     }
     // What was driven is as long as the track on the surface.
     double along = 0.0;
-    for (const ReportPath& path : run.report.paths) {
-      for (std::size_t k = 1; k < path.waypoints.size(); ++k) {
-        along += field.length({path.waypoints[k - 1], path.waypoints[k]});
-      }
+    for (const auto& path : testing::driven_paths(mission.run.log)) {
+      for (std::size_t k = 1; k < path.size(); ++k) along += field.length({path[k - 1], path[k]});
     }
-    EXPECT_NEAR(metric(run.report, "driven_m"), along, 1e-9);
-    reached += metric(run.report, "reached");
-    targets += metric(run.report, "targets") - metric(run.report, "unreachable");
-    ASSERT_TRUE(run.report.terrain);
-    EXPECT_FALSE(run.report.terrain->contours.empty());
-    ASSERT_TRUE(run.report.terrain->relief);
-    const ReportRelief& relief = *run.report.terrain->relief;
-    const Vec2 last = relief.origin +
-                      Vec2{(relief.columns - 1) * relief.spacing_m.x, (relief.rows - 1) * relief.spacing_m.y};
-    EXPECT_NEAR(relief.heights_m.back(), field.height(last), 1e-9);
-    const auto again = report_from_json(to_json(run.report));
-    ASSERT_TRUE(again) << again.error().sentence;
-    EXPECT_EQ(to_json(*again), to_json(run.report));
+    EXPECT_NEAR(metric(mission.run, "driven_m"), along, 1e-9);
+    reached += metric(mission.run, "reached");
+    targets += metric(mission.run, "targets") - metric(mission.run, "unreachable");
+    const auto* relief = mission.run.log.latest<outrider_msgs::Terrain>(topic::terrain);
+    ASSERT_NE(relief, nullptr);
+    EXPECT_FALSE(relief->contours.empty());
+    const Vec2 last = vec2_of(relief->origin) +
+                      Vec2{(relief->columns - 1) * relief->spacing.x, (relief->rows - 1) * relief->spacing.y};
+    EXPECT_NEAR(relief->heights.back(), field.height(last), 1e-9);
   }
   EXPECT_GE(reached, targets - 1.0);
 }
@@ -168,10 +163,10 @@ TEST(TerrainSurvey, TargetsBeyondSteepGroundAreOutOfReach) {
       terrain_of({-10, -4}, {0.5, 0.5}, 41, 17, [](Vec2 p) { return 1.0 * std::clamp(p.x + 1.0, 0.0, 2.0); });
   problem.world = problem.world.on(std::make_shared<const HeightField>(field));
   problem.targets = {{"near", {-5, 0, 0}, {0.4, 0.4, 0.4}}, {"far", {7, 0, 2}, {0.4, 0.4, 0.4}}};
-  const Mission run = run_of(problem, 1);
-  ASSERT_EQ(run.plan.unreachable.size(), 1U);
-  EXPECT_EQ(run.plan.unreachable[0].target, 1U);
-  EXPECT_EQ(run.report.targets[0].status, "reached");
+  const Mission mission = run_of(problem, 1);
+  ASSERT_EQ(mission.plan.unreachable.size(), 1U);
+  EXPECT_EQ(mission.plan.unreachable[0].target, 1U);
+  EXPECT_EQ(testing::targets_of(mission.run.log)[0].status, "reached");
 }
 
 TEST(TerrainSurvey, RefusesTerrainThatEndsWithinTheYard) {

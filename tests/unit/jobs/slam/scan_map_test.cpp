@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
-#include "outrider/report/log_map.hpp"
+#include "outrider/job/log_map.hpp"
 #include "outrider/slam/laser_slam.hpp"
 #include "outrider/world/occupancy.hpp"
 

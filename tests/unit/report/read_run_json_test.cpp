@@ -3,8 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "outrider/job/run_job.hpp"
-#include "outrider/job/run_json.hpp"
+#include "outrider/report/run_json.hpp"
 
 namespace outrider {
 namespace {
@@ -113,11 +112,6 @@ TEST(ReadRunJson, RefusesWhatIsNoJsonObject) {
                                   whole.substr(0, whole.size() / 2), std::string(100'000, '[')}) {
     expect_refused(text, "not a JSON object");
   }
-}
-
-TEST(ReadRunJson, RefusesAReportOfAnOlderVersion) {
-  expect_refused(R"({"outrider_report": 1, "status": "done", "job": "guard", "metrics": {}})",
-                 "older version");
 }
 
 TEST(ReadRunJson, RefusesAMissingKeyAndAWrongType) {

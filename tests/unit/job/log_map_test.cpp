@@ -1,11 +1,9 @@
-#include "page_map.hpp"
+#include "outrider/job/log_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include "outrider/log/conversions.hpp"
-#include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
-#include "outrider/report/log_map.hpp"
 #include "outrider/world/occupancy.hpp"
 
 namespace outrider {
@@ -30,14 +28,6 @@ Log growing() {
   return log;
 }
 
-std::vector<int> expanded(const std::vector<int>& runs) {
-  std::vector<int> values;
-  for (std::size_t i = 0; i < runs.size(); i += 2) {
-    values.insert(values.end(), static_cast<std::size_t>(runs[i + 1]), runs[i]);
-  }
-  return values;
-}
-
 TEST(LogMap, AppliesWholeMapsAndUpdatesInTheOrderOfTime) {
   const Log log = growing();
   LogMap map;
@@ -59,44 +49,6 @@ TEST(LogMap, AppliesWholeMapsAndUpdatesInTheOrderOfTime) {
   bool again = false;
   map.read(log, [&](const auto&, bool, std::span<const std::size_t>, double) { again = true; });
   EXPECT_FALSE(again) << "each message once";
-}
-
-TEST(PageMap, TellsWhenEachCellFirstBecameKnown) {
-  const ReportMap map = page_map(growing());
-  ASSERT_EQ(map.columns, 3) << "the known part";
-  ASSERT_EQ(map.rows, 1);
-  EXPECT_NEAR(map.origin.x, 0.05, 1e-12);
-  EXPECT_EQ(expanded(map.state_runs), (std::vector<int>{free_cell, free_cell, occupied_cell}));
-  const auto steps = expanded(map.known_runs);
-  ASSERT_EQ(steps.size(), 3U);
-  EXPECT_NEAR(steps[0] * map.step_s, 20.0, map.step_s);
-  EXPECT_NEAR(steps[1] * map.step_s, 0.0, map.step_s);
-  EXPECT_NEAR(steps[2] * map.step_s, 10.0, map.step_s);
-}
-
-TEST(PageMap, OfALogWithoutAMapIsEmpty) {
-  EXPECT_EQ(page_map(Log()).columns, 0);
-  EXPECT_FALSE(laser_of(Log()));
-}
-
-TEST(PageMap, TheLaserIsWhereItIsMounted) {
-  Log log;
-  sensor_msgs::LaserScan scan;
-  scan.range_max = 3.5F;
-  scan.ranges.assign(360, 1.0F);
-  log.append(topic::scan, 0.0, std::move(scan));
-  tf2_msgs::TFMessage mounts;
-  mounts.transforms.push_back(transform_of(0.0, {{9.0, 9.0}, 0.0}, "base_link", "camera"));
-  mounts.transforms.push_back(transform_of(0.0, {{0.05, 0.0}, 0.1}, "base_link", "laser"));
-  mounts.transforms.back().transform.translation.z = 0.18;
-  log.append(topic::static_transforms, 0.0, std::move(mounts));
-  const auto laser = laser_of(log);
-  ASSERT_TRUE(laser);
-  EXPECT_EQ(laser->beams, 360);
-  EXPECT_EQ(laser->range_m, 3.5);
-  EXPECT_EQ(laser->height_m, 0.18);
-  EXPECT_EQ(laser->mount.position, (Vec2{0.05, 0.0}));
-  EXPECT_NEAR(laser->mount.heading_rad, 0.1, 1e-15);
 }
 
 }  // namespace

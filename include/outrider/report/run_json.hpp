@@ -1,8 +1,8 @@
-// The JSON form of a run. The command line tool prints it with --json, and the server sends it.
+// The JSON form of a report. A run leaves it as run.json, the command line tool prints it with --json, and
+// the server sends it.
 //
 //   {"status", "job", "world", "reason", "metrics": {...}, the tables by their names, "files": {...},
-//   "warnings":
-//   [...]}
+//    "warnings": [...]}
 //
 // Unknown numbers are null; whole numbers have no decimal point. `Json` is any type with the interface of
 // nlohmann::ordered_json, so this header does not depend on that library.
@@ -14,13 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "outrider/core/outcome.hpp"
 #include "outrider/core/overload.hpp"
 #include "outrider/report/report.hpp"
 
 namespace outrider {
 
-/// The files written for a run, as pairs of name and path. Names are "report", "picture", "page" and the
-/// names that the job gave to its own files.
+/// The files written for a run, as pairs of name and path. Names are "result", "log", "picture", "page" and
+/// the names that the job gave to its own files.
 using WrittenFiles = std::vector<std::pair<std::string, std::string>>;
 
 /// Converts a number: null if it is not finite, an integer if it is whole.
@@ -94,5 +95,8 @@ Json run_json(const Report& report, const WrittenFiles& files = {}) {
   object["warnings"] = report.warnings;
   return object;
 }
+
+/// Reads run.json, as a run leaves it. Fault: bad_input with `name`.
+Outcome<Report> read_run_json(const std::string& text, const std::string& name);
 
 }  // namespace outrider

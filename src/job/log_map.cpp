@@ -1,4 +1,4 @@
-#include "outrider/report/log_map.hpp"
+#include "outrider/job/log_map.hpp"
 
 #include <cmath>
 #include <limits>

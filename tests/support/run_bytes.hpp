@@ -1,0 +1,67 @@
+// Runs as bytes, to compare them by.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "outrider/job/job.hpp"
+#include "outrider/log/known_messages.hpp"
+#include "outrider/log/mcap_sink.hpp"
+#include "outrider/report/run_json.hpp"
+
+namespace outrider::test {
+
+/// Keeps what it is sent while a run logs, as an MCAP file. Expects that each message can be decoded.
+class LogRecorder final : public LogSink {
+ public:
+  void add_channel(const Channel& channel) override {
+    auto message = AnyMessage::of(channel);
+    EXPECT_TRUE(message && *message) << channel.topic << " has the type " << channel.type;
+    messages_.push_back(message ? std::move(*message) : std::nullopt);
+    file_.add_channel(channel);
+  }
+  void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
+    if (messages_.at(channel)) {
+      EXPECT_TRUE(messages_[channel]->decode(data));
+    }
+    file_.append(channel, time_ns, data);
+  }
+  /// Completes the file and returns it. Call it once.
+  std::string finish() {
+    EXPECT_TRUE(file_.finish());
+    return std::move(bytes_);
+  }
+
+ private:
+  std::string bytes_;
+  McapSink file_{McapWriter::begin(make_string_sink(bytes_), {.compression = Codec::none}).value()};
+  std::vector<std::optional<AnyMessage>> messages_;
+};
+
+/// The log of a run as an MCAP file, as a LogRecorder has it.
+inline std::string bytes_of_log(Log& log) {
+  std::string bytes;
+  McapSink sink(McapWriter::begin(make_string_sink(bytes), {.compression = Codec::none}).value());
+  log.add_sink(sink);
+  log.remove_sink(sink);
+  EXPECT_TRUE(sink.finish());
+  return bytes;
+}
+
+/// All of a run that must repeat: its report but for how long the machine took, its log, and the names of its
+/// files.
+inline std::string bytes_of_run(Run& run) {
+  const Report report = without_machine_times(run.report);
+  std::string bytes = run_json<nlohmann::ordered_json>(report).dump();
+  for (const auto& [key, value] : report.settings) bytes += "\n" + key + " = " + value;
+  for (const NamedContent& file : run.files) bytes += "\n" + file.path;
+  return bytes + bytes_of_log(run.log);
+}
+inline std::string bytes_of_run(Run&& run) { return bytes_of_run(run); }
+
+}  // namespace outrider::test
