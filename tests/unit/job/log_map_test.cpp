@@ -51,5 +51,17 @@ TEST(LogMap, AppliesWholeMapsAndUpdatesInTheOrderOfTime) {
   EXPECT_FALSE(again) << "each message once";
 }
 
+TEST(LogMap, AMapThatDoesNotAddUpIsEmptyAndCellsOutsideAreLeftOut) {
+  Log log;
+  log.append(topic::map, 0.0, map_of({0.0, 0.0}, 3, 2, {0, 0, 0, 0, 0}));
+  LogMap map;
+  map.read(log);
+  EXPECT_TRUE(map.grid().cells.empty());
+  log.append(topic::map, 1.0, map_of({0.0, 0.0}, 2, 1, {0, 0}));
+  log.append(topic::map_updates, 2.0, map_msgs::OccupancyGridUpdate{{}, 1, 0, 2, 2, {100, 100, 100, 100}});
+  map.read(log);
+  EXPECT_EQ(map.grid().cells, (std::vector<std::uint8_t>{free_cell, occupied_cell}));
+}
+
 }  // namespace
 }  // namespace outrider
