@@ -75,7 +75,7 @@ void add_track(PageReport& page, const Log& log) {
     TrackSample sample{pose.time_s(), pose_of(pose.message.pose), 0.0, 0.0};
     if (joint < joints.size() && joints[joint].time_ns == pose.time_ns &&
         joints[joint].message.position.size() == 2) {
-      sample.gun_yaw_rad = joints[joint].message.position[0];
+      sample.gun_yaw_rad = wrap_angle(sample.pose.heading_rad + joints[joint].message.position[0]);
       sample.gun_pitch_rad = joints[joint].message.position[1];
       ++joint;
     } else if (!joints.empty()) {
@@ -227,9 +227,9 @@ void add_drive(PageReport& page, const Log& log) {
 
 void add_explore(PageReport& page, const Log& log) {
   const auto* walls = log.latest<outrider_msgs::Outlines>(topic::walls);
-  if (walls == nullptr) return;
+  if (walls == nullptr && !log.latest<outrider_msgs::Solids>(topic::solids)) return;
   ReportExplore& explore = page.explore.emplace();
-  explore.walls = rings(walls->outlines);
+  if (walls != nullptr) explore.walls = rings(walls->outlines);
   explore.map = page_map(log);
   explore.beliefs = beliefs_of(log);
   explore.laser = laser_of(log);
@@ -267,7 +267,8 @@ void add_cover(PageReport& page, const Log& log) {
   cover.overlap = rings(area->overlap);
   cover.planned = vec2s(area->planned);
   for (const auto& pass : log.messages<outrider_msgs::CoveragePass>(topic::coverage_passes)) {
-    cover.passes.push_back({pass.time_s(), pass.message.end, pass.message.role});
+    if (!cover.passes.empty()) cover.passes.back().end_s = pass.time_s();
+    cover.passes.push_back({pass.time_s(), log.end_s(), pass.message.role});
   }
   for (const auto& one : log.messages<outrider_msgs::Coverage>(topic::coverage)) {
     cover.covered.push_back({one.time_s(), one.message.covered, one.message.overlap});
