@@ -208,7 +208,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   Recorder recorder(log, mission.task.start);
   const auto note = [&](const Observation& seen, const Command*) {
     recorder.note(mission, seen, robot.pose());
-    if (seen.scan && scanned) scanned(mission, robot);
+    if (seen.scan && scanned) scanned(seen, mission, robot);
     if (seen.scan && mission.scans % 25 == 0)
       watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
   };

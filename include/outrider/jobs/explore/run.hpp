@@ -13,7 +13,8 @@
 namespace outrider {
 
 /// Called after each scan.
-using ScanHook = std::function<void(const ExploreMission&, const SimulatedRobot&)>;
+using ScanHook =
+    std::function<void(const Observationusing ScanHook = std::function<void(const ExploreMission&, const SimulatedRobot&)>; seen, const ExploreMission&, const SimulatedRobot&)>;
 
 /// A finished exploration.
 struct ExploreRun {

@@ -64,7 +64,7 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   testing::Curious curious;
   watched.add_sink(curious);
   const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
-                               [&](const ExploreMission&, const SimulatedRobot&) { ++scans; });
+                               [&](const Observation&, const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
   const PageReport report = page_report(one->report, log);
   EXPECT_EQ(to_json(report), to_json(page_report(two->report, watched)));
@@ -82,7 +82,7 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
   int scans = 0;
   Log log;
   const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log, watch,
-                               [&](const ExploreMission&, const SimulatedRobot&) {
+                               [&](const Observation&, const ExploreMission&, const SimulatedRobot&) {
                                  if (++scans == 20) source.request_stop();
                                });
   ASSERT_TRUE(run);
