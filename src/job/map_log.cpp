@@ -61,8 +61,8 @@ void MapLog::log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double tim
 void MapLog::log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {
   const int width = high_.x - low_.x + 1, height = high_.y - low_.y + 1;
   map_msgs::OccupancyGridUpdate update{
-      header_of(log.time_of(time_s), "map"),           low_.x, low_.y, static_cast<std::uint32_t>(width),
-      static_cast<std::uint32_t>(height), {}};
+      header_of(log.time_of(time_s), "map"), low_.x, low_.y, static_cast<std::uint32_t>(width),
+      static_cast<std::uint32_t>(height),    {}};
   for (int y = low_.y; y <= high_.y; ++y) {
     const auto row =
         occupancy.cells.begin() + static_cast<std::ptrdiff_t>(occupancy.frame.index({low_.x, y}));

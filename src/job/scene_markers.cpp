@@ -132,7 +132,8 @@ void add_tags(Scene& scene, const outrider_msgs::Tags& tags) {
   constexpr double thick_m = 0.01, unknown_height_m = 0.5;
   for (const outrider_msgs::Tag& tag : tags.tags) {
     const double z = std::isfinite(tag.position.z) ? tag.position.z : unknown_height_m;
-    scene.add_box("tags", {"", {tag.position.x, tag.position.y, z}, tag.facing, {thick_m, tag.size, tag.size}},
+    scene.add_box("tags",
+                  {"", {tag.position.x, tag.position.y, z}, tag.facing, {thick_m, tag.size, tag.size}},
                   {0.1F, 0.1F, 0.1F, 1.0F});
   }
 }

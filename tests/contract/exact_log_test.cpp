@@ -1,5 +1,5 @@
-// The log of an exploration holds what its SLAM was fed, exactly: mapping the log, in each format, gives the map
-// of a SLAM that is fed with the same scans and odometry as values.
+// The log of an exploration holds what its SLAM was fed, exactly: mapping the log, in each format, gives the
+// map of a SLAM that is fed with the same scans and odometry as values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,8 @@ std::string map_of(const Exploration& office) {
   Grid<std::uint8_t> part(
       {whole.frame.corner(known.low), whole.frame.resolution_m, known.width(), known.height()}, unknown_cell);
   for (int y = known.low.y; y <= known.high.y; ++y) {
-    for (int x = known.low.x; x <= known.high.x; ++x) part[{x - known.low.x, y - known.low.y}] = whole[{x, y}];
+    for (int x = known.low.x; x <= known.high.x; ++x)
+      part[{x - known.low.x, y - known.low.y}] = whole[{x, y}];
   }
   return map_server_text({part, 0.0}, "map.pgm")->image;
 }

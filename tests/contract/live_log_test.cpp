@@ -71,9 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
     Missions, LiveLog,
     testing::Values(MissionScenario{"pursue", "pursuit/park.yaml"},
                     MissionScenario{"cover", "cover/cover_room.yaml"},
-                    MissionScenario{"guard",
-                                    "yard/yard.yaml",
-                                    {{"plan.resolution", "0.25"}, {"plan.iterations", "20"}}},
+                    MissionScenario{
+                        "guard", "yard/yard.yaml", {{"plan.resolution", "0.25"}, {"plan.iterations", "20"}}},
                     MissionScenario{"drive", "waypoints/closed_loop.yaml"}),
     [](const auto& row) { return row.param.name; });
 

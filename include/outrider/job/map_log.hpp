@@ -2,8 +2,8 @@
 //
 // The map is logged at most once a second of the run, or in another period. It is logged whole, as
 // nav_msgs/OccupancyGrid, when its frame has changed or it was redrawn, and else as
-// map_msgs/OccupancyGridUpdate: the smallest rectangle with all changes. A whole map replaces the updates up to
-// its own time. Thread rule: one at a time.
+// map_msgs/OccupancyGridUpdate: the smallest rectangle with all changes. A whole map replaces the updates up
+// to its own time. Thread rule: one at a time.
 #pragma once
 
 #include <cstdint>

@@ -30,8 +30,8 @@ std::vector<outrider_msgs::RoundedPolygon> rounded_of(const std::vector<RoundedP
 
 /// A rotation about z, counter-clockwise.
 geometry_msgs::Quaternion quaternion_of(double heading_rad);
-/// Headings that were read from a message are multiples of it. It is far above the rounding of a quaternion, so
-/// that a heading that is a multiple of it is the same after it was logged and read.
+/// Headings that were read from a message are multiples of it. It is far above the rounding of a quaternion,
+/// so that a heading that is a multiple of it is the same after it was logged and read.
 inline constexpr double heading_step_rad = 0x1p-44;
 /// Returns the heading of the x axis in the plane, from -pi to pi, in steps of `heading_step_rad`.
 double heading_of(const geometry_msgs::Quaternion& rotation);

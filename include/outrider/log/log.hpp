@@ -34,7 +34,8 @@ namespace outrider {
 inline std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
 /// Returns the time in seconds: the double nearest to it, so that nanoseconds() gives the same time back, for
-/// times up to 13 days. A longer time, such as one since 1970, is rounded to the next double or the one after.
+/// times up to 13 days. A longer time, such as one since 1970, is rounded to the next double or the one
+/// after.
 inline double seconds(std::int64_t time_ns) {
   constexpr std::int64_t exact_ns = std::int64_t{1} << 53, second_ns = 1'000'000'000;
   if (-exact_ns < time_ns && time_ns < exact_ns) return static_cast<double>(time_ns) / 1e9;

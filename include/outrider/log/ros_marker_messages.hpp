@@ -1,5 +1,5 @@
-// The standard ROS messages with markers: shapes that every viewer draws. Fields, their order and their meaning
-// are those of ROS 2 (Humble and later).
+// The standard ROS messages with markers: shapes that every viewer draws. Fields, their order and their
+// meaning are those of ROS 2 (Humble and later).
 #pragma once
 
 #include <cstdint>
@@ -76,7 +76,8 @@ struct MeshFile {
 
 /// A shape, or a list of points, lines or triangles, in the frame of the header.
 struct Marker {
-  static constexpr std::int32_t cube = 1, cylinder = 3, line_list = 5, text_view_facing = 9, triangle_list = 11;
+  static constexpr std::int32_t cube = 1, cylinder = 3, line_list = 5, text_view_facing = 9,
+                                triangle_list = 11;
 
   std_msgs::Header header;
   std::string ns;
@@ -101,9 +102,9 @@ struct Marker {
   static constexpr std::string_view type = "visualization_msgs/msg/Marker";
   template <class List>
   static void describe(List& list) {
-    constexpr std::string_view shapes[] = {"ARROW",       "CUBE",      "SPHERE",        "CYLINDER",
-                                           "LINE_STRIP",  "LINE_LIST", "CUBE_LIST",     "SPHERE_LIST",
-                                           "POINTS",      "TEXT_VIEW_FACING", "MESH_RESOURCE", "TRIANGLE_LIST"};
+    constexpr std::string_view shapes[] = {
+        "ARROW",     "CUBE",        "SPHERE", "CYLINDER",         "LINE_STRIP",    "LINE_LIST",
+        "CUBE_LIST", "SPHERE_LIST", "POINTS", "TEXT_VIEW_FACING", "MESH_RESOURCE", "TRIANGLE_LIST"};
     for (int i = 0; i < 12; ++i) list.constant("int32", shapes[i], i);
     list.constant("int32", "ADD", 0);
     list.constant("int32", "MODIFY", 0);

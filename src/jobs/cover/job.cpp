@@ -115,9 +115,8 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const std::string name = std::filesystem::path(scenario.area).filename().string();
   CoverLog log(run.log, problem, planned, seed, name);
-  driven.drive =
-      drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m, seed,
-                  steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
+  driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
+                             seed, steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
   // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
   const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
   driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);

@@ -120,8 +120,8 @@ CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan,
   log_event(log, 0.0, "plan", described(plan));
 }
 
-/// Notes the passes, laps and cells that begin. Pieces of one role, one after the other, are one pass; a lap or a
-/// cell begins another.
+/// Notes the passes, laps and cells that begin. Pieces of one role, one after the other, are one pass; a lap
+/// or a cell begins another.
 void CoverLog::note_pieces(const PieceDrive& drive) {
   for (; pieces_ < drive.ends_s.size(); ++pieces_) {
     const PieceRole role = plan_.roles[pieces_];

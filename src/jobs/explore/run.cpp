@@ -96,8 +96,8 @@ std::vector<std::vector<Vec2>> outlines_of_pieces(const std::vector<RoundedPolyg
   return outlines;
 }
 
-/// Logs what stands still: the world, unless a job that explores a part of the time has done it; the walls that
-/// the laser can hit, where they are not the outlines of the solids; and where the laser is.
+/// Logs what stands still: the world, unless a job that explores a part of the time has done it; the walls
+/// that the laser can hit, where they are not the outlines of the solids; and where the laser is.
 void log_start(Log& log, const World& world, const ExploreTask& task, const RangeFinderModel& laser,
                std::uint64_t seed) {
   const bool first = log.latest<outrider_msgs::RunInfo>(topic::run) == nullptr;

@@ -98,8 +98,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
   const GuardProblem& found = yard.found.problem;
-  if (scenario.regions)
-    log_firing_regions(run.log, found, *firing_map, metric(yard.run.report, "time_s"));
+  if (scenario.regions) log_firing_regions(run.log, found, *firing_map, metric(yard.run.report, "time_s"));
   const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;

@@ -10,8 +10,7 @@
 
 namespace outrider {
 
-void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map,
-                        double time_s) {
+void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map, double time_s) {
   const GridFrame& frame = firing_map.frame;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
     const FiringRegion& region = firing_map.regions[t];

@@ -1,6 +1,6 @@
 #include "outrider/job/scene.hpp"
-#include "outrider/job/scene_markers.hpp"
 #include "guard_log.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 

@@ -24,8 +24,8 @@ std::vector<Marker> markers_of(const Log& log) {
   return scene == nullptr ? std::vector<Marker>{} : scene->markers;
 }
 
-/// Returns the volume between the triangles and the plane z = 0, by the divergence theorem. The triangles look
-/// outwards.
+/// Returns the volume between the triangles and the plane z = 0, by the divergence theorem. The triangles
+/// look outwards.
 double volume_above_zero(const Marker& marker) {
   double volume = 0.0;
   for (std::size_t i = 0; i + 2 < marker.points.size(); i += 3) {

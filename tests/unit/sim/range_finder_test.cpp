@@ -155,7 +155,8 @@ TEST(RangeFinder, MeasuresAsItsModelSays) {
   EXPECT_NEAR(std::sqrt(squares / read), 0.01, 1e-3);
 }
 
-/// sensor_msgs/LaserScan has single precision, and no range beyond the longest: "no return" is infinite there.
+/// sensor_msgs/LaserScan has single precision, and no range beyond the longest: "no return" is infinite
+/// there.
 TEST(RangeFinder, MeasuresWhatAMessageCanHold) {
   const std::vector<RoundedPolygon> walls = {{{{3.5, -50.0}, {3.5, 50.0}}, 0.0}};  // as far as it sees
   RangeFinderModel model;

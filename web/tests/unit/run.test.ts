@@ -75,8 +75,8 @@ describe("a shot", () => {
 });
 
 describe("a run", () => {
-  it("lasts until the last thing that happens, but for where a target would have gone", () => {
-    const topics = { [topic.shots]: [[2, shot]] as [number, unknown][], [topic.targetPose]: [[50, pose(1, 1)]] as [number, unknown][] };
+  it("lasts until the last thing that happens", () => {
+    const topics = { [topic.shots]: [[2, shot]] as [number, unknown][] };
     expect(runOf(topics).duration).toBe(2.5);
     expect(runOf({ ...topics, [topic.events]: [[9, { name: "wait", msg: "" }]] }).duration).toBe(9);
     expect(runOf().duration).toBeGreaterThan(0);

@@ -39,8 +39,9 @@ struct CoverageSums {
   double overlap_m2 = 0.0;
 };
 
-/// Measures the areas covered within an area while a path grows. The areas never shrink, and the last ones are
-/// those of coverage_of() for the whole path, except for the ends of capsules. Thread rule: one at a time.
+/// Measures the areas covered within an area while a path grows. The areas never shrink, and the last ones
+/// are those of coverage_of() for the whole path, except for the ends of capsules. Thread rule: one at a
+/// time.
 class GrowingCoverage {
  public:
   /// A disk of the radius passes over `area`, which must outlive this object.

@@ -27,8 +27,8 @@ struct CoverRun {
   [[nodiscard]] bool finished() const { return drive.ends_s.size() == plan.track.pieces.size(); }
 };
 
-/// Logs a coverage run. The covered area is measured once in a sixtieth of the time that the track takes at full
-/// speed, and in the end. Thread rule: one at a time.
+/// Logs a coverage run. The covered area is measured once in a sixtieth of the time that the track takes at
+/// full speed, and in the end. Thread rule: one at a time.
 class CoverLog {
  public:
   /// Logs the area and the track. The log and the plan must outlive this object.
@@ -48,12 +48,12 @@ class CoverLog {
   const CoverPlan& plan_;
   outrider_msgs::CoverageArea area_;
   GrowingCoverage coverage_;
-  LogQueue queue_;             ///< what a piece brings, to be logged in the order of time
-  std::size_t pieces_ = 0;     ///< that are logged
-  std::size_t poses_ = 0;      ///< that are logged
-  std::size_t laps_ = 0;       ///< that have begun
-  std::size_t cells_ = 0;      ///< that have begun
-  double measured_s_ = -1.0;   ///< until when the coverage is measured
+  LogQueue queue_;            ///< what a piece brings, to be logged in the order of time
+  std::size_t pieces_ = 0;    ///< that are logged
+  std::size_t poses_ = 0;     ///< that are logged
+  std::size_t laps_ = 0;      ///< that have begun
+  std::size_t cells_ = 0;     ///< that have begun
+  double measured_s_ = -1.0;  ///< until when the coverage is measured
 };
 
 /// Returns the report. The metrics are:

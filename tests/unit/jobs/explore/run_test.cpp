@@ -63,8 +63,9 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   watch.progress = [&](const RunStep& step) { part = std::max(part, step.part); };
   testing::Curious curious;
   watched.add_sink(curious);
-  const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
-                               [&](const Observation&, const ExploreMission&, const SimulatedRobot&) { ++scans; });
+  const auto two =
+      run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
+                  [&](const Observation&, const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
   const PageReport report = page_report(one->report, log);
   EXPECT_EQ(to_json(report), to_json(page_report(two->report, watched)));
