@@ -11,6 +11,7 @@
 #include "outrider/core/text.hpp"
 #include "outrider/io/log_file.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/log/log.hpp"
 #include "robot_log.hpp"
 #include "scan_mount.hpp"
 
@@ -19,12 +20,6 @@ namespace {
 
 constexpr std::int64_t farthest_odometry_ns = 500'000'000;
 constexpr std::size_t most_waiting_bytes = std::size_t{64} << 20U;
-
-/// Converts seconds and nanoseconds apart: together they have more digits than a double.
-double seconds_of(std::int64_t time_ns) {
-  constexpr std::int64_t second_ns = 1'000'000'000;
-  return static_cast<double>(time_ns / second_ns) + 1e-9 * static_cast<double>(time_ns % second_ns);
-}
 
 Pose2 in_plane(const Pose3& pose) {
   const Vec3 ahead = pose.rotation.axes[0];
@@ -136,11 +131,11 @@ Status MappedLog::receive_scan(const RobotMessage& message) {
   if (last_scan_ns_ && message.time_ns < *last_scan_ns_) {
     return bad_input(
         fmt::format("the time of the scans goes back from {:.3f} s to {:.3f} s; cut the log there",
-                    seconds_of(*last_scan_ns_), seconds_of(message.time_ns)),
+                    seconds(*last_scan_ns_), seconds(message.time_ns)),
         channels_->scan_topic);
   }
   last_scan_ns_ = message.time_ns;
-  LaserScan scan = scan_of(*message.scan, mount_ && mount_->upside_down, seconds_of(message.time_ns));
+  LaserScan scan = scan_of(*message.scan, mount_ && mount_->upside_down, seconds(message.time_ns));
   if (auto usable = check(scan); !usable) {
     if (unusable_++ == 0) why_unusable_ = usable.error().sentence;
     return {};
@@ -201,7 +196,7 @@ tl::unexpected<Fault> MappedLog::nothing_usable() const {
   if (unusable_ > 0) return bad_input(why_unusable_, channels_->scan_topic);
   const std::string from = channels_->odometry_topic.empty() ? "/tf" : printable(channels_->odometry_topic);
   return bad_input(fmt::format("none of its {} scans has odometry of {} within {} s", without_odometry_, from,
-                               seconds_of(farthest_odometry_ns)),
+                               seconds(farthest_odometry_ns)),
                    channels_->scan_topic);
 }
 

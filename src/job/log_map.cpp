@@ -48,6 +48,7 @@ void LogMap::read(const Log& log, const Changed& changed) {
       continue;
     }
     const auto& [time_ns, update] = updates[updates_++];
+    if (wholes_ > 0 && time_ns <= wholes[wholes_ - 1].time_ns) continue;  // a part of the whole map
     std::vector<std::size_t> cells;
     for (std::size_t i = 0; update.width > 0 && i < update.data.size(); ++i) {
       const Cell cell{update.x + static_cast<int>(i % update.width),

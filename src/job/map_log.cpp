@@ -32,9 +32,10 @@ void MapLog::note(Log& log, const Grid<std::uint8_t>& occupancy, bool redrawn,
 }
 
 void MapLog::finish(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {
-  if (redrawn_) {
+  const bool changed = high_.x >= low_.x;
+  if (redrawn_ || (changed && time_s == whole_s_)) {
     log_whole(log, occupancy, time_s);
-  } else if (high_.x >= low_.x) {
+  } else if (changed) {
     log_update(log, occupancy, time_s);
   }
   redrawn_ = false;
@@ -43,12 +44,11 @@ void MapLog::finish(Log& log, const Grid<std::uint8_t>& occupancy, double time_s
 }
 
 void MapLog::log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {
-  // It replaces an update of the same time, so it must be the later of the two.
-  if (time_s == updated_s_) time_s += 1e-9;
   logged_ = occupancy.frame;
   begun_ = true;
+  whole_s_ = time_s;
   nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(time_s, "map");
+  grid.header = header_of(log.time_of(time_s), "map");
   grid.info.resolution = static_cast<float>(occupancy.frame.resolution_m);
   grid.info.width = static_cast<std::uint32_t>(occupancy.frame.width);
   grid.info.height = static_cast<std::uint32_t>(occupancy.frame.height);
@@ -61,15 +61,14 @@ void MapLog::log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double tim
 void MapLog::log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {
   const int width = high_.x - low_.x + 1, height = high_.y - low_.y + 1;
   map_msgs::OccupancyGridUpdate update{
-      header_of(time_s, "map"),           low_.x, low_.y, static_cast<std::uint32_t>(width),
-      static_cast<std::uint32_t>(height), {}};
+      header_of(log.time_of(time_s), "map"), low_.x, low_.y, static_cast<std::uint32_t>(width),
+      static_cast<std::uint32_t>(height),    {}};
   for (int y = low_.y; y <= high_.y; ++y) {
     const auto row =
         occupancy.cells.begin() + static_cast<std::ptrdiff_t>(occupancy.frame.index({low_.x, y}));
     std::transform(row, row + width, std::back_inserter(update.data), percent);
   }
   log.append(topic::map_updates, time_s, std::move(update));
-  updated_s_ = time_s;
 }
 
 }  // namespace outrider

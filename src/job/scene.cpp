@@ -20,13 +20,30 @@ outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World
   return info;
 }
 
+namespace {
+
+bool rises_above_floor(const Solid& solid, const World& world) {
+  return !std::holds_alternative<HalfSpaceShape>(solid.shape) && bounds(solid).high.z > world.floor_z_m;
+}
+
+}  // namespace
+
+std::vector<RoundedPolygon> footprints_above_floor(const World& world) {
+  std::vector<RoundedPolygon> all;
+  for (const Solid& solid : world.solids) {
+    if (!rises_above_floor(solid, world)) continue;
+    const Box3 box = bounds(solid);
+    for (RoundedPolygon& piece : footprint(solid, box.low.z, box.high.z)) all.push_back(std::move(piece));
+  }
+  return all;
+}
+
 void log_scene(Log& log, outrider_msgs::RunInfo info, const World& world, double robot_height_m) {
   log.append(topic::run, 0.0, std::move(info));
   outrider_msgs::Solids solids;
   for (const Solid& solid : world.solids) {
+    if (!rises_above_floor(solid, world)) continue;
     const Box3 box = bounds(solid);
-    const bool floor = std::holds_alternative<HalfSpaceShape>(solid.shape);
-    if (floor || box.high.z <= world.floor_z_m) continue;
     solids.solids.push_back({solid.name, std::string(kind(solid.shape)),
                              rounded_of(footprint(solid, box.low.z, box.high.z)), box.low.z, box.high.z,
                              box.low.z < world.floor_z_m + robot_height_m});

@@ -30,7 +30,7 @@ void log_camera(Log& log, const Camera& camera) {
 
 void log_scan(Log& log, double time_s, const LaserScan& scan) {
   sensor_msgs::LaserScan message;
-  message.header = header_of(time_s, "laser");
+  message.header = header_of(log.time_of(time_s), "laser");
   const auto beams = static_cast<double>(scan.ranges_m.size());
   message.angle_min = static_cast<float>(scan.first_rad);
   message.angle_increment = static_cast<float>(scan.step_rad);
@@ -43,7 +43,7 @@ void log_scan(Log& log, double time_s, const LaserScan& scan) {
 
 void log_odometry(Log& log, double time_s, const Pose2& odom_T_robot) {
   nav_msgs::Odometry message;
-  message.header = header_of(time_s, "odom");
+  message.header = header_of(log.time_of(time_s), "odom");
   message.child_frame_id = "base_link";
   message.pose.pose = pose_of(odom_T_robot);
   log.append(topic::odometry, time_s, std::move(message));

@@ -37,7 +37,7 @@ void log_plan(Log& log, double time_s, const std::vector<Vec2>& points) {
 
 void log_gun(Log& log, double time_s, double yaw_rad, double pitch_rad) {
   sensor_msgs::JointState joints;
-  joints.header = header_of(log.time_of(time_s), "map");
+  joints.header = header_of(log.time_of(time_s), "base_link");
   joints.name = {"gun_yaw", "gun_pitch"};
   joints.position = {yaw_rad, pitch_rad};
   log.append(topic::joints, time_s, std::move(joints));

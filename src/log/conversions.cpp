@@ -1,6 +1,10 @@
 #include "outrider/log/conversions.hpp"
 
+#include <algorithm>
 #include <utility>
+
+#include "outrider/core/units.hpp"
+#include "outrider/log/log.hpp"
 
 namespace outrider {
 namespace {
@@ -10,7 +14,7 @@ constexpr std::int64_t ns_per_s = 1'000'000'000;
 }  // namespace
 
 builtin_interfaces::Time stamp_of(double time_s) {
-  const std::int64_t ns = std::llround(time_s * 1e9);
+  const std::int64_t ns = nanoseconds(time_s);
   return {static_cast<std::int32_t>(ns / ns_per_s), static_cast<std::uint32_t>(ns % ns_per_s)};
 }
 
@@ -44,7 +48,13 @@ geometry_msgs::Quaternion quaternion_of(double heading_rad) {
 }
 
 double heading_of(const geometry_msgs::Quaternion& q) {
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  const double heading_rad = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  return std::clamp(std::round(heading_rad / heading_step_rad) * heading_step_rad, -pi, pi);
+}
+
+Pose2 logged_pose(const Pose2& pose) {
+  const double steps = std::trunc(wrap_angle(pose.heading_rad) / heading_step_rad);
+  return {pose.position, steps * heading_step_rad};
 }
 
 geometry_msgs::Pose pose_of(const Pose2& pose) {

@@ -94,7 +94,7 @@ Cells final_map(const Log& log) {
   const auto& maps = log.messages<nav_msgs::OccupancyGrid>(topic::map);
   Cells map = cells_of(log.latest<nav_msgs::OccupancyGrid>(topic::map), step);
   for (const auto& [time_ns, update] : log.messages<map_msgs::OccupancyGridUpdate>(topic::map_updates)) {
-    if (maps.empty() || time_ns < maps.back().time_ns || update.width == 0) continue;
+    if (maps.empty() || time_ns <= maps.back().time_ns || update.width == 0) continue;
     for (std::size_t i = 0; i < update.data.size(); ++i) {
       const std::size_t x = static_cast<std::size_t>(update.x) + i % update.width;
       const std::size_t y = static_cast<std::size_t>(update.y) + i / update.width;

@@ -39,7 +39,13 @@ void SimulatedRobot::act_on(WaypointBody& body, const Command& command) {
                       [](const auto&) {}},
              command);
   gauge();
-  if (log_ != nullptr) queue_.flush(*log_, body.time_s());
+  log_now();
+}
+
+/// Logs what has happened until now. Returns the log, or null if there is none.
+Log* SimulatedRobot::log_now() {
+  if (log_ != nullptr) queue_.flush(*log_, time_s());
+  return log_;
 }
 
 /// Notes an event. Of waits that follow one another only the first is told.
@@ -51,13 +57,14 @@ void SimulatedRobot::tell(double time_s, std::string kind, std::string sentence)
 
 /// Logs the pose of the robot and of its gun.
 void SimulatedRobot::sample() {
-  if (log_ == nullptr) return;
+  Log* const log = log_now();
+  if (log == nullptr) return;
   const auto& waypoints = body<WaypointBody>();
   const Pose2& pose = waypoints.pose();
-  log_pose(*log_, waypoints.time_s(), pose);
+  log_pose(*log, waypoints.time_s(), pose);
   if (!devices_.gun) return;
   const Shot barrel = devices_.gun->barrel(waypoints.stance(), pose.heading_rad);
-  log_gun(*log_, waypoints.time_s(), barrel.yaw_rad, barrel.pitch_rad);
+  log_gun(*log, waypoints.time_s(), wrap_angle(barrel.yaw_rad - pose.heading_rad), barrel.pitch_rad);
 }
 
 /// Takes what has been used until now out of the stores.
@@ -67,9 +74,10 @@ void SimulatedRobot::gauge() {
   record.turned_rad = waypoints.turned_rad();
   if (!devices_.stores) return;
   devices_.stores->note(waypoints.time_s(), record.driven_m, record.shots);
-  if (log_ == nullptr) return;
-  log_->append(topic::stores, waypoints.time_s(),
-               outrider_msgs::StoreLevels{devices_.stores->water(), devices_.stores->charge_j()});
+  if (Log* const log = log_now()) {
+    log->append(topic::stores, waypoints.time_s(),
+                outrider_msgs::StoreLevels{devices_.stores->water(), devices_.stores->charge_j()});
+  }
 }
 
 /// Drives a straight, and shoots on the way.
@@ -107,7 +115,7 @@ void SimulatedRobot::drive_straight(WaypointBody& body, Vec2 goal, std::span<con
 void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) {
   if (command.waypoints.size() < 2) return;
   const std::vector<Vec2> waypoints = body.displaced_waypoints(command.waypoints);
-  if (log_ != nullptr) log_plan(*log_, body.time_s(), waypoints);
+  if (Log* const log = log_now()) log_plan(*log, body.time_s(), waypoints);
   tell(body.time_s(), "drive",
        fmt::format("drives to ({:.2f}, {:.2f})", waypoints.back().x, waypoints.back().y));
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
@@ -116,7 +124,7 @@ void SimulatedRobot::follow(WaypointBody& body, const FollowWaypoints& command) 
     if (command.until_arrival && devices_.targets && devices_.targets->somebody_entered(body.time_s())) break;
   }
   body.end_way();
-  if (log_ != nullptr) log_plan(*log_, body.time_s(), {});
+  if (Log* const log = log_now()) log_plan(*log, body.time_s(), {});
   if (!landed_.empty()) await_balls(body);
 }
 
@@ -169,7 +177,7 @@ Impact SimulatedRobot::shoot(const Fire& command, Vec2 velocity_mps) {
        impact.hit ? fmt::format("hits {}", target.name)
                   : fmt::format("misses {}: touches {}", target.name, shot.contact));
   ++record.shots;
-  if (log_ != nullptr) log_->append(topic::shots, time_s, std::move(shot));
+  if (Log* const log = log_now()) log->append(topic::shots, time_s, std::move(shot));
   landed_.push_back({command.target, impact.hit, time_s + impact.time_s});
   return impact;
 }

@@ -185,14 +185,21 @@ std::vector<double> RangeFinder::ranges(const Pose2& world_T_laser, std::int64_t
 }
 
 LaserScan RangeFinder::look(const Pose2& world_T_laser, double time_s, Rng& rng) const {
-  LaserScan scan{time_s,         0.0,           2.0 * pi / static_cast<double>(model_.beams),
-                 model_.least_m, model_.most_m, {}};
+  const auto in_message = [](double value) { return static_cast<double>(static_cast<float>(value)); };
+  LaserScan scan{time_s,
+                 0.0,
+                 in_message(2.0 * pi / static_cast<double>(model_.beams)),
+                 in_message(model_.least_m),
+                 in_message(model_.most_m),
+                 {}};
   scan.ranges_m.reserve(static_cast<std::size_t>(model_.beams));
+  constexpr float infinite = std::numeric_limits<float>::infinity();
   for (const double exact : ranges(world_T_laser, model_.beams)) {
     const double error_m = model_.noise_m * rng.normal();
     const bool missed = rng.uniform() < model_.missed;
     const double measured = missed || exact < model_.least_m ? 0.0 : std::max(0.0, exact + error_m);
-    scan.ranges_m.push_back(static_cast<float>(measured));
+    const auto range_m = static_cast<float>(measured);
+    scan.ranges_m.push_back(static_cast<double>(range_m) > scan.most_m ? infinite : range_m);
   }
   return scan;
 }

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "outrider/log/conversions.hpp"
+
 namespace outrider {
 namespace {
 
 constexpr double instant_s = 1e-9;  ///< times closer than this are one
 
 void sense_body(TwistBody& body, Observation& seen) {
-  seen.odometry = body.odometry();
+  seen.odometry = logged_pose(body.odometry());
   seen.touching = body.take_touch();
 }
 /// Nobody counts the turns of its wheels: its odometry stays at the start.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/log/log.hpp"
+
 namespace outrider {
 namespace {
 
@@ -30,7 +32,7 @@ double TwistBody::begin(const Command& command) {
   const auto* drive = std::get_if<DriveTwist>(&command);
   if (drive == nullptr) return time_s_;
   wanted_ = drive->twist;
-  return drive->until_s;
+  return logged_time(drive->until_s);
 }
 
 void TwistBody::run_until(double time_s) {

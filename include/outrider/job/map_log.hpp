@@ -2,7 +2,8 @@
 //
 // The map is logged at most once a second of the run, or in another period. It is logged whole, as
 // nav_msgs/OccupancyGrid, when its frame has changed or it was redrawn, and else as
-// map_msgs/OccupancyGridUpdate: the smallest rectangle with all changes. Thread rule: one at a time.
+// map_msgs/OccupancyGridUpdate: the smallest rectangle with all changes. A whole map replaces the updates up
+// to its own time. Thread rule: one at a time.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,7 @@ class MapLog {
   Cell low_{0, 0};        ///< corners of the rectangle of changes
   Cell high_{-1, -1};
   double next_s_ = 0.0;
-  double updated_s_ = -1.0;  ///< time of the newest update
+  double whole_s_ = 0.0;  ///< time of the newest whole map
 };
 
 }  // namespace outrider

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "outrider/log/log.hpp"
 #include "outrider/log/scene_messages.hpp"
@@ -13,6 +14,9 @@ namespace outrider {
 /// Returns the description of a run in a world, with a robot that is a disk.
 outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world,
                                 double robot_radius_m);
+
+/// Returns the footprints of the solids that rise above the floor, each over its whole height. O(solids).
+std::vector<RoundedPolygon> footprints_above_floor(const World& world);
 
 /// Logs the description, and the solids of the world that rise above the floor. Those that begin below
 /// `robot_height_m` above the floor block the robot. O(solids).

@@ -17,7 +17,7 @@ void log_mount(Log& log, const std::string& device, const Pose2& robot_T_device,
 /// Logs the intrinsic parameters of a camera in the frame "camera".
 void log_camera(Log& log, const Camera& camera);
 
-/// Logs a scan in the frame "laser".
+/// Logs a scan in the frame "laser". A beam without return is infinite.
 void log_scan(Log& log, double time_s, const LaserScan& scan);
 
 /// Logs the pose of the robot by odometry alone.

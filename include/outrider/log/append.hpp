@@ -22,8 +22,8 @@ void log_belief(Log& log, double time_s, const Pose2& pose, const Eigen::Matrix3
 /// Appends the path that the robot drives from now on; no points: none.
 void log_plan(Log& log, double time_s, const std::vector<Vec2>& points);
 
-/// Appends the direction of the barrel: yaw in the map, counter-clockwise from +x, and pitch up from the
-/// horizon.
+/// Appends the direction of the barrel: yaw counter-clockwise from where the robot looks, and pitch up from
+/// the horizon.
 void log_gun(Log& log, double time_s, double yaw_rad, double pitch_rad);
 
 /// Appends something that happened: its kind, such as "shot", and one sentence.

@@ -30,8 +30,14 @@ std::vector<outrider_msgs::RoundedPolygon> rounded_of(const std::vector<RoundedP
 
 /// A rotation about z, counter-clockwise.
 geometry_msgs::Quaternion quaternion_of(double heading_rad);
-/// Returns the heading of the x axis in the plane, from -pi to pi.
+/// Headings that were read from a message are multiples of it. It is far above the rounding of a quaternion,
+/// so that a heading that is a multiple of it is the same after it was logged and read.
+inline constexpr double heading_step_rad = 0x1p-44;
+/// Returns the heading of the x axis in the plane, from -pi to pi, in steps of `heading_step_rad`.
 double heading_of(const geometry_msgs::Quaternion& rotation);
+/// Returns the pose with its heading in [-pi, pi] and cut to a multiple of `heading_step_rad`: as it is read
+/// from a message.
+Pose2 logged_pose(const Pose2& pose);
 geometry_msgs::Pose pose_of(const Pose2& pose);
 Pose2 pose_of(const geometry_msgs::Pose& pose);
 geometry_msgs::PoseStamped stamped(double time_s, const Pose2& pose, std::string frame = "map");

@@ -32,8 +32,18 @@ namespace outrider {
 
 /// Returns the time in nanoseconds, rounded. Expects a finite time below 9e9 s.
 inline std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
-/// Returns the time in seconds.
-inline double seconds(std::int64_t time_ns) { return static_cast<double>(time_ns) * 1e-9; }
+
+/// Returns the time in seconds: the double nearest to it, so that nanoseconds() gives the same time back, for
+/// times up to 13 days. A longer time, such as one since 1970, is rounded to the next double or the one
+/// after.
+inline double seconds(std::int64_t time_ns) {
+  constexpr std::int64_t exact_ns = std::int64_t{1} << 53, second_ns = 1'000'000'000;
+  if (-exact_ns < time_ns && time_ns < exact_ns) return static_cast<double>(time_ns) / 1e9;
+  return static_cast<double>(time_ns / second_ns) + static_cast<double>(time_ns % second_ns) / 1e9;
+}
+
+/// Returns the time in whole nanoseconds, as a message has it: one that was logged and read is the same.
+inline double logged_time(double time_s) { return seconds(nanoseconds(time_s)); }
 
 /// A message and its time.
 template <class Message>
@@ -73,7 +83,7 @@ class Log {
   void begin_at(double time_s) { origin_ns_ = nanoseconds(time_s); }
 
   /// Returns the time that a message has in the log, for its header.
-  [[nodiscard]] double time_of(double time_s) const { return seconds(origin_ns_) + time_s; }
+  [[nodiscard]] double time_of(double time_s) const { return seconds(origin_ns_ + nanoseconds(time_s)); }
 
   /// Appends a message to the channel, which the first message makes. Expects the type of the earlier
   /// messages of the channel; a time before that of the newest one counts as that time.

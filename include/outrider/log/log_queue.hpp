@@ -23,6 +23,10 @@ class LogQueue {
                           log.append(topic, time_s, std::move(held));
                         }});
   }
+  /// Takes the true pose of the robot (append.hpp).
+  void note_pose(double time_s, const Pose2& pose) {
+    waiting_.push_back({time_s, [time_s, pose](Log& log) { log_pose(log, time_s, pose); }});
+  }
   /// Takes an event (append.hpp).
   void note_event(double time_s, std::string kind, std::string sentence) {
     waiting_.push_back({time_s, [time_s, kind = std::move(kind), text = std::move(sentence)](Log& log) {

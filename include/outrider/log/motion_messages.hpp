@@ -131,16 +131,14 @@ struct Coverage {
   }
 };
 
-/// The section of a path over an area that begins now.
+/// The section of a path over an area that begins now. It goes on until the next one, or until the end.
 struct CoveragePass {
   std::string role;  ///< lap, lane or move
-  double end = 0.0;  ///< when the section ends
 
   static constexpr std::string_view type = "outrider_msgs/msg/CoveragePass";
   template <class List>
   static void describe(List& list) {
     list.field("role", &CoveragePass::role);
-    list.field("end", &CoveragePass::end, "s");
   }
 };
 

@@ -59,9 +59,9 @@ struct RoundedPolygon {
 /// What is run, where, and with which robot.
 struct RunInfo {
   std::string job;
-  std::string sim;     ///< "physics" if rigid bodies are simulated
-  std::string engine;  ///< of mapping: "laser", "pose_graph", ...; else empty
-  std::uint64_t seed = 0;
+  std::string sim;         ///< "physics" if rigid bodies are simulated
+  std::string engine;      ///< of mapping: "laser", "pose_graph", ...; else empty
+  std::uint64_t seed = 0;  ///< 0: nothing is drawn at random
   std::string world;
   Point2 low;  ///< corners of the box that shows everything
   Point2 high;

@@ -32,6 +32,8 @@ inline constexpr std::string_view map_updates = "/map_updates";  ///< map_msgs/O
 inline constexpr std::string_view target_pose =
     "/target_pose";                                    ///< geometry_msgs/PoseStamped: who is pursued
 inline constexpr std::string_view events = "/rosout";  ///< rcl_interfaces/Log
+/// visualization_msgs/MarkerArray, at time 0: what stands still, for viewers that do not know our messages
+inline constexpr std::string_view scene = "/scene";
 
 // Messages of our own: outrider_msgs/*.
 inline constexpr std::string_view run = "/run";

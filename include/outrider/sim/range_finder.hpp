@@ -32,7 +32,8 @@ class RangeFinder {
   /// Returns the exact range of each beam, m; infinite if nothing is within the laser's range. The first beam
   /// points ahead; the order is counter-clockwise.
   [[nodiscard]] std::vector<double> ranges(const Pose2& world_T_laser, std::int64_t beams) const;
-  /// Returns a scan as measured by the laser: with noise, minimum and maximum range, and missed readings.
+  /// Returns a scan as measured by the laser: with noise, minimum and maximum range, and missed readings. Its
+  /// numbers are single precision, as sensor_msgs/LaserScan has them; infinite where there is no return.
   LaserScan look(const Pose2& world_T_laser, double time_s, Rng& rng) const;
 
   /// Returns true if there is a line of sight: the segment stays more than 1e-9 m away from every outline.

@@ -73,6 +73,7 @@ class SimulatedRobot final : public Robot {
   void fill(WaypointBody& body, const Fill& command);
   void await_balls(WaypointBody& body);
   Impact shoot(const Fire& command, Vec2 velocity_mps);
+  Log* log_now();
   void sample();
   void gauge();
   void tell(double time_s, std::string kind, std::string sentence);

@@ -62,48 +62,28 @@ Coverage coverage_of(const std::vector<Vec2>& way, double radius_m, const Region
   return coverage;
 }
 
-namespace {
-
-/// What one stretch covers by itself, and which part of that was passed over more than once by then.
-struct Stretch {
-  Region covered;
-  Region overlap;
-  Box2 box;
-};
-
-/// Returns the part of the region that earlier stretches have in their member `part`.
-Region known_of(const Region& region, const Box2& box, const std::vector<Stretch>& before,
-                Region Stretch::* part) {
+/// Returns the part of the region that earlier sections have in their member `part`.
+Region GrowingCoverage::known_of(const Region& region, const Box2& box, Region Section::* part) const {
   std::vector<Region> known;
-  for (const Stretch& one : before) {
+  for (const Section& one : before_) {
     if (one.box.overlaps(box)) known.push_back(common(one.*part, region));
   }
   return united(known);
 }
 
-}  // namespace
-
-std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
-                                         const Region& area, const std::stop_token& stop) {
-  std::vector<CoverageSums> sums;
-  std::vector<Stretch> before;
-  CoverageSums sum;
-  for (const std::vector<Vec2>& way : stretches) {
-    if (stop.stop_requested()) return sums;
-    std::vector<Region> overlap;
-    Stretch now;
-    now.covered = common(covered_by(way, radius_m, overlap, stop), area);
-    now.box = bounds_of(now.covered);
-    const Region again = known_of(now.covered, now.box, before, &Stretch::covered);
-    overlap.push_back(without(again, disk(way.front(), radius_m)));
-    now.overlap = common(united(overlap), area);
-    const Region counted = known_of(now.overlap, now.box, before, &Stretch::overlap);
-    sum.covered_m2 += std::max(0.0, area_of(now.covered) - area_of(again));
-    sum.overlap_m2 += std::max(0.0, area_of(now.overlap) - area_of(counted));
-    sums.push_back(sum);
-    before.push_back(std::move(now));
-  }
-  return sums;
+CoverageSums GrowingCoverage::add(const std::vector<Vec2>& way) {
+  std::vector<Region> overlap;
+  Section now;
+  now.covered = common(covered_by(way, radius_m_, overlap, {}), area_);
+  now.box = bounds_of(now.covered);
+  const Region again = known_of(now.covered, now.box, &Section::covered);
+  overlap.push_back(without(again, disk(way.front(), radius_m_)));
+  now.overlap = common(united(overlap), area_);
+  const Region counted = known_of(now.overlap, now.box, &Section::overlap);
+  sums_.covered_m2 += std::max(0.0, area_of(now.covered) - area_of(again));
+  sums_.overlap_m2 += std::max(0.0, area_of(now.overlap) - area_of(counted));
+  before_.push_back(std::move(now));
+  return sums_;
 }
 
 }  // namespace outrider

@@ -113,16 +113,16 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   driven.bound = time_bound(planned.track, problem.pace, problem.tracking_error_m, scenario.error_factor);
   if (auto ok = steps.next("driving it"); !ok) return ok;
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
+  const std::string name = std::filesystem::path(scenario.area).filename().string();
+  CoverLog log(run.log, problem, planned, seed, name);
   driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
-                             seed, steps.inner());
+                             seed, steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
   // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
   const std::stop_token stop = driven.finished() ? watch.stop : std::stop_token{};
   driven.driven = coverage_of(driven.drive.way, problem.radius_m(), planned.ground.reach, stop);
   if (stop.stop_requested()) return cancelled();
   if (driven.finished()) check_promises(driven);
-  const std::string name = std::filesystem::path(scenario.area).filename().string();
-  log_cover(run.log, problem, driven, seed, name, stop);
-  if (stop.stop_requested()) return cancelled();
+  log.finish(driven.drive, driven.driven);
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);

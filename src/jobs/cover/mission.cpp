@@ -22,12 +22,14 @@ std::optional<Command> CoverMission::step(const Observation&) {
 }
 
 PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
-                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch) {
+                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch,
+                       const std::function<void(const PieceDrive&)>& look) {
   SimulatedRobot robot(PieceBody(track.start, pace, tracking_error_m, ground, Rng(seed)));
   CoverMission mission(track, pace.pause_s);
   const PieceDrive& drive = robot.body<PieceBody>().drive();
   run_mission(mission, robot, watch.stop, [&](const Observation&, const Command*) {
     watch.part(static_cast<double>(drive.ends_s.size()) / static_cast<double>(track.pieces.size()));
+    if (look) look(drive);
   });
   return drive;
 }

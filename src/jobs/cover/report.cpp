@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "outrider/core/units.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/motion_messages.hpp"
@@ -34,25 +35,6 @@ double begin_of(const PieceDrive& drive, std::size_t piece) {
   return piece == 0 ? 0.0 : drive.ends_s[piece - 1];
 }
 
-/// A section of the path.
-struct Pass {
-  double start_s = 0.0;
-  double end_s = 0.0;
-  std::string role;  ///< lap, lane or move
-};
-
-/// Pieces of one role, one after the other, are one pass; a lap or a cell begins another.
-std::vector<Pass> passes_of(const CoverPlan& plan, const PieceDrive& drive) {
-  std::vector<Pass> passes;
-  for (std::size_t i = 0; i < drive.ends_s.size(); ++i) {
-    const bool begins = std::ranges::binary_search(plan.begins, i) || plan.roles[i] == PieceRole::lane;
-    if (passes.empty() || begins || plan.roles[i] != plan.roles[i - 1])
-      passes.push_back({begin_of(drive, i), 0.0, std::string(name_of(plan.roles[i]))});
-    passes.back().end_s = drive.ends_s[i];
-  }
-  return passes;
-}
-
 /// Where it is then: between two samples it goes straight.
 Vec2 place(const std::vector<TimedPose>& track, double time_s) {
   const auto next = std::ranges::lower_bound(track, time_s, {}, &TimedPose::time_s);
@@ -73,41 +55,14 @@ std::vector<Vec2> stretch(const PieceDrive& drive, double from_s, double to_s) {
   return points;
 }
 
-void log_coverage(Log& log, const CoverRun& run, double radius_m, const std::stop_token& stop) {
-  std::vector<double> times{0.0};
-  std::vector<std::vector<Vec2>> stretches{{run.drive.way.front()}};
-  for (int i = 1; i <= covered_steps; ++i) {
-    times.push_back(run.drive.time_s * i / covered_steps);
-    stretches.push_back(stretch(run.drive, times[times.size() - 2], times.back()));
-  }
-  const auto sums = coverage_along(stretches, radius_m, run.plan.ground.reach, stop);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    log.append(topic::coverage, times[i], outrider_msgs::Coverage{sums[i].covered_m2, sums[i].overlap_m2});
-  }
-}
-
 std::string counted(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void log_events(Log& log, const CoverRun& run) {
-  const CoverPlan& plan = run.plan;
-  log_event(log, 0.0, "plan",
-            fmt::format("the {} track of {:.2f} m has {}, {} with {}, and {}", plan.method,
-                        plan.sums.length_m, counted(plan.laps, "lap"), counted(plan.cells, "cell"),
-                        counted(plan.lanes, "lane"), counted(plan.sums.stops, "turn")));
-  std::size_t laps = 0, cells = 0;
-  for (const std::size_t piece : plan.begins) {
-    if (piece >= run.drive.ends_s.size()) break;
-    const bool lap = plan.roles[piece] == PieceRole::lap;
-    const std::string text = lap ? fmt::format("lap {} of {} begins", ++laps, plan.laps)
-                                 : fmt::format("cell {} of {} begins", ++cells, plan.cells);
-    log_event(log, begin_of(run.drive, piece), lap ? "lap" : "cell", text);
-  }
-  if (run.finished())
-    log_event(log, run.drive.time_s, "done",
-              fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
-                          100.0 * run.driven.fraction, run.driven.overlap_m2));
+std::string described(const CoverPlan& plan) {
+  return fmt::format("the {} track of {:.2f} m has {}, {} with {}, and {}", plan.method, plan.sums.length_m,
+                     counted(plan.laps, "lap"), counted(plan.cells, "cell"), counted(plan.lanes, "lane"),
+                     counted(plan.sums.stops, "turn"));
 }
 
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
@@ -144,10 +99,10 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
 
 }  // namespace
 
-void log_cover(Log& log, const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-               const std::string& name, const std::stop_token& stop) {
-  const CoverageArea& ground = run.plan.ground;
-  const Box2 bounds = bounds_of(ground.area);
+CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan, std::uint64_t seed,
+                   const std::string& name)
+    : log_(log), plan_(plan), coverage_(problem.radius_m(), plan.ground.reach) {
+  const Box2 bounds = bounds_of(plan.ground.area);
   outrider_msgs::RunInfo info;
   info.job = "cover";
   info.seed = seed;
@@ -157,18 +112,66 @@ void log_cover(Log& log, const CoverProblem& problem, const CoverRun& run, std::
   info.robot_radius = problem.radius_m();
   info.coverage_width = problem.width_m;
   log.append(topic::run, 0.0, std::move(info));
-  const auto planned = points_along(run.plan.track.start.position, run.plan.track.pieces, arc_step_rad);
-  outrider_msgs::CoverageArea area{
-      outlines_of(outlines(ground.area)), outlines_of(outlines(ground.reach)), {}, {}, points_of(planned)};
-  log.append(topic::coverage_area, 0.0, area);
-  for (const Pass& pass : passes_of(run.plan, run.drive))
-    log.append(topic::coverage_passes, pass.start_s, outrider_msgs::CoveragePass{pass.role, pass.end_s});
-  for (const auto& [time_s, pose] : run.drive.track) log_pose(log, time_s, pose);
-  log_coverage(log, run, problem.radius_m(), stop);
-  log_events(log, run);
-  area.missed = outlines_of(outlines(run.driven.missed));
-  area.overlap = outlines_of(outlines(run.driven.overlap));
-  log.append(topic::coverage_area, run.drive.time_s, std::move(area));
+  area_.area = outlines_of(outlines(plan.ground.area));
+  area_.reach = outlines_of(outlines(plan.ground.reach));
+  area_.planned = points_of(points_along(plan.track.start.position, plan.track.pieces, arc_step_rad));
+  log.append(topic::coverage_area, 0.0, area_);
+  log_markers(log);
+  log_event(log, 0.0, "plan", described(plan));
+}
+
+/// Notes the passes, laps and cells that begin. Pieces of one role, one after the other, are one pass; a lap
+/// or a cell begins another.
+void CoverLog::note_pieces(const PieceDrive& drive) {
+  for (; pieces_ < drive.ends_s.size(); ++pieces_) {
+    const PieceRole role = plan_.roles[pieces_];
+    const bool begins = std::ranges::binary_search(plan_.begins, pieces_);
+    const double time_s = begin_of(drive, pieces_);
+    if (pieces_ == 0 || begins || role == PieceRole::lane || role != plan_.roles[pieces_ - 1])
+      queue_.note(time_s, topic::coverage_passes, outrider_msgs::CoveragePass{std::string(name_of(role))});
+    if (!begins) continue;
+    const bool lap = role == PieceRole::lap;
+    queue_.note_event(time_s, lap ? "lap" : "cell",
+                      lap ? fmt::format("lap {} of {} begins", ++laps_, plan_.laps)
+                          : fmt::format("cell {} of {} begins", ++cells_, plan_.cells));
+  }
+}
+
+/// Notes the poses before the index `end`.
+void CoverLog::note_poses(const PieceDrive& drive, std::size_t end) {
+  for (; poses_ < end; ++poses_) queue_.note_pose(drive.track[poses_].time_s, drive.track[poses_].pose);
+}
+
+/// Notes what is covered at that time.
+void CoverLog::note_coverage(const PieceDrive& drive, double time_s) {
+  const auto way =
+      measured_s_ < 0.0 ? std::vector<Vec2>{drive.way.front()} : stretch(drive, measured_s_, time_s);
+  const CoverageSums sums = coverage_.add(way);
+  measured_s_ = time_s;
+  queue_.note(time_s, topic::coverage, outrider_msgs::Coverage{sums.covered_m2, sums.overlap_m2});
+}
+
+void CoverLog::note(const PieceDrive& drive) {
+  note_pieces(drive);
+  note_poses(drive, drive.track.size() - 1);  // the next piece may replace the last one
+  if (measured_s_ < 0.0) note_coverage(drive, 0.0);
+  const double step_s = plan_.sums.time_s / covered_steps;
+  while (step_s > 0.0 && measured_s_ + step_s <= drive.time_s) note_coverage(drive, measured_s_ + step_s);
+  queue_.flush(log_, drive.time_s);
+}
+
+void CoverLog::finish(const PieceDrive& drive, const Coverage& driven) {
+  note(drive);
+  note_poses(drive, drive.track.size());
+  if (measured_s_ < drive.time_s) note_coverage(drive, drive.time_s);
+  if (drive.ends_s.size() == plan_.track.pieces.size())
+    queue_.note_event(drive.time_s, "done",
+                      fmt::format("{:.2f} % of the reach is covered, {:.4g} m2 of it more than once",
+                                  100.0 * driven.fraction, driven.overlap_m2));
+  area_.missed = outlines_of(outlines(driven.missed));
+  area_.overlap = outlines_of(outlines(driven.overlap));
+  queue_.note(drive.time_s, topic::coverage_area, area_);
+  queue_.flush(log_, drive.time_s);
 }
 
 Report cover_report(const CoverProblem& problem, const CoverRun& run, const std::string& name) {

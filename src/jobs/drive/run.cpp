@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "outrider/core/units.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
@@ -66,6 +68,7 @@ void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
   std::vector<Vec2> way = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) way.push_back(waypoint.pose.position);
   log_plan(log, 0.0, way);
+  log_markers(log);
 }
 
 /// Logs the drive.
@@ -91,12 +94,15 @@ class Recorder {
     const double time_s = robot.time_s();
     clearance_m = std::min(
         clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
-    for (; arrivals_ < mission.arrivals.size(); ++arrivals_) arrived(mission.arrivals[arrivals_], truth);
+    for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
+      arrived(time_s, mission.arrivals[arrivals_], truth);
+    if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
     if (time_s < next_s_ && mission.end == DriveEnd::none) return;
     next_s_ = time_s + belief_every_s - 1e-9;
     log_pose(log_, time_s, truth);
-    const PoseBelief& belief = mission.reckoning.belief;
-    log_belief(log_, mission.reckoning.time_s, belief.world_T_robot, belief.covariance, mission.used > used_);
+    Reckoning now = mission.reckoning;  // the robot still rolls out after the last step
+    advance(now, time_s, task_.reckoning);
+    log_belief(log_, time_s, now.belief.world_T_robot, now.belief.covariance, mission.used > used_);
     used_ = mission.used;
   }
 
@@ -113,15 +119,20 @@ class Recorder {
   double clearance_m = look_around_m;
 
  private:
-  void arrived(const DriveArrival& arrival, const Pose2& truth) {
+  void note_end(double time_s, const DriveMission& mission) {
+    if (mission.end == DriveEnd::done) return;
+    log_event(log_, time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+  }
+
+  void arrived(double time_s, const DriveArrival& arrival, const Pose2& truth) {
     const Pose2& pose = task_.waypoints[arrival.waypoint].pose;
     const Vec2 error = truth.position - pose.position;
     outrider_msgs::Waypoint& waypoint = waypoints_.waypoints[arrival.waypoint];
     waypoint.reached = arrival.time_s;
     waypoint.error = point_of(error);
     waypoint.heading_error = wrap_angle(truth.heading_rad - pose.heading_rad);
-    log_.append(topic::waypoints, arrival.time_s, waypoints_);
-    log_event(log_, arrival.time_s, "arrive",
+    log_.append(topic::waypoints, time_s, waypoints_);
+    log_event(log_, time_s, "arrive",
               fmt::format("waypoint {} reached, {:.1f} mm and {:.2f} degrees off", arrival.waypoint + 1,
                           1e3 * norm(error), degrees(waypoint.heading_error)));
   }
@@ -133,6 +144,7 @@ class Recorder {
   std::size_t arrivals_ = 0;
   std::int64_t used_ = 0;
   double next_s_ = 0.0;
+  bool ended_ = false;
 };
 
 /// Returns what the drive came to.
@@ -189,10 +201,6 @@ Report run_drive(const DriveTask& task, const DriveSimParams& params, bool rende
     recorder.note(mission, robot);
     watch.part(static_cast<double>(mission.arrivals.size()) / static_cast<double>(task.waypoints.size()));
   });
-  if (mission.end == DriveEnd::lost || mission.end == DriveEnd::stuck) {
-    log_event(log, mission.reckoning.time_s, mission.end == DriveEnd::lost ? "lost" : "stuck",
-              mission.reason);
-  }
   Report report = judged(mission, robot, recorder);
   if (!finished) mark_cancelled(report, log, robot.time_s());
   return report;

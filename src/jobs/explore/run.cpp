@@ -8,6 +8,7 @@
 #include "outrider/job/clock.hpp"
 #include "outrider/job/map_log.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
@@ -87,15 +88,25 @@ class Recorder {
   double next_belief_s_ = 0.0;
 };
 
-/// Logs what stands still: the world, the walls that the laser can hit, and where the laser is.
+std::vector<std::vector<Vec2>> outlines_of_pieces(const std::vector<RoundedPolygon>& pieces) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const RoundedPolygon& piece : pieces) {
+    outlines.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
+  }
+  return outlines;
+}
+
+/// Logs what stands still: the world, unless a job that explores a part of the time has done it; the walls
+/// that the laser can hit, where they are not the outlines of the solids; and where the laser is.
 void log_start(Log& log, const World& world, const ExploreTask& task, const RangeFinderModel& laser,
                std::uint64_t seed) {
-  log_scene(log, run_info("explore", seed, world, task.robot.radius_m), world, task.robot.height_m);
-  std::vector<std::vector<Vec2>> walls;
-  for (const RoundedPolygon& piece : cut_at(world, laser.height_m)) {
-    walls.push_back(piece.radius_m > 0.0 ? inscribed(piece, outline_step_rad) : piece.core);
-  }
-  log.append(topic::walls, 0.0, outrider_msgs::Outlines{outlines_of(walls)});
+  const bool first = log.latest<outrider_msgs::RunInfo>(topic::run) == nullptr;
+  if (first)
+    log_scene(log, run_info("explore", seed, world, task.robot.radius_m), world, task.robot.height_m);
+  const auto walls = outlines_of_pieces(cut_at(world, laser.height_m));
+  if (walls != outlines_of_pieces(footprints_above_floor(world)))
+    log.append(topic::walls, 0.0, outrider_msgs::Outlines{outlines_of(walls)});
+  if (first) log_markers(log);
   log_mount(log, "laser", laser.robot_T_laser, laser.height_m);
 }
 
@@ -197,7 +208,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   Recorder recorder(log, mission.task.start);
   const auto note = [&](const Observation& seen, const Command*) {
     recorder.note(mission, seen, robot.pose());
-    if (seen.scan && scanned) scanned(mission, robot);
+    if (seen.scan && scanned) scanned(seen, mission, robot);
     if (seen.scan && mission.scans % 25 == 0)
       watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
   };

@@ -17,14 +17,17 @@ const FiringMap& true_map(const GuardRun& run);
 /// Returns the intruders that the simulation lets come, survive or walk.
 TargetSimParams target_params(const GuardRun& run);
 
-/// Logs what is known before anything happens: the run, the world, the terrain, the stations.
-void log_start(Log& log, const GuardRun& run);
+/// Logs what stands still: the run, the world, the terrain, the stations, and all of it with the targets as
+/// markers. Does nothing if the log has it.
+void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
+              bool rigid);
 
 /// Logs what becomes of the targets, and where they are.
 class TargetLog {
  public:
-  /// Logs the targets as they are at first. The references must outlive this object.
-  TargetLog(Log& log, const GuardRun& run);
+  /// Logs the targets as they are at first. What is known before its time, such as when intruders come in, is
+  /// put into the queue. The references must outlive this object.
+  TargetLog(Log& log, LogQueue& queue, const GuardRun& run);
   /// Logs what has changed. Call it after each step of the mission.
   void note(const GuardMission& mission, double time_s);
   /// Logs where walkers are in the end.
@@ -42,7 +45,7 @@ class TargetLog {
 
   Log& log_;
   const GuardRun& run_;
-  LogQueue queue_;  ///< what is known before its time, such as when intruders come in
+  LogQueue& queue_;
   std::vector<outrider_msgs::Target> told_;  ///< by target: its newest message
   std::vector<double> heights_m_;            ///< by target: of its centre
   std::vector<std::size_t> seen_;            ///< by walker: number of observations that are logged

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "guard_log.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/jobs/guard/catalog.hpp"
 #include "outrider/jobs/guard/passing_plan.hpp"
@@ -97,7 +98,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
   if (!firing_map) return tl::unexpected<Fault>(firing_map.error());
   yard.found.problem.supplies.stations = stations_in_reach(yard.found.problem, *firing_map);
   const GuardProblem& found = yard.found.problem;
-  if (scenario.regions) log_firing_regions(run.log, found, *firing_map);
+  if (scenario.regions) log_firing_regions(run.log, found, *firing_map, metric(yard.run.report, "time_s"));
   const auto plan = plan_still_yard(scenario, found, *firing_map, planner, watch);
   if (!plan) return tl::unexpected<Fault>(plan.error());
   const double planning_s = wall_s() - began_s;
@@ -151,6 +152,8 @@ Outcome<Warnings> GuardJob::load() {
 Status GuardJob::run(Run& run, const RunWatch& watch) {
   if (scenario.pddl.any()) return run_pddl(scenario, run, watch);
   const auto planner = find_guard_planner(scenario.options.planner);
+  log_yard(run.log, scenario.problem, scenario.options, static_cast<std::uint64_t>(scenario.seed),
+           scenario.sim == "physics");
   return scenario.scout.unknown ? guard_unknown_yard(scenario, *planner, run, watch)
                                 : guard_known_yard(scenario, *planner, run, watch);
 }

@@ -71,7 +71,7 @@ Pose2 PhysicsGuard::pose() const {
 void PhysicsGuard::sample() {
   const Pose2 here = pose();
   log_pose(log_, now_s(), here);
-  log_gun(log_, now_s(), wrap_angle(here.heading_rad + gun_yaw_rad_), gun_pitch_rad_);
+  log_gun(log_, now_s(), gun_yaw_rad_, gun_pitch_rad_);
 }
 
 void PhysicsGuard::tell(std::string kind, std::string sentence) {
@@ -236,22 +236,24 @@ void PhysicsGuard::fire(const Fire& command) {
   shot.target = target.name;
   shot.attempt = static_cast<std::uint32_t>(++attempts_[command.target]);
   set_pose(shot, fired_from, wrap_angle(fired_from.heading_rad + gun_yaw_rad_), gun_pitch_rad_);
+  ++record.shots;
+  const bool same_contact = impact.hit == expected.hit &&
+                            impact.solid.has_value() == expected.solid.has_value() &&
+                            (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
+  if (same_contact) ++record.rigid->as_foreseen;
+  const std::string contact = shot.contact;
+  log_.append(topic::shots, fired_s, std::move(shot));
   if (impact.hit) {
     tell("hit", fmt::format("hits {}", target.name));
   } else {
     const Vec3 at = impact.position;
     record.rigid->misses[command.target] =
-        fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", shot.contact, at.x, at.y,
-                    at.z, std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
+        fmt::format("touches {} at ({:.2f}, {:.2f}, {:.2f}), {:.3f} m from it", contact, at.x, at.y, at.z,
+                    std::max(0.0, outrider::distance(at, solid_of(target)) - radius));
     tell("miss", fmt::format("misses {}: {}", target.name, record.rigid->misses[command.target]));
   }
-  const bool same_solid = impact.solid.has_value() == expected.solid.has_value() &&
-                          (!impact.solid || shot.contact == space.solids()[*expected.solid].name);
-  if (impact.hit == expected.hit && same_solid) ++record.rigid->as_foreseen;
   record.rigid->flight_error_m =
       std::max(record.rigid->flight_error_m, norm(impact.position - flight.position(impact.time_s)));
-  ++record.shots;
-  log_.append(topic::shots, fired_s, std::move(shot));
   landed_.push_back({command.target, impact.hit, now_s()});
   sample();
 }

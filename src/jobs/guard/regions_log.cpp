@@ -10,12 +10,12 @@
 
 namespace outrider {
 
-void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map) {
+void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map, double time_s) {
   const GridFrame& frame = firing_map.frame;
   for (std::size_t t = 0; t < firing_map.regions.size(); ++t) {
     const FiringRegion& region = firing_map.regions[t];
     outrider_msgs::FiringRegion message{problem.targets[t].name, {}};
-    message.grid.header = header_of(0.0, "map");
+    message.grid.header = header_of(log.time_of(time_s), "map");
     message.grid.info = {{},
                          static_cast<float>(frame.resolution_m),
                          static_cast<std::uint32_t>(frame.width),
@@ -28,7 +28,7 @@ void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& 
       message.grid.data.push_back(
           static_cast<std::int8_t>(firing_map.reachable[i] != 0 ? std::lround(forgiven) : -1));
     }
-    log.append(topic::firing_regions, 0.0, std::move(message));
+    log.append(topic::firing_regions, time_s, std::move(message));
   }
 }
 

@@ -89,9 +89,10 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
     if (!made) return pass_on(made);
     bodies = std::move(*made);
   }
-  log_start(log, run);
-  TargetLog targets(log, run);
+  log_yard(log, true_problem(run), run.options, run.seed, run.rigid);
   if (bodies) {
+    LogQueue queue;
+    TargetLog targets(log, queue, run);
     GuardProblem yielding = run.problem;
     yielding.robot.radius_m *= way_radius;
     PhysicsGuard robot(run.problem, run.firing_map, *bodies, log, run.seed);
@@ -99,6 +100,7 @@ Outcome<Report> run_guard(const GuardRun& run, Log& log, const RunWatch& watch) 
   }
   SimulatedRobot robot = simulated_guard(true_problem(run), true_map(run), log, run.seed, target_params(run),
                                          run.truth ? run.truth->levels : StoreLevels{});
+  TargetLog targets(log, robot.queue(), run);
   note_entrances(robot.queue(), run);
   return carry_out(run, run.problem, robot, robot.record, targets, log, watch);
 }

@@ -1,5 +1,6 @@
 #include "outrider/job/scene.hpp"
 #include "guard_log.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 
@@ -94,14 +95,15 @@ TargetSimParams target_params(const GuardRun& run) {
   return params;
 }
 
-void log_start(Log& log, const GuardRun& run) {
-  const GuardProblem& problem = true_problem(run);
-  outrider_msgs::RunInfo info = run_info("guard", run.seed, problem.world, problem.robot.radius_m);
-  if (run.rigid) info.sim = "physics";
+void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
+              bool rigid) {
+  if (log.latest<outrider_msgs::RunInfo>(topic::run) != nullptr) return;
+  outrider_msgs::RunInfo info = run_info("guard", seed, problem.world, problem.robot.radius_m);
+  if (rigid) info.sim = "physics";
   info.gravity = problem.world.gravity_mps2;
   info.gun_length = std::hypot(problem.gun.tip_forward_m, problem.gun.tip_up_m);
   info.ball_radius = problem.gun.ball_radius_m;
-  info.margin = run.options.margin_m;
+  info.margin = options.margin_m;
   log.append(topic::run, 0.0, std::move(info));
   outrider_msgs::Solids solids;
   for (const Solid& solid : problem.world.solids) {
@@ -111,6 +113,11 @@ void log_start(Log& log, const GuardRun& run) {
   if (problem.world.terrain)
     log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
   if (problem.supplies.any()) log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));
+  std::vector<MarkerBox> targets;
+  for (const Target& target : problem.targets) {
+    targets.push_back({target.name, target.centre(), target.yaw_rad, target.size});
+  }
+  log_markers(log, targets);
 }
 
 }  // namespace outrider

@@ -177,7 +177,7 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
   TargetDetector detector(truth.targets, task.options, seed);
   std::vector<Vec2> stood;
   auto run = run_explore(truth.world, explore, task.sensors, seed, log, watch,
-                         [&](const ExploreMission& mission, const SimulatedRobot& robot) {
+                         [&](const Observation&, const ExploreMission& mission, const SimulatedRobot& robot) {
                            detector.look(mission, robot);
                            stood.push_back(mission.pose.position);
                          });

@@ -21,7 +21,7 @@ Vec2 believed_at(const Track& track, std::size_t look, const WanderOptions& opti
 
 }  // namespace
 
-TargetLog::TargetLog(Log& log, const GuardRun& run) : log_(log), run_(run) {
+TargetLog::TargetLog(Log& log, LogQueue& queue, const GuardRun& run) : log_(log), run_(run), queue_(queue) {
   const auto& targets = true_problem(run).targets;
   const std::size_t count = run.arrivals ? run.arrivals->yard.intruders.size() : targets.size();
   seen_.assign(count, 0);
@@ -78,8 +78,8 @@ void TargetLog::note(const GuardMission& mission, double time_s) {
     told.shots = shots;
     told.status = status;
     told.reason = record.reason;
-    queue_.note(ended ? record.done_s : time_s, topic::targets, told);
-    if (ended) place_last(record.done_s, i);
+    queue_.note(time_s, topic::targets, told);
+    if (ended) place_last(time_s, i);
   }
   queue_.flush(log_, time_s);
 }

@@ -8,6 +8,7 @@
 #include "outrider/core/text.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/job/scene.hpp"
+#include "outrider/job/scene_markers.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/path/pieces.hpp"
@@ -83,6 +84,7 @@ void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
   }
   if (world == nullptr && ground.polygons) log.append(topic::walls, 0.0, walls_of(*ground.polygons));
   if (ground.grid) log.append(topic::costmap, 0.0, costmap_of(ground));
+  log_markers(log);
 }
 
 void log_queries(Log& log, const std::vector<PlanQuery>& queries) {

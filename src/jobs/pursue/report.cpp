@@ -66,8 +66,7 @@ PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t se
   log.append(topic::run, 0.0, std::move(info));
   log.append(topic::cost_grid, 0.0, drawn_map(problem));
   log_place(std::string(topic::pose), 0, problem.start);
-  for (std::size_t s = 0; s < problem.target.size(); ++s)
-    log_place(std::string(topic::target_pose), static_cast<int>(s), problem.target[s]);
+  log_place(std::string(topic::target_pose), 0, problem.target.front());
   log.append(topic::paid, 0.0, outrider_msgs::PaidCost{0.0});
 }
 
@@ -85,6 +84,7 @@ void PursuitLog::note(const PursuitRun& run) {
       if (s == 0 && robot > 0) log_place(pose_topic(robot), 0, state.paths[robot][0]);
       log_place(pose_topic(robot), second_ + 1, state.paths[robot][s + 1]);
     }
+    log_place(std::string(topic::target_pose), second_ + 1, problem_.target[s + 1]);
     log_.append(topic::paid, static_cast<double>(second_ + 1), outrider_msgs::PaidCost{paid_});
   }
   for (; moments_ < run.moments.size(); ++moments_) {

@@ -12,6 +12,7 @@
 #include "outrider/job/clock.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/log/log_queue.hpp"
 #include "outrider/log/topics.hpp"
 #include "outrider/slam/map_error.hpp"
 #include "recordings.hpp"
@@ -153,8 +154,8 @@ std::size_t log_landmarks(Log& log, double end_s, const Solved& solved, const Wa
   return found.size();
 }
 
-/// Returns the number of loops.
-std::size_t log_loops(Log& log, double end_s, const Solved& solved, const Ways& ways) {
+/// Returns the loops in the order in which they are closed.
+outrider_msgs::Loops loops_of(const Solved& solved, const Ways& ways) {
   outrider_msgs::Loops message;
   for (const GraphEdge& edge : solved.input.graph.edges) {
     if (edge.kind != EdgeKind::pose || ways.follow(edge.from, edge.to)) continue;
@@ -164,12 +165,7 @@ std::size_t log_loops(Log& log, double end_s, const Solved& solved, const Ways& 
   std::ranges::sort(message.loops, {}, [](const outrider_msgs::Loop& loop) {
     return std::tuple(loop.closed, loop.from.x, loop.from.y, loop.to.x, loop.to.y);
   });
-  const std::size_t count = message.loops.size();
-  for (const outrider_msgs::Loop& loop : message.loops) {
-    if (count <= most_events) log_event(log, loop.closed, "loop", "a loop is closed");
-  }
-  log.append(topic::loops, end_s, std::move(message));
-  return count;
+  return message;
 }
 
 /// Logs the paths of all robots but that of the longest path, in steps of equal time.
@@ -184,7 +180,7 @@ void log_others(Log& log, double end_s, const Solved& solved, const Ways& ways, 
       poses.push_back(solved.solution.poses[node]);
       box.include(solved.at(node));
     }
-    log.append(fmt::format("/robot_{}/trajectory", ++robot), end_s, path_of(times_s, poses));
+    log_trajectory(log, fmt::format("/robot_{}/trajectory", ++robot), end_s, times_s, poses);
   }
 }
 
@@ -198,18 +194,26 @@ Metrics log_graph(Log& to, const SlamScenario& scenario, const Solved& solved) {
   std::vector<Pose2> settled;
   std::vector<Vec2> reference;
   Pose2 odometry = solved.solution.poses[way.front()];
+  outrider_msgs::Loops loops = loops_of(solved, ways);
+  LogQueue closed;
+  for (const outrider_msgs::Loop& loop : loops.loops) {
+    if (loops.loops.size() <= most_events) closed.note_event(loop.closed, "loop", "a loop is closed");
+  }
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (i > 0) odometry = compose(odometry, ways.motion(way[i - 1], way[i]));
     settled.push_back(solved.solution.poses[way[i]]);
+    closed.flush(to, ways.time_s(way[i]));
     log.note({ways.time_s(way[i]), settled.back(), solved.covariance(way[i]), odometry, false});
     if (!solved.input.truth.empty()) reference.push_back(solved.true_place(way[i]));
   }
   Box2 box;
   const std::size_t landmarks = log_landmarks(to, log.end_s(), solved, ways, box);
-  const std::size_t loops = log_loops(to, log.end_s(), solved, ways);
+  const auto count = static_cast<double>(loops.loops.size());
+  closed.flush(to, log.end_s());
+  to.append(topic::loops, log.end_s(), std::move(loops));
   log_others(to, log.end_s(), solved, ways, box);
   return {{"landmarks", landmarks > 0 ? static_cast<double>(landmarks) : unknown},
-          {"loops", static_cast<double>(loops)},
+          {"loops", count},
           {"distance_m", log.settle(settled, reference, box)},
           {"run_s", log.end_s()}};
 }

@@ -21,7 +21,7 @@
 namespace outrider {
 namespace {
 
-constexpr double map_every_s = 30.0;  // between two messages with all landmarks
+constexpr double map_every_s = 10.0;  // between two messages with the same landmarks
 constexpr double reach_m = 0.5;  // largest distance between a true place and a landmark with a meaningless id
 
 std::string landmarks_csv(const LandmarkMap& map) {
@@ -73,7 +73,8 @@ class Recorder {
       log_event(log_.log(), time_s, outcome.lost ? "lost" : "found",
                 outcome.lost ? "the robot is lost" : "the robot knows again where it is");
     lost_ = outcome.lost;
-    if (time_s < next_map_s_) return;
+    const bool same = outcome.added.empty() && outcome.removed.empty();
+    if (same && (outcome.used == 0 || time_s < next_map_s_)) return;
     next_map_s_ = time_s + map_every_s;
     log_.log().append(topic::landmarks, time_s, message_of(slam.landmarks()));
   }

@@ -103,7 +103,7 @@ class Recorder {
       loops.loops.push_back({time_s, point_of(poses[loop.from].position), point_of(poses[loop.to].position)});
       if (loops.loops.size() <= told_) continue;
       ++told_;
-      log_event(log_.log(), time_s, "loop", fmt::format("the place of {:.1f} s is recognised", then_s));
+      log_event(log_.log(), log_.end_s(), "loop", fmt::format("the place of {:.1f} s is recognised", then_s));
     }
     if (!loops.loops.empty()) log_.log().append(topic::loops, log_.end_s(), std::move(loops));
   }

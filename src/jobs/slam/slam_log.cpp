@@ -51,6 +51,13 @@ void set_place(outrider_msgs::Landmark& landmark, Vec2 position, const Eigen::Ma
   landmark.truth = {unknown, unknown};
 }
 
+void log_trajectory(Log& log, std::string_view topic, double time_s, const std::vector<double>& times_s,
+                    const std::vector<Pose2>& poses) {
+  nav_msgs::Path path = path_of(times_s, poses);
+  path.header = header_of(log.time_of(time_s), "map");
+  log.append(topic, time_s, std::move(path));
+}
+
 SlamLog::SlamLog(Log& log, const SlamScenario& scenario, const std::string& engine) : log_(log) {
   info_.job = "slam";
   info_.engine = engine;
@@ -75,8 +82,8 @@ double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>&
   for (const Vec2 place : reference) box.include(place);
   std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                        times_s_.size(), poses.size())));
-  log_.append(topic::trajectory, end_s(), path_of(times_s, poses));
-  if (!reference.empty()) log_.append(topic::reference, end_s(), path_of(0.0, reference));
+  log_trajectory(log_, topic::trajectory, end_s(), times_s, poses);
+  if (!reference.empty()) log_.append(topic::reference, end_s(), path_of(log_.time_of(end_s()), reference));
   if (!box.empty()) box = box.grown(0.5 + 0.01 * norm(box.size()));
   info_.low = point_of(box.low);
   info_.high = point_of(box.high);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "outrider/geometry/box.hpp"
@@ -25,6 +26,10 @@ std::string name_of(const SlamScenario& scenario);
 
 /// Sets the position and the uncertainty of a landmark from the covariance of its position.
 void set_place(outrider_msgs::Landmark& landmark, Vec2 position, const Eigen::Matrix2d& covariance);
+
+/// Logs a path of poses with their own times; `times_s` is as long as `poses`.
+void log_trajectory(Log& log, std::string_view topic, double time_s, const std::vector<double>& times_s,
+                    const std::vector<Pose2>& poses);
 
 class SlamLog {
  public:

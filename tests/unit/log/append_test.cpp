@@ -6,6 +6,7 @@
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -27,6 +28,19 @@ TEST(Append, APoseIsATransformAsWell) {
   EXPECT_EQ(nanoseconds_of(frame.header.stamp), 2'500'000'000);
   EXPECT_EQ(frame.transform.translation.y, -2.0);
   EXPECT_NEAR(heading_of(frame.transform.rotation), 0.75, 1e-15);
+}
+
+TEST(Append, AHeadingAsItIsLoggedComesBackAsItWas) {
+  Rng rng(7);
+  for (int i = 0; i < testing::cases(20'000); ++i) {
+    const double heading_rad = i == 0 ? pi : i == 1 ? -pi : i == 2 ? 0.0 : rng.uniform(-20.0, 20.0);
+    const Pose2 pose{{rng.uniform(-9.0, 9.0), 1.0 / 3.0}, heading_rad};
+    const Pose2 logged = logged_pose(pose);
+    ASSERT_EQ(logged.position, pose.position);
+    ASSERT_NEAR(wrap_angle(logged.heading_rad - heading_rad), 0.0, 1.01 * heading_step_rad);
+    ASSERT_EQ(pose_of(pose_of(logged)), logged) << heading_rad;
+    ASSERT_EQ(logged_pose(logged), logged);
+  }
 }
 
 TEST(Append, ABeliefHasTheCovarianceOfThePlane) {

@@ -75,6 +75,11 @@ TEST(Codecs, MessagesComeBackAndCutOnesAreRefused) {
   expect_round_trip(nav_msgs::OccupancyGrid{{}, {{}, 0.05F, 2, 1, {}}, {-1, 100}});
   expect_round_trip(map_msgs::OccupancyGridUpdate{{}, 4, 5, 1, 1, {0}});
   expect_round_trip(geometry_msgs::PoseWithCovarianceStamped{});
+  visualization_msgs::Marker marker;
+  marker.ns = "walls";
+  marker.points = {{1, 2, 3}};
+  marker.text = "a";
+  expect_round_trip(visualization_msgs::MarkerArray{{marker, marker}});
   expect_round_trip(rcl_interfaces::Log{{}, 30, "guard", "the tank is empty", "", "", 0});
 }
 

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "outrider/core/rng.hpp"
+#include "outrider/log/append.hpp"
+#include "outrider/log/conversions.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "outrider/log/scene_messages.hpp"
+#include "outrider/log/topics.hpp"
+#include "support/random_cases.hpp"
 
 namespace outrider {
 namespace {
@@ -44,6 +49,29 @@ TEST(Log, TheTimesOfAChannelNeverDecrease) {
   EXPECT_EQ(all[2].time_s(), 3.0);
   EXPECT_EQ(log.messages<outrider_msgs::Point2>("/b")[0].time_s(), 1.0) << "each channel has its own";
   EXPECT_EQ(log.end_s(), 3.0);
+}
+
+TEST(Log, TimesComeBackAsTheyWere) {
+  Rng rng(5);
+  for (int i = 0; i < testing::cases(20'000); ++i) {
+    const auto time_ns = static_cast<std::int64_t>(rng.below(std::uint64_t{1} << (1 + rng.below(50))));
+    const double time_s = seconds(time_ns);
+    ASSERT_EQ(nanoseconds(time_s), time_ns);
+    ASSERT_EQ(logged_time(time_s), time_s);
+    ASSERT_EQ(nanoseconds_of(stamp_of(time_s)), time_ns);
+  }
+  // It is the nearest double: that of the decimal number.
+  EXPECT_EQ(seconds(300'000'000), 0.3);
+  EXPECT_EQ(seconds(1'700'000'001), 1.700000001);
+  EXPECT_EQ(seconds(1'600'000'000'250'000'000), 1600000000.25);
+}
+
+TEST(Log, AMessageOfAFollowingMissionIsStampedWithItsTime) {
+  Log log;
+  log.begin_at(84.29999999999);
+  for (int i = 0; i < 1000; ++i) log_event(log, 0.1234567890123 * i, "step", "");
+  for (const auto& [time_ns, event] : log.messages<rcl_interfaces::Log>(topic::events))
+    ASSERT_EQ(nanoseconds_of(event.stamp), time_ns);
 }
 
 TEST(Log, AMissionMayFollowAnotherOne) {

@@ -191,8 +191,8 @@ TEST(PlanView, TheOdometryBeginsWhereTheRobotWas) {
 TEST(PlanView, ColoursATrackByThePassesOverAnArea) {
   Log log = run_log();
   for (int i = 0; i <= 4; ++i) log_pose(log, i, {{1.0 * i, 1.0 * (i % 2)}, 0.0});
-  log.append(topic::coverage_passes, 0.0, outrider_msgs::CoveragePass{"lap", 2.0});
-  log.append(topic::coverage_passes, 2.0, outrider_msgs::CoveragePass{"lane", 4.0});
+  log.append(topic::coverage_passes, 0.0, outrider_msgs::CoveragePass{"lap"});
+  log.append(topic::coverage_passes, 2.0, outrider_msgs::CoveragePass{"lane"});
   const std::string svg = plan_view(log);
   EXPECT_TRUE(legend(svg, "driven: lap"));
   EXPECT_TRUE(legend(svg, "driven: lane"));

@@ -155,6 +155,28 @@ TEST(RangeFinder, MeasuresAsItsModelSays) {
   EXPECT_NEAR(std::sqrt(squares / read), 0.01, 1e-3);
 }
 
+/// sensor_msgs/LaserScan has single precision, and no range beyond the longest: "no return" is infinite
+/// there.
+TEST(RangeFinder, MeasuresWhatAMessageCanHold) {
+  const std::vector<RoundedPolygon> walls = {{{{3.5, -50.0}, {3.5, 50.0}}, 0.0}};  // as far as it sees
+  RangeFinderModel model;
+  model.beams = 7;
+  const RangeFinder laser(walls, model);
+  Rng rng(6);
+  int returns = 0, none = 0;
+  for (int i = 0; i < 400; ++i) {
+    const LaserScan scan = laser.look({{0.0, 0.0}, 0.0}, 0.2 * i, rng);
+    for (const double value : {scan.first_rad, scan.step_rad, scan.least_m, scan.most_m})
+      ASSERT_EQ(static_cast<double>(static_cast<float>(value)), value);
+    const float ahead = scan.ranges_m[0];
+    ASSERT_TRUE(std::isinf(ahead) || static_cast<double>(ahead) <= scan.most_m) << ahead;
+    ++(std::isinf(ahead) ? none : returns);
+    ASSERT_TRUE(std::isinf(scan.ranges_m[3])) << "behind there is nothing";
+  }
+  EXPECT_GT(returns, 100);
+  EXPECT_GT(none, 100);
+}
+
 TEST(RangeFinder, AnEmptyWorldShowsNothing) {
   const RangeFinder laser(World{}, {});
   EXPECT_TRUE(laser.bounds().empty());

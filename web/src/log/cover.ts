@@ -21,11 +21,12 @@ export interface Cover {
 }
 
 /** What the newest messages say; null where nothing is covered. */
-export const coverOf = once(({ log, info }: Run): Cover | null => {
+export const coverOf = once(({ log, info, track }: Run): Cover | null => {
   const found = log.latest<CoverageArea>(topic.coverageArea);
   if (!found) return null;
+  const passes = log.messages<CoveragePass>(topic.coveragePasses);
   return { width: info.coverage_width, area: rings(found.area), reach: rings(found.reach), missed: rings(found.missed), overlap: rings(found.overlap),
     planned: found.planned.map(vec2),
-    passes: log.messages<CoveragePass>(topic.coveragePasses).map(({ t, message }) => ({ start: t, end: message.end, role: message.role })),
+    passes: passes.map(({ t, message: { role } }, i) => ({ start: t, end: passes[i + 1]?.t ?? track.end, role })),
     covered: log.messages<Coverage>(topic.coverage).map(({ t, message }) => ({ t, ...message })) };
 });

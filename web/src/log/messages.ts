@@ -75,7 +75,7 @@ export interface Waypoints { waypoints: Waypoint[] }
 export interface Refusal { position: Point2; reason: string }
 export interface CoverageArea { area: Outline[]; reach: Outline[]; missed: Outline[]; overlap: Outline[]; planned: Point2[] }
 export interface Coverage { covered: number; overlap: number }
-export interface CoveragePass { role: "lap" | "lane" | "move"; end: number }
+export interface CoveragePass { role: "lap" | "lane" | "move" }
 export interface CostGrid { origin: Point2; resolution: number; width: number; height: number; costs: ArrayLike<number> }
 export interface PaidCost { paid: number }
 export interface CostBound { expansions: number; cost: number; lower_bound: number }

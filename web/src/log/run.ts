@@ -28,7 +28,7 @@ export class Run {
     this.terrain = log.latest<Terrain>(topic.terrain);
     this.relief = Relief.of(this.terrain);
     this.events = log.messages<LogLine>(topic.events);
-    const told = flightsOf(this).reduce((latest, { end }) => Math.max(latest, end), log.endWithout(topic.targetPose));
+    const told = flightsOf(this).reduce((latest, { end }) => Math.max(latest, end), log.end);
     this.duration = Math.max(1e-3, goesOn && this.track.end > 0 ? this.track.end : told);
   }
 

@@ -78,12 +78,8 @@ export class RunLog {
   /** Heavy topics are read from a large file when they are shown. */
   readLazily(windows: Windows): void { this.windows = windows; }
 
-  /** Time of the latest message, s, but for some topics. */
-  endWithout(...topics: string[]): number {
-    return Math.max(this.ahead, ...[...this.channels.values()].filter((one) => !topics.includes(one.topic)).map((one) => one.end));
-  }
-
-  get end(): number { return this.endWithout(); }
+  /** Time of the latest message, s. */
+  get end(): number { return Math.max(this.ahead, ...[...this.channels.values()].map((one) => one.end)); }
   /** How many messages have been read. */
   get count(): number { return [...this.channels.values()].reduce((sum, one) => sum + one.count, 0); }
 

@@ -45,7 +45,7 @@ export const topic = {
 export const ofRobot = (robot: number, name: string): string => `/robot_${robot}${name}`;
 
 /** Topics that nothing is drawn of; their messages are not kept. */
-export const unread = new Set(["/tf"]);
+export const unread = new Set(["/tf", "/scene"]);
 
 /** Types whose messages are large: in a large file they are read when they are shown. */
 export const heavyTypes = new Set(["sensor_msgs/msg/LaserScan", "sensor_msgs/msg/PointCloud2", "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage",

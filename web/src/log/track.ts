@@ -53,7 +53,7 @@ const value = (column: Float64Array, { low, next, share }: Between): number => m
 
 /** Poses at times; as many as there are times. */
 export interface TimedPoses { time: number[]; poses: Pose[] }
-/** Yaw (in the map) and pitch of the gun at times. */
+/** Yaw (from where the robot looks) and pitch of the gun at times. */
 export interface TimedGun { time: number[]; yaw: number[]; pitch: number[] }
 
 export class Track {
@@ -86,7 +86,7 @@ export class Track {
     const state: State = { x: value(this.x, here), y: value(this.y, here), heading, yaw: heading, pitch: 0 };
     if (this.gunTime.length === 0 || t < this.gunTime[0]!) return state;
     const gun = between(this.gunTime, t);
-    state.yaw = value(this.yaw, gun);
+    state.yaw = heading + value(this.yaw, gun);
     state.pitch = value(this.pitch, gun);
     return state;
   }

@@ -5,7 +5,7 @@ import { theme } from "../base/theme";
 import { mapOf, occupied, type MapNow } from "../log/map";
 import type { Run } from "../log/run";
 import { topic } from "../log/topics";
-import { wallsOf } from "../log/world";
+import { bodiesOf, wallsOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Layer } from "./layer";
 
@@ -54,7 +54,9 @@ export function map(run: Run): Layer | null {
   if (!run.log.has(topic.map)) return null;
   const picture = new MapPicture();
   const walls = new Path();
-  for (const outline of wallsOf(run) ?? []) traceRounded(walls, outline, 0);
+  const met = wallsOf(run);  // walls that are the outlines of the solids are logged once
+  for (const outline of met ?? []) traceRounded(walls, outline, 0);
+  if (!met) for (const { footprint } of bodiesOf(run)) for (const { core, radius_m } of footprint) traceRounded(walls, core, radius_m);
   const [x0, y0, x1, y1] = areaOf(run);
   return {
     still({ ctx, camera }) {

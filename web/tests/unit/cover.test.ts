@@ -18,7 +18,7 @@ const square = (low: number, high: number): Vec2[] => [[low, low], [high, low], 
 const outline = (points: Vec2[]) => ({ points: points.map(([x, y]) => ({ x, y })) });
 const area = { area: [outline(square(-1, 4)), outline([...square(3, 3.5)].reverse())], reach: [outline(square(-0.9, 2.9))], missed: [], overlap: [], planned: [] };
 const run = runOf({ [topic.run]: [[0, info()]], [topic.pose]: poses(rows), [topic.coverageArea]: [[0, area]],
-  [topic.coveragePasses]: [[0, { role: "lap", end: 5 }], [5, { role: "lane", end: 11 }]], [topic.coverage]: [[0, { covered: 0, overlap: 0 }], [11, { covered: 7.22, overlap: 3.61 }]] });
+  [topic.coveragePasses]: [[0, { role: "lap" }], [5, { role: "lane" }]], [topic.coverage]: [[0, { covered: 0, overlap: 0 }], [11, { covered: 7.22, overlap: 3.61 }]] });
 const cover = coverOf(run)!;
 
 describe("the way", () => {

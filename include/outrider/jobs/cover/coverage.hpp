@@ -39,11 +39,31 @@ struct CoverageSums {
   double overlap_m2 = 0.0;
 };
 
-/// Returns the areas covered within `area` after each section of a path. Each section has at least one point
-/// and begins where the one before ends. The areas never shrink, and the last ones are those of coverage_of()
-/// for the whole path, except for the ends of capsules. O(n log^2 n) if each section is near few others. Ends
-/// soon after `stop` is requested; the result is then meaningless.
-std::vector<CoverageSums> coverage_along(const std::vector<std::vector<Vec2>>& stretches, double radius_m,
-                                         const Region& area, const std::stop_token& stop = {});
+/// Measures the areas covered within an area while a path grows. The areas never shrink, and the last ones
+/// are those of coverage_of() for the whole path, except for the ends of capsules. Thread rule: one at a
+/// time.
+class GrowingCoverage {
+ public:
+  /// A disk of the radius passes over `area`, which must outlive this object.
+  GrowingCoverage(double radius_m, const Region& area) : radius_m_(radius_m), area_(area) {}
+
+  /// Adds a section of at least one point, which begins where the one before ends. Returns the areas covered
+  /// until then. O(n log^2 n) if the section is near few others.
+  CoverageSums add(const std::vector<Vec2>& way);
+
+ private:
+  /// What one section covers by itself, and which part of that was passed over more than once by then.
+  struct Section {
+    Region covered;
+    Region overlap;
+    Box2 box;
+  };
+  [[nodiscard]] Region known_of(const Region& region, const Box2& box, Region Section::* part) const;
+
+  double radius_m_;
+  const Region& area_;
+  std::vector<Section> before_;
+  CoverageSums sums_;
+};
 
 }  // namespace outrider

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "outrider/job/watch.hpp"
 #include "outrider/jobs/cover/track.hpp"
@@ -25,8 +26,10 @@ struct CoverMission {
 };
 
 /// Drives the track with a simulated robot whose tracking error is at most `tracking_error_m`. A drive that
-/// is stopped has the pieces driven until then. `watch` receives the fraction of the pieces that are driven.
+/// is stopped has the pieces driven until then. `watch` receives the fraction of the pieces that are driven,
+/// and `look` the drive so far after each piece.
 PieceDrive drive_track(const CoverTrack& track, const PolygonGround& ground, const Pace& pace,
-                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch = {});
+                       double tracking_error_m, std::uint64_t seed, const RunWatch& watch = {},
+                       const std::function<void(const PieceDrive&)>& look = {});
 
 }  // namespace outrider

@@ -1,5 +1,5 @@
-// cover_report() and log_cover() tell what a coverage run came to. They are pure functions of their
-// arguments.
+// CoverLog logs a coverage run while it goes on, and cover_report() tells what it came to. Both are pure
+// functions of their arguments.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,8 @@
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/jobs/cover/time_bound.hpp"
 #include "outrider/log/log.hpp"
+#include "outrider/log/log_queue.hpp"
+#include "outrider/log/motion_messages.hpp"
 #include "outrider/report/report.hpp"
 #include "outrider/sim/piece_body.hpp"
 
@@ -25,9 +27,34 @@ struct CoverRun {
   [[nodiscard]] bool finished() const { return drive.ends_s.size() == plan.track.pieces.size(); }
 };
 
-/// Logs the area, the track and the drive. The covered area is measured at 61 equal times (coverage_along()).
-void log_cover(Log& log, const CoverProblem& problem, const CoverRun& run, std::uint64_t seed,
-               const std::string& name, const std::stop_token& stop = {});
+/// Logs a coverage run. The covered area is measured once in a sixtieth of the time that the track takes at
+/// full speed, and in the end. Thread rule: one at a time.
+class CoverLog {
+ public:
+  /// Logs the area and the track. The log and the plan must outlive this object.
+  CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan, std::uint64_t seed,
+           const std::string& name);
+  /// Logs what was driven since the last call.
+  void note(const PieceDrive& drive);
+  /// Logs the end: what the drive has covered, what it missed, and what it covered more than once.
+  void finish(const PieceDrive& drive, const Coverage& driven);
+
+ private:
+  void note_pieces(const PieceDrive& drive);
+  void note_poses(const PieceDrive& drive, std::size_t end);
+  void note_coverage(const PieceDrive& drive, double time_s);
+
+  Log& log_;
+  const CoverPlan& plan_;
+  outrider_msgs::CoverageArea area_;
+  GrowingCoverage coverage_;
+  LogQueue queue_;            ///< what a piece brings, to be logged in the order of time
+  std::size_t pieces_ = 0;    ///< that are logged
+  std::size_t poses_ = 0;     ///< that are logged
+  std::size_t laps_ = 0;      ///< that have begun
+  std::size_t cells_ = 0;     ///< that have begun
+  double measured_s_ = -1.0;  ///< until when the coverage is measured
+};
 
 /// Returns the report. The metrics are:
 /// - of the drive: covered_fraction of the reach, covered_m2, missed_m2, overlap_m2, of reach_m2 and area_m2;

@@ -13,7 +13,7 @@
 namespace outrider {
 
 /// Called after each scan.
-using ScanHook = std::function<void(const ExploreMission&, const SimulatedRobot&)>;
+using ScanHook = std::function<void(const Observation& seen, const ExploreMission&, const SimulatedRobot&)>;
 
 /// A finished exploration.
 struct ExploreRun {

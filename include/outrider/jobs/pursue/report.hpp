@@ -15,7 +15,8 @@ namespace outrider {
 /// over square blocks, and a block with more walls than free cells is a wall. Thread rule: one at a time.
 class PursuitLog {
  public:
-  /// Logs what stands still, and the path of the target. The log and the problem must outlive this object.
+  /// Logs what stands still, and where everybody is at first. The log and the problem must outlive this
+  /// object.
   PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t seed, const std::string& name);
   /// Logs what is new in the run since the last call.
   void note(const PursuitRun& run);

@@ -74,7 +74,9 @@ TEST(Coverage, GrowsAlongTheWay) {
       way.insert(way.end(), stretch.begin() + 1, stretch.end());
       stretches.push_back(std::move(stretch));
     }
-    const auto sums = coverage_along(stretches, radius, area);
+    GrowingCoverage growing(radius, area);
+    std::vector<CoverageSums> sums;
+    for (const auto& stretch : stretches) sums.push_back(growing.add(stretch));
     ASSERT_EQ(sums.size(), stretches.size());
     std::size_t points = 1;
     for (std::size_t i = 0; i < sums.size(); ++i) {

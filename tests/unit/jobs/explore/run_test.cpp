@@ -65,8 +65,9 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   watch.progress = [&](const RunStep& step) { part = std::max(part, step.part); };
   test::LogRecorder recorder;
   watched.add_sink(recorder);
-  const auto two = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
-                               [&](const ExploreMission&, const SimulatedRobot&) { ++scans; });
+  const auto two =
+      run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
+                  [&](const Observation&, const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
   watched.remove_sink(recorder);
   EXPECT_EQ(one->map.cells, two->map.cells);
@@ -84,7 +85,7 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
   int scans = 0;
   Log log;
   const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log, watch,
-                               [&](const ExploreMission&, const SimulatedRobot&) {
+                               [&](const Observation&, const ExploreMission&, const SimulatedRobot&) {
                                  if (++scans == 20) source.request_stop();
                                });
   ASSERT_TRUE(run);

@@ -1,0 +1,94 @@
+"""The log of every bundled scenario: order, stamps, what stands still, the end of the run, and its bounds."""
+import json
+import math
+import unittest
+
+from mcap_log import McapLog
+from tool import SOURCE, ToolTest, main
+
+# Topics with messages at time 0 only. /run of the job slam comes again in the end, with the bounds.
+STILL = {"/solids", "/terrain", "/walls", "/scene", "/supplies", "/tags", "/tf_static", "/camera/camera_info",
+         "/cost_grid", "/costmap", "/expanded", "/initialpose"}
+
+
+def scenarios():
+    found = sorted((SOURCE / "scenarios").glob("*/*.yaml"))
+    return [path for path in found if any(line.startswith("job:") for line in path.read_text().splitlines())]
+
+
+def stamps(kind, message):
+    """The stamps of a message that must be the time at which it is logged, as (seconds, nanoseconds)."""
+    if kind == "rcl_interfaces/msg/Log":
+        return [message["stamp"]]
+    if kind == "tf2_msgs/msg/TFMessage":
+        return [one["header"]["stamp"] for one in message["transforms"]]
+    if kind == "visualization_msgs/msg/MarkerArray":
+        return [one["header"]["stamp"] for one in message["markers"]]
+    if kind == "outrider_msgs/msg/FiringRegion":
+        return [message["grid"]["header"]["stamp"]]
+    return [message["header"]["stamp"]] if "header" in message else []
+
+
+def places(topic, message):
+    """Positions of what is drawn of a message."""
+    if topic.endswith("/pose") or topic in ("/target_pose", "/goal_pose"):
+        return [message["pose"]["position"]]
+    if topic.endswith("/trajectory") or topic.startswith("/plan"):
+        return [pose["pose"]["position"] for pose in message["poses"]]
+    if topic == "/target_positions":
+        return [message["centre"]]
+    if topic == "/supplies":
+        return [station["position"] for station in message["stations"]]
+    if topic == "/tags":
+        return [tag["position"] for tag in message["tags"]]
+    if topic == "/waypoints":
+        return [waypoint["position"] for waypoint in message["waypoints"]]
+    return []
+
+
+class RunLog(ToolTest):
+    def logged(self, scenario):
+        """(lines of JSON, log) of a run."""
+        result = self.run_tool("run", scenario, "--out", "out", timeout=600)
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        log = McapLog((self.folder / "out/run.mcap").read_bytes())
+        self.assertTrue(log.complete)
+        result = self.run_tool("convert", "out/run.mcap", "run.jsonl", timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.folder / "run.jsonl", encoding="utf-8") as lines:
+            return [json.loads(line) for line in lines], log
+
+    def check(self, lines, log):
+        times = [message.time_ns for message in log.messages]
+        self.assertEqual(times, sorted(times), "the file is in the order of time")
+        self.assertEqual(times[0], 0)
+        topics = {line["topic"] for line in lines}
+        self.assertIn("/run", topics)
+        moving = [message.time_ns for message in log.messages if message.topic in ("/pose", "/belief")]
+        self.assertEqual(max(times), max(moving, default=0), "nothing is beyond the end of the run")
+        info = [line["message"] for line in lines if line["topic"] == "/run"][-1]
+        radius = info["robot_radius"] if isinstance(info["robot_radius"], float) else 0.0
+        room = radius + 1e-6
+        for line in lines:
+            where = (line["topic"], line["time_ns"])
+            for stamp in stamps(line["type"], line["message"]):
+                self.assertEqual(stamp["sec"] * 10**9 + stamp["nanosec"], line["time_ns"], where)
+            if line["topic"] in STILL:
+                self.assertEqual(line["time_ns"], 0, where)
+            for place in places(line["topic"], line["message"]):
+                for axis in "xy":
+                    self.assertTrue(math.isfinite(place[axis]), where)
+                    self.assertGreaterEqual(place[axis], info["low"][axis] - room, where)
+                    self.assertLessEqual(place[axis], info["high"][axis] + room, where)
+        if "/solids" in topics or "/walls" in topics:
+            self.assertIn("/scene", topics)
+
+    def test_every_bundled_scenario(self):
+        self.assertGreater(len(scenarios()), 20)
+        for scenario in scenarios():
+            with self.subTest(scenario=f"{scenario.parent.name}/{scenario.name}"):
+                self.check(*self.logged(scenario))
+
+
+if __name__ == "__main__":
+    main()
