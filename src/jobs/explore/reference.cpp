@@ -81,6 +81,20 @@ Status check_start(const OpenGround& ground, Vec2 start, double resolution_m) {
                "start");
 }
 
+/// Refuses a start from which nothing can ever be seen: an exploration from there would have no end.
+Status check_sight(const RangeFinder& laser, const Box2& standing, Vec2 start) {
+  const double most_m = laser.model().most_m;
+  if (standing.empty())
+    return bad_input("nothing stands in this world; there is nothing to explore", "world");
+  if (standing.grown(most_m).contains(start)) return {};
+  return fault(
+      FaultCode::start_blocked,
+      fmt::format("{:g},{:g} is outside the map, and nothing is within the {:g} m that the laser sees: all "
+                  "that stands lies between {:.4g},{:.4g} and {:.4g},{:.4g}; start it in there",
+                  start.x, start.y, most_m, standing.low.x, standing.low.y, standing.high.x, standing.high.y),
+      "start");
+}
+
 /// Marks where the robot can be, in the order of the fewest steps, and tells the first place outside the box.
 std::optional<Vec2> flood_ground(const Survey& survey, Vec2 start, const Box2& box) {
   std::vector<Cell> open;
@@ -196,6 +210,7 @@ Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, co
     standing.include(box.low);
     standing.include(box.high);
   }
+  if (auto ok = check_sight(laser, standing, start); !ok) return pass_on(ok);
   Box2 whole = standing;
   whole.include(start);
   auto frame = lattice(whole.grown(2.0 * ground.radius_m() + 2.0 * resolution_m), resolution_m);

@@ -9,6 +9,17 @@
 namespace outrider {
 namespace {
 
+/// Refuses a start outside the box of all that stands, where the world has no end.
+Status check_start(const Box2& bounds, Vec2 start) {
+  if (bounds.contains(start)) return {};
+  return fault(
+      FaultCode::start_blocked,
+      fmt::format("{:g},{:g} is outside the map, which lies between {:.4g},{:.4g} and {:.4g},{:.4g}; "
+                  "start it in there",
+                  start.x, start.y, bounds.low.x, bounds.low.y, bounds.high.x, bounds.high.y),
+      "start");
+}
+
 Status check_laser(const RangeFinderModel& laser) {
   if (laser.least_m < laser.most_m) return {};
   return bad_input(fmt::format("'{:g}' is not valid; expected less than laser.most, which is {:g} m",
@@ -54,6 +65,7 @@ Outcome<ExploreSetup> load_explore(const ExploreScenario& scenario) {
   if (auto ok = check_laser(scenario.sim.laser); !ok) return pass_on(ok);
   auto loaded = load_explore_world(scenario.world);
   if (!loaded) return pass_on(loaded);
+  if (auto ok = check_start(loaded->world.bounds, start->position); !ok) return pass_on(ok);
   ExploreSetup setup{std::move(loaded->world), scenario.task, scenario.sim, std::move(loaded->warnings)};
   setup.task.start = {start->position, wrap_angle(start->heading_rad)};
   setup.sim.laser.robot_T_laser = setup.task.slam.robot_T_laser;

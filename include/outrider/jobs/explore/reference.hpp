@@ -40,7 +40,8 @@ struct ExplorationReference {
 };
 
 /// Computes the reference. Faults: start_blocked when the robot touches something at its start, with the
-/// nearest place where it would not; bad_input when the world is larger than 25 million places.
+/// nearest place where it would not, and when the start is farther from the box of all obstacles than the
+/// laser sees; bad_input when nothing stands in the world, or when it is larger than 25 million places.
 Outcome<ExplorationReference> exploration_reference(const RangeFinder& laser, const OpenGround& ground,
                                                     Vec2 start, double resolution_m = 0.05);
 

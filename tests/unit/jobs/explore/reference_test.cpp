@@ -94,6 +94,24 @@ TEST(ExplorationReference, AStartInAWallIsRefusedWithAPlaceThatFits) {
       "is 0.125,1.025");
 }
 
+TEST(ExplorationReference, AStartFromWhichNothingCanBeSeenIsRefused) {
+  const Eyes it = eyes(room(3.0, 2.0));
+  const auto truth = exploration_reference(it.laser, it.ground, {50.0, 1.0});
+  ASSERT_FALSE(truth);
+  EXPECT_EQ(truth.error().code, FaultCode::start_blocked);
+  EXPECT_EQ(to_string(truth.error()),
+            "start: 50,1 is outside the map, and nothing is within the 3.5 m that the laser sees: all that "
+            "stands lies between -0.1,-0.1 and 3.1,2.1; start it in there");
+  EXPECT_TRUE(exploration_reference(it.laser, it.ground, {5.0, 1.0})) << "beside the house, in sight of it";
+}
+
+TEST(ExplorationReference, AnEmptyWorldIsRefused) {
+  const Eyes it = eyes(World{});
+  const auto truth = exploration_reference(it.laser, it.ground, {1.0, 1.0});
+  ASSERT_FALSE(truth);
+  EXPECT_EQ(truth.error().code, FaultCode::bad_input);
+}
+
 TEST(ExplorationReference, AWorldTooLargeIsRefused) {
   World world = room(3.0, 2.0);
   world.solids.push_back(block({1e5, 1e5}, {1e5 + 1, 1e5 + 1}));

@@ -11,7 +11,7 @@ namespace {
 
 TEST(ExploreScenario, KeysAndTextsBecomeASetup) {
   const test::Folder folder;
-  folder.write("s.csv", "0,0,4,0\n");
+  folder.write("s.csv", "0,0,4,0\n4,0,4,3\n");
   const std::string path =
       folder.write("e.yaml",
                    "job: explore\nworld: s.csv\nstart: \"1,2,90\"\nseed: 4\n"
@@ -40,6 +40,13 @@ TEST(ExploreScenario, WhatIsNoGoodIsRefused) {
   EXPECT_EQ(fault([](auto& s) { s.start = "1,2"; }).substr(0, 6), "start:");
   EXPECT_EQ(fault([](auto& s) { s.sim.laser.least_m = 4.0; }),
             "laser.least: '4' is not valid; expected less than laser.most, which is 3.5 m");
+  const test::Folder folder;
+  const std::string walls = folder.write("s.csv", "0,0,4,0\n4,0,4,3\n");
+  EXPECT_EQ(fault([&](auto& s) {
+              s.world.world = walls;
+              s.start = "1,8,0";
+            }),
+            "start: 1,8 is outside the map, which lies between 0,0 and 4,3; start it in there");
   EXPECT_EQ(fault([](auto& s) { s.world.world = ""; }),
             "world: missing; give the file of the world to explore");
 }
