@@ -87,7 +87,7 @@ std::string map_of_log(const std::string& bytes, const std::string& name) {
   const auto run = run_task(job, *task);
   std::filesystem::remove(path);
   if (!changed || !run) return "not mapped";
-  const auto map = std::ranges::find(run->files, "map.pgm", &NamedContent::name);
+  const auto map = std::ranges::find(run->files, "map.pgm", &NamedContent::path);
   return map == run->files.end() ? "no map" : map->content;
 }
 

@@ -45,7 +45,7 @@ struct MissionScenario {
 
 class LiveLog : public testing::TestWithParam<MissionScenario> {
  protected:
-  static Outcome<Run> run(const RunWatch& watch) {
+  static Outcome<outrider::Run> run(const RunWatch& watch) {
     return run_job(jobs(), OUTRIDER_SOURCE_DIR "/scenarios/" + GetParam().path, GetParam().changes, watch);
   }
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "outrider/log/ros_marker_messages.hpp"
 #include "outrider/log/ros_messages.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 
