@@ -9,6 +9,7 @@ from tool import SOURCE, ToolTest, main
 # Topics with messages at time 0 only. /run of the job slam comes again in the end, with the bounds.
 STILL = {"/solids", "/terrain", "/walls", "/scene", "/supplies", "/tags", "/tf_static", "/camera/camera_info",
          "/cost_grid", "/costmap", "/expanded", "/initialpose"}
+IN_BETWEEN = {"/target_positions"}  # known only after the step in which they lie
 
 
 def scenarios():
@@ -58,9 +59,12 @@ class RunLog(ToolTest):
         with open(self.folder / "run.jsonl", encoding="utf-8") as lines:
             return [json.loads(line) for line in lines], log
 
-    def check(self, lines, log):
-        times = [message.time_ns for message in log.messages]
+    def check(self, lines, log, leaks):
+        times = [message.time_ns for message in log.messages if message.topic not in IN_BETWEEN]
         self.assertEqual(times, sorted(times), "the file is in the order of time")
+        for topic in IN_BETWEEN:
+            own = [message.time_ns for message in log.messages if message.topic == topic]
+            self.assertEqual(own, sorted(own), topic)
         self.assertEqual(times[0], 0)
         topics = {line["topic"] for line in lines}
         self.assertIn("/run", topics)
@@ -75,6 +79,8 @@ class RunLog(ToolTest):
                 self.assertEqual(stamp["sec"] * 10**9 + stamp["nanosec"], line["time_ns"], where)
             if line["topic"] in STILL:
                 self.assertEqual(line["time_ns"], 0, where)
+            if leaks and line["topic"] == "/goal_pose":
+                continue  # the goals lie in the endless world behind the gate
             for place in places(line["topic"], line["message"]):
                 for axis in "xy":
                     self.assertTrue(math.isfinite(place[axis]), where)
@@ -87,7 +93,7 @@ class RunLog(ToolTest):
         self.assertGreater(len(scenarios()), 20)
         for scenario in scenarios():
             with self.subTest(scenario=f"{scenario.parent.name}/{scenario.name}"):
-                self.check(*self.logged(scenario))
+                self.check(*self.logged(scenario), leaks=scenario.name == "leaking_yard.yaml")
 
 
 if __name__ == "__main__":

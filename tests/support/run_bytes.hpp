@@ -16,16 +16,19 @@
 
 namespace outrider::test {
 
-/// Keeps what it is sent while a run logs, as an MCAP file. Expects that each message can be decoded.
+/// Keeps what it is sent as an MCAP file, also when the log was there before it. Expects that each message
+/// can be decoded.
 class LogRecorder final : public LogSink {
  public:
   void add_channel(const Channel& channel) override {
     auto message = AnyMessage::of(channel);
     EXPECT_TRUE(message && *message) << channel.topic << " has the type " << channel.type;
     messages_.push_back(message ? std::move(*message) : std::nullopt);
-    file_.add_channel(channel);
+    channels_.push_back(channel);
   }
   void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
+    // A sink that comes late is told of all channels at first.
+    while (added_ <= channel) file_.add_channel(channels_.at(added_++));
     if (messages_.at(channel)) {
       EXPECT_TRUE(messages_[channel]->decode(data));
     }
@@ -41,16 +44,16 @@ class LogRecorder final : public LogSink {
   std::string bytes_;
   McapSink file_{McapWriter::begin(make_string_sink(bytes_), {.compression = Codec::none}).value()};
   std::vector<std::optional<AnyMessage>> messages_;
+  std::vector<Channel> channels_;
+  std::size_t added_ = 0;
 };
 
 /// The log of a run as an MCAP file, as a LogRecorder has it.
 inline std::string bytes_of_log(Log& log) {
-  std::string bytes;
-  McapSink sink(McapWriter::begin(make_string_sink(bytes), {.compression = Codec::none}).value());
-  log.add_sink(sink);
-  log.remove_sink(sink);
-  EXPECT_TRUE(sink.finish());
-  return bytes;
+  LogRecorder recorder;
+  log.add_sink(recorder);
+  log.remove_sink(recorder);
+  return recorder.finish();
 }
 
 /// All of a run that must repeat: its report but for how long the machine took, its log, and the names of its

@@ -75,8 +75,8 @@ TEST(Append, APlanLooksToItsNextPoint) {
   const auto& poses = plans[0].message.poses;
   ASSERT_EQ(poses.size(), 3U);
   EXPECT_EQ(poses[1].pose.position.y, 2.0);
-  EXPECT_NEAR(heading_of(poses[0].pose.orientation), 0.5 * pi, 1e-15);
-  EXPECT_NEAR(heading_of(poses[1].pose.orientation), 0.0, 1e-15);
+  EXPECT_NEAR(heading_of(poses[0].pose.orientation), 0.5 * pi, heading_step_rad);
+  EXPECT_NEAR(heading_of(poses[1].pose.orientation), 0.0, heading_step_rad);
   EXPECT_TRUE(plans[1].message.poses.empty());
 }
 

@@ -50,7 +50,7 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
   EXPECT_LT(distance(poses_of(log).back().position, run->true_pose.position), 1e-9);
   EXPECT_FALSE(log.messages<geometry_msgs::PoseWithCovarianceStamped>(topic::belief).empty());
   EXPECT_FALSE(log.messages<outrider_msgs::Decision>(topic::decisions).empty());
-  EXPECT_EQ(log.latest<outrider_msgs::Outlines>(topic::walls)->outlines.size(), 5U);
+  EXPECT_EQ(log.latest<outrider_msgs::Solids>(topic::solids)->solids.size(), 5U);
   const auto* scan = log.latest<sensor_msgs::LaserScan>(topic::scan);
   ASSERT_NE(scan, nullptr);
   EXPECT_EQ(scan->range_max, static_cast<float>(RangeFinderModel{}.most_m));
