@@ -110,10 +110,10 @@ class Foxglove(Serve):
                     self.assertLess(math.hypot(x - before[1], y - before[2]), 0.3)
                 before = (time_ns, x, y)
             client.send({"op": "unsubscribe", "subscriptionIds": [5, 6]})
+            while not any("has ended" in status["message"] for status in client.statuses):
+                client.take()  # a client that does not read is sent away
             ended = server.wait(run)
             self.assertIn(ended["state"], ("done", "not_done"), ended)
-            while not any("has ended" in status["message"] for status in client.statuses):
-                client.take()
 
             # The next mission replaces its channels.
             old = dict(client.channels)

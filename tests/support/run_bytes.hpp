@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -16,10 +17,11 @@
 
 namespace outrider::test {
 
-/// Keeps what it is sent as an MCAP file, also when the log was there before it. Expects that each message
-/// can be decoded.
+/// Keeps what it is sent as an MCAP file but for one topic, also when the log was there before it. Expects that
+/// each message can be decoded.
 class LogRecorder final : public LogSink {
  public:
+  explicit LogRecorder(std::string without = "") : without_(std::move(without)) {}
   void add_channel(const Channel& channel) override {
     auto message = AnyMessage::of(channel);
     EXPECT_TRUE(message && *message) << channel.topic << " has the type " << channel.type;
@@ -27,12 +29,14 @@ class LogRecorder final : public LogSink {
     channels_.push_back(channel);
   }
   void append(std::size_t channel, std::int64_t time_ns, std::string_view data) override {
-    // A sink that comes late is told of all channels at first.
-    while (added_ <= channel) file_.add_channel(channels_.at(added_++));
     if (messages_.at(channel)) {
       EXPECT_TRUE(messages_[channel]->decode(data));
     }
-    file_.append(channel, time_ns, data);
+    if (channels_[channel].topic == without_) return;
+    // A sink that comes late is told of all channels at first; the file has each before its first message.
+    const auto [number, is_new] = numbers_.try_emplace(channel, numbers_.size());
+    if (is_new) file_.add_channel(channels_[channel]);
+    file_.append(number->second, time_ns, data);
   }
   /// Completes the file and returns it. Call it once.
   std::string finish() {
@@ -45,12 +49,13 @@ class LogRecorder final : public LogSink {
   McapSink file_{McapWriter::begin(make_string_sink(bytes_), {.compression = Codec::none}).value()};
   std::vector<std::optional<AnyMessage>> messages_;
   std::vector<Channel> channels_;
-  std::size_t added_ = 0;
+  std::string without_;
+  std::map<std::size_t, std::size_t> numbers_;  ///< channel of the log -> channel of the file
 };
 
 /// The log of a run as an MCAP file, as a LogRecorder has it.
-inline std::string bytes_of_log(Log& log) {
-  LogRecorder recorder;
+inline std::string bytes_of_log(Log& log, std::string without = "") {
+  LogRecorder recorder(std::move(without));
   log.add_sink(recorder);
   log.remove_sink(recorder);
   return recorder.finish();

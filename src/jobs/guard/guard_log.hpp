@@ -18,7 +18,7 @@ const FiringMap& true_map(const GuardRun& run);
 TargetSimParams target_params(const GuardRun& run);
 
 /// Logs what stands still: the run, the world, the terrain, the stations, and all of it with the targets as
-/// markers. Does nothing if the log has it.
+/// markers. Leaves out what the log has, such as that of an exploration before.
 void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
               bool rigid);
 

@@ -95,9 +95,10 @@ TargetSimParams target_params(const GuardRun& run) {
   return params;
 }
 
-void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
-              bool rigid) {
-  if (log.latest<outrider_msgs::RunInfo>(topic::run) != nullptr) return;
+namespace {
+
+void log_run(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
+             bool rigid) {
   outrider_msgs::RunInfo info = run_info("guard", seed, problem.world, problem.robot.radius_m);
   if (rigid) info.sim = "physics";
   info.gravity = problem.world.gravity_mps2;
@@ -105,6 +106,9 @@ void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options
   info.ball_radius = problem.gun.ball_radius_m;
   info.margin = options.margin_m;
   log.append(topic::run, 0.0, std::move(info));
+}
+
+void log_world(Log& log, const GuardProblem& problem) {
   outrider_msgs::Solids solids;
   for (const Solid& solid : problem.world.solids) {
     solids.solids.push_back(solid_entry(solid, problem.world, problem.robot));
@@ -112,7 +116,18 @@ void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options
   log.append(topic::solids, 0.0, std::move(solids));
   if (problem.world.terrain)
     log.append(topic::terrain, 0.0, terrain_entry(*problem.world.terrain, problem.robot));
-  if (problem.supplies.any()) log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));
+}
+
+}  // namespace
+
+void log_yard(Log& log, const GuardProblem& problem, const GuardOptions& options, std::uint64_t seed,
+              bool rigid) {
+  const bool first = log.latest<outrider_msgs::RunInfo>(topic::run) == nullptr;
+  if (first) log_run(log, problem, options, seed, rigid);
+  if (first) log_world(log, problem);
+  if (problem.supplies.any() && log.latest<outrider_msgs::Supplies>(topic::supplies) == nullptr)
+    log.append(topic::supplies, 0.0, supplies_entry(problem.supplies));
+  if (!first) return;
   std::vector<MarkerBox> targets;
   for (const Target& target : problem.targets) {
     targets.push_back({target.name, target.centre(), target.yaw_rad, target.size});
