@@ -17,8 +17,8 @@
 
 namespace outrider::test {
 
-/// Keeps what it is sent as an MCAP file but for one topic, also when the log was there before it. Expects that
-/// each message can be decoded.
+/// Keeps what it is sent as an MCAP file but for one topic, also when the log was there before it. Expects
+/// that each message can be decoded.
 class LogRecorder final : public LogSink {
  public:
   explicit LogRecorder(std::string without = "") : without_(std::move(without)) {}
