@@ -80,6 +80,11 @@ Report report_of(const Json& object) {
 Outcome<Report> read_run_json(const std::string& text, const std::string& name) {
   const Json object = Json::parse(text, nullptr, false);
   if (!object.is_object()) return bad_input("it is not a JSON object; a run leaves it as run.json", name);
+  if (object.contains("outrider_report")) {
+    return bad_input(
+        "it is a report of an older version; run the job again with --out DIR, which leaves DIR/run.mcap",
+        name);
+  }
   try {
     return report_of(object);
   } catch (const Json::exception&) {

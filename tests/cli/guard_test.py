@@ -168,6 +168,8 @@ class Replay(ToolTest):
         self.assertEqual(self.run_tool("replay", "r.json.gz").returncode, 0)
 
     def test_refuses_what_is_no_run(self):
+        self.write("guard.json", '{"outrider_report": 1, "status": "done", "job": "guard", "metrics": {}}')
+        self.refused("replay", "guard.json", says=["guard.json", "older version", "--out DIR", "run.mcap"])
         result = (self.folder / "out/run.json").read_text()
         self.refused("replay", "out/run.json", "--svg", "p.svg", says=["out/run.json", "run.mcap"])
         self.write("cut.json", result[:len(result) // 2])

@@ -33,7 +33,8 @@ class LogRecorder final : public LogSink {
       EXPECT_TRUE(messages_[channel]->decode(data));
     }
     if (channels_[channel].topic == without_) return;
-    // A sink that comes late is told of all channels at first; the file has each before its first message.
+    // A sink that is added late receives all channels first. The file gets each channel with its first
+    // message.
     const auto [number, is_new] = numbers_.try_emplace(channel, numbers_.size());
     if (is_new) file_.add_channel(channels_[channel]);
     file_.append(number->second, time_ns, data);

@@ -6,7 +6,7 @@
 
 namespace outrider {
 
-/// Logs one grid for each target, at time 0. O(cells * targets).
+/// Logs one grid for each target at `time_s`. O(cells * targets).
 void log_firing_regions(Log& log, const GuardProblem& problem, const FiringMap& firing_map,
                         double time_s = 0.0);
 

@@ -114,6 +114,11 @@ TEST(ReadRunJson, RefusesWhatIsNoJsonObject) {
   }
 }
 
+TEST(ReadRunJson, RefusesAReportOfAnOlderVersion) {
+  expect_refused(R"({"outrider_report": 1, "status": "done", "job": "guard", "metrics": {}})",
+                 "older version");
+}
+
 TEST(ReadRunJson, RefusesAMissingKeyAndAWrongType) {
   const Json whole = result_of(sample());
   for (const char* key : {"status", "job", "world", "reason", "metrics", "settings", "warnings"}) {

@@ -24,8 +24,12 @@ class BlobReadable implements McapTypes.IReadable {
 
 /** Why a file is no log, as a sentence; null when it begins as one. */
 async function faultOf(blob: Blob): Promise<string | null> {
-  const head = new Uint8Array(await blob.slice(0, magic.length).arrayBuffer());
+  const head = new Uint8Array(await blob.slice(0, 64).arrayBuffer());
   if (magic.every((byte, i) => head[i] === byte)) return null;
+  const start = new TextDecoder().decode(head).trimStart();
+  if (/^\{\s*"outrider_report"/.test(start)) {
+    return "this is a report of an older version; run the job again with --out DIR, which leaves DIR/run.mcap";
+  }
   return "this is no log of a run; a run with --out DIR leaves its log as DIR/run.mcap";
 }
 

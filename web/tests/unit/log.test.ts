@@ -68,7 +68,8 @@ describe("a file", () => {
     expect(log.messages("/paid").length).toBeGreaterThan(100);
   });
 
-  it("that is no log is refused with a sentence", async () => {
+  it("that is no log is refused with a sentence; an old report is told from anything else", async () => {
+    await expect(openLog(new Blob(['{\n "outrider_report": 1, "status": "done"}']))).rejects.toThrow(/report of an older version; run the job again with --out DIR, which leaves DIR\/run\.mcap/);
     await expect(openLog(new Blob(['{\n "status": "done"}']))).rejects.toThrow(/no log of a run; a run with --out DIR leaves its log as DIR\/run\.mcap/);
     await expect(openLog(new Blob(["hello"]))).rejects.toThrow(/no log of a run/);
     await expect(openLog(new Blob([]))).rejects.toThrow(/no log of a run/);

@@ -1,5 +1,5 @@
-// CoverLog logs a coverage run while it goes on, and cover_report() tells what it came to. Both are pure
-// functions of their arguments.
+// CoverLog logs a coverage run while it goes on, and cover_report() tells what it came to,
+// as a pure function of its arguments.
 #pragma once
 
 #include <cstdint>
