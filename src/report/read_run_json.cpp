@@ -45,6 +45,7 @@ Table table_of(const std::string& name, const Json& rows) {
       for (const auto& [column, value] : row.items()) table.columns.push_back(column);
     }
     std::vector<TableValue> values;
+    values.reserve(table.columns.size());
     for (const std::string& column : table.columns)
       values.push_back(value_of(row.contains(column) ? row[column] : Json()));
     table.rows.push_back(std::move(values));
