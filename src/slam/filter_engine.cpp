@@ -55,6 +55,8 @@ class FilterEngine : public SlamEngine {
     return map;
   }
   [[nodiscard]] std::vector<Pose2> trajectory() const override { return trajectory_; }
+  [[nodiscard]] double cost() const override { return cost_; }
+  [[nodiscard]] std::int64_t degrees_of_freedom() const override { return 2 * corrections_; }
   [[nodiscard]] const LandmarkSlamOptions& options() const override { return options_; }
   void save(StateWriter& writer) const override {
     FilterEngine copy = *this;
@@ -65,10 +67,10 @@ class FilterEngine : public SlamEngine {
   void exchange(Archive& archive) {
     std::vector<double> mean(mean_.data(), mean_.data() + mean_.size());
     std::vector<double> covariance(covariance_.data(), covariance_.data() + covariance_.size());
-    archive(memory_, records_, trajectory_, mean, covariance);
+    archive(memory_, records_, trajectory_, mean, covariance, cost_, corrections_);
     if constexpr (Archive::reading) {
       const std::size_t n = 3 + 2 * records_.size();
-      archive.ok = archive.ok && mean.size() == n && covariance.size() == n * n;
+      archive.ok = archive.ok && mean.size() == n && covariance.size() == n * n && corrections_ >= 0;
       if (!archive.ok) return;
       const auto size = static_cast<Index>(n);
       mean_ = Eigen::Map<const Eigen::VectorXd>(mean.data(), size);
@@ -133,7 +135,7 @@ class FilterEngine : public SlamEngine {
     fresh_.assign(sightings.size(), true);
     for (const Pairing& pairing : pairings) fresh_[pairing.sighting] = false;
     if (options_.unknown_ids) {
-      refuse_near_the_map(sightings, outcome);
+      refuse_near_the_map(sightings, pairings, outcome);
     } else {
       refuse_known(sightings, outcome, !pairings.empty());
     }
@@ -190,15 +192,18 @@ class FilterEngine : public SlamEngine {
     }
     return pairings;
   }
-  /// Without ids, refuses sightings that fit no landmark but lie near one, because they are not new
-  /// landmarks.
-  void refuse_near_the_map(const std::vector<LandmarkSighting>& sightings, StepOutcome& outcome) {
+  /// Without ids, refuses sightings that fit no landmark but lie near one that nothing else fits, because
+  /// they are not new landmarks.
+  void refuse_near_the_map(const std::vector<LandmarkSighting>& sightings,
+                           const std::vector<Pairing>& pairings, StepOutcome& outcome) {
+    std::vector<bool> taken(records_.size(), false);
+    for (const Pairing& pairing : pairings) taken[pairing.landmark] = true;
     const Eigen::Matrix3d p = pose_covariance();
     const double slack = options_.patience_distance_m + 3.0 * std::sqrt(p(0, 0) + p(1, 1));
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       const Vec2 world = pose() * sightings[i].position;
       for (std::size_t k = 0; fresh_[i] && k < records_.size(); ++k) {
-        if (distance(world, position(k)) > slack) continue;
+        if (taken[k] || distance(world, position(k)) > slack) continue;
         fresh_[i] = false;
         ++outcome.refused;
       }
@@ -222,11 +227,14 @@ class FilterEngine : public SlamEngine {
     }
     const Dense cross = covariance_ * jacobian.transpose();
     const Dense s = jacobian * cross + noise;
-    const Dense gain = s.llt().solve(cross.transpose()).transpose();
+    const Eigen::LLT<Dense> factor(s);
+    const Dense gain = factor.solve(cross.transpose()).transpose();
     mean_ += gain * innovation;
     mean_(2) = wrap_angle(mean_(2));
     covariance_ -= gain * cross.transpose();
     covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
+    cost_ += innovation.dot(factor.solve(innovation));
+    corrections_ += static_cast<std::int64_t>(pairings.size());
   }
 
   void remove(std::size_t landmark) {
@@ -289,6 +297,8 @@ class FilterEngine : public SlamEngine {
   Eigen::VectorXd mean_;
   Dense covariance_;
   std::vector<LandmarkRecord> records_;
+  double cost_ = 0.0;             ///< sum of the squared normalised innovations
+  std::int64_t corrections_ = 0;  ///< sightings used
   Memory memory_;
   std::vector<Pose2> trajectory_;
   std::vector<bool> fresh_;  ///< by sighting of the step: it matches no landmark of the map

@@ -59,6 +59,7 @@ class GraphEngine : public SlamEngine {
     return result;
   }
   [[nodiscard]] double cost() const override { return graph_.cost(); }
+  [[nodiscard]] std::int64_t degrees_of_freedom() const override { return graph_.degrees_of_freedom(); }
   [[nodiscard]] const LandmarkSlamOptions& options() const override { return options_; }
   void save(StateWriter& writer) const override {
     GraphEngine copy = *this;

@@ -166,6 +166,13 @@ Pose2 GrowingGraph::estimate(std::uint32_t node) const {
   return retract(nodes_[node].place, nodes_[node].step);
 }
 
+std::int64_t GrowingGraph::degrees_of_freedom() const {
+  std::int64_t values = 3;  // the first node is fixed
+  for (const Edge& edge : edges_) values += edge.kind == static_cast<std::int64_t>(EdgeKind::pose) ? 3 : 2;
+  for (const PoseNode& node : nodes_) values -= node.is_point != 0 ? 2 : 3;
+  return values;
+}
+
 double GrowingGraph::cost() const {
   double sum = 0.0;
   for (const Edge& edge : edges_) {

@@ -32,6 +32,8 @@ class GrowingGraph {
 
   [[nodiscard]] Pose2 estimate(std::uint32_t node) const;
   [[nodiscard]] double cost() const;
+  /// Returns the number of measured values minus the number of unknowns.
+  [[nodiscard]] std::int64_t degrees_of_freedom() const;
   [[nodiscard]] bool is_point(std::uint32_t node) const {
     return node < nodes_.size() && nodes_[node].is_point != 0;
   }

@@ -14,7 +14,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::string_view state_head = "outrider-landmark-slam-1";
+constexpr std::string_view state_head = "outrider-landmark-slam-2";
 
 template <int N>
 bool usable(const Eigen::Matrix<double, N, N>& covariance) {
@@ -201,5 +201,6 @@ Eigen::Matrix3d LandmarkSlam::pose_covariance() const { return engine_->pose_cov
 LandmarkMap LandmarkSlam::landmarks() const { return engine_->landmarks(); }
 std::vector<Pose2> LandmarkSlam::trajectory() const { return engine_->trajectory(); }
 double LandmarkSlam::cost() const { return engine_->cost(); }
+std::int64_t LandmarkSlam::degrees_of_freedom() const { return engine_->degrees_of_freedom(); }
 
 }  // namespace outrider

@@ -18,7 +18,8 @@ class SlamEngine {
   [[nodiscard]] virtual Eigen::Matrix3d pose_covariance() const = 0;
   [[nodiscard]] virtual LandmarkMap landmarks() const = 0;
   [[nodiscard]] virtual std::vector<Pose2> trajectory() const = 0;
-  [[nodiscard]] virtual double cost() const { return 0.0; }
+  [[nodiscard]] virtual double cost() const = 0;
+  [[nodiscard]] virtual std::int64_t degrees_of_freedom() const = 0;
   [[nodiscard]] virtual const LandmarkSlamOptions& options() const = 0;
   virtual void save(StateWriter& writer) const = 0;
 };
@@ -35,6 +36,8 @@ struct LandmarkRecord {
   std::int64_t sightings = 0;
   std::int64_t refused = 0;  ///< consecutive refusals while others were used
   std::int64_t missed = 0;   ///< consecutive misses where it should have been seen
+  std::vector<std::int64_t> apart =
+      {};  ///< ids, in order, that were sighted in the same step; without ids only
 
   template <class Archive>
   void exchange(Archive& archive) {

@@ -151,8 +151,9 @@ class Slam(ToolTest):
         self.write("chain.txt", chain.replace("LANDMARK 4 1 -1 1", "LANDMARK 4 1 9 9"))
         self.write("free.yaml", "job: slam\nlog: chain.txt\n")
         self.write("gated.yaml", "job: slam\nlog: chain.txt\nslam: {gate: 0.9999, patience: 1}\n")
-        self.assertEqual(self.result("free.yaml")["sightings_refused"], 0)
-        self.assertGreater(self.result("gated.yaml")["sightings_refused"], 0)
+        free = self.doubtful("free.yaml")
+        self.assertEqual((free["sightings_refused"], free["reason"][:6]), (0, "errors"))
+        self.assertGreater(self.doubtful("gated.yaml")["sightings_refused"], 0)
 
     def test_laser_scenario(self):
         """The bundled log of a simulated robot: the map it makes, beside the truth in the log."""
@@ -213,6 +214,45 @@ class Slam(ToolTest):
         self.assertEqual(len((self.folder / "ekf" / "track.csv").read_text().splitlines()), 18)
         self.assertEqual((self.folder / "graph" / "landmarks.csv").read_text().splitlines()[0],
                          "id,x,y,xx,xy,yy,sightings")
+
+    def doubtful(self, *args):
+        run = self.run_tool("slam", *args, "--json")
+        self.assertEqual(run.returncode, 1, run.stderr)
+        found = flat(self.json_of(run))
+        self.assertEqual(found["status"], "doubtful")
+        return found
+
+    def test_a_carried_robot_is_doubtful(self):
+        """Its odometry knows nothing of the 3 m by which it was carried half-way."""
+        log, _ = freiburg_log()
+        lines = log.splitlines()
+        half = len(lines) // 2 // 3 * 3
+        for i, line in enumerate(lines[half:], half):
+            if line.startswith("SENSOR"):
+                number, distance, bearing = map(float, line.split()[1:])
+                lines[i] = f"SENSOR {number:.0f} {distance + 3.0} {bearing}"
+        self.write("log.dat", "\n".join(lines) + "\n")
+        for engine in ("kalman", "ekf", "graph"):
+            found = self.doubtful("log.dat", "--slam-engine", engine, "--slam-lost-after", "3")
+            self.assertGreater(found["steps_lost"], 0)
+            self.assertIn("the robot was lost in", found["reason"])
+            self.assertIn("sightings of the map contradict it", found["reason"])
+
+    def test_errors_beyond_the_stated_noise_are_doubtful(self):
+        """Ranges are off by 5 cm to and fro, and the options speak of 1 cm."""
+        log, _ = freiburg_log()
+        lines = log.splitlines()
+        for i, line in enumerate(lines):
+            if line.startswith("SENSOR"):
+                number, distance, bearing = map(float, line.split()[1:])
+                lines[i] = f"SENSOR {number:.0f} {distance + (0.05 if i // 3 % 2 else -0.05)} {bearing}"
+        self.write("log.dat", "\n".join(lines) + "\n")
+        noise = ("--noise-range", "0.01", "--slam-gate", "1")
+        for engine in ("kalman", "ekf", "graph"):
+            found = self.doubtful("log.dat", "--slam-engine", engine, *noise)
+            self.assertIn("times as large as the noise options say", found["reason"])
+            self.assertGreater(found["chi2_per_dof"], 4)
+            self.result("log.dat", "--slam-engine", engine, "--noise-range", "0.05", "--slam-gate", "1")
 
     def test_state_continues(self):
         log, _ = freiburg_log()
@@ -320,6 +360,7 @@ class Slam(ToolTest):
         self.assertLessEqual(self.result(log)["landmark_rmse_aligned_m"], 0.019)
         log = folder / "landmark" / "mrclam_dataset1" / "Robot1_Odometry.dat.gz"
         self.assertLessEqual(self.result(log, "--slam-engine", "ekf")["landmark_rmse_aligned_m"], 0.087)
+        self.assertIn("the robot was lost", self.doubtful(log, "--slam-engine", "kalman")["reason"])
         found = self.result(folder / "landmark" / "mrclam5a_multirobot_with_gt.pyfg.gz")
         self.assertLess(found["landmark_rmse_aligned_m"], 0.1)
 

@@ -14,7 +14,8 @@
 // `patience` + 2 times while others are used, the landmark has moved: it is removed and can enter again. If
 // the range of the sensor is given, a landmark is removed after `misses` steps in which it should have been
 // seen and was not. If all sightings of the map are refused for `lost_after` steps, the robot is lost: the
-// map is frozen until sightings fit again.
+// map is frozen until sightings fit again. Without ids, a sighting that fits no landmark is
+// refused if a landmark that no other sighting fits is near, and begins a new landmark otherwise.
 //
 // Frames: poses are world_T_robot; covariances are of (x, y, heading) in the world. The first pose is exact.
 // Complexity of a step: kalman and ekf, quadratic in the landmarks; graph, the part of the elimination tree
@@ -97,8 +98,12 @@ class LandmarkSlam {
   [[nodiscard]] LandmarkMap landmarks() const;
   /// The start and the pose after each step: smoothed for a graph, as estimated at that step for a filter.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
-  /// Returns the sum of r^T W r over odometry and sightings at the present estimate; 0 for a filter.
+  /// Returns the sum of r^T W r over odometry and sightings at the present estimate of a graph. For a filter,
+  /// returns the sum of the squared normalised innovations of the sightings used, which is the same number if
+  /// the equations are linear.
   [[nodiscard]] double cost() const;
+  /// Returns the expected cost if the noise is as the covariances say: measured values minus unknowns.
+  [[nodiscard]] std::int64_t degrees_of_freedom() const;
   /// Returns the complete state as text, for load().
   [[nodiscard]] std::string state() const;
 

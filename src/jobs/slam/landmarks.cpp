@@ -1,5 +1,6 @@
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -203,13 +204,38 @@ std::string undo_exchange(LandmarkLog& log, const LandmarkMap& map) {
                      exchanged->first, exchanged->second);
 }
 
-Metrics metrics_of(const LandmarkSlamOptions& options, const LandmarkMission& run, std::size_t landmarks,
-                   const MapError& error) {
+/// Returns the cost for each degree of freedom: about 1 if the noise is as the options say; NaN if unknown.
+double chi2_per_dof(const LandmarkSlam& slam) {
+  const auto freedom = static_cast<double>(slam.degrees_of_freedom());
+  return freedom > 0.0 ? slam.cost() / freedom : known(std::nullopt);
+}
+
+/// Returns why the map is doubtful; empty if nothing speaks against it.
+std::string doubts_about(const LandmarkSlamOptions& options, const LandmarkMission& run) {
+  constexpr double most_refused = 0.05, most_chi2_per_dof = 4.0;
+  std::vector<std::string> doubts;
+  if (run.lost > 0) {
+    doubts.push_back(fmt::format("the robot was lost in {} of {} steps", run.lost, run.times_s.size() - 1));
+  }
+  const int sightings = run.used + run.refused;
+  if (run.refused > most_refused * sightings) {
+    doubts.push_back(fmt::format("{} of {} sightings of the map contradict it", run.refused, sightings));
+  }
+  const double ratio = chi2_per_dof(run.slam);
+  if (options.kernel == "none" && ratio > most_chi2_per_dof) {
+    doubts.push_back(
+        fmt::format("errors are {:.1f} times as large as the noise options say", std::sqrt(ratio)));
+  }
+  return fmt::format("{}", fmt::join(doubts, "; "));
+}
+
+Metrics metrics_of(const LandmarkMission& run, std::size_t landmarks, const MapError& error) {
   const auto number = [](auto value) { return static_cast<double>(value); };
   return {{"landmark_rmse_m", known(error.rmse_m)},
           {"landmark_rmse_aligned_m", known(error.aligned_rmse_m)},
           {"ate_m", known(std::nullopt)},
-          {"cost", options.engine == "graph" ? run.slam.cost() : known(std::nullopt)},
+          {"cost", run.slam.cost()},
+          {"chi2_per_dof", chi2_per_dof(run.slam)},
           {"steps", number(run.times_s.size() - 1)},
           {"landmarks", number(landmarks)},
           {"landmarks_compared", number(error.landmarks)},
@@ -247,11 +273,13 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
                                              : map_error(map, log.true_landmarks);
   const auto truth = truth_in_map(log, error);
   if (!warning.empty()) run.report.warnings.push_back(warning);
-  run.report.metrics = metrics_of(options, *mapped, map.size(), error);
+  run.report.metrics = metrics_of(*mapped, map.size(), error);
   run.report.metrics.emplace_back("distance_m",
                                   recorder.settle(mapped->slam, map, truth, !options.unknown_ids));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
   run.report.machine_times = times_of(*mapped);
+  run.report.reason = doubts_about(options, *mapped);
+  if (!run.report.reason.empty()) run.report.status = "doubtful";
   if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
   run.files = files_of(*mapped, map);
   return {};

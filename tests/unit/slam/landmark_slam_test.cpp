@@ -42,12 +42,13 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
 
     const std::size_t n = 2 * (steps + tags);  // positions after each step, then tags
     testing::Dense information = testing::zeros(n, n), pull = testing::zeros(n, 1);
-    double heading_rad = 0.0;
+    double heading_rad = 0.0, squares = 0.0;
     const auto add = [&](std::size_t to, std::optional<std::size_t> from, Vec2 v,
                          const Eigen::Matrix2d& local) {
       const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading_rad).toRotationMatrix();
       const Eigen::Matrix2d weight = (turn * local * turn.transpose()).inverse();
       const Eigen::Vector2d pulled = weight * Eigen::Vector2d(v.x, v.y);
+      squares += pulled.dot(Eigen::Vector2d(v.x, v.y));
       for (std::size_t i = 0; i < 2; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         pull[to + i][0] += pulled[row];
@@ -86,6 +87,12 @@ TEST(LandmarkSlam, TheLinearFilterIsTheExactPosterior) {
       }
     };
     same(2 * (steps - 1), slam.pose().position, slam.pose_covariance());
+    double least = squares;  // of all sums of squares: that of the mean
+    std::int64_t seen = 0;
+    for (std::size_t i = 0; i < n; ++i) least -= pull[i][0] * mean[i][0];
+    for (const LogStep& step : log.steps) seen += static_cast<std::int64_t>(step.sightings.size());
+    EXPECT_NEAR(slam.cost(), least, 1e-6 * squares);
+    EXPECT_EQ(slam.degrees_of_freedom(), 2 * (seen - static_cast<std::int64_t>(tags)));
     const LandmarkMap map = slam.landmarks();
     ASSERT_EQ(map.size(), tags);
     for (const LandmarkEstimate& tag : map) {
@@ -135,6 +142,9 @@ TEST(LandmarkSlam, TheGraphSettlesWhereTheBatchSolverDoes) {
     const auto batch = optimise(as_graph(run.log), {}, {});
     ASSERT_TRUE(batch);
     EXPECT_GE(slam.cost(), batch->cost - 1e-6);
+    std::int64_t seen = 0;
+    for (const LogStep& step : run.log.steps) seen += static_cast<std::int64_t>(step.sightings.size());
+    EXPECT_EQ(slam.degrees_of_freedom(), 2 * (seen - 8)) << "a step has as many values as its pose";
     slam.settle();
     EXPECT_NEAR(slam.cost(), batch->cost, 1e-6 * batch->cost);
     const auto marginals = marginal_covariances(as_graph(run.log), batch->poses);
@@ -293,6 +303,31 @@ TEST(LandmarkSlam, WithoutIdsJointCompatibilityTellsTheTagsApart) {
       EXPECT_LT(nearest, 0.2);
     }
   }
+}
+
+/// Two posts stand nearer to each other than sightings of one new landmark may.
+TEST(LandmarkSlam, WithoutIdsAPostBesideAnotherOneIsALandmarkToo) {
+  LandmarkSlamOptions options;
+  options.engine = "ekf";
+  options.unknown_ids = true;
+  const std::vector<Vec2> posts = {{2.0, 0.5}, {2.0, 1.1}};
+  ASSERT_LT(distance(posts[0], posts[1]), options.patience_distance_m);
+  LandmarkSlam slam = begun(options, {});
+  int refused = 0;
+  for (int i = 1; i <= 20; ++i) {
+    LogStep step{0.0, {{0.05, 0.0}, 0.0}, Eigen::Vector3d(1e-5, 1e-5, 1e-6).asDiagonal(), {}};
+    for (const Vec2 post : posts) {
+      if (i < 4 && post == posts[1]) continue;  // the first post is known before the second is seen
+      step.sightings.push_back({{}, post - Vec2{0.05 * i, 0.0}, 1e-4 * Eigen::Matrix2d::Identity()});
+    }
+    const auto outcome = slam.advance(step);
+    ASSERT_TRUE(outcome);
+    refused += outcome->refused;
+  }
+  EXPECT_EQ(refused, 0);
+  const LandmarkMap map = slam.landmarks();
+  ASSERT_EQ(map.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(distance(map[i].position, posts[i]), 0.01);
 }
 
 /// The courses of the report: mean errors of each tag over 20 seeds, and whether the ellipses mean what they
