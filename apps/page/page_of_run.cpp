@@ -8,20 +8,6 @@
 namespace outrider::page {
 namespace {
 
-/// Returns the text as character data of HTML.
-std::string markup_text(std::string_view text) {
-  std::string safe;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '&': safe += "&amp;"; break;
-      default: safe += c;
-    }
-  }
-  return safe;
-}
-
 struct Part {
   std::string_view marker;
   std::string text;

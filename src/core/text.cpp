@@ -56,6 +56,19 @@ std::string printable(std::string_view text, std::string_view kept) {
   return result;
 }
 
+std::string markup_text(std::string_view text) {
+  std::string safe;
+  for (const char c : printable(text)) {
+    switch (c) {
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '&': safe += "&amp;"; break;
+      default: safe += c;
+    }
+  }
+  return safe;
+}
+
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "an unknown time";
   if (seconds < 0.995) return fmt::format("{:.2f} s", seconds);

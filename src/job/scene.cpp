@@ -8,11 +8,12 @@
 
 namespace outrider {
 
-outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world,
+outrider_msgs::RunInfo run_info(std::string job, std::optional<std::uint64_t> seed, const World& world,
                                 double robot_radius_m) {
   outrider_msgs::RunInfo info;
   info.job = std::move(job);
-  info.seed = seed;
+  info.seeded = seed.has_value();
+  info.seed = seed.value_or(0);
   info.world = world.name;
   info.low = point_of(world.bounds.low);
   info.high = point_of(world.bounds.high);

@@ -2,119 +2,166 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
-#include "draw.hpp"
+#include "outrider/core/units.hpp"
+#include "outrider/geometry/convex.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/conversions.hpp"
+#include "outrider/log/gun_messages.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/topics.hpp"
+#include "sheet.hpp"
 
 namespace outrider::picture {
 namespace {
 
-std::vector<Vec2> vec2s(const std::vector<outrider_msgs::Point2>& points) {
+using namespace outrider_msgs;
+
+std::vector<Vec2> vec2s(const std::vector<Point2>& points) {
   std::vector<Vec2> result;
-  for (const auto& point : points) result.push_back(vec2_of(point));
+  for (const Point2& point : points) result.push_back(vec2_of(point));
   return result;
 }
 
-std::string areas(Sheet& sheet, const std::vector<outrider_msgs::Outline>& outlines) {
-  std::string path;
-  for (const auto& outline : outlines) path += sheet.area(vec2s(outline.points));
-  return path;
+std::vector<Vec2> corners_of(const Outline& outline) { return vec2s(outline.points); }
+std::vector<Vec2> corners_of(const outrider_msgs::RoundedPolygon& shape) {
+  if (shape.points.empty() || !std::isfinite(shape.radius)) return {};
+  return circumscribed({vec2s(shape.points), shape.radius}, radians(15.0));
+}
+template <class Areas>
+std::vector<std::vector<Vec2>> outlines_of(const Areas& areas) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const auto& area : areas) outlines.push_back(corners_of(area));
+  return outlines;
 }
 
-std::string areas(Sheet& sheet, const std::vector<outrider_msgs::RoundedPolygon>& shapes) {
-  std::string path;
-  for (const auto& shape : shapes) path += sheet.area(RoundedPolygon{vec2s(shape.points), shape.radius});
-  return path;
+Cells cells_of(const nav_msgs::OccupancyGrid& grid) {
+  const auto& info = grid.info;
+  return {
+      pose_of(info.origin), info.resolution, info.width, info.height, {grid.data.begin(), grid.data.end()}};
 }
 
-std::string wide(const Sheet& sheet, double width_m) {
-  return fmt::format("stroke-width:{:.1f}px", sheet.px_per_m * width_m);
-}
-
-/// Draws where the centre of the robot cannot be: areas grown by its radius.
-void draw_rim(Sheet& sheet, const std::string& areas, double radius_m) {
-  if (areas.empty() || !(radius_m > 0.0)) return;
-  sheet.put("rim", areas, "", "", wide(sheet, 2.0 * radius_m));
-  sheet.put("close", "M0 0", area_sample, "no room for the robot's centre");
-}
-
-void draw_coverage(Sheet& sheet, const Log& log, double width_m) {
-  const auto* area = log.latest<outrider_msgs::CoverageArea>(topic::coverage_area);
-  if (area == nullptr) return;
-  sheet.put("beyond", areas(sheet, area->area), area_sample, "out of reach");
-  sheet.put("reach", areas(sheet, area->reach), area_sample, "not covered");
-  std::vector<Vec2> way;
-  for (const Pose2& pose : poses_of(log)) way.push_back(pose.position);
-  if (width_m > 0.0) sheet.put("strip", sheet.line(way), "", "", wide(sheet, width_m));
-  sheet.put("covered", "M0 0", area_sample, "covered");
-  sheet.put("overlap", areas(sheet, area->overlap), area_sample, "covered more than once");
-  sheet.put("missed", areas(sheet, area->missed), area_sample, "missed");
-  sheet.put("border", areas(sheet, area->area), area_sample, "area to cover");
-  sheet.put("planned", sheet.line(vec2s(area->planned)), line_sample, "planned track");
-}
-
-void draw_terrain(Sheet& sheet, const outrider_msgs::Terrain& terrain) {
-  sheet.put("steep", areas(sheet, terrain.steep), area_sample, "too steep to drive on");
-  std::map<double, std::string> lines;
-  for (const auto& contour : terrain.contours) {
-    if (std::isfinite(contour.height)) lines[contour.height] += sheet.line(vec2s(contour.points));
+/// Draws the map at the end of the log.
+void draw_map(Sheet& sheet, const Log& log) {
+  const auto& maps = log.messages<nav_msgs::OccupancyGrid>(topic::map);
+  if (maps.empty()) return;
+  Cells map = cells_of(maps.back().message);
+  for (const auto& [time_ns, update] : log.messages<map_msgs::OccupancyGridUpdate>(topic::map_updates)) {
+    if (time_ns <= maps.back().time_ns || update.width == 0) continue;
+    for (std::size_t i = 0; i < update.data.size(); ++i) {
+      const std::size_t x = static_cast<std::size_t>(update.x) + i % update.width;
+      const std::size_t y = static_cast<std::size_t>(update.y) + i / update.width;
+      if (x < map.columns && y * map.columns + x < map.values.size())
+        map.values[y * map.columns + x] = update.data[i];
+    }
   }
-  for (const auto& [height, path] : lines) {
-    const double low = lines.begin()->first, high = lines.rbegin()->first,
-                 share = (height - low) / std::max(high - low, 1e-9);
-    sheet.put("contour", path, line_sample, fmt::format("contours from {:g} to {:g} m", low, high),
-              fmt::format("stroke-opacity:{:.2f}", 0.4 + 0.6 * share));
+  sheet.cells("unknown", map, -1.0, -1.0);
+  sheet.cells("free", map, 0.0, 49.0);
+  sheet.cells("mapped", map, 50.0, 100.0);
+}
+
+/// Draws costs on a logarithmic scale.
+void draw_costs(Sheet& sheet, const CostGrid& grid, const PaidCost* paid) {
+  Cells cells{{vec2_of(grid.origin), 0.0}, grid.resolution, grid.width, grid.height};
+  double low = std::numeric_limits<double>::infinity(), high = 0.0;
+  for (const double cost : grid.costs) {
+    cells.values.push_back(cost < 0.0 ? -1.0 : std::log1p(cost));
+    if (cost >= 0.0 && std::isfinite(cost)) low = std::min(low, cost), high = std::max(high, cost);
+  }
+  const std::string sum = paid == nullptr ? "" : fmt::format("; {:g} paid in all", paid->paid);
+  sheet.cells("cost", cells, std::log1p(low), std::log1p(high),
+              fmt::format("cost {:g} to {:g}{}", low, high, sum));
+  sheet.cells("occupied", cells, -1.0, -1.0, "wall");
+}
+
+/// Draws how many targets can be hit from each cell.
+void draw_firing_regions(Sheet& sheet, const std::vector<Stamped<FiringRegion>>& regions) {
+  if (regions.empty()) return;
+  Cells count = cells_of(regions.front().message.grid);
+  for (double& value : count.values) value = std::min(value, 0.0);
+  for (const auto& [time_ns, region] : regions) {
+    for (std::size_t i = 0; i < std::min(region.grid.data.size(), count.values.size()); ++i)
+      count.values[i] += region.grid.data[i] > 0 ? 1.0 : 0.0;
+  }
+  const double most = count.values.empty() ? 0.0 : std::ranges::max(count.values);
+  sheet.cells("in_range", count, 0.0, most,
+              fmt::format("0 to {:g} of {} targets in range", most, regions.size()));
+}
+
+void draw_coverage(Sheet& sheet, const CoverageArea& area, const std::vector<Pose2>& track, double width_m) {
+  std::vector<Vec2> strip;
+  for (const Pose2& pose : track) strip.push_back(pose.position);
+  sheet.area("beyond", outlines_of(area.area));
+  sheet.area("reach", outlines_of(area.reach));
+  if (width_m > 0.0) sheet.line("covered", strip, {.width_m = width_m});
+  sheet.area("overlap", outlines_of(area.overlap));
+  sheet.area("missed", outlines_of(area.missed));
+  sheet.area("border", outlines_of(area.area));
+  sheet.line("plan", vec2s(area.planned), {"planned track"});
+}
+
+void show(Sheet& sheet, const Terrain& terrain) {
+  sheet.area("steep", outlines_of(terrain.steep));
+  if (terrain.contours.empty()) return;
+  const auto [low, high] = std::ranges::minmax(terrain.contours, {}, &Contour::height);
+  const std::string words = fmt::format("contours from {:g} to {:g} m", low.height, high.height);
+  for (const Contour& contour : terrain.contours) {
+    const double share = (contour.height - low.height) / std::max(high.height - low.height, 1e-9);
+    sheet.line("contour", vec2s(contour.points), {words, share});
   }
 }
 
-/// Draws the solids, low ones first, with a rim where the centre of the robot cannot be. Solids beside a map
-/// that was made of them are outlines.
-void draw_solids(Sheet& sheet, const std::vector<outrider_msgs::Solid>& solids, double radius_m,
-                 bool mapped) {
-  constexpr double tones = 7.0;
+/// Draws what the robot cannot drive over, and where its centre cannot be; only a hint beside a map that it
+/// made.
+void draw_obstacle(Sheet& sheet, Kind kind, const std::vector<std::vector<Vec2>>& outlines, double share,
+                   double radius_m, bool mapped) {
+  if (mapped) return sheet.area("truth", outlines);
+  if (radius_m > 0.0) sheet.area("close", outlines, {.width_m = 2.0 * radius_m});
+  sheet.area(kind, outlines, {.share = share});
+}
+
+void draw_solids(Sheet& sheet, const std::vector<Solid>& solids, double radius_m, bool mapped) {
   double highest_m = 1e-3;
-  for (const auto& solid : solids) {
+  for (const Solid& solid : solids)
     if (solid.blocks_driving && std::isfinite(solid.high_z)) highest_m = std::max(highest_m, solid.high_z);
+  for (const Solid& solid : solids) {
+    const auto outlines = outlines_of(solid.footprint);
+    const double share = std::sqrt(std::max(0.0, solid.high_z / highest_m));
+    if (solid.blocks_driving) draw_obstacle(sheet, "solid", outlines, share, radius_m, mapped);
+    if (!solid.blocks_driving && !mapped) sheet.area("overhead", outlines);
   }
-  std::map<double, std::string> levels;
-  std::string overhead, all;
-  for (const auto& solid : solids) {
-    const double share = std::clamp(std::isfinite(solid.high_z) ? solid.high_z / highest_m : 1.0, 0.0, 1.0);
-    const std::string path = areas(sheet, solid.footprint);
-    (solid.blocks_driving ? levels[std::floor(std::sqrt(share) * tones) / tones] : overhead) += path;
-    if (solid.blocks_driving) all += path;
-  }
-  if (mapped) return sheet.put("truth", all, area_sample, "true solid");
-  draw_rim(sheet, all, radius_m);
-  for (const auto& [share, path] : levels) {
-    const std::string tone = mixed(0xcfd7dd, 0x5d6d7a, share);
-    sheet.put("solid", path, area_sample, share == 1.0 ? "solid; the taller, the darker" : "",
-              fmt::format("fill:{0};stroke:{0}", tone));
-  }
-  sheet.put("overhead", overhead, area_sample, "overhead, not in the way");
 }
 
 }  // namespace
 
 void draw_ground(Sheet& sheet, const Log& log) {
-  const auto* info = log.latest<outrider_msgs::RunInfo>(topic::run);
-  const double radius_m = info == nullptr ? 0.0 : info->robot_radius;
+  const auto* told = log.latest<RunInfo>(topic::run);
+  const RunInfo info = told == nullptr ? RunInfo{} : *told;
+  const double radius_m = info.robot_radius;
   const bool mapped = log.latest<nav_msgs::OccupancyGrid>(topic::map) != nullptr;
-  draw_coverage(sheet, log, info == nullptr ? 0.0 : info->coverage_width);
-  if (const auto* terrain = log.latest<outrider_msgs::Terrain>(topic::terrain)) draw_terrain(sheet, *terrain);
-  const auto* solids = log.latest<outrider_msgs::Solids>(topic::solids);
-  if (solids != nullptr && !solids->solids.empty()) {
-    return draw_solids(sheet, solids->solids, radius_m, mapped);
+
+  draw_map(sheet, log);
+  draw_firing_regions(sheet, log.messages<FiringRegion>(topic::firing_regions));
+  if (const auto* costs = log.latest<CostGrid>(topic::cost_grid))
+    draw_costs(sheet, *costs, log.latest<PaidCost>(topic::paid));
+  if (const auto* room = log.latest<nav_msgs::OccupancyGrid>(topic::costmap)) {
+    sheet.cells("close", cells_of(*room), 99.0, 99.0);
+    sheet.cells("occupied", cells_of(*room), 100.0, 100.0);
   }
-  const auto* walls = log.latest<outrider_msgs::Outlines>(topic::walls);
-  if (walls == nullptr) return;
-  const std::string path = areas(sheet, walls->outlines);
-  if (!mapped) draw_rim(sheet, path, radius_m);
-  sheet.put(mapped ? "truth" : "full", path, area_sample, "wall");
+  if (const auto* turns = log.latest<nav_msgs::OccupancyGrid>(topic::expanded))
+    sheet.cells("expanded", cells_of(*turns), 0.0, 100.0);
+
+  if (const auto* area = log.latest<CoverageArea>(topic::coverage_area))
+    draw_coverage(sheet, *area, poses_of(log), info.coverage_width);
+  if (const auto* terrain = log.latest<Terrain>(topic::terrain)) show(sheet, *terrain);
+  const auto* solids = log.latest<Solids>(topic::solids);
+  const auto* walls = log.latest<Outlines>(topic::walls);
+  if (solids != nullptr && !solids->solids.empty()) {
+    draw_solids(sheet, solids->solids, radius_m, mapped);
+  } else if (walls != nullptr) {
+    draw_obstacle(sheet, "wall", outlines_of(walls->outlines), 1.0, radius_m, mapped);
+  }
 }
 
 }  // namespace outrider::picture

@@ -1,56 +1,79 @@
-// Sheet: the drawing of a plan view in pixels, with a legend of exactly what was drawn. Path data is empty if
-// it would hold a number that is not finite.
+// Sheet: a plan view while it is drawn. Places are in the frame of the map, in metres; what has a number that
+// is not finite is left out.
 #pragma once
 
+#include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "looks.hpp"
 #include "outrider/geometry/box.hpp"
-#include "outrider/geometry/convex.hpp"
+#include "outrider/geometry/pose.hpp"
+#include "outrider/log/log.hpp"
 
 namespace outrider::picture {
 
-/// Samples of a legend, 30 x 14 px: a line, an area, and the shape of a disk as a mark.
-inline constexpr std::string_view line_sample = "M1 7H29", area_sample = "M3 1H27V13H3Z";
-inline constexpr std::string_view small_disk = "m-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0z",
-                                  cross = "m-4-4l8 8m0-8l-8 8";
+/// Values of cells, row by row from the lowest corner.
+struct Cells {
+  Pose2 origin;
+  double cell_m = 1.0;
+  std::size_t columns = 0, rows = 0;
+  std::vector<double> values = {};
+};
 
-std::string escaped(std::string_view text);
-/// Returns a colour between two, as "#rrggbb"; a share of 0 gives the first.
-std::string mixed(unsigned first_rgb, unsigned last_rgb, double share);
-/// Returns path data of a polyline in pixels.
-std::string polyline(const std::vector<Vec2>& points_px);
-/// Returns path data of a shape: relative path data that begins at its middle.
-std::string shape_at(Vec2 middle_px, std::string_view shape);
+/// What may differ within a kind.
+struct Details {
+  std::string words = {};  ///< line of the legend, instead of that of the kind
+  double share = 1.0;      ///< how dark it is, 0 to 1
+  double width_m = 0.0;    ///< of the line; 0: as the kind has it
+};
 
-struct Sheet {
-  Box2 box;                ///< drawn part of the world
-  double px_per_m = 1.0;   ///< scale
-  double detail_px = 0.3;  ///< what is smaller is left out
-  Box2 seen = {};          ///< box of everything that was drawn, m
-  std::string body = {};
-  std::string names = {};
-  std::vector<Box2> named = {};                                   ///< places of the names, px
-  std::vector<std::pair<std::string, std::string>> entries = {};  ///< of the legend: words and sample
+class Sheet {
+ public:
+  /// Shows what is in `box`. What is smaller than `detail_px` is left out, and what looks the same drawn
+  /// once.
+  Sheet(const Box2& box, double px_per_m, double detail_px)
+      : box_(box), px_per_m_(px_per_m), detail_px_(detail_px) {}
 
-  Vec2 at(Vec2 world);
-  std::string line(const std::vector<Vec2>& points);
-  std::string area(const std::vector<Vec2>& corners);
-  std::string area(const RoundedPolygon& shape);
-  /// The ellipse of two standard deviations.
-  std::string ellipse(Vec2 centre, double variance_x, double covariance, double variance_y);
+  void line(Kind kind, std::span<const Vec2> points, const Details& details = {});
+  /// Draws what lies within outlines; those that run clockwise are holes.
+  void area(Kind kind, const std::vector<std::vector<Vec2>>& outlines, const Details& details = {});
+  void mark(Kind kind, const Pose2& pose, const std::string& name = {});
+  /// Draws the cells with values from `low`, pale, to `high`, dark.
+  void cells(Kind kind, const Cells& cells, double low, double high, const std::string& words = {});
 
-  /// Draws a path in a class of the style sheet. Words that are new to the legend are added with the sample.
-  void put(std::string_view kind, const std::string& path, std::string_view sample = {},
-           const std::string& words = {}, const std::string& style = {});
-  /// Draws a mark at each place, or at an even selection of very many places.
-  void marks(std::string_view kind, const std::vector<Vec2>& places, std::string_view shape,
-             const std::string& words);
-  /// Writes a name beside a place, unless it would cover another name.
-  void name(Vec2 place, const std::string& text);
+  /// Returns the box of everything that was drawn, m.
+  [[nodiscard]] const Box2& seen() const { return seen_; }
+  [[nodiscard]] std::string drawing() const;
   /// Returns the legend in columns below `top_px`, and sets its height.
   [[nodiscard]] std::string legend(double left_px, double top_px, double width_px, double& height_px) const;
+
+ private:
+  /// The shapes of a kind that have the same words.
+  struct Layer {
+    std::size_t row;
+    std::string words;
+    std::string group, sample;  ///< tag of the group, and a shape for the legend
+    std::set<std::string> shapes = {};
+    std::size_t size = 0;  ///< number of shapes, with those that look the same
+  };
+
+  Vec2 at(Vec2 world);
+  void add(Kind kind, const Details& details, std::string_view sample, const std::string& shape);
+
+  Box2 box_, seen_;
+  double px_per_m_, detail_px_;
+  std::vector<Layer> layers_;                           ///< in the order of their rows
+  std::map<std::pair<long, long>, std::string> names_;  ///< one in each piece of the sheet
 };
+
+/// Draw what the channels of a log show: the ground that the robot found or was given, and what happened on
+/// it.
+void draw_ground(Sheet& sheet, const Log& log);
+void draw_events(Sheet& sheet, const Log& log);
 
 }  // namespace outrider::picture

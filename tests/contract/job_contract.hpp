@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -16,6 +17,8 @@
 
 #include "outrider/io/scenario.hpp"
 #include "outrider/job/run_job.hpp"
+#include "outrider/log/scene_messages.hpp"
+#include "outrider/log/topics.hpp"
 #include "support/data.hpp"
 #include "support/run_bytes.hpp"
 
@@ -134,6 +137,33 @@ inline void repeats(const Job& job, const std::string& scenario) {
   for (const std::size_t threads : {1U, 2U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     EXPECT_EQ(bytes_of_run(run_scenario(job, scenario)), bytes) << threads << " threads";
+  }
+}
+
+/// What a run says of its seed holds: it names the seed that was chosen, or nothing depends on it.
+inline void tells_whether_it_is_seeded(const Job& job, const std::string& scenario) {
+  const auto info_of = [](const Run& run) {
+    const auto* info = run.log.latest<outrider_msgs::RunInfo>(topic::run);
+    return info == nullptr ? outrider_msgs::RunInfo{} : *info;
+  };
+  auto first = run_scenario(job, scenario);
+  ASSERT_TRUE(first) << to_string(first.error());
+  const auto task = job.blank();
+  const bool has_seed =
+      std::ranges::any_of(keyed_options(*task), [](const KeyedOption& one) { return one.key == "seed"; });
+  if (!has_seed) {
+    EXPECT_FALSE(info_of(*first).seeded);
+    return;
+  }
+  for (const std::string seed : {"0", "7"}) {
+    auto other = run_job({job}, scenario, {{"seed", seed}});
+    ASSERT_TRUE(other) << to_string(other.error());
+    EXPECT_EQ(info_of(*other).seeded, info_of(*first).seeded);
+    if (info_of(*other).seeded) {
+      EXPECT_EQ(std::to_string(info_of(*other).seed), seed);
+    } else {
+      EXPECT_EQ(bytes_of_log(other->log), bytes_of_log(first->log)) << "seed " << seed;
+    }
   }
 }
 

@@ -66,6 +66,7 @@ TEST(JobContracts, EveryJobHasASmallScenario) {
 TEST_P(JobContract, StopsAtOnce) { test::stops_at_once(job, scenario); }
 TEST_P(JobContract, StopsMidway) { test::stops_midway(job, scenario); }
 TEST_P(JobContract, Repeats) { test::repeats(job, scenario); }
+TEST_P(JobContract, TellsWhetherItIsSeeded) { test::tells_whether_it_is_seeded(job, scenario); }
 TEST_P(JobContract, RefusesBadValues) { test::refuses_bad_values(job); }
 TEST_P(JobContract, RefusesUnknownKeys) { test::refuses_unknown_keys(job); }
 TEST_P(JobContract, RefusesMissingFiles) { test::refuses_missing_files(job, scenario, GetParam().unread); }

@@ -124,8 +124,8 @@ export interface YardRequest {
 }
 /** Holds a scenario that the page shows and changes: a path planning question, or a yard to guard. */
 export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
-  | { job: "plan"; goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
-  | { job: "guard"; heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
+  | { goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
+  | { heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
 export type ScenarioRequest =
   | { plan: PlanRequest }
   | { guard: YardRequest };

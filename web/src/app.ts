@@ -9,6 +9,7 @@ import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
+import { editorOf } from "./plan/editors";
 import type { Opened } from "./plan/plan_page";
 
 interface View { element: HTMLElement; close?: () => void }
@@ -39,7 +40,7 @@ async function planView(map: MapAnswer, query: Record<string, string>, path = ""
 /** Opens a scenario to change: a path planning question, or a yard. */
 async function scenarioView(path: string, query: Record<string, string>): Promise<View> {
   const scenario = await getJson<ScenarioAnswer>(scenarioPath(path));
-  if (scenario.job === "plan") {
+  if ("goal" in scenario) {
     const { start, goal, radius_m } = scenario;
     return planView(scenario.map, { start: start.join(), goal: goal.join(), radius: String(radius_m), ...query }, path, scenario);
   }
@@ -61,7 +62,7 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
   const { folder, files } = await getJson<{ folder: string; files: FileRow[] }>("files");
   if (view === "live") {
     const { RunsPage } = await import("./live/runs_page");
-    return new RunsPage(files.filter(({ job }) => job !== "plan"), query.scenario ?? "");
+    return new RunsPage(files.filter((file) => editorOf(file) !== "question"), query.scenario ?? "");
   }
   return { element: home(folder, files, (dropped) => void openFiles(dropped)) };
 }

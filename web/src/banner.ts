@@ -38,7 +38,7 @@ export function title(log: RunLog): HTMLElement[] {
   const info = log.latest<RunInfo>(topic.run);
   return [heading(log),
     h("p", { class: log.cut ? "verdict cut" : "verdict", title: sentence, ...(log.cut ? { role: "alert" } : {}) }, h("b", word === "Done" ? {} : { class: "not" }, word), sentence ? ` ${sentence}` : ""),
-    h("p", { class: "seed" }, info && info.seed > 0n ? `seed ${info.seed}` : "")];
+    h("p", { class: "seed" }, info?.seeded ? `seed ${info.seed}` : "")];
 }
 
 export function banner(log: RunLog): HTMLElement {

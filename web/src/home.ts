@@ -2,6 +2,7 @@
 import type { FileRow } from "./api";
 import { h } from "./base/dom";
 import { formatAddress } from "./base/url";
+import { editorOf } from "./plan/editors";
 
 const views = { run: "watch", scenario: "live", map: "plan", other: "" } as const;
 const groups = [
@@ -18,12 +19,12 @@ const kindOf = ({ path, kind }: FileRow): FileRow["kind"] => (path.endsWith(".mc
 
 function row(file: FileRow): HTMLElement {
   const change = { view: "change", path: file.path, query: {} };
-  const address = file.job === "plan" && file.kind === "scenario" ? change
+  const editor = editorOf(file);
+  const address = editor === "question" ? change
     : file.kind === "scenario" ? { view: "live", path: "", query: { scenario: file.path } } : { view: views[kindOf(file)], path: file.path, query: {} };
-  const yard = file.kind === "scenario" && file.job === "guard";
   return h("li", { "data-path": file.path }, h("a", { href: formatAddress(address) }, h("span", { class: "name" }, file.path),
     h("span", { class: "kind" }, file.job ?? ""), h("span", { class: "size" }, size(file.bytes))),
-  yard && h("a", { class: "change", href: formatAddress(change), title: "Move its robot and its targets" }, "change"));
+  editor === "yard" && h("a", { class: "change", href: formatAddress(change), title: "Move its robot and its targets" }, "change"));
 }
 
 export function home(folder: string, files: FileRow[], open: (files: File[]) => void): HTMLElement {

@@ -16,6 +16,9 @@ bool is_printable(std::string_view text);
 /// characters in `kept` stay. O(text).
 std::string printable(std::string_view text, std::string_view kept = {});
 
+/// Returns the printable text as character data of HTML or SVG.
+std::string markup_text(std::string_view text);
+
 /// Returns a duration as text, e.g. "1 min 21 s", "42.0 s" or "0.31 s".
 std::string duration_text(double seconds);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,9 @@
 
 namespace outrider {
 
-/// Returns the description of a run in a world, with a robot that is a disk.
-outrider_msgs::RunInfo run_info(std::string job, std::uint64_t seed, const World& world,
+/// Returns the description of a run in a world, with a robot that is a disk. No seed: nothing is drawn at
+/// random.
+outrider_msgs::RunInfo run_info(std::string job, std::optional<std::uint64_t> seed, const World& world,
                                 double robot_radius_m);
 
 /// Returns the footprints of the solids that rise above the floor, each over its whole height. O(solids).

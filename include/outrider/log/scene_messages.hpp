@@ -61,7 +61,8 @@ struct RunInfo {
   std::string job;
   std::string sim;         ///< "physics" if rigid bodies are simulated
   std::string engine;      ///< of mapping: "laser", "pose_graph", ...; else empty
-  std::uint64_t seed = 0;  ///< 0: nothing is drawn at random
+  bool seeded = false;     ///< numbers are drawn at random, with `seed`
+  std::uint64_t seed = 0;  ///< 0 if the run is not seeded
   std::string world;
   Point2 low;  ///< corners of the box that shows everything
   Point2 high;
@@ -78,6 +79,7 @@ struct RunInfo {
     list.field("job", &RunInfo::job);
     list.field("sim", &RunInfo::sim);
     list.field("engine", &RunInfo::engine);
+    list.field("seeded", &RunInfo::seeded);
     list.field("seed", &RunInfo::seed);
     list.field("world", &RunInfo::world);
     list.field("low", &RunInfo::low);

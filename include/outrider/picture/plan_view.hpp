@@ -2,16 +2,17 @@
 //
 // What is drawn follows from the channels of the log (docs/log.md), never from the job. From below to above:
 //
-//   ground     /run (corners of the plan), /map with /map_updates, /costmap, /expanded, /cost_grid,
-//              /firing_regions, /coverage_area, /walls, /terrain, /solids
-//   lines      /plan and /plan/NAME, /initialpose, /reference, /odom, /belief with ellipses of two standard
-//   deviations,
-//              /target_pose, every .../pose and .../trajectory, /loops
-//   marks      /landmarks, /tags, /waypoints, /goal_pose, /refusals, /supplies, /target_positions, /shots,
-//              /targets, and the robot at its start and at its end, drawn to size
+//   ground   /map with /map_updates, /cost_grid, /firing_regions, /costmap, /expanded, /coverage_area,
+//   /terrain,
+//            /solids or else /walls
+//   lines    /plan and /plan/NAME, /odom, /reference, /target_pose, /belief with ellipses of two standard
+//            deviations, every .../pose and .../trajectory, /loops
+//   marks    the robot at its start and at its end, drawn to size, /landmarks, /goal_pose, /refusals,
+//   /supplies,
+//            /tags, /waypoints, /shots, /targets and /target_positions
 //
-// A single true track is coloured by time, or by the passes on /coverage_passes. The legend names exactly
-// what is drawn. Numbers that are not finite are left out.
+// A single track is the darker the later. The legend names exactly what is drawn. Numbers that are not finite
+// are left out.
 #pragma once
 
 #include <cstddef>

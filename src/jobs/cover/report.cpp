@@ -105,6 +105,7 @@ CoverLog::CoverLog(Log& log, const CoverProblem& problem, const CoverPlan& plan,
   const Box2 bounds = bounds_of(plan.ground.area);
   outrider_msgs::RunInfo info;
   info.job = "cover";
+  info.seeded = true;
   info.seed = seed;
   info.world = name;
   info.low = point_of(bounds.low);

@@ -71,7 +71,8 @@ outrider_msgs::Outlines walls_of(const PolygonGround& ground) {
 
 void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
   const auto* world = std::get_if<World>(&task.map.shape);
-  outrider_msgs::RunInfo info = run_info("plan", 0, world == nullptr ? World{} : *world, ground.radius_m);
+  outrider_msgs::RunInfo info =
+      run_info("plan", std::nullopt, world == nullptr ? World{} : *world, ground.radius_m);
   info.world = printable(std::filesystem::path(task.settled.map).filename().string());
   const Box2 bounds =
       ground.polygons ? ground.bounds().grown(0.02 * norm(ground.bounds().size())) : ground.bounds();

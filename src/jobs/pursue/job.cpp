@@ -70,7 +70,7 @@ Status PursueJob::run(Run& run, const RunWatch& watch) {
   const std::string name = std::filesystem::path(scenario.map).filename().string();
   WallWatch laps;
   task->rules.budget.stop = watch.stop;
-  PursuitLog log(run.log, task->problem, static_cast<std::uint64_t>(scenario.seed), name);
+  PursuitLog log(run.log, task->problem, name);
   auto pursued = pursue(task->problem, task->robots, task->rules, laps,
                         [&](const PursuitRun& so_far) { log.note(so_far); });
   constexpr double never = std::numeric_limits<double>::quiet_NaN();

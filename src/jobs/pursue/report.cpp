@@ -54,12 +54,11 @@ std::string pose_topic(std::size_t robot) {
 
 }  // namespace
 
-PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t seed, const std::string& name)
+PursuitLog::PursuitLog(Log& log, const PursuitProblem& problem, const std::string& name)
     : log_(log), problem_(problem) {
   const Box2 bounds = problem.costs->frame.bounds();
   outrider_msgs::RunInfo info;
   info.job = "pursue";
-  info.seed = seed;
   info.world = name;
   info.low = point_of(bounds.low);
   info.high = point_of(bounds.high);

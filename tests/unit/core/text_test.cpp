@@ -40,6 +40,11 @@ TEST(Text, WhatATerminalActsOnBecomesAQuestionMark) {
 
 TEST(Text, KeepsWhatItIsTold) { EXPECT_EQ(printable("a\n\tb\x1B", "\n\t"), "a\n\tb?"); }
 
+TEST(Text, MarkupCannotBreakOut) {
+  EXPECT_EQ(markup_text("<b>&amp;\x1B"), "&lt;b&gt;&amp;amp;?");
+  EXPECT_EQ(markup_text("a \u03c3"), "a \u03c3");
+}
+
 TEST(Text, EveryPairOfBytesEndsPrintable) {
   for (int a = 0; a < 256; ++a) {
     for (int b = 0; b < 256; ++b) {

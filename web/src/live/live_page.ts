@@ -126,13 +126,15 @@ export class LivePage {
     this.cancel.disabled = false;
   }
 
-  /** The run is over. A plan is shown by the page that plans. */
+  /** The run is over. Paths of planners are shown by the page that plans. */
   private end(run: RunRow): void {
     this.ended = run;
     this.show(run.state);
     this.words.textContent = run.error || run.scenario;
-    if (run.job === "plan" && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
+    const { channels } = this.live.log;
+    const answersQuestion = [...channels.keys()].some((name) => name.startsWith(topic.planOf));
+    if (answersQuestion && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
       location.replace(formatAddress({ view: "change", path: run.scenario, query: {} }));
-    } else if (this.live.log.channels.size > 0) this.grow();
+    } else if (channels.size > 0) this.grow();
   }
 }

@@ -12,7 +12,10 @@ export class RunsPage {
 
   constructor(files: FileRow[], chosen: string) {
     const scenarios = files.filter((file) => file.kind === "scenario");
-    const select = h("select", { id: "scenario", "aria-label": "Scenario" }, ...scenarios.map((file) => h("option", { value: file.path, selected: file.path === chosen }, file.path)));
+    const known = chosen === "" || scenarios.some(({ path }) => path === chosen);
+    const select = h("select", { id: "scenario", "aria-label": "Scenario", required: true }, known ? null : h("option", { value: "", selected: true, disabled: true }, "Choose a scenario"),
+      ...scenarios.map((file) => h("option", { value: file.path, selected: file.path === chosen }, file.path)));
+    if (!known) this.refusal.textContent = `${chosen}: there is no such scenario under the folder; choose another.`;
     const seed = h("input", { type: "number", min: 0, step: 1, placeholder: "as it says", "aria-label": "Seed", id: "seed" });
     const form = h("form", { class: "start panel" }, h("label", {}, "Scenario ", select), h("label", {}, "seed ", seed),
       h("button", { type: "submit", class: "button primary", disabled: scenarios.length === 0 }, "Run"), this.refusal);

@@ -24,6 +24,8 @@ export interface LogLine { name: string; msg: string }
 // Messages of our own: outrider_msgs/msg/*.
 export interface RunInfo {
   job: string;
+  /** Numbers are drawn at random, with the seed. */
+  seeded: boolean;
   seed: bigint;
   world: string;
   low: Point2;

@@ -10,7 +10,7 @@ import { indexAt, type RunLog, type Stamped } from "./run_log";
 import { topic } from "./topics";
 import { gunOf, posesOf, Track } from "./track";
 
-const nothingKnown: RunInfo = { job: "", seed: 0n, world: "", low: { x: NaN, y: NaN }, high: { x: NaN, y: NaN }, gravity: 9.8, robot_radius: NaN,
+const nothingKnown: RunInfo = { job: "", seeded: false, seed: 0n, world: "", low: { x: NaN, y: NaN }, high: { x: NaN, y: NaN }, gravity: 9.8, robot_radius: NaN,
   gun_length: 0, ball_radius: 0, margin: 0, coverage_width: 0 };
 
 export class Run {

@@ -38,14 +38,21 @@ export class TargetStory {
   get last(): Target { return this.states.at(-1)!.message; }
   get status(): string { return this.last.status; }
 
-  /** When its status became what it is in the end; NaN while it waits. */
-  get doneAt(): number {
-    if (this.status === "waiting" || this.status === "outside") return NaN;
-    return this.states.find(({ message }) => message.status === this.status)!.t;
-  }
+  /** When a message told of it. */
+  get changes(): number[] { return this.states.map(({ t }) => t); }
 
-  statusAt(t: number): string {
-    return (this.states[indexAt(this.states, t + 1e-9)] ?? this.states[0]!).message.status;
+  /** As it was known to be at t. */
+  at(t: number): Target { return (this.states[indexAt(this.states, t + 1e-9)] ?? this.states[0]!).message; }
+
+  /** When its status became what it is in the end; NaN while it waits. */
+  get doneAt(): number { return this.doneBy(Infinity); }
+
+  statusAt(t: number): string { return this.at(t).status; }
+
+  /** When its status became what it is at t; NaN if it waits then. */
+  doneBy(t: number): number {
+    const { status } = this.at(t);
+    return status === "waiting" || status === "outside" ? NaN : this.states.find(({ message }) => message.status === status)!.t;
   }
 
   /** Its last place, and the height of its middle. */
@@ -67,9 +74,12 @@ export class TargetStory {
     return !wrong || t > this.doneAt ? null : alongKnots(this.believed, t);
   }
 
+  /** The shots that had been fired at it at t. */
+  firedBy(t: number): Flight[] { return this.shotsAt.filter(({ start }) => start <= t + 1e-9); }
   /** Of the newest shot at it; NaN before one. */
-  get pitch(): number { return this.shotsAt.at(-1)?.pitch ?? NaN; }
-  get clearance(): number { return this.shotsAt.findLast(({ hit }) => hit)?.clearance ?? NaN; }
+  pitchBy(t: number): number { return this.firedBy(t).at(-1)?.pitch ?? NaN; }
+  /** Of the shot that hit it, once that is over; else NaN. */
+  clearanceBy(t: number): number { return this.firedBy(t).findLast(({ hit, end }) => hit && end <= t + 1e-9)?.clearance ?? NaN; }
 }
 
 function grouped<T extends { name: string }>(messages: readonly Stamped<T>[]): Map<string, Stamped<T>[]> {

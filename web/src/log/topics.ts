@@ -10,6 +10,8 @@ export const topic = {
   scan: "/scan",
   camera: "/camera/camera_info",
   plan: "/plan",
+  /** Prefix: the paths of the planner of that name. */
+  planOf: "/plan/",
   goal: "/goal_pose",
   trajectory: "/trajectory",
   reference: "/reference",

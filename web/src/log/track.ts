@@ -19,18 +19,6 @@ export function lastNotAfter(column: ArrayLike<number>, t: number): number {
   return low;
 }
 
-/** Index of the value of an ascending column that is closest to t. */
-export function nearest(column: ArrayLike<number>, t: number): number {
-  let low = 0;
-  let high = column.length - 1;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (column[middle]! <= t) low = middle;
-    else high = middle;
-  }
-  return t - column[low]! <= column[high]! - t ? low : high;
-}
-
 /** Adds turns so that neighbours differ by at most half a turn. */
 export function unwrap(angles: Float64Array): Float64Array {
   for (let i = 1; i < angles.length; ++i) {
@@ -42,7 +30,7 @@ export function unwrap(angles: Float64Array): Float64Array {
 /** Where between two times t lies: the indices of both, and the share of the way to the second. */
 interface Between { low: number; next: number; share: number }
 
-function between(time: Float64Array, t: number): Between {
+export function between(time: ArrayLike<number>, t: number): Between {
   const low = lastNotAfter(time, t);
   const next = Math.min(low + 1, time.length - 1);
   const span = time[next]! - time[low]!;

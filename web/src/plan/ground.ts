@@ -2,6 +2,7 @@
 import type { Edit, Grid, MapAnswer, Polygons } from "../api";
 import type { Box } from "../base/camera";
 import { nearestOnPolygon, type Vec2 } from "../base/outline";
+import { endsIn, eroded, type OpenCells } from "./ends";
 
 export const free = 0;
 export const occupied = 1;
@@ -78,36 +79,12 @@ export class GridGround {
     return edits;
   }
 
-  /** Returns free places near two opposite corners, with as much room around them as the map has, up to 2 cells. */
-  ends(): [Vec2, Vec2] {
-    const [start, goal] = [[0.06, 0.08], [0.94, 0.92]].map(([x = 0, y = 0]) =>
-      this.openNear(x, y, 2) ?? this.openNear(x, y, 1) ?? this.openNear(x, y, 0) ?? this.centre(0, 0));
-    return [start!, goal!];
-  }
-
-  /**
-   * Returns the place with `room` free cells around it that is nearest to a point given as fractions of width and
-   * height. O(cells).
-   */
-  private openNear(right: number, up: number, room: number): Vec2 | null {
-    const { width, height } = this.grid;
-    const open = (x: number, y: number): boolean => {
-      for (let v = y - room; v <= y + room; ++v) {
-        for (let u = x - room; u <= x + room; ++u) {
-          if (u < 0 || v < 0 || u >= width || v >= height || this.cells[v * width + u] !== free) return false;
-        }
-      }
-      return true;
-    };
-    let best: Vec2 | null = null;
-    let least = Infinity;
-    for (let y = 0; y < height; ++y) {
-      for (let x = 0; x < width; ++x) {
-        const distance = (x - right * width) ** 2 + (y - up * height) ** 2;
-        if (distance < least && open(x, y)) [least, best] = [distance, this.centre(x, y)];
-      }
-    }
-    return best;
+  /** Returns places near two opposite corners between which a disk can drive, anywhere in their cells; a point where it fits nowhere. */
+  ends(radius_m: number): [Vec2, Vec2] {
+    const { width, height, resolution_m: r } = this.grid;
+    const open = { width, height, open: Uint8Array.from(this.cells, (value) => Number(value === free)) };
+    const ends = endsIn(eroded(open, radius_m / r + Math.SQRT2)) ?? endsIn(open) ?? [[0, 0], [0, 0]];
+    return [this.centre(...ends[0]), this.centre(...ends[1])];
   }
 }
 
@@ -167,23 +144,27 @@ export class PolygonGround {
     return edits;
   }
 
-  ends(): [Vec2, Vec2] {
+  /** Returns the ends of the first query, or else as a grid has them, of cells so small that the disk keeps clear between two. */
+  ends(radius_m: number): [Vec2, Vec2] {
     const query = this.polygons.queries[0];
     if (query) return [query.start, query.goal];
     const [x0, y0, x1, y1] = this.box;
-    const open = (p: Vec2): boolean => this.obstacles.every((one) => one === null || nearestOnPolygon(p[0], p[1], one).distance > 0.03 * (x1 - x0)) &&
-      (this.polygons.boundary.length < 3 || nearestOnPolygon(p[0], p[1], this.polygons.boundary).distance === 0);
-    const along = (from: number, to: number): Vec2 => {
-      for (let i = 0; i <= 60; ++i) {
-        const s = from + ((to - from) * i) / 60;
-        for (const v of [s, 1 - s, 0.5]) {
-          const p: Vec2 = [x0 + s * (x1 - x0), y0 + v * (y1 - y0)];
-          if (open(p)) return p;
-        }
-      }
-      return [x0 + from * (x1 - x0), y0 + from * (y1 - y0)];
-    };
-    return [along(0.15, 0.5), along(0.85, 0.5)];
+    const cell_m = Math.max(x1 - x0, y1 - y0) / 160;
+    const [width, height] = [Math.ceil((x1 - x0) / cell_m), Math.ceil((y1 - y0) / cell_m)];
+    const place = (x: number, y: number): Vec2 => [x0 + (x + 0.5) * cell_m, y0 + (y + 0.5) * cell_m];
+    const cells = (clear_m: number): OpenCells => ({ width, height, open: Uint8Array.from({ length: width * height }, (_, at) =>
+      Number(this.isClear(place(at % width, Math.floor(at / width)), clear_m))) });
+    const ends = endsIn(cells(radius_m + cell_m)) ?? endsIn(cells(0)) ?? [[0, 0], [0, 0]];
+    return [place(...ends[0]), place(...ends[1])];
+  }
+
+  /** Whether a disk at a place is within the boundary, if there is one, and beside all obstacles. */
+  private isClear([x, y]: Vec2, radius_m: number): boolean {
+    const { boundary } = this.polygons;
+    if (this.obstacles.some((one) => one !== null && nearestOnPolygon(x, y, one).distance <= radius_m)) return false;
+    if (boundary.length < 3) return true;
+    return nearestOnPolygon(x, y, boundary).distance === 0
+      && boundary.every((a, i) => nearestOnPolygon(x, y, [a, boundary[(i + 1) % boundary.length]!]).distance > radius_m);
   }
 }
 

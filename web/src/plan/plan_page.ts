@@ -62,8 +62,9 @@ export class PlanPage {
   constructor(private map: MapAnswer, ground: Ground, planners: PlannerRow[], query: Record<string, string>, path: string, private opened: Opened | null) {
     this.ground = ground;
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
-    const [start, goal] = ground.ends();
-    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m: Number(query.radius ?? map.radius_m), selected: "goal", heading_rad: null };
+    const radius_m = Number(query.radius ?? map.radius_m);
+    const [start, goal] = ground.ends(radius_m);
+    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m, selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));

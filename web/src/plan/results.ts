@@ -9,7 +9,7 @@ type ResultRow = [string, (answer: Shown) => string];
 const searched = new Set(["no_path", "budget_exhausted"]);
 
 const rows: ResultRow[] = [
-  ["answer", (one) => (one.status === "done" ? "path found" : searched.has(one.status) ? "no path" : "refused")],
+  ["answer", (one) => (one.status === "done" ? "path found" : one.status === "unanswered" ? "not answered" : searched.has(one.status) ? "no path" : "refused")],
   ["cost", (one) => (one.cost == null ? "\u2013" : `${fixed(one.cost, 3)} ${one.cost_unit ?? ""}`)],
   ["lower bound", (one) => (one.lower_bound == null ? "\u2013" : `${fixed(one.lower_bound, 3)} ${one.cost_unit ?? ""}`)],
   ["length", (one) => (one.length_m == null ? "\u2013" : `${fixed(one.length_m, 3)} m`)],

@@ -4,7 +4,7 @@ import { nearestOnPolygon, type Vec2 } from "../base/outline";
 import { newName } from "./names";
 import { wrapAngle } from "./turning";
 
-export type YardScenario = Extract<ScenarioAnswer, { job: "guard" }>;
+export type YardScenario = Exclude<ScenarioAnswer, { goal: unknown }>;
 /** Describes an added obstacle: a box centred at `middle`. */
 export interface YardBox { middle: Vec2; size: Vec2; turn_rad: number }
 export interface Item { what: "robot" | "target" | "thing" | "box"; index: number }

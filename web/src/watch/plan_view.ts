@@ -12,7 +12,6 @@ import { areaOf } from "./area";
 import { believed } from "./belief";
 import { pursuit } from "./pursuit_layer";
 import { cover } from "./cover_layer";
-import { drive } from "./drive_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
 import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
@@ -22,11 +21,12 @@ import { robot } from "./robot_layer";
 import { scan } from "./scan_layer";
 import { scales } from "./scale_layer";
 import { stations } from "./station_layer";
+import { tags } from "./tag_layer";
 import { targets } from "./target_layer";
 import { way } from "./way_layer";
 
 /** Each makes a layer where the log has its messages; the first lies lowest. */
-const makers: LayerOf[] = [ground, pursuit, cover, map, mapping, way, scan, flights, drive, stations, targets, robot, believed];
+const makers: LayerOf[] = [ground, pursuit, cover, map, mapping, way, scan, flights, tags, stations, targets, robot, believed];
 
 function layersOf(run: Run, area: Box): Layer[] {
   return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];

@@ -32,7 +32,7 @@ export function speedOf(run: Run): Series[] {
 function targetSeries(run: Run): Series[] {
   const targets = targetsOf(run);
   if (targets.length === 0) return [];
-  const times = [...new Set([0, ...targets.map((one) => one.doneAt).filter(Number.isFinite), run.duration])].sort((a, b) => a - b);
+  const times = [...new Set([0, ...targets.flatMap((one) => one.changes), run.duration])].sort((a, b) => a - b);
   const count = (status: string) => times.map((t) => targets.filter((one) => one.statusAt(t) === status).length);
   return [{ title: "Targets", unit: "", time: times, lines: [
     { name: "reached", colour: "reached", values: count("reached"), steps: true },
@@ -67,7 +67,7 @@ function pursuitSeries(run: Run): Series[] {
   const time = pursuit.paid.map(({ t }) => t);
   const held = (key: "cost" | "lower_bound") => time.map((t) => orNull(pursuit.bounds[indexAt(pursuit.bounds, t)]?.[key]));
   return [{ title: "Cost", unit: "", time, lines: [
-    { name: "paid", colour: "robot", values: pursuit.paid.map(({ paid }) => paid) },
+    { name: "paid", colour: "robot", values: pursuit.paid.map(({ paid }) => paid), steps: true },
     { name: "best catch known", colour: "failed", values: held("cost"), steps: true },
     { name: "lower bound", colour: "reached", values: held("lower_bound"), steps: true }] }];
 }
@@ -84,7 +84,7 @@ function planningSeries(run: Run): Series[] {
 
 function knownSeries({ log }: Run): Series[] {
   const { time, area } = knownArea(log);
-  return time.length > 0 ? [{ title: "Area known", unit: "m\u00b2", time, lines: [{ name: "known", colour: "water", values: area }] }] : [];
+  return time.length > 0 ? [{ title: "Area known", unit: "m\u00b2", time, lines: [{ name: "known", colour: "water", values: area, steps: true }] }] : [];
 }
 
 export function seriesOf(run: Run): Series[] {

@@ -1,4 +1,4 @@
-// The table of targets: a row each, its reason below it where there is something to explain.
+// The table of targets at the present time: a row each, its reason below it where there is something to explain.
 import { h } from "../base/dom";
 import { clockText, degrees, fixed } from "../base/numbers";
 import { known, signElement } from "../base/signs";
@@ -7,28 +7,29 @@ import { targetsOf, type TargetStory } from "../log/targets";
 
 interface Column {
   label: string;
-  value: (target: TargetStory) => string | number;
-  text: (target: TargetStory) => string;
+  value: (target: TargetStory, t: number) => string | number;
+  text: (target: TargetStory, t: number) => string;
 }
 
 const withUnit = (value: number, digits: number, unit: string): string =>
   (Number.isFinite(value) ? `${fixed(value, digits)} ${unit}` : "\u2013");
 
+/** What each says is known at t: none tells what comes later. */
 const columns: Column[] = [
   { label: "target", value: (one) => one.name, text: (one) => one.name },
-  { label: "status", value: (one) => one.status, text: (one) => one.status },
-  { label: "shots", value: (one) => one.last.shots, text: (one) => String(one.last.shots) },
-  { label: "done", value: (one) => one.doneAt, text: (one) => clockText(one.doneAt) },
-  { label: "clearance", value: (one) => one.clearance, text: (one) => withUnit(one.clearance, 3, "m") },
-  { label: "pitch", value: (one) => one.pitch, text: (one) => degrees(one.pitch) },
+  { label: "status", value: (one, t) => one.statusAt(t), text: (one, t) => one.statusAt(t) },
+  { label: "shots", value: (one, t) => one.at(t).shots, text: (one, t) => String(one.at(t).shots) },
+  { label: "done", value: (one, t) => one.doneBy(t), text: (one, t) => clockText(one.doneBy(t)) },
+  { label: "clearance", value: (one, t) => one.clearanceBy(t), text: (one, t) => withUnit(one.clearanceBy(t), 3, "m") },
+  { label: "pitch", value: (one, t) => one.pitchBy(t), text: (one, t) => degrees(one.pitchBy(t)) },
 ];
 
 export class TargetTable {
   readonly element: HTMLElement;
   private table = h("table");
   private bodies = new Map<string, HTMLTableSectionElement>();  // by name
-  private listed = "";
   private all: TargetStory[] = [];
+  private t = 0;
   private order: { column: Column | null; falling: boolean } = { column: null, falling: false };
 
   constructor(run: Run, private select: (target: TargetStory) => void) {
@@ -42,20 +43,19 @@ export class TargetTable {
   }
 
   renew(run: Run): void {
+    const before = this.all.map(({ name }) => name).join("\n");
     this.all = targetsOf(run);
-    const listed = JSON.stringify(this.all.map((one) => [...columns.map((column) => column.text(one)), one.last.reason]));
-    if (listed === this.listed) return;
-    this.listed = listed;
+    if (this.all.map(({ name }) => name).join("\n") === before) return;
     for (const body of this.bodies.values()) body.remove();
     this.bodies = new Map(this.all.map((target) => [target.name, this.body(target)]));
     this.arrange();
   }
 
-  private body(target: TargetStory): HTMLTableSectionElement {
-    const cells = columns.map((column, i) => h("td", i === 1 ? { class: "status" } : {},
-      i > 0 ? column.text(target) : h("button", { type: "button", title: target.name }, h("i"), h("span", {}, target.name))));
-    return h("tbody", { onclick: () => this.choose(target.name) }, h("tr", {}, ...cells),
-      h("tr", { class: "reason" }, h("td", { colspan: columns.length }, target.last.reason)));
+  private body({ name }: TargetStory): HTMLTableSectionElement {
+    const cells = columns.map((_, i) => h("td", i === 1 ? { class: "status" } : {},
+      i > 0 ? "" : h("button", { type: "button", title: name }, h("i"), h("span", {}, name))));
+    return h("tbody", { onclick: () => this.choose(name) }, h("tr", {}, ...cells),
+      h("tr", { class: "reason" }, h("td", { colspan: columns.length })));
   }
 
   private choose(name: string): void {
@@ -80,32 +80,38 @@ export class TargetTable {
       return;
     }
     const rank = (a: TargetStory, b: TargetStory): number => {
-      const [x, y] = [column.value(a), column.value(b)];
+      const [x, y] = [column.value(a, this.t), column.value(b, this.t)];
       return typeof x === "string" ? x.localeCompare(String(y), "en", { numeric: true }) : x - Number(y);
     };
-    const none = (target: TargetStory): number => (Number.isNaN(column.value(target)) ? 1 : 0);  // last, either way round
+    const none = (target: TargetStory): number => (Number.isNaN(column.value(target, this.t)) ? 1 : 0);  // last, either way round
     const sorted = [...this.all].sort((a, b) => none(a) - none(b) || (falling ? -1 : 1) * rank(a, b) || 0);
     this.table.append(...sorted.map(({ name }) => this.bodies.get(name)!));
   }
 
-  /** Rows show the status at t. */
+  /** Rows show what is known at t; a row is written only when that changes. */
   show(t: number, selected: TargetStory | null): void {
+    this.t = t;
+    let changed = false;
     for (const target of this.all) {
       const body = this.bodies.get(target.name)!;
-      const status = target.statusAt(t);
       const chosen = target.name === selected?.name;
-      const key = `${status} ${chosen}`;
+      const { status, reason } = target.at(t);
+      const texts = columns.map((column) => column.text(target, t));
+      const key = JSON.stringify([chosen, reason, ...texts]);
       if (body.dataset.key === key) continue;
       body.dataset.key = key;
+      changed = true;
       body.className = `${chosen ? "selected" : ""} ${status === "waiting" ? "waiting" : ""}`;
-      body.querySelector("button")!.firstElementChild!.replaceWith(signElement(status));
-      body.querySelector("button")!.setAttribute("aria-pressed", String(chosen));
-      const cell = body.querySelector<HTMLElement>(".status")!;
-      cell.textContent = status;
-      cell.style.setProperty("color", `var(--${known(status)})`);
-      const explains = chosen ? status !== "waiting" : status === "failed" || status === "unreachable";
-      body.querySelector<HTMLElement>(".reason")!.hidden = !target.last.reason || !explains;
+      const button = body.querySelector("button")!;
+      button.firstElementChild!.replaceWith(signElement(status));
+      button.setAttribute("aria-pressed", String(chosen));
+      const [row, below] = body.rows;
+      texts.forEach((text, i) => { if (i > 0) row!.cells[i]!.textContent = text; });
+      row!.cells[1]!.style.setProperty("color", `var(--${known(status)})`);
+      below!.cells[0]!.textContent = reason;
+      below!.hidden = !reason || !(chosen ? status !== "waiting" : status === "failed" || status === "unreachable");
     }
+    if (changed && this.order.column) this.arrange();
   }
 
   reveal(target: TargetStory): void {

@@ -98,7 +98,7 @@ export class Watch {
     this.timeline.renew(run, this.marks);
     this.facts.renew(run, goesOn);
     this.tabs.renew();
-    const same = shot && (flightsOf(run)[shot.index] ?? null);
+    const same = (shot ? flightsOf(run)[shot.index] : flightsOf(run).find((one) => one.target === target?.name)) ?? null;
     this.last = this.last && flightsOf(run)[this.last.index];
     this.select(same, this.named(target?.name) ?? targetsOf(run)[0] ?? null);
     if (mark && !same) this.selected.mark = this.marks.find((one) => one.t === mark.t && one.title === mark.title) ?? null;

@@ -9,7 +9,8 @@ const shots = fileURLToPath(new URL("../shots/", import.meta.url));
 
 export const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
 
-const plain = ["--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"];
+/** A page that a test serves itself (useBuiltPage) has no address, and may not open a socket to this machine without the feature off. */
+const plain = ["--disable-features=LocalNetworkAccessChecks", "--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"];
 /** A graphics card made of software, which the view in space needs where there is none. It draws the plane as well, and slowly. */
 const card = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 

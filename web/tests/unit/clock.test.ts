@@ -2,7 +2,6 @@ import { describe, expect, it } from "vitest";
 import { Clock, neighbour } from "../../src/watch/clock";
 import { marksOf } from "../../src/watch/marks";
 import { topic } from "../../src/log/topics";
-import { nearest } from "../../src/log/track";
 import { runOf } from "./made";
 
 describe("the clock", () => {
@@ -49,13 +48,5 @@ describe("marks", () => {
     const events = ["drive", "shot", "hit", "enter"].map((name, i): [number, unknown] => [i, { name, msg: name }]);
     expect(marksOf(runOf({ [topic.shots]: [[2, shot]], [topic.events]: events })).map((mark) => mark.kind)).toEqual(["drive", "hit", "enter"]);
     expect(marksOf(runOf({ [topic.events]: events })).length).toBe(4);
-  });
-
-  it("finds the sample nearest to a time", () => {
-    const column = [0, 1, 1.5, 4];
-    for (let t = -1; t < 5; t += 0.2) {
-      const slow = Math.min(...column.map((value) => Math.abs(value - t)));
-      expect(Math.abs(column[nearest(column, t)]! - t)).toBeCloseTo(slow);
-    }
   });
 });

@@ -1,5 +1,6 @@
 // @vitest-environment jsdom
 import { describe, expect, it, vi } from "vitest";
+import { title } from "../../src/banner";
 import { GrowingList } from "../../src/base/growing_list";
 import { Run } from "../../src/log/run";
 import type { RunLog } from "../../src/log/run_log";
@@ -11,7 +12,7 @@ import { Facts } from "../../src/watch/facts";
 import { seriesOf } from "../../src/watch/series";
 import { Tabs } from "../../src/watch/tabs";
 import { TargetTable } from "../../src/watch/target_table";
-import { append, belief, logOf, poses, runOf, summary, type Topics } from "./made";
+import { append, belief, info, logOf, poses, runOf, summary, type Topics } from "./made";
 
 vi.hoisted(() => { (globalThis as { matchMedia?: unknown }).matchMedia = () => ({ matches: false, addEventListener: () => undefined }); });
 
@@ -189,7 +190,28 @@ describe("a run that grows, and what shows it", () => {
     expect(table.element.querySelector("tbody")).toBe(rowOfA);  // nothing of it has changed
     append(log, { [topic.targets]: [target("a", "reached", 2), target("b", "reached", 1)] });
     table.renew(new Run(log));
+    table.show(9, null);
     expect(names()).toEqual(["b", "a"]);
+  });
+
+  it("tells of targets only what was known at the time", () => {
+    const told = (t: number, status: string, shots: number, reason: string): [number, unknown] => [t, { ...(target("a", status, shots)[1] as object), reason }];
+    const log = logOf({ [topic.targets]: [told(0, "waiting", 0, ""), told(3, "failed", 2, "it was missed twice")] });
+    const table = new TargetTable(new Run(log), () => undefined);
+    const row = (): string[] => [...table.element.querySelectorAll("tbody td")].map((one) => one.textContent!);
+    table.show(2, null);
+    expect(row()).toEqual(["a", "waiting", "0", "\u2013", "\u2013", "\u2013", ""]);
+    table.show(3, null);
+    expect(row()).toEqual(["a", "failed", "2", "0:03", "\u2013", "\u2013", "it was missed twice"]);
+    table.show(0, null);
+    expect(row()[1]).toBe("waiting");
+  });
+
+  it("shows the seed of a run that draws numbers at random, of no other", () => {
+    const shown = (more: object): string => title(logOf({ [topic.run]: [[0, info(more)]] })).at(-1)!.textContent!;
+    expect(shown({ seeded: true, seed: 7n })).toBe("seed 7");
+    expect(shown({ seeded: true, seed: 0n })).toBe("seed 0");
+    expect(shown({ seeded: false, seed: 0n })).toBe("");
   });
 
   it("has numbers while it goes on, and its metrics in the end", () => {

@@ -29,7 +29,7 @@ export const runOf = (topics: Topics = {}, goesOn = false): Run => new Run(logOf
 export const summary = (more: Partial<Summary> = {}): Summary =>
   ({ status: "done", job: "guard", world: "w", reason: "", metrics: {}, settings: {}, warnings: [], tables: {}, ...more });
 
-export const info = (more: Partial<RunInfo> = {}): RunInfo => ({ job: "guard", seed: 1n, world: "w", low: { x: 0, y: 0 }, high: { x: 4, y: 4 },
+export const info = (more: Partial<RunInfo> = {}): RunInfo => ({ job: "guard", seeded: true, seed: 1n, world: "w", low: { x: 0, y: 0 }, high: { x: 4, y: 4 },
   gravity: 9.8, robot_radius: 0.2, gun_length: 0.3, ball_radius: 0.02, margin: 0.03, coverage_width: 1, ...more });
 
 export const pose = (x: number, y: number, heading = 0, t = 0): PoseStamped => ({ header: { stamp: { sec: Math.floor(t), nanosec: Math.round(1e9 * (t % 1)) }, frame_id: "map" },

@@ -2,6 +2,7 @@
 import { describe, expect, it, vi } from "vitest";
 import type { Edit, OptionRow } from "../../src/api";
 import { optionForm, valueOf, type Values } from "../../src/plan/form";
+import { eroded } from "../../src/plan/ends";
 import { free, GridGround, groundOf, occupied, PolygonGround } from "../../src/plan/ground";
 import { newName, suggestedName } from "../../src/plan/names";
 import { pathSvg } from "../../src/plan/path_svg";
@@ -36,11 +37,42 @@ describe("a grid", () => {
 
   it("puts start and goal where there is room", () => {
     const ground = new GridGround({ ...grid, width: 30, height: 20, runs: [0, 600] });
-    const [start, goal] = ground.ends();
+    const [start, goal] = ground.ends(0.3);
     expect(start[0]).toBeLessThan(5);
     expect(goal[0]).toBeGreaterThan(25);
     const narrow = new GridGround({ ...grid, height: 1, runs: [1, 3, 0, 2, 1, 3] });
-    expect(narrow.ends()).toEqual([[3.5, 0.5], [4.5, 0.5]]);
+    expect(narrow.ends(0)).toEqual([[3.5, 0.5], [4.5, 0.5]]);
+  });
+
+  it("puts start and goal where a disk can drive from one to the other", () => {
+    // Two rooms, and a door of 3 cells between them; beyond, a corner that nothing leads to.
+    const cells = Array.from({ length: 20 * 40 }, (_, at) => Number(at % 40 === 20 && Math.abs(Math.floor(at / 40) - 10) > 1 || at % 40 === 36));
+    const runs = cells.flatMap((value) => [value, 1]);
+    const rooms = new GridGround({ origin: [0, 0], resolution_m: 0.5, width: 40, height: 20, runs });
+    const [start, goal] = rooms.ends(0.2);
+    expect(start[0]).toBeLessThan(3);
+    expect(goal[0]).toBeGreaterThan(14);
+    expect(goal[0]).toBeLessThan(18);  // not in the corner
+    const [wide, other] = rooms.ends(1);  // too large for the door
+    expect(Math.max(wide[0], other[0])).toBeLessThan(10);
+    for (const [x, y] of [wide, other]) expect(Math.min(x, y, 10 - x, 10 - y)).toBeGreaterThan(1);
+  });
+
+  it("erodes as a look at every pair of cells says", () => {
+    const [width, height] = [17, 13];
+    const open = Uint8Array.from({ length: width * height }, (_, at) => Number((at * 7919) % 23 > 1));
+    for (const reach of [0.4, 1, 1.5, 2.3]) {
+      const slow = open.map((value, at) => {
+        for (let v = -1; v <= height; ++v) {
+          for (let u = -1; u <= width; ++u) {
+            const outside = u < 0 || v < 0 || u >= width || v >= height;
+            if ((outside || !open[v * width + u]) && Math.hypot(u - (at % width), v - Math.floor(at / width)) <= reach) return 0;
+          }
+        }
+        return value;
+      });
+      expect([...eroded({ width, height, open }, reach).open], `${reach}`).toEqual([...slow]);
+    }
   });
 });
 
@@ -59,6 +91,17 @@ describe("polygons", () => {
       { set: 0, polygon: [[2, 1], [3, 1], [3, 2], [2, 2]] },
       { add: [[7.5, 8.5], [8.5, 8.5], [8.5, 9.5], [7.5, 9.5]] }, { remove: 1 }]);
     expect(polygons.obstacles[0]![0]).toEqual([1, 1]);  // what was given stays
+  });
+});
+
+describe("polygons without a query", () => {
+  it("put start and goal on the same side of a wall, with the radius to spare", () => {
+    const boundary: [number, number][] = [[0, 0], [12, 0], [12, 6], [0, 6]];
+    const wall: [number, number][] = [[8, -1], [8.2, -1], [8.2, 7], [8, 7]];
+    const ground = new PolygonGround({ boundary, obstacles: [wall], queries: [] });
+    for (const [x, y] of ground.ends(0.5)) {
+      expect(Math.min(x, y, 8 - x, 6 - y)).toBeGreaterThan(0.5);
+    }
   });
 });
 

@@ -115,7 +115,7 @@ describe("a target", () => {
   it("has the state of its latest message at any time", () => {
     const still = of([[0, target("waiting")], [1, target("waiting", { shots: 1 })], [2.5, target("reached", { reason: "hit" })]], [[0, position(4, 0)]]);
     expect([0, 2.4, 2.5].map((t) => still.statusAt(t))).toEqual(["waiting", "waiting", "reached"]);
-    expect([still.doneAt, still.pitch, still.clearance, still.last.reason]).toEqual([2.5, 0.2, 0.1, "hit"]);
+    expect([still.doneAt, still.pitchBy(9), still.clearanceBy(9), still.last.reason]).toEqual([2.5, 0.2, 0.1, "hit"]);
     expect(still.placeAt(1)).toEqual([4, 0]);
     expect(still.believedAt(1)).toBeNull();
   });

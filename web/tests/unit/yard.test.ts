@@ -5,7 +5,7 @@ import { placed, Yard, type YardScenario } from "../../src/plan/yard";
 
 const square: [number, number][] = [[1, 1], [3, 1], [3, 2], [1, 2]];
 const scenario: YardScenario = {
-  path: "yard.yaml", job: "guard", start: [0, -2], heading_rad: 1, fixed: [],
+  path: "yard.yaml", start: [0, -2], heading_rad: 1, fixed: [],
   map: { id: "1", name: "yard", radius_m: 0, warnings: [], polygons: { boundary: [], obstacles: [square], queries: [] } },
   targets: [{ name: "fox", position: [4, 4, 0.3], size: [0.5, 0.2, 0.3], heading_rad: 0 }, { name: "cat", position: [-4, 4, 0], size: [0.5, 0.2, 0.3], heading_rad: 0 }],
   things: [{ name: "bench", middle: [2, 1.5], polygons: [square], place: [2, 1.5], turn_rad: 0, removed: false },

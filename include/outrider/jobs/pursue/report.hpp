@@ -2,7 +2,6 @@
 // and use no wall clock, so the same run gives the same bytes.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "outrider/jobs/pursue/run.hpp"
@@ -17,7 +16,7 @@ class PursuitLog {
  public:
   /// Logs what stands still, and where everybody is at first. The log and the problem must outlive this
   /// object.
-  PursuitLog(Log& log, const PursuitProblem& problem, std::uint64_t seed, const std::string& name);
+  PursuitLog(Log& log, const PursuitProblem& problem, const std::string& name);
   /// Logs what is new in the run since the last call.
   void note(const PursuitRun& run);
 

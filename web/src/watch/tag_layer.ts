@@ -1,4 +1,4 @@
-// A drive: tags on walls and which of them the camera has in sight, the places to go to.
+// Tags on walls and which of them the camera has in sight, the places to go to.
 import { fixed } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Tag, Waypoint, Waypoints } from "../log/messages";
@@ -65,22 +65,22 @@ function drawSight({ ctx, camera, now }: Pen, sight: Sight, at: State): void {
   ctx.globalAlpha = 1;
 }
 
-export function drive(run: Run): Layer | null {
-  const tags = tagsOf(run);
+export function tags(run: Run): Layer | null {
+  const all = tagsOf(run);
   const waypoints = run.log.latest<Waypoints>(topic.waypoints)?.waypoints ?? [];
-  if (tags.length === 0 && waypoints.length === 0) return null;
+  if (all.length === 0 && waypoints.length === 0) return null;
   const sight = Sight.of(run);
   return {
     moving(pen) {
       const { ctx, camera, now } = pen;
       if (sight) drawSight(pen, sight, run.track.at(now.t));
-      for (const tag of tags) drawTag(pen, tag);
+      for (const tag of all) drawTag(pen, tag);
       for (const stop of waypoints) drawStop(pen, stop);
       camera.toScreen(ctx);
       ctx.font = `11.5px ${theme.sans}`;
       ctx.textAlign = "left";
       ctx.textBaseline = "middle";
-      for (const tag of tags) {
+      for (const tag of all) {
         const { x, y } = camera.screen(tag.position.x, tag.position.y);
         label(ctx, `tag ${tag.id}`, x + 12, y - 10, theme.ink, theme.yard);
       }

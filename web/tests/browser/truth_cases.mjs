@@ -1,0 +1,92 @@
+// The cases of the page about what its panels say: the same thing, about the present time, and only what is so.
+import assert from "node:assert/strict";
+import { cpSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { until } from "./browser.mjs";
+import { serve, source } from "./server.mjs";
+import { contentsOf } from "./streams.mjs";
+import { tellRun } from "./told.mjs";
+
+export const truthCases = ({ open, text, frames, cell, answers, server, folder }) => ({
+  async "a plot tells nothing that comes later, and its dots are on the cursor; so does the table"() {
+    for (const t of [2, 5, 7.7, 20]) {
+      const page = await open(`#watch/runs/yard/run.mcap?t=${t}`);
+      await page.waitForSelector(".targets tbody");
+      await frames(page);
+      const rows = await page.locator(".targets tbody").evaluateAll((all) => all.map((one) => [...one.rows[0].cells].map((one) => one.textContent)));
+      const reached = rows.filter(([, status]) => status === "reached").length;
+      for (const [name, status, shots, done, clearance] of rows) {
+        if (status === "waiting") assert.deepEqual([Number(shots) <= 1, done, clearance], [true, "\u2013", "\u2013"], `${name} at ${t} s`);
+        if (status === "reached") assert.ok(done.split(":").reduce((sum, part) => 60 * sum + Number(part), 0) <= t + 0.5, `${name} at ${t} s`);
+      }
+      await page.locator(".tabs button", { hasText: "Plots" }).click();
+      await page.waitForSelector(".plots figure .dot");
+      await frames(page);
+      const plot = page.locator(".plots figure", { hasText: "Targets" });
+      assert.match(await plot.locator(".values").textContent(), new RegExp(`^time${t.toFixed(1)} sreached${reached}waiting\\d`));
+      const [dot, line] = await plot.evaluate((one) => [".dot", ".u-cursor-x"].map((what) => {
+        const { left, width } = one.querySelector(what).getBoundingClientRect();
+        return left + (what === ".dot" ? width / 2 : 0);
+      }));
+      assert.ok(Math.abs(dot - line) < 1.5, `the dot is at ${dot}, the cursor at ${line}`);
+      await page.close();
+    }
+  },
+
+  async "the card of a shot: of a target that was hit since, in the end too"() {
+    const page = await open();
+    const run = await tellRun(page, await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap"))));
+    run.upTo(1);  // before the first shot
+    await page.goto("about:blank");
+    await page.goto(`${server.url}#live/told`);
+    await page.waitForSelector(".targets tbody");
+    await page.keyboard.press("Home");
+    await until("no shot", async () => /^No shot at /.test(await text(page, ".side h2")));
+    run.upTo(1e9);
+    run.end();
+    await page.waitForSelector(".live-page .verdict");
+    const [, target] = await until("its shot", async () => (await text(page, ".side h2")).match(/^Shot 1 at (\S+)/));
+    assert.equal(await page.locator(".targets tbody.selected button span").textContent(), target);
+    await page.close();
+  },
+
+  async "a server that is gone is told of; the path of before goes"() {
+    const other = await serve(folder);
+    const page = await open();
+    await page.goto(`${other.url}#plan/maps/gallery.map`);
+    await page.waitForSelector(".result");
+    assert.equal(await cell(page, "answer"), "path found");
+    await other.stop();
+    await until("the break", async () => await cell(page, "answer") === "not answered" || (await page.keyboard.press("l"), false));
+    assert.match(await text(page, ".action"), /The server does not answer/);
+    assert.equal(await cell(page, "length"), "\u2013");
+    await page.close();
+  },
+
+  async "a mission whose scenario is not there is not another one"() {
+    const page = await open("#live?scenario=yard/yrad.yaml");
+    await page.waitForSelector(".start button:enabled");
+    assert.match(await text(page, ".refused"), /^yard\/yrad\.yaml: there is no such scenario/);
+    assert.equal(await page.inputValue("#scenario"), "");
+    const before = await page.locator(".rows li").count();
+    await page.click(".start button");
+    await frames(page);
+    assert.match(await page.evaluate(() => location.hash), /^#live\?/);
+    assert.equal(await page.locator(".rows li").count(), before);
+    await page.selectOption("#scenario", "pursuit/park.yaml");
+    await page.click(".start button");
+    await page.waitForSelector(".live-page .verdict");
+    await page.close();
+  },
+
+  async "a map opens with a question that has an answer"() {
+    cpSync(join(source, "scenarios/explore"), join(folder, "explore"), { recursive: true });
+    for (const map of ["explore/cave_map.yaml", "yard/yard.sdf", "explore/office.sdf", "runs/explore/map.yaml", "maps/gallery.map"]) {
+      const page = await open(`#plan/${map}`);
+      await page.waitForSelector(".result");
+      await until("an answer", async () => await answers(page) > 0);
+      assert.equal(await cell(page, "answer"), "path found", map);
+      await page.close();
+    }
+  },
+});
