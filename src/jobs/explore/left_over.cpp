@@ -81,7 +81,7 @@ class Judge {
     const std::uint32_t cell = past_touches_.roomiest(frontier.cells);
     if (past_touches_.room_m[cell] == 0.0F) return;  // a gap in a wall
     const auto [in_sight_m2, new_m2] = area_.count(cell);
-    if (in_sight_m2 < options_.least_gain_m2) return;
+    if (in_sight_m2 < options_.least_left_m2) return;
     LeftOver left{frontier.id, frontier.centroid, LeftReason::not_tried, 0.0, frontier.centroid, new_m2, {}};
     explain(frontier, refused, left, found);
     found.places.push_back(std::move(left));
@@ -123,14 +123,19 @@ class Judge {
     const NarrowPlace* tried = find_near(narrow_, points);
     const double error_m = map_error_cells * ground_.frame().resolution_m;
     const bool known = tried != nullptr && (tried->measured || tried->tries >= most_tries);
-    if (room_m + error_m >= state_.robot.radius_m && !known)
-      found.worth_a_try.push_back({frontier.id, points, bottleneck.place});
+    const bool may_fit = room_m + error_m >= state_.robot.radius_m && !known;
+    if (may_fit) found.worth_a_try.push_back({frontier.id, points, bottleneck.place});
     if (left.reason == LeftReason::touched) return;
     left.narrowest = bottleneck.place;
     left.width_m = bottleneck.width_m;
     if (tried != nullptr && tried->measured) {
       left.narrowest = tried->place;
       left.width_m = tried->width_m;
+    }
+    if (may_fit && tried == nullptr) {
+      return say(left, LeftReason::not_tried,
+                 fmt::format("the way there is {:.2f} m wide on the map at ({:.2f}, {:.2f}), and not tried",
+                             left.width_m, left.narrowest.x, left.narrowest.y));
     }
     say(left, LeftReason::narrow,
         fmt::format("too narrow: {:.2f} m wide at ({:.2f}, {:.2f}) for a robot of {:.2f} m", left.width_m,

@@ -42,15 +42,26 @@ void learn(ExploreMission& mission, MapUpdate update) {
 /// Tells the frontiers. A map of which much has changed is thought over with the next scan.
 void update_frontiers(ExploreMission& mission) {
   const bool first = mission.decisions == 0;
-  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
+  const bool keeps = mission.changed.redrawn && !first && !mission.forget_seen;
+  mission.forget_seen = false;
+  const bool much = keeps ? mission.frontiers.update(explored_map(mission), mission.changed)
+                          : mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
   mark_ground(mission);
   if (!much || first) return;
   prepare(mission.frontiers, mission.task.explore);
   mission.looked = false;
 }
 
+/// Notes by how much a pose was corrected.
+void note_correction(ExploreMission& mission, const Pose2& before, const Pose2& after) {
+  const double most_m = 2.0 * mission.task.slam.map.resolution_m;
+  if (distance(before.position, after.position) > most_m) mission.forget_seen = true;
+}
+
 void settle(ExploreMission& mission) {
+  const Pose2 before = mission.slam.pose();
   mission.slam.settle();
+  note_correction(mission, before, mission.slam.pose());
   mission.wants_settling = false;
   mission.settled_m = mission.driven_m;
   mission.marks_moved = true;
@@ -62,6 +73,7 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
   auto step =
       mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)), scan);
   if (!step) return end(mission, "lost", step.error().sentence);
+  if (step->update.redrawn) note_correction(mission, mission.pose, step->pose);
   mission.odometry_of_slam = mission.odometry;
   mission.pose = step->pose;
   mission.marks_moved = mission.marks_moved || step->update.redrawn;
@@ -150,6 +162,21 @@ Outcome<ExploreMission> begin(const ExploreTask& task) {
   auto slam = LaserSlam::begin(task.slam, task.start);
   if (!slam) return pass_on(slam);
   return ExploreMission(std::move(*slam), task);
+}
+
+Grid<std::uint8_t> explored_map(const ExploreMission& mission) {
+  Grid<std::uint8_t> map = mission.slam.map().occupancy();
+  const Grid<std::uint8_t>& known = mission.frontiers.ground().known();
+  if (known.cells.empty()) return map;
+  const Cell offset = known.frame.cell_at(map.frame.centre({0, 0}));
+  for (int y = 0; y < map.frame.height; ++y) {
+    for (int x = 0; x < map.frame.width; ++x) {
+      const Cell there{x + offset.x, y + offset.y};
+      if (map[{x, y}] == unknown_cell && known.contains(there) && known[there] == free_cell)
+        map[{x, y}] = free_cell;
+    }
+  }
+  return map;
 }
 
 void perceive(ExploreMission& mission, const Observation& seen) {

@@ -113,7 +113,7 @@ Outcome<Decision> decide_with_tries(ExploreMission& mission) {
 bool goes_out_again(ExploreMission& mission) {
   constexpr int most_returns = 2;
   if (mission.returns == most_returns) return false;
-  auto decision = decide(state_of(mission), mission.task.explore, mission.workspace);
+  auto decision = decide_with_tries(mission);
   if (!decision || decision->kind != DecisionKind::go) return false;
   ++mission.returns;
   mission.arriving = false;

@@ -53,7 +53,8 @@ class Recorder {
   }
 
   void finish(const ExploreMission& mission) {
-    map_.finish(log_, mission.slam.map().occupancy(), mission.time_s);
+    map_.redraw();
+    map_.finish(log_, explored_map(mission), mission.time_s);
     log_plan(log_, mission.time_s, {});
     for (const LeftOver& left : mission.left.places)
       log_.append(topic::refusals, mission.time_s,
@@ -251,7 +252,7 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   const bool finished = run_mission(timed, robot, watch.stop, note);
   recorder.finish(mission);
   ExploreRun run;
-  run.map = mission.slam.map().occupancy();
+  run.map = explored_map(mission);
   run.track = mission.slam.trajectory();
   run.pose = mission.pose;
   run.true_pose = robot.pose();

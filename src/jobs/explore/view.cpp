@@ -84,7 +84,9 @@ struct Finder {
 
   /// Refuses a frontier that cannot be seen from anywhere, or keeps it for when the flood comes there.
   void look_at(const Frontier& frontier, std::vector<Ahead>& ahead, Views& found) const {
-    if (std::ranges::all_of(frontier.cells, [&](std::uint32_t cell) { return ground.blocked(cell); })) {
+    const double wide_m = static_cast<double>(frontier.cells.size()) * ground.frame().resolution_m;
+    if (wide_m < options.least_opening_m - 1e-9 &&
+        std::ranges::all_of(frontier.cells, [&](std::uint32_t cell) { return ground.blocked(cell); })) {
       found.refused.push_back(
           refusal(frontier, Refusal::closed, "a crack between walls: the robot fits nowhere into it"));
       return;

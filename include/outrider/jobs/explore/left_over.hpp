@@ -1,6 +1,6 @@
 // What an exploration leaves over, where, and why.
 //
-// A frontier is left over if at least least_gain_m2 of unknown area would be seen from it, and if it is no
+// A frontier is left over if at least least_left_m2 of unknown area would be seen from it, and if it is no
 // mere gap in a wall: some way over known free cells that is at least `least_opening_m` wide leads to it. The
 // reason is the first that holds: the robot has touched something there; the way is too narrow; going there
 // failed; looking at it showed nothing; there is no way; the exploration ended before. An exploration is

@@ -83,11 +83,12 @@ struct ExploreMission {
   std::vector<TouchedPoint> touches;  ///< the obstacles that it takes to be there
   std::vector<Vec2> touched;          ///< the same in the world, by the newest estimate
   std::optional<Pose2> trail_end;     ///< pose up to which the driven trail is marked on the ground
-  bool marks_moved = false;           ///< the map was redrawn: trail and touches have to be marked anew
-  bool looked = false;                ///< a scan arrived since the last response
-  bool wants_settling = false;        ///< SLAM optimises all poses with the next scan
-  std::optional<double> settled_m;    ///< driven_m at the last optimisation, since the previous goal
-  MapUpdate changed;                  ///< changes of the map by the newest scan
+  bool forget_seen = false;         ///< poses were corrected by much: what was seen is only what the map has
+  bool marks_moved = false;         ///< the map was redrawn: trail and touches have to be marked anew
+  bool looked = false;              ///< a scan arrived since the last response
+  bool wants_settling = false;      ///< SLAM optimises all poses with the next scan
+  std::optional<double> settled_m;  ///< driven_m at the last optimisation, since the previous goal
+  MapUpdate changed;                ///< changes of the map by the newest scan
 
   ExploreStage stage = ExploreStage::seek;
   Decision decision;  ///< newest decision
@@ -122,6 +123,11 @@ struct ExploreMission {
 
 /// Starts a mission. Faults: bad_input on an unknown strategy or planner.
 Outcome<ExploreMission> begin(const ExploreTask& task);
+
+/// Returns the map of SLAM with all cells that the robot has seen to be free. SLAM draws its map anew from
+/// the scans that it keeps, and what only others saw would be lost; it is kept unless the poses were
+/// corrected by more than two cells. O(cells).
+Grid<std::uint8_t> explored_map(const ExploreMission& mission);
 
 /// Processes an observation.
 void perceive(ExploreMission& mission, const Observation& seen);
