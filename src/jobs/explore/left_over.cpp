@@ -72,14 +72,14 @@ class Judge {
       : state_(state),
         options_(options),
         narrow_(narrow),
-        free_(widest_ways(ground_, state.pose.position, false, 0.5 * options.least_opening_m - 1e-6)),
-        past_touches_(widest_ways(ground_, state.pose.position, true, 0.5 * options.least_opening_m - 1e-6)),
+        free_(widest_ways(ground_, state.pose.position, false, 0.0)),
+        past_touches_(widest_ways(ground_, state.pose.position, true, 0.0)),
         area_(ground_.known(), state.range_m) {}
 
   void judge(const Frontier& frontier, const RefusedFrontier* refused, LeftOvers& found) {
     if (refused != nullptr && refused->kind == Refusal::small) return;
     const std::uint32_t cell = past_touches_.roomiest(frontier.cells);
-    if (past_touches_.room_m[cell] == 0.0F) return;  // a gap in a wall
+    if (past_touches_.room_m[cell] == 0.0F || !is_opening(frontier)) return;
     const auto [in_sight_m2, new_m2] = area_.count(cell);
     if (in_sight_m2 < options_.least_left_m2) return;
     LeftOver left{frontier.id, frontier.centroid, LeftReason::not_tried, 0.0, frontier.centroid, new_m2, {}};
@@ -95,6 +95,13 @@ class Judge {
   }
 
  private:
+  /// Returns true if the frontier is no mere gap in a wall.
+  [[nodiscard]] bool is_opening(const Frontier& frontier) const {
+    return std::ranges::any_of(frontier.cells, [&](std::uint32_t cell) {
+      return ground_.clearance_m(ground_.frame().cell(cell)) >= 0.5 * options_.least_opening_m - 1e-6;
+    });
+  }
+
   void explain(const Frontier& frontier, const RefusedFrontier* refused, LeftOver& left, LeftOvers& found) {
     if (refused == nullptr) return say(left, LeftReason::not_tried, "the robot did not come to go there");
     if (refused->kind == Refusal::given_up) return say(left, LeftReason::not_seen, refused->reason);

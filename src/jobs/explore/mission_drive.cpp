@@ -135,7 +135,7 @@ bool leads_through_narrow(const ExploreMission& mission) {
 /// leave too little room.
 void look_close(ExploreMission& mission) {
   constexpr double ahead_m = 0.6, roomy_m = 0.06, point_m = 0.0005;
-  constexpr double least_gap_m = 0.001;  // the surfaces are known to a few millimetres
+  constexpr double error_m = 0.005;  // of the room; what is nearly wide enough is tried
   constexpr int sure = 6;
   constexpr double beside_m = 0.05;  // of the rim: seen from so near, the noise of a corner narrows the gap
   if (mission.centred_scan == mission.scans) return;
@@ -150,7 +150,7 @@ void look_close(ExploreMission& mission) {
   }
   mission.room =
       centre_path(*mission.path, mission.pose.position, mission.surfaces, ahead_m, radius_m + roomy_m);
-  const bool fits = mission.room->least_m >= radius_m + least_gap_m ||
+  const bool fits = mission.room->least_m >= radius_m - error_m ||
                     distance(mission.room->narrowest, mission.pose.position) < radius_m + beside_m;
   mission.too_narrow = fits || mission.stage != ExploreStage::seek ? 0 : mission.too_narrow + 1;
   if (mission.too_narrow >= sure) note_too_narrow(mission, true);

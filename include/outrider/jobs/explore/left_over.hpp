@@ -1,10 +1,10 @@
 // What an exploration leaves over, where, and why.
 //
-// A frontier is left over if at least least_left_m2 of unknown area would be seen from it, and if it is no
-// mere gap in a wall: some way over known free cells that is at least `least_opening_m` wide leads to it. The
-// reason is the first that holds: the robot has touched something there; the way is too narrow; going there
-// failed; looking at it showed nothing; there is no way; the exploration ended before. An exploration is
-// complete if nothing is left over.
+// A frontier is left over if at least least_left_m2 of unknown area would be seen from it, if it is at least
+// least_opening_m wide itself, and if some way over known free cells leads to it, however narrow. A smaller
+// one is a gap that noise has left in a wall. The reason is the first that holds: the robot has touched
+// something there; the way is too narrow; going there failed; looking at it showed nothing; there is no way;
+// the exploration ended before. An exploration is complete if nothing is left over.
 //
 // Areas are upper estimates: unknown cells within the range of the laser of a frontier that no occupied cell
 // hides from it. Each cell counts for one frontier only.
