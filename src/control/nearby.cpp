@@ -24,13 +24,14 @@ double Nearby::clearance(Vec2 p) const {
                    std::max(std::abs(p.y - c.y) - half_m_, 0.0)};
     least = std::min(least, squared_norm(off));
   }
+  for (const Vec2 point : points_) least = std::min(least, squared_norm(p - point));
   return std::sqrt(least);
 }
 
 double Nearby::clearance(Segment s) const {
   // Clearance changes by at most the distance moved, so a step of (clearance here - least so far) skips no
   // smaller value.
-  const double length = distance(s.a, s.b), finest = 0.2 * half_m_;
+  const double length = distance(s.a, s.b), finest = std::max(1e-4, 0.2 * half_m_);
   double least = std::min(clearance(s.a), clearance(s.b));
   for (double at = finest; at < length;) {
     const double here = clearance(s.a + (at / length) * (s.b - s.a));

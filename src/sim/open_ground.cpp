@@ -46,4 +46,10 @@ double OpenGround::gap_m(Vec2 centre) const {
   return ground_.clearance(centre, radius_m_ + farthest_m) - radius_m_;
 }
 
+double OpenGround::towards_nearest(Vec2 centre) const {
+  constexpr double step_m = 1e-4;
+  const auto slope = [&](Vec2 step) { return gap_m(centre - step) - gap_m(centre + step); };
+  return heading_of({slope({step_m, 0.0}), slope({0.0, step_m})});
+}
+
 }  // namespace outrider

@@ -13,6 +13,7 @@ constexpr double instant_s = 1e-9;  ///< times closer than this are one
 void sense_body(TwistBody& body, Observation& seen) {
   seen.odometry = logged_pose(body.odometry());
   seen.touching = body.take_touch();
+  if (seen.touching) seen.touch_rad = body.touch_rad();
 }
 /// Nobody counts the turns of its wheels: its odometry stays at the start.
 void sense_body(const WheelBody&, Observation&) {}

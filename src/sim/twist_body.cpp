@@ -72,6 +72,7 @@ void TwistBody::pass(double duration_s) {
     next.position = here + free * way;
     if (!touching_) ++contacts_;
     touching_ = touched_ = true;
+    touch_rad_ = wrap_angle(ground_.towards_nearest(next.position) - next.heading_rad);
   } else if (touching_) {
     touching_ = ground_.gap_m(next.position) < apart_m;
   }

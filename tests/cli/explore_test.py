@@ -44,7 +44,7 @@ class Explore(ToolTest):
             del answer["max_decision_s"], answer["max_step_s"], answer["metrics"]
         self.assertEqual(first, again)
         other = self.explore("room.yaml", "--seed", "4", "--planner", "nearest", "--perfect-pose")
-        self.assertLess(other["home_error_m"], 1e-6)
+        self.assertLess(other["pose_error_m"], 1e-6)
 
     def test_the_published_maze(self):
         maze = DATA / "exploration" / "closed_maze.world"

@@ -23,13 +23,17 @@ class Nearby {
   /// Takes squares around points. `half_m` is half the side of a square and must be positive.
   Nearby(std::vector<Vec2> points, double half_m) : centres_(std::move(points)), half_m_(half_m) {}
 
-  /// Returns the distance to the nearest closed square, m; infinite if there are none.
+  /// Adds obstacles that are points.
+  void add(const std::vector<Vec2>& points) { points_.insert(points_.end(), points.begin(), points.end()); }
+
+  /// Returns the distance to the nearest closed square or point, m; infinite if there are none.
   [[nodiscard]] double clearance(Vec2 p) const;
   /// Returns the least clearance along a segment, with an error of at most a tenth of a cell.
   [[nodiscard]] double clearance(Segment s) const;
 
  private:
   std::vector<Vec2> centres_;
+  std::vector<Vec2> points_;
   double half_m_ = 0.0;  // half the side of a square
 };
 

@@ -19,6 +19,8 @@ class OpenGround {
   /// Returns the distance from the rim of the disk to the nearest obstacle, m. It is negative if they
   /// overlap, and cut off at 1 m.
   [[nodiscard]] double gap_m(Vec2 centre) const;
+  /// Returns the direction in which the gap shrinks fastest, rad: that of the nearest obstacle within 1 m.
+  [[nodiscard]] double towards_nearest(Vec2 centre) const;
   /// Returns the bounding box of all obstacles; empty if there are none.
   [[nodiscard]] const Box2& bounds() const { return bounds_; }
   [[nodiscard]] double radius_m() const { return radius_m_; }

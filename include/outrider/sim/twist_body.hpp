@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "outrider/core/rng.hpp"
 #include "outrider/robot/command.hpp"
@@ -29,6 +30,8 @@ class TwistBody {
   void run_until(double time_s);
   /// Returns true if the bumper was pressed since the previous call.
   bool take_touch();
+  /// Returns the bearing of the newest contact relative to the heading, if there was one.
+  [[nodiscard]] std::optional<double> touch_rad() const { return touch_rad_; }
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const Pose2& pose() const { return pose_; }          ///< world_T_robot; heading not wrapped
@@ -58,6 +61,7 @@ class TwistBody {
   Pose2 odometry_;
   bool touching_ = false;  // now
   bool touched_ = false;   // since the last take_touch()
+  std::optional<double> touch_rad_;
   std::int64_t contacts_ = 0;
   double driven_m_ = 0.0;
   double turned_rad_ = 0.0;

@@ -15,6 +15,16 @@ void Blacklist::add(Vec2 place, double time_s) {
   bans.push_back({place, time_s + ban_s, 1});
 }
 
+bool Blacklist::lift(int failures, double time_s) {
+  bool any = false;
+  for (Ban& ban : bans) {
+    if (time_s >= ban.until_s || ban.failures >= failures) continue;
+    ban.until_s = time_s;
+    any = true;
+  }
+  return any;
+}
+
 const Ban* Blacklist::find(Vec2 place, double time_s) const {
   for (const Ban& ban : bans) {
     if (time_s < ban.until_s && distance(ban.place, place) <= radius_m) return &ban;

@@ -135,8 +135,8 @@ Outcome<Decision> decide(const ExploreState& state, const ExploreOptions& option
     const Frontier& frontier = state.map.frontiers().at(view.frontier);
     const auto after =
         std::ranges::upper_bound(decision.refused, view.frontier, {}, &RefusedFrontier::frontier);
-    decision.refused.insert(after,
-                            {view.frontier, frontier.centroid, frontier.cells.size(), way.error().sentence});
+    decision.refused.insert(after, {view.frontier, frontier.centroid, frontier.cells.size(), Refusal::no_way,
+                                    way.error().sentence});
     views.views.erase(views.views.begin() + static_cast<std::ptrdiff_t>(chosen));
   }
   decision.goal = state.home;

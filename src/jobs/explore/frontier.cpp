@@ -211,7 +211,7 @@ void FrontierMap::pursue(std::uint32_t frontier) {
   for (const std::uint32_t cell : unknown) {
     if (given_up(cell)) continue;
     ++pursuits_[cell];
-    if (given_up(cell)) ground_.touch(cell);
+    if (given_up(cell)) ground_.note_change(cell);
   }
 }
 

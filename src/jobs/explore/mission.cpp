@@ -4,20 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "mission_parts.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
 #include "outrider/jobs/explore/view.hpp"
 #include "outrider/path/catalog.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr double arrived_m = 0.03;  ///< of the end of a path
-constexpr double moved_m = 0.04, turned_rad = 0.3;
-constexpr double nearby_m = 0.9;
-constexpr double here_m = 0.5;
-constexpr double elsewhere_m = 20.0;  ///< driven between two times stuck that have nothing in common
 
 /// Returns true if the scan is usable.
 bool usable(const LaserScan& scan) {
@@ -26,216 +20,16 @@ bool usable(const LaserScan& scan) {
 }
 
 /// Returns the end points of the beams that hit something.
-std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& world_T_laser) {
+std::vector<Vec2> ends_of(const LaserScan& scan, const Pose2& frame_T_laser) {
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const auto range_m = static_cast<double>(scan.ranges_m[i]);
     if (!(range_m >= scan.least_m && range_m <= std::min(scan.most_m, 2.0 * nearby_m))) continue;
     const double bearing =
-        world_T_laser.heading_rad + scan.first_rad + static_cast<double>(i) * scan.step_rad;
-    ends.push_back(world_T_laser.position + range_m * direction(bearing));
+        frame_T_laser.heading_rad + scan.first_rad + static_cast<double>(i) * scan.step_rad;
+    ends.push_back(frame_T_laser.position + range_m * direction(bearing));
   }
   return ends;
-}
-
-void add_event(ExploreMission& mission, std::string kind, std::string text) {
-  mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
-}
-
-void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
-  mission.stage = ExploreStage::over;
-  mission.path.reset();
-  mission.stop_reason = std::move(stop_reason);
-  mission.reason = std::move(reason);
-  add_event(mission, "end", mission.reason);
-}
-
-ExploreState state_of(ExploreMission& mission) {
-  return {mission.frontiers, mission.blacklist,  mission.task.robot, mission.range_m,
-          mission.pose,      mission.task.start, mission.time_s,     mission.decision.choice};
-}
-
-void moved_on(ExploreMission& mission) {
-  mission.stood = mission.pose;
-  mission.moved_on_s = mission.time_s;
-}
-
-/// Whether the map was brought to its best lately; else it will be, with the next scan. Before the robot goes
-/// home that may show that something is left to see, and when it believes that it is home, that it is not.
-bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<double>::infinity()) {
-  if (mission.settled_m && mission.driven_m - *mission.settled_m <= lately_m) return true;
-  mission.wants_settling = true;
-  mission.path.reset();
-  return false;
-}
-
-/// The way home, or the end without one.
-void turn_home(ExploreMission& mission, const std::string& stop_reason, const std::string& reason) {
-  if (mission.stop_reason != stop_reason) add_event(mission, "home", reason);
-  mission.stop_reason = stop_reason;
-  mission.reason = reason;
-  mission.home =
-      distance(mission.pose.position, mission.task.start.position) <= mission.task.rules.home_within_m;
-  if (mission.task.rules.return_home && mission.home && !settled(mission, here_m)) {
-    mission.arriving = true;
-    return;
-  }
-  if (!mission.task.rules.return_home || mission.home) return end(mission, stop_reason, reason);
-  auto way = way_to(state_of(mission), mission.task.start.position, mission.task.explore, mission.workspace);
-  if (!way) return end(mission, "stuck", "there is no way home: " + way.error().sentence);
-  if (mission.stage != ExploreStage::go_home) moved_on(mission);
-  mission.stage = ExploreStage::go_home;
-  mission.path = PathProgress{std::move(*way), 0.0};
-}
-
-void take(ExploreMission& mission, Decision decision) {
-  const bool elsewhere = decision.choice.frontier != mission.decision.choice.frontier ||
-                         mission.stage != ExploreStage::seek || !mission.path;
-  mission.decision = std::move(decision);
-  if (mission.decision.kind == DecisionKind::complete && !settled(mission)) return;
-  if (mission.decision.kind == DecisionKind::complete)
-    return turn_home(mission, "complete", mission.decision.sentence);
-  if (mission.decision.kind == DecisionKind::leak)
-    return turn_home(mission, "leak", mission.decision.sentence);
-  if (elsewhere) {
-    ++mission.goal_changes;
-    mission.settled_m.reset();
-    moved_on(mission);
-    add_event(mission, "goal", mission.decision.sentence);
-  }
-  mission.stage = ExploreStage::seek;
-  mission.stop_reason.clear();
-  mission.reason.clear();
-  mission.path = PathProgress{mission.decision.waypoints, 0.0};
-}
-
-bool spent(const ExploreMission& mission, const ExploreRules& rules) {
-  return mission.time_s - *mission.started_s > rules.most_time_s || mission.driven_m > rules.most_distance_m;
-}
-
-/// Returns true if the next part of the path is blocked.
-bool blocked(const ExploreMission& mission, const Nearby& nearby) {
-  const double wanted = std::min(mission.task.robot.radius_m + mission.task.steer.least_gap_m,
-                                 nearby.clearance(mission.pose.position) - 1e-3);
-  double before = 0.0;
-  const PathProgress& path = *mission.path;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Segment leg{path.points[i - 1], path.points[i]};
-    const double length = distance(leg.a, leg.b);
-    before += length;
-    if (before <= path.along_m || length == 0.0) continue;
-    const double from = std::max(0.0, path.along_m - (before - length));
-    const Segment ahead{leg.a + (from / length) * (leg.b - leg.a), leg.b};
-    if (distance(ahead.a, mission.pose.position) > nearby_m) return false;
-    if (nearby.clearance(ahead) < wanted) return true;
-  }
-  return false;
-}
-
-/// Returns true if it is time for a new decision.
-bool time_to_decide(const ExploreMission& mission, const Nearby& nearby) {
-  if (!mission.looked) return false;
-  if (!mission.path) return true;
-  if (mission.time_s - mission.decided_s >= mission.task.rules.think_again_s) return true;
-  if (mission.stage == ExploreStage::seek &&
-      !mission.frontiers.frontiers().contains(mission.decision.choice.frontier))
-    return true;
-  return remaining_m(*mission.path) < arrived_m || blocked(mission, nearby);
-}
-
-void decide_anew(ExploreMission& mission) {
-  const bool arrived =
-      mission.path && mission.stage == ExploreStage::seek && remaining_m(*mission.path) < arrived_m;
-  const std::uint32_t goal = mission.decision.choice.frontier;
-  mission.decided_s = mission.time_s;
-  ++mission.decisions;
-  if (spent(mission, mission.task.rules)) {
-    return turn_home(
-        mission, "budget",
-        fmt::format("its budget is spent after {:.0f} s and {:.1f} m", mission.time_s, mission.driven_m));
-  }
-  if (mission.arriving || (mission.stage == ExploreStage::go_home && mission.stop_reason != "complete"))
-    return turn_home(mission, mission.stop_reason, mission.reason);
-  // Looked at from where it was to be seen, and still there: it will not be seen.
-  if (arrived && mission.frontiers.frontiers().contains(goal))
-    mission.blacklist.add(mission.decision.choice.place, mission.time_s);
-  auto decision = decide(state_of(mission), mission.task.explore, mission.workspace);
-  if (!decision) return turn_home(mission, "stuck", decision.error().sentence);
-  take(mission, std::move(*decision));
-}
-
-/// Goes back along the way it came, and leaves the goal out for a while.
-void back_off(ExploreMission& mission) {
-  if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
-  mission.stuck_m = mission.driven_m;
-  ++mission.stuck;
-  ++mission.stuck_here;
-  add_event(mission, mission.touching ? "touch" : "stuck",
-            fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
-                        mission.pose.position.y,
-                        mission.touching ? "something was touched" : "it does not move on"));
-  if (mission.stuck_here > mission.task.rules.most_stuck)
-    return end(mission, "stuck", fmt::format("it got stuck {} times in a row", mission.stuck_here));
-  if (mission.stage == ExploreStage::seek && mission.path)
-    mission.blacklist.add(mission.decision.choice.place, mission.time_s);
-  std::vector<Vec2> way = {mission.pose.position};
-  const std::vector<Pose2> came = mission.slam.trajectory();
-  double length = 0.0;
-  for (auto pose = came.rbegin(); pose != came.rend() && length < mission.task.rules.back_off_m; ++pose) {
-    const double leg = distance(way.back(), pose->position);
-    if (leg < 0.02) continue;
-    length += leg;
-    way.push_back(pose->position);
-  }
-  mission.stage = ExploreStage::back_off;
-  mission.path = PathProgress{std::move(way), 0.0};
-  moved_on(mission);
-}
-
-/// Returns the twist for a robot that drives backwards.
-Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
-  const Pose2 turned{mission.pose.position, mission.pose.heading_rad + pi};
-  const Twist2 now{-mission.twist.ahead_mps, 0.0, mission.twist.turn_radps};
-  RobotModel slow = mission.task.robot;
-  slow.speed_mps *= 0.5;
-  const Twist2 back = steer(*mission.path, turned, now, nearby, slow, mission.task.steer);
-  return {-back.ahead_mps, 0.0, back.turn_radps};
-}
-
-/// Keeps an eye on getting on; true when it has to go back.
-bool stands_still(ExploreMission& mission) {
-  const bool moved = distance(mission.pose.position, mission.stood.position) > moved_m ||
-                     std::abs(wrap_angle(mission.pose.heading_rad - mission.stood.heading_rad)) > turned_rad;
-  if (moved) moved_on(mission);
-  return mission.time_s - mission.moved_on_s > mission.task.rules.patience_s;
-}
-
-/// Returns the obstacles around the robot: by the map, or by the newest scan if the map encloses the robot.
-Nearby surroundings(const ExploreMission& mission) {
-  constexpr std::int64_t often = 3;
-  constexpr double beam_m = 0.01;
-  if (mission.stuck_here >= often && mission.driven_m - mission.stuck_m < nearby_m)
-    return {mission.beam_ends, beam_m};
-  return {mission.slam.map().occupancy(), mission.pose.position, nearby_m};
-}
-
-/// Returns the current driving target, or nothing.
-Twist2 drive(ExploreMission& mission) {
-  const Nearby nearby = surroundings(mission);
-  if (mission.path) advance_along(*mission.path, mission.pose.position);
-  if (mission.stage == ExploreStage::back_off) {
-    const bool goes_back = mission.path && remaining_m(*mission.path) >= arrived_m && !stands_still(mission);
-    if (goes_back) return steer_back(mission, nearby);
-    mission.stage = ExploreStage::seek;
-    mission.path.reset();
-  } else if (mission.touching || (mission.path && stands_still(mission))) {
-    back_off(mission);
-    return {};
-  }
-  if (mission.wants_settling) return {};
-  if (time_to_decide(mission, nearby)) decide_anew(mission);
-  if (!mission.path) return {};
-  return steer(*mission.path, mission.pose, mission.twist, nearby, mission.task.robot, mission.task.steer);
 }
 
 /// Keeps what the frontiers have to be told.
@@ -248,16 +42,29 @@ void learn(ExploreMission& mission, MapUpdate update) {
 /// Tells the frontiers. A map of which much has changed is thought over with the next scan.
 void update_frontiers(ExploreMission& mission) {
   const bool first = mission.decisions == 0;
-  const bool much = mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
+  const bool keeps = mission.changed.redrawn && !first && !mission.forget_seen;
+  mission.forget_seen = false;
+  const bool much = keeps ? mission.frontiers.update(explored_map(mission), mission.changed)
+                          : mission.frontiers.update(mission.slam.map().occupancy(), mission.changed);
+  mark_ground(mission);
   if (!much || first) return;
   prepare(mission.frontiers, mission.task.explore);
   mission.looked = false;
 }
 
+/// Notes by how much a pose was corrected.
+void note_correction(ExploreMission& mission, const Pose2& before, const Pose2& after) {
+  const double most_m = 2.0 * mission.task.slam.map.resolution_m;
+  if (distance(before.position, after.position) > most_m) mission.forget_seen = true;
+}
+
 void settle(ExploreMission& mission) {
+  const Pose2 before = mission.slam.pose();
   mission.slam.settle();
+  note_correction(mission, before, mission.slam.pose());
   mission.wants_settling = false;
   mission.settled_m = mission.driven_m;
+  mission.marks_moved = true;
   learn(mission, {true, {}});
 }
 
@@ -266,15 +73,20 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
   auto step =
       mission.slam.advance(wrap_heading(relative_pose(mission.odometry_of_slam, mission.odometry)), scan);
   if (!step) return end(mission, "lost", step.error().sentence);
+  if (step->update.redrawn) note_correction(mission, mission.pose, step->pose);
   mission.odometry_of_slam = mission.odometry;
   mission.pose = step->pose;
+  mission.marks_moved = mission.marks_moved || step->update.redrawn;
   ++mission.scans;
   if (!usable(scan)) {
     ++mission.bad_scans;
   } else {
     mission.scan_s = mission.time_s;
     mission.range_m = scan.most_m;
-    mission.beam_ends = ends_of(scan, compose(mission.pose, mission.task.slam.robot_T_laser));
+    const std::vector<Vec2> ends = ends_of(scan, mission.task.slam.robot_T_laser);
+    mission.beam_ends.clear();
+    for (const Vec2 point : ends) mission.beam_ends.push_back(mission.pose * point);
+    mission.close_range.add(mission.odometry, ends);
   }
   learn(mission, std::move(step->update));
   if (step->closed_loop) {
@@ -293,6 +105,49 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
 
 }  // namespace
 
+void add_event(ExploreMission& mission, std::string kind, std::string text) {
+  mission.events.push_back({mission.time_s, std::move(kind), std::move(text)});
+}
+
+ExploreState state_of(ExploreMission& mission) {
+  return {mission.frontiers, mission.blacklist,  mission.task.robot, mission.range_m,
+          mission.pose,      mission.task.start, mission.time_s,     mission.decision.choice};
+}
+
+/// Judges what is left over on the map as it is in the end.
+void judge_what_is_left(ExploreMission& mission) {
+  if (mission.frontiers.frame().size() == 0) return;
+  const ExploreOptions& options = mission.task.explore;
+  const ExploreState state = state_of(mission);
+  const auto decision = decide(state, options, mission.workspace);
+  if (decision) mission.decision.refused = decision->refused;
+  mission.left = left_over(state, options, mission.decision.refused, true, mission.narrow);
+  const bool explored = mission.stop_reason == "complete" || mission.stop_reason == "left_over";
+  if (!explored) return;
+  const bool complete = mission.left.places.empty();
+  mission.stop_reason = complete ? "complete" : "left_over";
+  if (!complete) mission.reason = mission.left.sentence(mission.task.robot.radius_m);
+}
+
+void end(ExploreMission& mission, std::string stop_reason, std::string reason) {
+  mission.stage = ExploreStage::over;
+  mission.path.reset();
+  mission.stop_reason = std::move(stop_reason);
+  mission.reason = std::move(reason);
+  judge_what_is_left(mission);
+  add_event(mission, "end", mission.reason);
+}
+
+void moved_on(ExploreMission& mission) {
+  mission.stood = mission.pose;
+  mission.moved_on_s = mission.time_s;
+}
+
+void follow(ExploreMission& mission, std::vector<Vec2> points) {
+  mission.path = PathProgress{std::move(points), 0.0};
+  mission.centred_scan = -1;
+}
+
 ExploreMission::ExploreMission(LaserSlam mapping, ExploreTask given)
     : task(std::move(given)),
       slam(std::move(mapping)),
@@ -309,6 +164,21 @@ Outcome<ExploreMission> begin(const ExploreTask& task) {
   return ExploreMission(std::move(*slam), task);
 }
 
+Grid<std::uint8_t> explored_map(const ExploreMission& mission) {
+  Grid<std::uint8_t> map = mission.slam.map().occupancy();
+  const Grid<std::uint8_t>& known = mission.frontiers.ground().known();
+  if (known.cells.empty()) return map;
+  const Cell offset = known.frame.cell_at(map.frame.centre({0, 0}));
+  for (int y = 0; y < map.frame.height; ++y) {
+    for (int x = 0; x < map.frame.width; ++x) {
+      const Cell there{x + offset.x, y + offset.y};
+      if (map[{x, y}] == unknown_cell && known.contains(there) && known[there] == free_cell)
+        map[{x, y}] = free_cell;
+    }
+  }
+  return map;
+}
+
 void perceive(ExploreMission& mission, const Observation& seen) {
   if (mission.stage == ExploreStage::over) return;
   const Pose2 now = finite(seen.odometry) ? seen.odometry : mission.odometry;
@@ -323,8 +193,10 @@ void perceive(ExploreMission& mission, const Observation& seen) {
   mission.driven_m += norm(motion.position);
   mission.odometry = now;
   mission.pose = compose(mission.slam.pose(), wrap_heading(relative_pose(mission.odometry_of_slam, now)));
+  const bool touched = seen.touching && !mission.touching;
   mission.touching = seen.touching;
   if (seen.scan) take_scan(mission, *seen.scan);
+  if (touched) note_touch(mission, seen);
 }
 
 std::optional<Command> respond(ExploreMission& mission) {

@@ -53,12 +53,12 @@ class Recorder {
   }
 
   void finish(const ExploreMission& mission) {
-    map_.finish(log_, mission.slam.map().occupancy(), mission.time_s);
+    map_.redraw();
+    map_.finish(log_, explored_map(mission), mission.time_s);
     log_plan(log_, mission.time_s, {});
-    for (const RefusedFrontier& frontier : mission.decision.refused) {
+    for (const LeftOver& left : mission.left.places)
       log_.append(topic::refusals, mission.time_s,
-                  outrider_msgs::Refusal{point_of(frontier.centroid), frontier.reason});
-    }
+                  outrider_msgs::Refusal{point_of(left.place), left.sentence});
   }
 
  private:
@@ -144,15 +144,46 @@ struct TimedMission {
   double max_step_s = 0.0;
 };
 
+/// Counts the touches of what the laser could see: those that the robot has to answer for.
+class ContactJudge {
+ public:
+  void note(const SimulatedRobot& robot) {
+    constexpr double near_m = 0.02;
+    const TwistBody& body = robot.body<TwistBody>();
+    if (std::exchange(contacts_, body.contacts()) == body.contacts()) return;
+    const double radius_m = body.ground().radius_m();
+    const Vec2 rim = body.pose() * (radius_m * direction(body.touch_rad().value_or(0.0)));
+    if (robot.devices().laser->finder().surface_distance(rim, 2.0 * near_m) < near_m) ++visible_;
+  }
+  [[nodiscard]] std::int64_t visible() const { return visible_; }
+
+ private:
+  std::int64_t contacts_ = 0;
+  std::int64_t visible_ = 0;
+};
+
+Table left_over_table(const LeftOvers& left) {
+  Table table{"left_over", {"x", "y", "because", "width_m", "area_m2", "reason"}, {}};
+  for (const LeftOver& one : left.places) {
+    table.rows.push_back({one.place.x, one.place.y, std::string(to_string(one.reason)), one.width_m,
+                          one.area_m2, one.sentence});
+  }
+  return table;
+}
+
+double count(const LeftOvers& left, LeftReason reason) {
+  return static_cast<double>(std::ranges::count(left.places, reason, &LeftOver::reason));
+}
+
 void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& robot,
-           const ExplorationReference& truth) {
+           const ExplorationReference& truth, std::int64_t visible_contacts) {
   const ExploreMission& mission = timed.mission;
   const TwistBody& body = robot.body<TwistBody>();
   Report& report = run.report;
   const bool home = distance(robot.pose().position, mission.task.start.position) <= home_m;
   const bool back = home || !mission.task.rules.return_home;
   const bool complete = mission.stop_reason == "complete";
-  report.status = complete && back && body.contacts() == 0 ? "done" : "not_done";
+  report.status = complete && back && visible_contacts == 0 ? "done" : "not_done";
   if (mission.stop_reason == "leak" && truth.leaks) {
     report.reason = fmt::format(
         "{}. The robot can leave the box of all that stands at about {:.2f},{:.2f}; close the gap on the way "
@@ -162,32 +193,36 @@ void close(ExploreRun& run, const TimedMission& timed, const SimulatedRobot& rob
     report.reason = mission.reason;
   } else if (!back) {
     report.reason = "it is not home";
-  } else if (body.contacts() > 0) {
-    report.reason = "something was touched";
+  } else if (visible_contacts > 0) {
+    report.reason = "something was touched that the laser sees";
   }
-  Table refused{"refused", {"x", "y", "reason"}, {}};
-  for (const RefusedFrontier& frontier : mission.decision.refused) {
-    refused.rows.push_back({frontier.centroid.x, frontier.centroid.y, frontier.reason});
-  }
-  report.tables = {std::move(refused)};
+  report.tables = {left_over_table(mission.left)};
   run.stop_reason = mission.stop_reason;
   const MapQuality quality = map_quality(truth, robot.devices().laser->finder(), run.map);
   const auto number = [](auto value) { return static_cast<double>(value); };
-  report.metrics = {{"explored_fraction", quality.explored_fraction},
-                    {"time_s", robot.time_s()},
-                    {"distance_m", body.driven_m()},
-                    {"turned_rad", body.turned_rad()},
-                    {"decisions", number(mission.decisions)},
-                    {"map_error_m", quality.map_error_m},
-                    {"mapped_free_m2", quality.mapped_free_m2},
-                    {"seeable_m2", truth.seeable_m2},
-                    {"reachable_m2", truth.reachable_m2},
-                    {"contacts", number(body.contacts())},
-                    {"returned_home", home ? 1.0 : 0.0},
-                    {"home_error_m", distance(robot.pose().position, mission.pose.position)},
-                    {"stuck", number(mission.stuck)},
-                    {"bad_scans", number(mission.bad_scans)},
-                    {"loops", number(mission.loops)}};
+  report.metrics = {
+      {"explored_fraction", quality.explored_fraction},
+      {"time_s", robot.time_s()},
+      {"distance_m", body.driven_m()},
+      {"turned_rad", body.turned_rad()},
+      {"decisions", number(mission.decisions)},
+      {"map_error_m", quality.map_error_m},
+      {"mapped_free_m2", quality.mapped_free_m2},
+      {"seeable_m2", truth.seeable_m2},
+      {"reachable_m2", truth.reachable_m2},
+      {"left_over_m2", mission.left.area_m2()},
+      {"left_narrow", count(mission.left, LeftReason::narrow)},
+      {"left_touched", count(mission.left, LeftReason::touched)},
+      {"left_other", number(mission.left.places.size()) - count(mission.left, LeftReason::narrow) -
+                         count(mission.left, LeftReason::touched)},
+      {"contacts", number(body.contacts())},
+      {"visible_contacts", number(visible_contacts)},
+      {"returned_home", home ? 1.0 : 0.0},
+      {"home_error_m", distance(robot.pose().position, mission.task.start.position)},
+      {"pose_error_m", distance(robot.pose().position, mission.pose.position)},
+      {"stuck", number(mission.stuck)},
+      {"bad_scans", number(mission.bad_scans)},
+      {"loops", number(mission.loops)}};
   report.machine_times = {{"max_decision_s", timed.max_decision_s}, {"max_step_s", timed.max_step_s}};
 }
 
@@ -206,8 +241,10 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   const ExploreMission& mission = timed.mission;
   log_start(log, world, mission.task, params.laser, seed);
   Recorder recorder(log, mission.task.start);
+  ContactJudge contacts;
   const auto note = [&](const Observation& seen, const Command*) {
     recorder.note(mission, seen, robot.pose());
+    contacts.note(robot);
     if (seen.scan && scanned) scanned(seen, mission, robot);
     if (seen.scan && mission.scans % 25 == 0)
       watch.part(std::min(1.0, mapped_free_m2(mission.slam.map()) / reference->seeable_m2));
@@ -215,12 +252,13 @@ Outcome<ExploreRun> run_explore(const World& world, const ExploreTask& given, co
   const bool finished = run_mission(timed, robot, watch.stop, note);
   recorder.finish(mission);
   ExploreRun run;
-  run.map = mission.slam.map().occupancy();
+  run.map = explored_map(mission);
   run.track = mission.slam.trajectory();
   run.pose = mission.pose;
   run.true_pose = robot.pose();
   run.report.world_name = world.name;
-  close(run, timed, robot, *reference);
+  close(run, timed, robot, *reference, contacts.visible());
+  run.touched = mission.touched;
   if (!finished) mark_cancelled(run.report, log, robot.time_s());
   return run;
 }

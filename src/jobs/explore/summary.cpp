@@ -19,13 +19,14 @@ std::string explore_summary(const Report& report) {
   text += fmt::format(
       "  thinking   {:.0f} decisions{}\n", value("decisions"),
       std::isfinite(longest_s) ? fmt::format(", {:.1f} ms the longest", 1e3 * longest_s) : std::string());
-  text += fmt::format("  home       {}, where it is wrong by {:.3f} m\n",
-                      value("returned_home") > 0.0 ? "reached" : "not reached", value("home_error_m"));
+  text += fmt::format("  home       {}, {:.3f} m from the start; its pose is wrong by {:.3f} m\n",
+                      value("returned_home") > 0.0 ? "reached" : "not reached", value("home_error_m"),
+                      value("pose_error_m"));
   text += fmt::format("  touched    {:.0f} times; stuck {:.0f} times\n", value("contacts"), value("stuck"));
-  const Table& refused = table_named(report, "refused");
-  for (const auto& values : refused.rows) {
-    const TableRow row{refused, values};
-    text += fmt::format("  left out   frontier at ({:.2f}, {:.2f}): {}\n", row.number("x"), row.number("y"),
+  const Table& left = table_named(report, "left_over");
+  for (const auto& values : left.rows) {
+    const TableRow row{left, values};
+    text += fmt::format("  left over  frontier at ({:.2f}, {:.2f}): {}\n", row.number("x"), row.number("y"),
                         printable(row.text("reason")));
   }
   if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));

@@ -34,17 +34,23 @@ GridFrame around(const GridFrame& map) {
   return frame;
 }
 
-/// Offsets within so many cells, nearest first.
+/// The square of twice the distance from the centre of a cell to the square of the cell at the offset.
+int squared_halves(Cell offset) {
+  const int x = std::max(0, 2 * std::abs(offset.x) - 1), y = std::max(0, 2 * std::abs(offset.y) - 1);
+  return x * x + y * y;
+}
+
+/// Offsets of the cells whose squares are within so many cells of a centre, nearest first.
 std::vector<Cell> disk_of(double radius) {
   std::vector<Cell> disk;
-  const int reach = static_cast<int>(radius);
+  const int reach = static_cast<int>(radius + 0.5);
   for (int y = -reach; y <= reach; ++y) {
     for (int x = -reach; x <= reach; ++x) {
-      if (x * x + y * y <= radius * radius) disk.push_back({x, y});
+      if (squared_halves({x, y}) <= 4.0 * radius * radius) disk.push_back({x, y});
     }
   }
   std::sort(disk.begin(), disk.end(), [](Cell a, Cell b) {
-    return std::tuple(a.x * a.x + a.y * a.y, a.y, a.x) < std::tuple(b.x * b.x + b.y * b.y, b.y, b.x);
+    return std::tuple(squared_halves(a), a.y, a.x) < std::tuple(squared_halves(b), b.y, b.x);
   });
   return disk;
 }
@@ -52,7 +58,8 @@ std::vector<Cell> disk_of(double radius) {
 }  // namespace
 
 std::vector<Option> describe(KnownGroundOptions& options) {
-  return {{"margin", "m", 0.0, 10.0, "distance kept from occupied cells beyond the radius of the robot",
+  return {{"margin", "m", 0.0, 10.0,
+           "distance kept from occupied cells beyond the radius of the robot, at most half a cell",
            &options.margin_m},
           {"near", "m", 0.0, 10.0, "width of the belt beyond the margin in which driving costs more",
            &options.near_m}};
@@ -104,12 +111,13 @@ TraversabilityGrid::Change TraversabilityGrid::update(const Grid<std::uint8_t>& 
 void TraversabilityGrid::reframe(const GridFrame& frame, Cell shift) {
   const GridFrame before = known_.frame;
   const double per_cell = 1.0 / frame.resolution_m;
-  const double touch = per_cell * (radius_m_ + options_.margin_m) + 1e-9;
+  const double touch = per_cell * radius_m_ + std::min(0.5, per_cell * options_.margin_m) + 1e-9;
   disk_ = disk_of(touch + per_cell * options_.near_m);
   touch_ = disk_of(touch).size();
   known_.cells = moved_cells(known_.cells, before, frame, shift, static_cast<std::uint8_t>(unknown_cell));
   touching_ = moved_cells(touching_, before, frame, shift, std::uint16_t{0});
   near_ = moved_cells(near_, before, frame, shift, std::uint16_t{0});
+  marks_ = moved_cells(marks_, before, frame, shift, std::uint8_t{0});
   if (before.size() == 0) {
     lowest_ = {0, 0};
     highest_ = {-1, -1};
@@ -162,6 +170,15 @@ void TraversabilityGrid::count(Cell around, int by) {
   }
 }
 
+double TraversabilityGrid::clearance_m(Cell cell) const {
+  for (const Cell offset : disk_) {
+    const Cell at = sum(cell, offset);
+    if (known_.contains(at) && known_[at] == occupied_cell)
+      return 0.5 * known_.frame.resolution_m * std::sqrt(squared_halves(offset));
+  }
+  return radius_m_ + options_.margin_m + options_.near_m;
+}
+
 std::uint32_t TraversabilityGrid::block_of(std::uint32_t cell) const {
   const Cell c = known_.frame.cell(cell);
   return static_cast<std::uint32_t>(blocks_.frame.index({c.x / 2, c.y / 2}));
@@ -172,7 +189,7 @@ std::uint64_t& TraversabilityGrid::tile_of(Cell cell) {
   return tiles_[static_cast<std::size_t>(row + cell.x / tile_cells)];
 }
 
-void TraversabilityGrid::touch(std::uint32_t cell) { tile_of(known_.frame.cell(cell)) = ++clock_; }
+void TraversabilityGrid::note_change(std::uint32_t cell) { tile_of(known_.frame.cell(cell)) = ++clock_; }
 
 std::uint64_t TraversabilityGrid::changed_within(Cell low, Cell high) const {
   const int across = tiles(known_.frame.width), up = tiles(known_.frame.height);

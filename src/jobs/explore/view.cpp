@@ -37,8 +37,8 @@ struct Finder {
   const TraversabilityGrid& ground = state.map.ground();
   double per_cost_s = ground.blocks().frame.resolution_m / Flood::per_block / state.robot.speed_mps;
 
-  [[nodiscard]] RefusedFrontier refusal(const Frontier& frontier, std::string reason) const {
-    return {frontier.id, frontier.centroid, frontier.cells.size(), std::move(reason)};
+  [[nodiscard]] RefusedFrontier refusal(const Frontier& frontier, Refusal kind, std::string reason) const {
+    return {frontier.id, frontier.centroid, frontier.cells.size(), kind, std::move(reason)};
   }
 
   /// The seat that is reached first; null when none is so far, with the ban that keeps the robot off.
@@ -84,17 +84,22 @@ struct Finder {
 
   /// Refuses a frontier that cannot be seen from anywhere, or keeps it for when the flood comes there.
   void look_at(const Frontier& frontier, std::vector<Ahead>& ahead, Views& found) const {
-    if (std::ranges::all_of(frontier.cells, [&](std::uint32_t cell) { return ground.blocked(cell); })) {
-      found.refused.push_back(refusal(frontier, "a crack between walls: the robot fits nowhere into it"));
+    const double wide_m = static_cast<double>(frontier.cells.size()) * ground.frame().resolution_m;
+    if (wide_m < options.least_opening_m - 1e-9 &&
+        std::ranges::all_of(frontier.cells, [&](std::uint32_t cell) { return ground.blocked(cell); })) {
+      found.refused.push_back(
+          refusal(frontier, Refusal::closed, "a crack between walls: the robot fits nowhere into it"));
       return;
     }
     const FrontierSight& sight = sight_of(frontier, state.map, options.view_m, sights);
     if (sight.sample.empty()) {
       found.refused.push_back(
-          refusal(frontier, fmt::format("given up after {} tries to see more", options.frontier.patience)));
+          refusal(frontier, Refusal::given_up,
+                  fmt::format("given up after {} tries to see more", options.frontier.patience)));
     } else if (sight.seats.empty()) {
-      found.refused.push_back(refusal(
-          frontier, fmt::format("the robot fits nowhere within {:g} m in sight of it", options.view_m)));
+      found.refused.push_back(
+          refusal(frontier, Refusal::closed,
+                  fmt::format("the robot fits nowhere within {:g} m in sight of it", options.view_m)));
     } else {
       ahead.push_back({&frontier, &sight});
     }
@@ -107,17 +112,18 @@ struct Finder {
     const auto [seat, ban] = first(*ahead.sight);
     if (seat == nullptr) {
       if (more) return false;
-      found.refused.push_back(refusal(
-          frontier, ban == nullptr ? std::string("no known way leads to where it would be seen")
-                                   : fmt::format("going there failed {} times; left alone until {:.0f} s",
-                                                 ban->failures, ban->until_s)));
+      found.refused.push_back(
+          refusal(frontier, ban == nullptr ? Refusal::no_way : Refusal::banned,
+                  ban == nullptr ? std::string("no known way leads to where it would be seen")
+                                 : fmt::format("going there failed {} times; left alone until {:.0f} s",
+                                               ban->failures, ban->until_s)));
       return true;
     }
     const double behind =
         gain_behind(ground.frame().cell(seat->cell), ground.known(), ahead.sight->sample, state.range_m);
     if (behind < options.least_gain_m2) {
       found.refused.push_back(refusal(
-          frontier,
+          frontier, Refusal::small,
           fmt::format("a crack: {:.4f} m2 behind it are less than {:g} m2", behind, options.least_gain_m2)));
     } else {
       found.views.push_back(view(frontier, *ahead.sight, *seat));

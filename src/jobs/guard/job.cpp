@@ -112,7 +112,7 @@ Status guard_found_yard(const GuardScenario& scenario, const GuardPlanner& plann
 }
 
 /// The exploring comes first, and all plans are made on what it found. Whoever cancels the planning keeps
-/// the exploring.
+/// the exploring, and so does a plan that is refused.
 Status guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& planner, Run& run,
                           const RunWatch& watch) {
   RunSteps steps(watch, 3);
@@ -124,8 +124,16 @@ Status guard_unknown_yard(const GuardScenario& scenario, const GuardPlanner& pla
     run.report = std::move(yard->run.report);
     return {};
   }
+  if (!yard->failure.empty()) {
+    run.report = unguarded(scenario.problem, *yard, yard->failure);
+    return {};
+  }
   auto done = guard_found_yard(scenario, planner, *yard, steps, run, watch);
-  if (done || done.error().code != FaultCode::cancelled) return done;
+  if (done) return done;
+  if (done.error().code != FaultCode::cancelled) {
+    run.report = unguarded(scenario.problem, *yard, done.error().sentence);
+    return {};
+  }
   run.report = std::move(yard->run.report);
   mark_cancelled(run.report, run.log, metric(run.report, "time_s"));
   return {};

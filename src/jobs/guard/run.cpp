@@ -46,6 +46,16 @@ void add_misses(StopTasks& tasks, const RigidRecord& rigid) {
   }
 }
 
+/// What is proven on a map of the robot's own making is not proven in the yard: ground that it could not
+/// enter or see counts as an obstacle there, and all obstacles count as high.
+void doubt_proofs(StopTasks& tasks) {
+  for (TargetRecord& record : tasks.records) {
+    if (record.status != TargetStatus::unreachable) continue;
+    record.status = TargetStatus::failed;
+    record.reason = "no shot on the ground that was mapped: " + record.reason;
+  }
+}
+
 /// Notes when intruders come in.
 void note_entrances(LogQueue& queue, const GuardRun& run) {
   if (!run.arrivals) return;
@@ -61,6 +71,7 @@ Report carry_out(const GuardRun& run, const GuardProblem& known, Robot& robot, c
                  TargetLog& targets, Log& log, const RunWatch& watch) {
   GuardMission mission = mission_of(run, known);
   mission.tasks.stop = watch.stop;
+  if (run.truth) doubt_proofs(mission.tasks);
   double expected_hits = 0.0, now_s = 0.0;
   const bool ended =
       run_mission(mission, robot, watch.stop, [&](const Observation& seen, const Command* command) {

@@ -77,9 +77,14 @@ void SeenTarget::add(Vec2 place, double time_s) {
 
 Outcome<FoundYard> found_yard(const GuardProblem& known, const ScoutOptions& options,
                               Grid<std::uint8_t> occupancy, const std::vector<Vec2>& stood,
-                              const std::vector<std::optional<SeenTarget>>& seen, const Pose2& start) {
+                              const std::vector<std::optional<SeenTarget>>& seen, const Pose2& start,
+                              const std::vector<Vec2>& touched) {
   for (const Vec2 place : stood) clear_disk(occupancy, place, known.robot.radius_m);
   clear_disk(occupancy, start.position, known.robot.radius_m);
+  for (const Vec2 point : touched) {
+    const Cell cell = occupancy.frame.cell_at(point);
+    if (occupancy.contains(cell)) occupancy[cell] = occupied_cell;
+  }
   const Grid<std::uint8_t> part = cut_out(occupancy);
   if (part.cells.empty()) {
     return bad_input("nothing free was found; exploring saw no ground to guard", "scout.unknown");

@@ -146,6 +146,7 @@ void conclude(Report& report, const Report& explored, const Log& log, double tou
   report.metrics.emplace_back("explored_fraction", metric(explored, "explored_fraction"));
   report.metrics.emplace_back("map_error_m", metric(explored, "map_error_m"));
   report.metrics.emplace_back("explore_s", metric(explored, "time_s"));
+  report.metrics.emplace_back("left_over_m2", metric(explored, "left_over_m2"));
   report.metrics.emplace_back("contacts", touches);
   const std::string dry = ran_dry(log);
   report.status = failed == 0.0 && touches == 0.0 && dry.empty() ? "done" : "not_done";
@@ -153,9 +154,9 @@ void conclude(Report& report, const Report& explored, const Log& log, double tou
   if (!dry.empty()) return;
   if (reached < targets) {
     report.reason =
-        fmt::format("{} of {} targets seen, {} reached, {} failed, {} proven to be out of reach on the map",
-                    seen, targets, reached, failed, targets - reached - failed) +
+        fmt::format("{} of {} targets seen, {} reached, {} failed", seen, targets, reached, failed) +
         why_stranded(log);
+    if (explored.status != "done") report.reason += "; exploring: " + explored.reason;
   } else if (touches > 0.0) {
     report.reason = "something was touched";
   }
@@ -183,13 +184,49 @@ Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std
                          });
   if (!run) return pass_on(run);
   if (run->report.status == "cancelled") return ScoutedYard{std::move(*run), std::move(detector.seen), {}};
-  if (run->stop_reason == "lost" || run->stop_reason == "blind") {
-    return fault(FaultCode::no_path, fmt::format("the yard could not be explored: {}", run->report.reason),
-                 "scout.unknown");
+  ScoutedYard yard{std::move(*run), std::move(detector.seen), {}, {}};
+  if (yard.run.stop_reason == "lost" || yard.run.stop_reason == "blind") {
+    yard.failure = "the yard could not be explored: " + yard.run.report.reason;
+    return yard;
   }
-  auto found = found_yard(truth, task.options, run->map, stood, detector.seen, run->true_pose);
-  if (!found) return pass_on(found);
-  return ScoutedYard{std::move(*run), std::move(detector.seen), std::move(*found)};
+  auto found =
+      found_yard(truth, task.options, yard.run.map, stood, yard.seen, yard.run.true_pose, yard.run.touched);
+  if (found)
+    yard.found = std::move(*found);
+  else
+    yard.failure = found.error().sentence;
+  return yard;
+}
+
+Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::string& why) {
+  const Report& explored = yard.run.report;
+  Report report;
+  report.world_name = explored.world_name;
+  report.status = "not_done";
+  report.reason = "the yard was explored, but it is not guarded: " + why;
+  const double explore_s = metric(explored, "time_s");
+  const auto targets = static_cast<double>(truth.targets.size());
+  Table table = target_table();
+  double seen = 0.0;
+  for (std::size_t i = 0; i < truth.targets.size(); ++i) {
+    seen += yard.seen[i] ? 1.0 : 0.0;
+    table.rows.push_back(unshot_row(truth.targets[i].name, "failed",
+                                    yard.seen[i] ? "seen, but not shot at" : why_unshot(false), explore_s));
+  }
+  report.tables = {std::move(table)};
+  report.metrics = {{"targets", targets},
+                    {"reached", 0.0},
+                    {"failed", targets},
+                    {"unreachable", 0.0},
+                    {"mission_s", explore_s},
+                    {"driven_m", metric(explored, "distance_m")},
+                    {"turned_rad", metric(explored, "turned_rad")},
+                    {"shots", 0.0},
+                    {"seen", seen}};
+  for (const std::string_view name : {"explored_fraction", "map_error_m", "left_over_m2", "contacts"})
+    report.metrics.emplace_back(name, metric(explored, name));
+  report.metrics.emplace_back("explore_s", explore_s);
+  return report;
 }
 
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,

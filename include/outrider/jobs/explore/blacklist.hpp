@@ -25,6 +25,8 @@ struct Blacklist {
 
   /// Bans a place after a failure.
   void add(Vec2 place, double time_s);
+  /// Ends the bans of places that failed fewer than `failures` times. Returns true if there were any.
+  bool lift(int failures, double time_s);
   /// Returns the active ban of the place, or null.
   [[nodiscard]] const Ban* find(Vec2 place, double time_s) const;
 };

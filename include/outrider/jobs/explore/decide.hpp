@@ -38,6 +38,8 @@ struct ExploreOptions {
   FrontierOptions frontier;       ///< of the frontier map
   double view_m = 2.5;            ///< largest distance from a view to the unknown cells that it sees
   double least_gain_m2 = 0.05;    ///< frontiers with less unknown area are refused
+  double least_left_m2 = 0.25;    ///< less unknown area in sight of a frontier that cannot be seen is nothing
+  double least_opening_m = 0.2;   ///< a narrower frontier is a gap in a wall, which noise leaves
   double momentum_s = 4.0;        ///< bonus of the previous choice
   double most_extent_m = 500.0;   ///< a wider or higher map counts as an open world
   double ban_s = 30.0;            ///< duration of the first ban of a failed goal; see Blacklist
@@ -74,12 +76,22 @@ enum class DecisionKind : std::uint8_t {
 };
 std::string_view to_string(DecisionKind kind);
 
+/// Why a frontier is not visited.
+enum class Refusal : std::uint8_t {
+  closed,    ///< the robot fits nowhere into it, or nowhere in sight of it
+  no_way,    ///< no known way leads to where it would be seen
+  banned,    ///< going there failed lately
+  given_up,  ///< it stayed unknown although the robot was near it for long
+  small,     ///< it hides less than least_gain_m2
+};
+
 /// A frontier that is not worth a visit or cannot be seen.
 struct RefusedFrontier {
   std::uint32_t frontier = 0;  ///< id
   Vec2 centroid;
   std::size_t cells = 0;  ///< number of its cells
-  std::string reason;     ///< one sentence
+  Refusal kind = Refusal::no_way;
+  std::string reason;  ///< one sentence
 };
 
 /// A decision.

@@ -6,11 +6,18 @@
 // (control/steer.hpp). It decides again when the pursued frontier has dissolved, when the path is blocked,
 // when the robot has arrived, and periodically; so the robot seldom drives all the way to a frontier.
 //
-// A robot that makes no progress, or touches something, backs off along its path and bans the goal for a
-// while. If that happens repeatedly, it trusts the newest scan more than the map, in which noise may have
-// enclosed the robot. Unusable scans are skipped; without any usable scan for `blind_s` the robot stops. When
-// nothing is left to see, or the budget is spent, it drives home. The mission ends with a stop reason:
-//   complete  no reachable frontier with enough unknown area is left
+// A robot that makes no progress, or touches something, backs off along its path; where it touched nothing it
+// bans the goal for a while. Where it touched something the ground stays blocked, also if the laser sees
+// nothing there. Where it has driven, the ground stays open, whatever noise does to the map. If it gets stuck
+// repeatedly, it trusts the newest scan more than the map. Unusable scans are skipped; without any usable
+// scan for `blind_s` the robot stops.
+//
+// Where nothing is left to see on ground that the map calls wide enough, the robot tries the ways on which it
+// may fit all the same: it drives up to them, measures the gap (close_range.hpp), and passes through its
+// middle or notes its width. When nothing is left to see or to try, or the budget is spent, it drives home.
+// The mission ends with a stop reason:
+//   complete  nothing is left over (left_over.hpp)
+//   left_over something is left over that the robot cannot see; the reason says how much, and why
 //   budget    the limit of time or distance is reached
 //   leak      the map exceeds its largest extent: the world is open
 //   stuck     the robot got stuck too often, or there is no path home
@@ -23,6 +30,8 @@
 #include <string>
 #include <vector>
 
+#include "outrider/jobs/explore/close_range.hpp"
+#include "outrider/jobs/explore/left_over.hpp"
 #include "outrider/jobs/explore/task.hpp"
 #include "outrider/robot/mission.hpp"
 
@@ -34,8 +43,14 @@ enum class ExploreStage { seek, go_home, back_off, over };
 /// An event of the mission.
 struct ExploreEvent {
   double time_s = 0.0;
-  std::string kind;  ///< goal, home, touch, stuck, loop, end
+  std::string kind;  ///< goal, home, touch, stuck, narrow, loop, end
   std::string text;  ///< one sentence
+};
+
+/// A point at which the robot touched something.
+struct TouchedPoint {
+  std::int64_t scan = 0;  ///< number of scans before
+  Vec2 point;             ///< in the frame of the robot at the newest of these scans
 };
 
 /// The state of the execution.
@@ -61,7 +76,15 @@ struct ExploreMission {
   double range_m = 3.5;         ///< of the range finder
   double driven_m = 0.0;        ///< distance by odometry
   std::vector<Vec2> beam_ends;  ///< beam ends of the newest usable scan, in the world frame of that time
+  CloseRange close_range;
   bool touching = false;
+  bool new_touch = false;             ///< the newest touch was of something that was not touched before
+  std::vector<Vec2> contacts;         ///< where it touched something, in the world of that time
+  std::vector<TouchedPoint> touches;  ///< the obstacles that it takes to be there
+  std::vector<Vec2> touched;          ///< the same in the world, by the newest estimate
+  std::optional<Pose2> trail_end;     ///< pose up to which the driven trail is marked on the ground
+  bool forget_seen = false;         ///< poses were corrected by much: what was seen is only what the map has
+  bool marks_moved = false;         ///< the map was redrawn: trail and touches have to be marked anew
   bool looked = false;              ///< a scan arrived since the last response
   bool wants_settling = false;      ///< SLAM optimises all poses with the next scan
   std::optional<double> settled_m;  ///< driven_m at the last optimisation, since the previous goal
@@ -72,6 +95,13 @@ struct ExploreMission {
   std::size_t goal_changes = 0;
   double decided_s = 0.0;
   std::optional<PathProgress> path;
+  std::int64_t centred_scan = -1;   ///< value of `scans` when the path was last centred; -1: the path is new
+  std::optional<PathRoom> room;     ///< set while the path leads through narrow places
+  Nearby surfaces;                  ///< of close_range, while `room` is set
+  int too_narrow = 0;               ///< consecutive scans that left too little room
+  std::vector<NarrowPlace> narrow;  ///< places that were found to be too narrow, or tried
+  LeftOvers left;                   ///< as of `left_s`
+  double left_s = -1.0;
   Pose2 stood;              ///< pose of the last progress
   double moved_on_s = 0.0;  ///< time of the last progress
 
@@ -85,12 +115,19 @@ struct ExploreMission {
   std::vector<ExploreEvent> events;
   std::string stop_reason;  ///< set once the robot drives home or has ended
   std::string reason;       ///< the stop reason as a sentence
-  bool arriving = false;    ///< the robot was home by its belief, and explores no more
+  bool on_trail = false;    ///< it drives home along its trail, since the map shows no way
+  bool arriving = false;    ///< the robot was home by its belief; it goes out again twice at most
+  int returns = 0;          ///< how often it found at home that something was left to see, and went out again
   bool home = false;        ///< the robot is home
 };
 
 /// Starts a mission. Faults: bad_input on an unknown strategy or planner.
 Outcome<ExploreMission> begin(const ExploreTask& task);
+
+/// Returns the map of SLAM with all cells that the robot has seen to be free. SLAM draws its map anew from
+/// the scans that it keeps, and what only others saw would be lost; it is kept unless the poses were
+/// corrected by more than two cells. O(cells).
+Grid<std::uint8_t> explored_map(const ExploreMission& mission);
 
 /// Processes an observation.
 void perceive(ExploreMission& mission, const Observation& seen);

@@ -1,9 +1,14 @@
 // TraversabilityGrid: the cells where a disk robot may stand, on a growing map.
 //
 // The centre of the robot may be in a cell that is known to be free and whose centre is farther than radius +
-// margin from the centre of every occupied cell. Unknown cells are blocked. Free cells nearer than `near_m`
+// margin from the square of every occupied cell. Unknown cells are blocked. Free cells nearer than `near_m`
 // to the blocked belt are near a wall, where driving costs more. Both are counts of the occupied cells around
 // a cell, so an update costs O(cells changed x cells of the disk) and equals a full computation.
+//
+// Two kinds of marks overrule the map. A cell is blocked where the disk would meet a point at which the robot
+// touched something: the laser may see nothing there. Any other cell that was opened is not blocked,
+// whatever the map says: the robot has been there, or finds out whether it fits. Marks do not move when the
+// map is redrawn; their owner forgets them and sets them again.
 //
 // The grid has its own frame on the lattice of the map. It is at least two cells wider than the map on all
 // sides, so it seldom changes and its border is always blocked. A second grid with cells twice as large and
@@ -15,6 +20,7 @@
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/geometry/convex.hpp"
 #include "outrider/path/grid/grid_map.hpp"
 #include "outrider/slam/occupancy_map.hpp"
 
@@ -22,8 +28,9 @@ namespace outrider {
 
 /// Options of the grid.
 struct KnownGroundOptions {
-  double margin_m = 0.045;  ///< distance to occupied cells in addition to the radius of the robot
-  double near_m = 0.1;      ///< width of the belt beyond the margin in which driving costs more
+  /// Distance to occupied cells in addition to the radius of the robot. More than half a cell counts as that.
+  double margin_m = 0.02;
+  double near_m = 0.1;  ///< width of the belt beyond the margin in which driving costs more
 };
 
 /// Describes the options by name.
@@ -49,8 +56,18 @@ class TraversabilityGrid {
   [[nodiscard]] const Grid<std::uint8_t>& known() const { return known_; }
   /// Returns true if the robot must not stand in the cell.
   [[nodiscard]] bool blocked(std::uint32_t cell) const {
+    if (marks_[cell] != 0) return (marks_[cell] & touched_mark) != 0;
+    return crowded(cell);
+  }
+  /// Returns true if the map alone blocks the cell.
+  [[nodiscard]] bool crowded(std::uint32_t cell) const {
     return known_.cells[cell] != free_cell || touching_[cell] != 0;
   }
+  /// Returns true if the robot would meet a point that it touched.
+  [[nodiscard]] bool touched(std::uint32_t cell) const { return (marks_[cell] & touched_mark) != 0; }
+  /// Returns the distance from the centre of a cell to the nearest square of an occupied cell, m, cut off at
+  /// the radius of the robot, the margin and the belt. O(cells of the disk).
+  [[nodiscard]] double clearance_m(Cell cell) const;
   /// Returns true if the cell is in the belt where driving costs more.
   [[nodiscard]] bool near_wall(std::uint32_t cell) const { return near_[cell] != 0; }
   /// Return the corners of the box of all cells that were ever known. At first highest() is below lowest().
@@ -68,15 +85,27 @@ class TraversabilityGrid {
   /// kept for tiles of 16 cells.
   [[nodiscard]] std::uint64_t changed_within(Cell low, Cell high) const;
   /// Counts as a change of the cell, without changing it.
-  void touch(std::uint32_t cell);
+  void note_change(std::uint32_t cell);
+
+  static constexpr double touch_gap_m = 0.01;  ///< that the robot keeps from what it touched
+  /// Blocks the cells nearer to the point than the radius and that gap. It may lie outside the frame.
+  void mark_touched(Vec2 point);
+  /// Opens the cells that the segment meets, but for those that are blocked by a touch. Returns true if one
+  /// of them was not open before.
+  bool mark_open(Segment way);
+  /// Forgets all marks.
+  void forget_marks();
 
   /// Returns the same grid for the path planners. Updates it by GridMap::with() if something changed.
   std::shared_ptr<const GridMap> grid();
 
  private:
+  enum : std::uint8_t { touched_mark = 1, open_mark = 2 };
+
   void reframe(const GridFrame& frame, Cell shift);
   void set(std::uint32_t cell, std::uint8_t value);
   void count(Cell around, int by);
+  void mark(Cell cell, std::uint8_t mark);
   void settle(std::size_t from);
   [[nodiscard]] std::uint64_t& tile_of(Cell cell);
 
@@ -85,6 +114,7 @@ class TraversabilityGrid {
   Grid<std::uint8_t> known_;
   std::vector<std::uint16_t> touching_;  // occupied cells within radius + margin
   std::vector<std::uint16_t> near_;      // occupied cells within the belt as well
+  std::vector<std::uint8_t> marks_;      // sums of touched_mark and open_mark
   std::vector<Cell> disk_;               // offsets; the first `touch_` of them touch
   std::size_t touch_ = 0;
   Grid<std::uint8_t> blocks_;

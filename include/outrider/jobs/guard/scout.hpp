@@ -45,12 +45,14 @@ struct FoundYard {
 };
 
 /// Makes the guard problem of an explored yard. Each cell of the map that is not free becomes an obstacle,
-/// except cells that the disk of the robot covered at the poses `stood`: these are free. The bounds are those
+/// except cells that the disk of the robot covered at the poses `stood`: these are free. Where the robot
+/// touched something there is an obstacle, which its laser may not see. The bounds are those
 /// of the free cells, with a wall of one cell around. The radius of the robot grows by one cell and the
 /// position error of its arrivals, as far as the obstacles near `start` permit. `known` provides robot, gun,
 /// gravity, floor, errors and the sizes of the targets. Fault: a map without a free cell.
 Outcome<FoundYard> found_yard(const GuardProblem& known, const ScoutOptions& options,
                               Grid<std::uint8_t> occupancy, const std::vector<Vec2>& stood,
-                              const std::vector<std::optional<SeenTarget>>& seen, const Pose2& start);
+                              const std::vector<std::optional<SeenTarget>>& seen, const Pose2& start,
+                              const std::vector<Vec2>& touched = {});
 
 }  // namespace outrider

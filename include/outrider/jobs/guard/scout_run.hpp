@@ -27,22 +27,27 @@ struct ScoutedYard {
   ExploreRun run;
   std::vector<std::optional<SeenTarget>> seen;  ///< by target; unset if it was not seen
   FoundYard found;
+  std::string failure = {};  ///< why there is nothing to guard on, if so: `found` is not set then
 };
 
-/// Explores the yard of `truth`. After a stop request only `run` is set. Faults: those of run_explore() and
-/// found_yard(), and no_path if the robot is lost.
+/// Explores the yard of `truth`. After a stop request only `run` is set; without a usable map, `found` is
+/// not. Faults: those of run_explore().
 Outcome<ScoutedYard> scout(const GuardProblem& truth, const ScoutTask& task, std::uint64_t seed, Log& log,
                            const RunWatch& watch = {});
 
 /// Carries out a plan in the true yard. The plan was made for `yard.found`, with its firing map `firing_map`.
 /// The log has the exploration, and its times continue from there. The status
-/// is "done" if every target was seen, every target that can be hit was hit, and the robot touched no
-/// obstacle. Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
+/// is "done" if every target was seen and hit, and the robot touched no obstacle. A target without a shot on
+/// the map is not proven to be out of reach, since the map leaves out ground that the robot could not enter:
+/// it failed. Metrics, in addition to those of run_guard(): seen, explored_fraction, map_error_m, explore_s,
 /// contacts. mission_s, driven_m and turned_rad include the exploration. Faults: those of build_firing_map()
 /// for the true yard.
 Outcome<Report> run_guard_on_map(const GuardProblem& truth, const ScoutedYard& yard,
                                  const FiringMap& firing_map, const GuardPlan& plan,
                                  const GuardOptions& options, std::uint64_t seed, Log& log,
                                  const RunWatch& watch = {});
+
+/// Returns the report of a yard that was explored and then not guarded, for that reason.
+Report unguarded(const GuardProblem& truth, const ScoutedYard& yard, const std::string& why);
 
 }  // namespace outrider

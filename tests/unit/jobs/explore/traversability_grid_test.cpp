@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/growing_map.hpp"
 #include "support/random_cases.hpp"
 
@@ -10,15 +12,18 @@ namespace {
 
 using testing::GrowingMap;
 
-constexpr KnownGroundOptions keeps{.margin_m = 0.04, .near_m = 0.06};
+constexpr KnownGroundOptions keeps{.margin_m = 0.02, .near_m = 0.06};
 constexpr double radius_m = 0.06;
 
-/// Distance between centres from a point to the nearest occupied cell, m.
+/// Distance from a point to the nearest square of an occupied cell, m.
 double nearest_occupied(const Grid<std::uint8_t>& map, Vec2 point) {
   double least = 1e9;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    if (map.cells[i] == occupied_cell)
-      least = std::min(least, distance(map.frame.centre(map.frame.cell(i)), point));
+    if (map.cells[i] != occupied_cell) continue;
+    const Cell cell = map.frame.cell(i);
+    const Vec2 low = map.frame.corner(cell), high = map.frame.corner({cell.x + 1, cell.y + 1});
+    const Vec2 nearest{std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y)};
+    least = std::min(least, distance(nearest, point));
   }
   return least;
 }
@@ -75,6 +80,49 @@ TEST(TraversabilityGrid, IsAfterEveryUpdateAsDefined) {
       ASSERT_NO_FATAL_FAILURE(expect_as_defined(ground, growing.map)) << n << " " << i;
     }
   }
+}
+
+TEST(TraversabilityGrid, KeepsAtMostHalfACellOfMargin) {
+  TraversabilityGrid ground({.margin_m = 0.5, .near_m = 0.0}, 0.1);
+  Grid<std::uint8_t> map(GridFrame{{0, 0}, 0.05, 20, 20}, free_cell);
+  map[{10, 10}] = occupied_cell;
+  ground.update(map, {.redrawn = true, .cells = {}});
+  const auto blocked = [&](Cell cell) {
+    return ground.blocked(
+        static_cast<std::uint32_t>(ground.frame().index(ground.frame().cell_at(map.frame.centre(cell)))));
+  };
+  EXPECT_TRUE(blocked({13, 10})) << "0.125 m from the square";
+  EXPECT_FALSE(blocked({14, 10})) << "0.175 m from the square";
+}
+
+TEST(TraversabilityGrid, MarksOverruleTheMapAndMoveWithItsFrame) {
+  TraversabilityGrid ground(keeps, 0.1);
+  Grid<std::uint8_t> map(GridFrame{{0, 0}, 0.05, 40, 40}, free_cell);
+  for (int y = 0; y < 40; ++y) map[{20, y}] = occupied_cell;
+  ground.update(map, {.redrawn = true, .cells = {}});
+  const auto at = [&](Vec2 point) {
+    return static_cast<std::uint32_t>(ground.frame().index(ground.frame().cell_at(point)));
+  };
+  ASSERT_TRUE(ground.blocked(at({1.02, 1.0})));
+  EXPECT_TRUE(ground.mark_open({{0.5, 1.02}, {1.5, 1.02}}));
+  EXPECT_FALSE(ground.mark_open({{0.5, 1.02}, {1.5, 1.02}})) << "nothing is opened twice";
+  for (double x = 0.5; x < 1.5; x += 0.01) ASSERT_FALSE(ground.blocked(at({x, 1.02}))) << x;
+  EXPECT_TRUE(ground.crowded(at({1.02, 1.02})));
+  ground.mark_touched({1.3, 1.02});
+  for (double x = 0.5; x < 1.5; x += 0.01) {
+    const Vec2 centre = ground.frame().centre(ground.frame().cell_at({x, 1.02}));
+    ASSERT_EQ(ground.blocked(at({x, 1.02})), distance(centre, Vec2{1.3, 1.02}) < 0.11) << x;
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_blocks(ground));
+  Grid<std::uint8_t> larger(GridFrame{{-5, -5}, 0.05, 300, 300}, unknown_cell);
+  for (int i = 0; i < 1600; ++i) larger[{100 + i % 40, 100 + i / 40}] = map[{i % 40, i / 40}];
+  ground.update(larger, {.redrawn = true, .cells = {}});
+  EXPECT_FALSE(ground.blocked(at({1.02, 1.02})));
+  EXPECT_TRUE(ground.touched(at({1.3, 1.02})));
+  ground.forget_marks();
+  EXPECT_TRUE(ground.blocked(at({1.02, 1.02})));
+  EXPECT_FALSE(ground.blocked(at({1.3, 1.02})));
+  ASSERT_NO_FATAL_FAILURE(expect_blocks(ground));
 }
 
 TEST(TraversabilityGrid, BlocksSumUpFourCells) {
