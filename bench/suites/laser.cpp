@@ -43,7 +43,7 @@ Outcome<LaserRow> measure_laser_log(const std::string& path, int repeat,
     row.rms_error_m = run->rms_error_m;
     row.time_s = std::min(row.time_s, run->time_s);
     row.max_step_s = std::min(row.max_step_s, run->max_step_s);
-    if (run->log_s > 0.0 && row.time_s > 0.0) row.real_time_factor = run->log_s / row.time_s;
+    if (run->log_s && row.time_s > 0.0) row.real_time_factor = *run->log_s / row.time_s;
   }
   return row;
 }

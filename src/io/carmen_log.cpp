@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "log_lines.hpp"
 #include "outrider/core/units.hpp"
@@ -16,6 +17,10 @@ namespace {
 
 constexpr std::string_view scan_form =
     "'FLASER n r1 .. rn x y heading x y heading time host time' with as many ranges as n says";
+constexpr std::string_view robot_scan_form =
+    "'ROBOTLASER1 type start field step most accuracy remissions n r1 .. rn m v1 .. vm x y heading x y "
+    "heading "
+    "speed turn safety safety axis time host time'";
 constexpr std::string_view odometry_form = "'ODOM x y heading ..'";
 constexpr std::uint64_t most_beams = 100'000;
 constexpr double least_range_m = 0.02;
@@ -38,16 +43,36 @@ bool is_no_number(std::string_view word) {
 
 struct ScanLine {
   LaserScan scan;
-  Pose2 pose;
+  Pose2 pose;  ///< of the robot
+  std::optional<Pose2> robot_T_laser;
 };
 
-Outcome<ScanLine> scan_of(Words words, double most_m) {
-  const auto count = words.size() > 1 ? number<std::uint64_t>(words[1]) : std::nullopt;
-  if (!count || *count > most_beams) {
-    return bad_input(fmt::format("'{}' is no number of beams from 0 to {}; a line is {}",
-                                 words.size() > 1 ? excerpt(words[1]) : "", most_beams, scan_form));
+/// Reads the ranges of a line. A range that is no number or not below `most_m` is no reading.
+Status read_ranges(Words words, double most_m, std::string_view form, std::vector<float>& ranges_m) {
+  ranges_m.reserve(words.size());
+  for (const std::string_view word : words) {
+    const auto range_m = number<double>(word);
+    if (!range_m && !is_no_number(word)) {
+      return bad_input(fmt::format("'{}' is no range; a line is {}", excerpt(word), form));
+    }
+    const bool reads = range_m && *range_m < most_m;
+    ranges_m.push_back(reads ? static_cast<float>(*range_m) : std::numeric_limits<float>::quiet_NaN());
   }
-  const auto n = static_cast<std::size_t>(*count);
+  return {};
+}
+
+/// Returns the number of values that a line says to have at a word.
+Outcome<std::size_t> count_at(Words words, std::size_t index, std::string_view form) {
+  const auto count = index < words.size() ? number<std::uint64_t>(words[index]) : std::nullopt;
+  if (count && *count <= most_beams) return static_cast<std::size_t>(*count);
+  return bad_input(fmt::format("'{}' is no number of beams from 0 to {}; a line is {}",
+                               index < words.size() ? excerpt(words[index]) : "", most_beams, form));
+}
+
+Outcome<ScanLine> scan_of(Words words, double most_m) {
+  auto count = count_at(words, 1, scan_form);
+  if (!count) return pass_on(count);
+  const std::size_t n = *count;
   if (words.size() < n + 9) {
     return bad_input(fmt::format("{} words after FLASER {}, where {} are expected; a line is {}",
                                  words.size() - 2, n, n + 7, scan_form));
@@ -59,17 +84,85 @@ Outcome<ScanLine> scan_of(Words words, double most_m) {
   line.pose = *pose;
   const double parts = static_cast<double>(std::max<std::size_t>(1, n % 2 == 0 ? n : n - 1));
   line.scan = {times->front(), -0.5 * pi, pi / parts, least_range_m, most_m, {}};
-  line.scan.ranges_m.reserve(n);
-  for (const std::string_view word : words.subspan(2, n)) {
-    const auto range_m = number<double>(word);
-    if (!range_m && !is_no_number(word)) {
-      return bad_input(fmt::format("'{}' is no range; a line is {}", excerpt(word), scan_form));
-    }
-    const bool reads = range_m && *range_m < most_m;
-    line.scan.ranges_m.push_back(reads ? static_cast<float>(*range_m)
-                                       : std::numeric_limits<float>::quiet_NaN());
-  }
+  if (auto ok = read_ranges(words.subspan(2, n), most_m, scan_form, line.scan.ranges_m); !ok)
+    return pass_on(ok);
   return line;
+}
+
+/// Reads the newer form of a scan, which says how the laser measures and where it stands on the robot.
+Outcome<ScanLine> robot_scan_of(Words words, double most_m) {
+  const auto settings = words.size() > 8 ? line_numbers(words.subspan(2, 4), 4, robot_scan_form)
+                                         : Outcome<std::vector<double>>(bad_input(fmt::format(
+                                               "{} words; a line is {}", words.size(), robot_scan_form)));
+  if (!settings) return bad_input(settings.error().sentence);
+  auto count = count_at(words, 8, robot_scan_form);
+  if (!count) return pass_on(count);
+  const std::size_t n = *count;
+  auto remissions = count_at(words, n + 9, robot_scan_form);
+  if (!remissions) return pass_on(remissions);
+  const std::size_t rest = n + 10 + *remissions;
+  if (words.size() < rest + 12) {
+    return bad_input(fmt::format("{} words, where {} are expected; a line is {}", words.size(), rest + 12,
+                                 robot_scan_form));
+  }
+  const auto laser = pose_of(words.subspan(rest, 3), robot_scan_form);
+  const auto robot = pose_of(words.subspan(rest + 3, 3), robot_scan_form);
+  const auto time = line_numbers(words.subspan(rest + 11, 1), 1, robot_scan_form);
+  for (const auto* part : {&laser, &robot}) {
+    if (!*part) return bad_input(part->error().sentence);
+  }
+  if (!time) return bad_input(time.error().sentence);
+  const double field_rad = (*settings)[1], step_rad = (*settings)[2], laser_m = (*settings)[3];
+  ScanLine line;
+  line.pose = *robot;
+  line.robot_T_laser = wrap_heading(relative_pose(*robot, *laser));
+  line.scan = {time->front(),
+               (*settings)[0],
+               step_rad > 0.0 || n < 2 ? step_rad : field_rad / static_cast<double>(n - 1),
+               least_range_m,
+               laser_m > least_range_m ? std::min(laser_m, most_m) : most_m,
+               {}};
+  if (auto ok = read_ranges(words.subspan(9, n), line.scan.most_m, robot_scan_form, line.scan.ranges_m); !ok)
+    return pass_on(ok);
+  return line;
+}
+
+/// Where a scan was taken, and the odometry around it.
+struct OdometryOfScan {
+  Pose2 pose;                   ///< of the line with the scan
+  std::optional<Pose2> before;  ///< the last ODOM since the scan before
+  std::optional<Pose2> step;    ///< its motion since the ODOM before that
+  std::optional<Pose2> after;   ///< the first ODOM before the next scan
+};
+
+/// Returns true if the pose of the scan is one of the odometry: equal to the ODOM before, between it and the
+/// one after, or as far from the one before as that from its predecessor.
+bool is_on_odometry(const OdometryOfScan& scan) {
+  constexpr double same_m = 0.002;
+  const Vec2 here = scan.pose.position, before = scan.before->position;
+  const double off_m = distance(before, here);
+  if (off_m <= same_m) return true;
+  const bool is_based_on_it = scan.after && distance(scan.after->position, here) <= 1e-9;
+  if (scan.after && !is_based_on_it) {
+    const double way_m = distance(before, scan.after->position);
+    return off_m + distance(here, scan.after->position) <= 1.1 * way_m + same_m;
+  }
+  if (!scan.step) return false;
+  const Vec2 expected = compose(*scan.before, *scan.step).position;
+  return distance(expected, here) <= 0.5 * norm(scan.step->position) + same_m;
+}
+
+/// Returns true if the poses of the scans are those of a finished map, and not of the odometry. Scans at
+/// which the robot stood still say nothing.
+bool is_corrected(const std::vector<OdometryOfScan>& scans) {
+  constexpr double moved_m = 0.02;
+  std::size_t moved = 0, off = 0;
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    if (!scans[i].before || distance(scans[i].pose.position, scans[i - 1].pose.position) < moved_m) continue;
+    ++moved;
+    off += is_on_odometry(scans[i]) ? 0 : 1;
+  }
+  return 2 * off > moved;
 }
 
 }  // namespace
@@ -84,7 +177,7 @@ bool is_carmen_log(std::string_view text) {
   for (int i = 0; i < lines_looked_at && !text.empty(); ++i) {
     std::string_view line = take_line(text);
     const std::string_view word = take_word(line);
-    if (word == "FLASER" || word == "ODOM" || word == "PARAM") return true;
+    if (word == "FLASER" || word == "ROBOTLASER1" || word == "ODOM" || word == "PARAM") return true;
     if (!word.empty() && !word.starts_with('#')) return false;
   }
   return false;
@@ -92,35 +185,40 @@ bool is_carmen_log(std::string_view text) {
 
 Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOptions& options) {
   LaserLog result;
-  std::optional<Pose2> odometry;  // the last one since the previous scan
+  std::vector<OdometryOfScan> scans;
+  std::optional<Pose2> odometry, step;  // the last one since the previous scan, and its motion
+  std::string kind;                     // of the lines with scans
   bool has_odometry = false;
   auto ok = for_each_line(log, [&](Words words) -> Status {
     if (words[0] == "ODOM") {
       const auto pose = pose_of(words.subspan(1, std::min<std::size_t>(3, words.size() - 1)), odometry_form);
       if (!pose) return bad_input(pose.error().sentence);
+      if (!odometry && !scans.empty()) scans.back().after = *pose;
+      step = odometry ? std::optional(wrap_heading(relative_pose(*odometry, *pose))) : std::nullopt;
       odometry = *pose;
       has_odometry = true;
     }
-    if (words[0] != "FLASER") return {};
-    auto line = scan_of(words, options.most_m);
+    if (words[0] != "FLASER" && words[0] != "ROBOTLASER1") return {};
+    if (kind.empty()) kind = words[0];
+    if (words[0] != kind) return {};  // the same scan in the other form
+    auto line = kind == "FLASER" ? scan_of(words, options.most_m) : robot_scan_of(words, options.most_m);
     if (!line) return bad_input(line.error().sentence);
     Pose2 motion;
-    if (!result.reference.empty() && odometry)
-      motion = wrap_heading(relative_pose(result.reference.back(), *odometry));
-    odometry.reset();
+    if (!scans.empty() && odometry) motion = wrap_heading(relative_pose(scans.back().pose, *odometry));
+    if (!result.robot_T_laser) result.robot_T_laser = line->robot_T_laser;
+    scans.push_back({line->pose, std::exchange(odometry, {}), std::exchange(step, {}), {}});
     result.steps.push_back({motion, std::move(line->scan)});
-    result.reference.push_back(line->pose);
     return {};
   });
   if (!ok) return pass_on(ok);
   if (result.steps.empty())
-    return bad_input("the log has no scan; expected at least one FLASER line", log.name);
-  if (!has_odometry) {
-    for (std::size_t i = 1; i < result.steps.size(); ++i) {
-      result.steps[i].motion = wrap_heading(relative_pose(result.reference[i - 1], result.reference[i]));
-    }
-    result.reference.clear();
+    return bad_input("the log has no scan; expected at least one FLASER or ROBOTLASER1 line", log.name);
+  if (has_odometry && is_corrected(scans)) {
+    for (const OdometryOfScan& scan : scans) result.reference.push_back(scan.pose);
+    return result;
   }
+  for (std::size_t i = 1; i < scans.size(); ++i)
+    result.steps[i].motion = wrap_heading(relative_pose(scans[i - 1].pose, scans[i].pose));
   return result;
 }
 

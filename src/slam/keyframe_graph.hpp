@@ -3,7 +3,6 @@
 
 #include "graph_edges.hpp"
 #include "outrider/slam/laser_scan.hpp"
-#include "surface.hpp"
 
 namespace outrider {
 
@@ -12,8 +11,11 @@ struct Keyframe {
   /// Covariance of the pose, propagated along the most certain constraints: an upper bound.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double way_m = 0.0;  ///< distance driven up to here
-  LaserScan scan;
-  Surface surface;
+  LaserScan scan;      ///< without ranges once it was released
+
+  [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }
+  /// Frees the memory of the scan.
+  void release_scan() { scan.ranges_m = {}; }
 };
 
 /// Expresses a covariance or an information of (x, y, heading) in a frame rotated by the heading.

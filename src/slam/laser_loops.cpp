@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan_match.hpp"
+
 namespace outrider {
 namespace {
 
@@ -18,19 +20,15 @@ constexpr double sensed_m = 4.0;        // visits nearer than this see the same 
 constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
-constexpr double least_score = 0.5;
-constexpr double least_share = 0.7;
-constexpr double most_rival = 0.85;  // maximum score at another place, relative to the best
-constexpr double apart_m = 0.8;
 
 /// Returns the surface points of the last keyframes together, in the frame of the last one.
-Surface last_surface(const KeyframeGraph& graph) {
+Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces) {
   Surface result;
   const std::size_t count = graph.keyframes.size();
   const Pose2& last = graph.keyframes.back().pose;
   for (std::size_t i = count > query_keyframes ? count - query_keyframes : 0; i < count; ++i) {
     const Pose2 pose = relative_pose(last, graph.keyframes[i].pose);
-    for (const SurfacePoint& p : graph.keyframes[i].surface) {
+    for (const SurfacePoint& p : surfaces.of(graph, static_cast<std::uint32_t>(i))) {
       result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
     }
   }
@@ -45,6 +43,7 @@ std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncerta
   std::vector<std::pair<double, std::uint32_t>> nearest;
   bool open = false;
   for (std::uint32_t i = 0; i < last; ++i) {
+    if (!graph.keyframes[i].has_scan()) continue;
     const double away_m = distance(graph.keyframes[i].pose.position, graph.keyframes[last].pose.position);
     const bool may_be_here = known[i] > near_variance && away_m <= sensed_m + uncertain_m;
     if (may_be_here && !open) nearest.emplace_back(away_m, i);
@@ -59,13 +58,12 @@ std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncerta
 }
 
 /// Returns the surfaces of the keyframes around `scan`, from the same visit.
-SurfaceMap map_of_visit(const KeyframeGraph& graph, std::uint32_t scan) {
+SurfaceMap map_of_visit(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t scan) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   std::vector<SurfaceMap::Part> parts;
   for (std::uint32_t i = scan > visit_keyframes ? scan - visit_keyframes : 0; i <= scan + visit_keyframes;
        ++i) {
-    if (i + 2 * query_keyframes < last)
-      parts.push_back({&graph.keyframes[i].surface, graph.keyframes[i].pose, 0});
+    if (i + 2 * query_keyframes < last) parts.push_back({&surfaces.of(graph, i), graph.keyframes[i].pose, 0});
   }
   return SurfaceMap(parts);
 }
@@ -95,29 +93,19 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
 
 }  // namespace
 
-std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window) {
-  const auto found = map.find(surface, window, least_score);
-  if (!found) return std::nullopt;
-  if (map.may_be_elsewhere(surface, window, most_rival * found->score, found->pose.position, apart_m))
-    return std::nullopt;
-  constexpr double loose = 100.0;  // 1/m^2: a standard deviation of ten centimetres
-  const Fit fit = map.refine(surface, found->pose, {found->pose, loose * Eigen::Matrix3d::Identity()});
-  return fit.share >= least_share ? std::optional(fit) : std::nullopt;
-}
-
-bool LoopSearch::close(KeyframeGraph& graph, double reach_sd) {
+bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd) {
   const Keyframe& last = graph.keyframes.back();
   if (last.way_m - tried_at_m < try_every_m) return false;
   tried_at_m = last.way_m;
   const Eigen::Matrix3d& c = last.covariance;
   const double reach_m = std::clamp(sds * std::sqrt(c(0, 0) + c(1, 1)), least_reach_m, most_reach_m);
   const double turn_rad = std::clamp(sds * std::sqrt(c(2, 2)), least_turn_rad, most_turn_rad);
-  const Surface query = thinned(last_surface(graph), most_points);
+  const Surface query = thinned(last_surface(graph, surfaces), most_points);
   bool any = false;
   for (const std::uint32_t scan : candidates(graph, reach_m)) {
     const Pose2 here = graph.keyframes.back().pose;  // optimisation moves it
-    const auto fit =
-        recognise_place(map_of_visit(graph, scan), query, {here, reach_m, turn_rad, reach_m, turn_rad});
+    const auto fit = recognise_place(map_of_visit(graph, surfaces, scan), query,
+                                     {here, reach_m, turn_rad, reach_m, turn_rad});
     if (!fit || !is_plausible(graph.keyframes.back(), fit->pose, reach_sd) || !close_loop(graph, scan, *fit))
       continue;
     any = true;

@@ -8,14 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "keyframe_graph.hpp"
+#include "keyframe_surfaces.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
-
-/// Returns the pose of a surface on a map; nothing unless most points lie on surfaces of the map and no other
-/// pose in the window scores nearly as well.
-std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
 
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< keyframes: the earlier, the later
@@ -23,7 +19,7 @@ struct LoopSearch {
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose.
-  bool close(KeyframeGraph& graph, double reach_sd);
+  bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd);
 };
 
 }  // namespace outrider

@@ -6,15 +6,14 @@
 #include <optional>
 
 #include "laser_loops.hpp"
+#include "local_map.hpp"
+#include "motion_noise.hpp"
 #include "odometry_bias.hpp"
+#include "scan_agreement.hpp"
+#include "scan_match.hpp"
 
 namespace outrider {
 namespace {
-
-constexpr std::uint32_t recent_keyframes = 10;
-constexpr int recent_group = 0;
-constexpr int earlier_group = 1;
-constexpr double most_correction_m = 3.0;  // above this, matching is a search for the place
 
 bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
@@ -27,37 +26,6 @@ struct TrackPoint {
   Pose2 key_T_robot;
 };
 
-/// Standard deviations of a motion measured by odometry.
-struct MotionNoise {
-  double position_m = 0.0;
-  double heading_rad = 0.0;
-
-  [[nodiscard]] Eigen::Matrix3d information() const {
-    const double p = 1.0 / (position_m * position_m);
-    return Eigen::Vector3d(p, p, 1.0 / (heading_rad * heading_rad)).asDiagonal();
-  }
-};
-/// Distance driven and sum of turns.
-struct Driven {
-  double way_m = 0.0;
-  double turn_rad = 0.0;
-
-  Driven& operator+=(const Pose2& motion) {
-    way_m += norm(motion.position);
-    turn_rad += std::abs(motion.heading_rad);
-    return *this;
-  }
-};
-
-/// The error of the heading also moves the position sideways.
-MotionNoise odometry_noise(const Driven& driven, const LaserSlamOptions& o) {
-  const double root_m = std::sqrt(driven.way_m);
-  const double heading_rad = std::hypot(o.odometry_rest_rad, o.odometry_turn * std::sqrt(driven.turn_rad),
-                                        o.odometry_turn_per_distance_rad * root_m);
-  const double aside_m = heading_rad * driven.way_m / std::sqrt(3.0);
-  return {std::hypot(o.odometry_rest_m, o.odometry_distance * root_m, aside_m), heading_rad};
-}
-
 }  // namespace
 
 struct LaserSlam::State {
@@ -69,32 +37,35 @@ struct LaserSlam::State {
   std::vector<Pose2> before_keyframes;  ///< the track before the first keyframe, or of trusted odometry
   std::vector<TrackPoint> track;        ///< the track after that
   std::vector<Pose2> drawn;             ///< poses of the keyframes in the map as drawn
-  std::optional<SurfaceMap> near;       ///< local map: last keyframes (group 0), earlier visits (group 1)
-  std::optional<std::uint32_t> anchor;  ///< the nearest keyframe of earlier visits in `near`
-  std::size_t part = 0;                 ///< the first keyframe since the robot was last lost
+  LocalMap local;
+  std::size_t part = 0;  ///< the first keyframe since the robot was last lost
   OdometryBias bias;
   Driven unmatched;    ///< since the last match
   Driven unkept;       ///< since the last keyframe
   bool blind = false;  ///< the last scan had too few points
 
   State(const LaserSlamOptions& given, const Pose2& start)
-      : options(given), pose(start), map(given.map), before_keyframes{start} {}
+      : options(given),
+        pose(start),
+        map(given.map),
+        before_keyframes{start},
+        local(given.robot_T_laser, given.reach_m) {}
 
   [[nodiscard]] Pose2 since_keyframe() const {
     return wrap_heading(relative_pose(graph.keyframes.back().pose, pose));
   }
   void move(const Pose2& motion);
   [[nodiscard]] MatchWindow window() const;
-  [[nodiscard]] std::optional<Fit> match(const Surface& surface, MatchWindow window) const;
-  void take_scan(const LaserScan& scan, Surface surface, LaserSlamStep& step);
+  [[nodiscard]] bool contradicts(const LaserScan& scan, const Pose2& at) const;
+  void take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step);
   void learn(const Fit& fit);
   [[nodiscard]] bool is_keyframe_due() const;
-  void add_keyframe(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit);
-  void build_local_map();
-  [[nodiscard]] std::vector<SurfaceMap::Part> earlier_visits();
+  void add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit);
+  void build_local_map() { local.build(graph, part, pose); }
   [[nodiscard]] bool stands_as_drawn() const;
   MapUpdate redraw();
   void add_track_point();
+  [[nodiscard]] std::vector<std::size_t> pose_numbers() const;
 };
 
 std::vector<Option> describe(LaserSlamOptions& o) {
@@ -148,31 +119,16 @@ MatchWindow LaserSlam::State::window() const {
           std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
 }
 
-/// Matches the scan with the surfaces nearby. If few points lie on them, and the scan has enough points to
-/// tell places apart, tries a wider window. Returns nothing if too few points match. In a window that is
-/// large enough for several places, the scan must be recognised in one.
-std::optional<Fit> LaserSlam::State::match(const Surface& surface, MatchWindow window) const {
-  constexpr MotionNoise wide{0.6, 0.6};
-  constexpr double least_score = 0.1, wide_score = 0.3;
-  constexpr std::size_t least_wide_points = 60;
-  constexpr double least_share = 0.25, sure_share = 0.5, better_share = 0.1;
-  const bool telling = surface.size() >= least_wide_points;
-  if (window.reach_m > most_correction_m)
-    return telling ? recognise_place(*near, surface, window) : std::nullopt;
-  const MotionNoise noise{window.position_sd_m, window.heading_sd_rad};
-  Fit best;
-  if (const auto found = near->find(surface, window, least_score)) {
-    best = near->refine(surface, found->pose, {pose, noise.information()});
-  }
-  if (best.share >= sure_share || !telling)
-    return best.share >= least_share ? std::optional(best) : std::nullopt;
-  window.reach_m = std::max(window.reach_m, wide.position_m);
-  window.turn_rad = std::max(window.turn_rad, wide.heading_rad);
-  if (const auto found = near->find(surface, window, wide_score)) {
-    const Fit fit = near->refine(surface, found->pose, {found->pose, noise.information()});
-    if (fit.share > best.share + better_share) best = fit;
-  }
-  return best.share >= least_share ? std::optional(best) : std::nullopt;
+/// Returns true if the scan, taken at that pose, contradicts the one of the last keyframe: most points that
+/// both see are where one of them looked through.
+bool LaserSlam::State::contradicts(const LaserScan& scan, const Pose2& at) const {
+  constexpr std::size_t least_points = 40;
+  constexpr double most_share = 0.5;
+  if (graph.keyframes.size() <= part) return false;
+  const Keyframe& last = graph.keyframes.back();
+  const Agreement pair = mutual_agreement(scan, compose(at, options.robot_T_laser), last.scan,
+                                          compose(last.pose, options.robot_T_laser));
+  return pair.seen() >= least_points && pair.contradiction() > most_share;
 }
 
 bool LaserSlam::State::is_keyframe_due() const {
@@ -183,15 +139,14 @@ bool LaserSlam::State::is_keyframe_due() const {
 }
 
 /// Adds a keyframe with a constraint to the one before, and to an earlier visit if it was matched with one.
-void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, const std::optional<Fit>& fit) {
+void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit) {
   constexpr MotionNoise lost{0.3, 0.3};  // regardless of the stated odometry noise
   constexpr MotionNoise loose{0.1, 0.1};
   constexpr double least_share = 0.5;
   const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
-  surface.shrink_to_fit();
-  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, std::move(surface)});
+  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan});
   if (key == 0) return;
   const MotionNoise driven = odometry_noise(unkept, options);
   const MotionNoise noise{std::max(lost.position_m, driven.position_m),
@@ -201,50 +156,12 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, Surface surface, cons
                        : blind ? driven.information()
                                : noise.information());
   unkept = {};
-  if (!fit || !anchor) return;
-  const Fit visit =
-      near->refine(graph.keyframes[key].surface, pose, {pose, loose.information()}, earlier_group);
+  if (!fit || !local.anchor()) return;
+  const Fit visit = local.map()->refine(local.surfaces().of(graph, key), pose, {pose, loose.information()},
+                                        LocalMap::earlier_group);
   if (visit.share >= least_share) {
-    graph.add_constraint(*anchor, key, visit.pose, visit.information + Eigen::Matrix3d::Identity());
+    graph.add_constraint(*local.anchor(), key, visit.pose, visit.information + Eigen::Matrix3d::Identity());
   }
-}
-
-/// Returns keyframes of earlier visits that are near and whose pose relative to the last keyframe is well
-/// known.
-std::vector<SurfaceMap::Part> LaserSlam::State::earlier_visits() {
-  constexpr std::uint32_t earlier = 2 * recent_keyframes;
-  constexpr std::size_t most_keyframes = 16;
-  constexpr double most_variance = 0.01;  // m^2
-  constexpr double most_reach_m = 5.0;
-  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
-  anchor.reset();
-  if (last < earlier) return {};
-  const std::vector<double> variance = graph.variances_from(last, most_variance);
-  const double reach_m = std::min(0.5 * options.reach_m, most_reach_m);
-  std::vector<std::pair<double, std::uint32_t>> nearest;
-  for (std::uint32_t i = 0; i + earlier <= last; ++i) {
-    if (variance[i] > most_variance) continue;
-    const double away_m = distance(graph.keyframes[i].pose.position, pose.position);
-    if (away_m <= reach_m) nearest.emplace_back(away_m, i);
-  }
-  std::sort(nearest.begin(), nearest.end());
-  if (nearest.size() > most_keyframes) nearest.resize(most_keyframes);
-  if (!nearest.empty()) anchor = nearest.front().second;
-  std::vector<SurfaceMap::Part> parts;
-  for (const auto& [away_m, i] : nearest) {
-    parts.push_back({&graph.keyframes[i].surface, graph.keyframes[i].pose, earlier_group});
-  }
-  return parts;
-}
-
-void LaserSlam::State::build_local_map() {
-  std::vector<SurfaceMap::Part> parts = earlier_visits();
-  const std::size_t count = graph.keyframes.size();
-  for (std::size_t i = std::max(part, count > recent_keyframes ? count - recent_keyframes : 0); i < count;
-       ++i) {
-    parts.push_back({&graph.keyframes[i].surface, graph.keyframes[i].pose, recent_group});
-  }
-  near.emplace(parts);
 }
 
 /// Returns true if no keyframe, and no point 2 m away from it, has moved by a cell since it was drawn.
@@ -261,8 +178,9 @@ bool LaserSlam::State::stands_as_drawn() const {
 
 MapUpdate LaserSlam::State::redraw() {
   map = OccupancyMap(options.map);
-  for (const Keyframe& key : graph.keyframes)
-    map.insert(wrap_heading(compose(key.pose, options.robot_T_laser)), key.scan);
+  for (const Keyframe& key : graph.keyframes) {
+    if (key.has_scan()) map.insert(wrap_heading(compose(key.pose, options.robot_T_laser)), key.scan);
+  }
   drawn = graph.poses();
   return {true, {}};
 }
@@ -274,6 +192,15 @@ void LaserSlam::State::add_track_point() {
     track.push_back({static_cast<std::uint32_t>(graph.keyframes.size() - 1),
                      relative_pose(graph.keyframes.back().pose, pose)});
   }
+}
+
+/// Returns the number of the pose of each keyframe: the first one that is attached to it.
+std::vector<std::size_t> LaserSlam::State::pose_numbers() const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < track.size(); ++i) {
+    if (track[i].key == numbers.size()) numbers.push_back(before_keyframes.size() + i);
+  }
+  return numbers;
 }
 
 /// Moves the robot by odometry, corrected for its known systematic errors.
@@ -297,23 +224,26 @@ void LaserSlam::State::learn(const Fit& fit) {
 /// Corrects the pose with a scan, and makes the scan a keyframe if one is due. A robot that may be in several
 /// places and is recognised in none is lost: the scan becomes the first keyframe of a new part of the map.
 /// Only this part is used to match the next scans, and only odometry joins it to the part before.
-void LaserSlam::State::take_scan(const LaserScan& scan, Surface surface, LaserSlamStep& step) {
-  if (blind && near) build_local_map();
+void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step) {
+  if (blind && local.map() != nullptr) build_local_map();
   const MatchWindow about = window();
-  const auto fit = near ? match(surface, about) : std::nullopt;
+  const bool begun = local.map() != nullptr;
+  const auto contradicted = [&](const Pose2& at) { return contradicts(scan, at); };
+  const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted) : std::nullopt;
   step.matched = fit.has_value();
-  step.lost = near && !fit && about.reach_m > most_correction_m;
+  step.lost = begun && !fit && (about.reach_m > most_correction_m || contradicted(pose));
   if (fit) pose = fit->pose;
   if (!fit) bias.forget();
   if (fit || step.lost) unmatched = {};
   if (step.lost) part = graph.keyframes.size();
   if (step.lost || is_keyframe_due()) {
     if (fit) learn(*fit);
-    add_keyframe(scan, std::move(surface), fit);
+    add_keyframe(scan, fit);
     step.kept = true;
-    step.closed_loop = options.close_loops && loops.close(graph, options.loop_reach_sd);
+    step.closed_loop = options.close_loops && loops.close(graph, local.surfaces(), options.loop_reach_sd);
     pose = graph.keyframes.back().pose;
     build_local_map();
+    step.is_known_place = local.is_crowded();
     if (!options.draw_late) drawn.push_back(pose);
   }
   blind = false;
@@ -333,7 +263,7 @@ Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& 
     if (outrider::check(scan)) surface = surface_of(scan, s.options.robot_T_laser, s.options.reach_m);
     constexpr std::size_t least_points = 10;
     if (surface.size() >= least_points) {
-      s.take_scan(scan, std::move(surface), step);
+      s.take_scan(scan, surface, step);
     } else {
       s.blind = true;
       s.bias.forget();
@@ -364,11 +294,18 @@ Eigen::Matrix3d LaserSlam::pose_covariance() const {
 }
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
-std::vector<LaserLoop> LaserSlam::closed_loops() const {
-  std::vector<std::size_t> pose_of;  // by keyframe: the first pose attached to it is its own
-  for (std::size_t i = 0; i < state_->track.size(); ++i) {
-    if (state_->track[i].key == pose_of.size()) pose_of.push_back(state_->before_keyframes.size() + i);
+MapCheck LaserSlam::check() const {
+  const std::vector<std::size_t> pose_of = state_->pose_numbers();
+  std::vector<PlacedScan> scans;
+  for (std::size_t i = 0; i < pose_of.size(); ++i) {
+    const Keyframe& key = state_->graph.keyframes[i];
+    if (!key.has_scan()) continue;
+    scans.push_back({&key.scan, compose(key.pose, state_->options.robot_T_laser), key.way_m, pose_of[i]});
   }
+  return check_map(scans);
+}
+std::vector<LaserLoop> LaserSlam::closed_loops() const {
+  const std::vector<std::size_t> pose_of = state_->pose_numbers();
   std::vector<LaserLoop> result;
   for (const auto& [from, to] : state_->loops.closed) result.push_back({pose_of[from], pose_of[to]});
   return result;

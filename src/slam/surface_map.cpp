@@ -20,6 +20,7 @@ constexpr int high_margin = splat_cells + 1;
 
 constexpr double bucket_m = 0.15;    // also the distance within which a point searches its surface
 constexpr double merged_m = 0.04;    // elements nearer than this become one
+constexpr double most_count = 8.0;   // of points in an element that count
 constexpr double same_side = 0.5;    // cosine between normals of one surface
 constexpr double robust_m = 0.05;    // distance from which the weight decreases (Cauchy)
 constexpr double point_sd_m = 0.06;  // of a distance, including the correlation of neighbours
@@ -71,10 +72,27 @@ SurfaceMap::SurfaceMap(std::span<const Part> parts) {
     add(point, group);
   }
   build_pyramid();
-  for (Element& e : elements_) {
-    const double length = norm(e.normal);
-    e.normal = length > 0.0 ? (1.0 / length) * e.normal : Vec2{};
+  sort_elements();
+}
+
+/// Puts the elements of each bucket next to each other, and makes their normals unit vectors.
+void SurfaceMap::sort_elements() {
+  std::vector<Element> sorted;
+  sorted.reserve(elements_.size());
+  for (std::int32_t& first : first_) {
+    std::int32_t i = first;
+    first = static_cast<std::int32_t>(sorted.size());
+    while (i >= 0) {
+      sorted.push_back(elements_[static_cast<std::size_t>(i)]);
+      Element& e = sorted.back();
+      i = e.next;
+      const double length = norm(e.normal);
+      e.normal = length > 0.0 ? (1.0 / length) * e.normal : Vec2{};
+      e.count = std::min(e.count, most_count);
+    }
   }
+  first_.push_back(static_cast<std::int32_t>(sorted.size()));
+  elements_ = std::move(sorted);
 }
 
 void SurfaceMap::splat(Vec2 position) {
@@ -137,7 +155,7 @@ void SurfaceMap::add(const SurfacePoint& point, int group) {
     e.normal = e.normal + point.normal;
     return;
   }
-  elements_.push_back({point.position, point.normal, 1.0, head, group});
+  elements_.push_back({point.position, point.normal, 1.0, group, head});
   head = static_cast<std::int32_t>(elements_.size() - 1);
 }
 
@@ -147,19 +165,19 @@ std::optional<SurfaceMap::Line> SurfaceMap::line_at(Vec2 position, Vec2 normal, 
   const Cell bucket = bucket_frame_.cell_at(position);
   double weights = 0.0, distances = 0.0;
   Vec2 normals;
+  const int left = std::max(0, bucket.x - 1), right = std::min(bucket_frame_.width - 1, bucket.x + 1);
+  if (left > right) return std::nullopt;
   for (int y = std::max(0, bucket.y - 1); y <= std::min(bucket_frame_.height - 1, bucket.y + 1); ++y) {
-    for (int x = std::max(0, bucket.x - 1); x <= std::min(bucket_frame_.width - 1, bucket.x + 1); ++x) {
-      for (std::int32_t i = first_[bucket_frame_.index({x, y})]; i >= 0;) {
-        const Element& e = elements_[static_cast<std::size_t>(i)];
-        i = e.next;
-        const Vec2 between = position - e.position;
-        const double near = 1.0 - squared_norm(between) / squared_reach;
-        if (near <= 0.0 || dot(e.normal, normal) < same_side || (group >= 0 && e.group != group)) continue;
-        const double weight = near * near * std::min(e.count, 8.0);
-        weights += weight;
-        distances += weight * dot(e.normal, between);
-        normals = normals + weight * e.normal;
-      }
+    const auto end = static_cast<std::size_t>(first_[bucket_frame_.index({right, y}) + 1]);
+    for (auto i = static_cast<std::size_t>(first_[bucket_frame_.index({left, y})]); i < end; ++i) {
+      const Element& e = elements_[i];
+      const Vec2 between = position - e.position;
+      const double near = 1.0 - squared_norm(between) / squared_reach;
+      if (near <= 0.0 || dot(e.normal, normal) < same_side || (group >= 0 && e.group != group)) continue;
+      const double weight = near * near * e.count;
+      weights += weight;
+      distances += weight * dot(e.normal, between);
+      normals = normals + weight * e.normal;
     }
   }
   if (!(weights > 0.0)) return std::nullopt;

@@ -41,6 +41,12 @@ struct MatchWindow {
   double heading_sd_rad = 1e9;
 };
 
+/// Two poses are distinct if they differ by more than one of these.
+struct Separation {
+  double position_m = 0.0;
+  double heading_rad = 0.0;
+};
+
 struct FoundPose {
   Pose2 pose;
   double score = 0.0;  ///< mean of the field, 0 to 1, less the cost
@@ -78,10 +84,10 @@ class SurfaceMap {
   /// too many poses to search.
   [[nodiscard]] std::optional<FoundPose> find(const Surface& surface, const MatchWindow& window,
                                               double least) const;
-  /// Returns true if some pose farther than `apart_m` from `except` scores above `least`, or if the window
-  /// has too many poses to decide.
+  /// Returns true if some pose distinct from `except` scores above `least`, or if the window has too many
+  /// poses to decide.
   [[nodiscard]] bool may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
-                                      Vec2 except, double apart_m) const;
+                                      const Pose2& except, const Separation& distinct) const;
   [[nodiscard]] Fit refine(const Surface& surface, const Pose2& start, const PosePrior& prior,
                            int group = all_groups) const;
   [[nodiscard]] MatchEquations equations(const Surface& surface, const Pose2& pose,
@@ -91,9 +97,9 @@ class SurfaceMap {
   struct Element {
     Vec2 position;
     Vec2 normal;
-    double count = 0.0;
-    std::int32_t next = -1;
+    double count = 0.0;  ///< of the points that it was made of; 8 at most once the map is built
     int group = 0;
+    std::int32_t next = -1;  ///< in its bucket, while the map is built
   };
   struct Line {
     Vec2 normal;
@@ -103,12 +109,13 @@ class SurfaceMap {
   void add(const SurfacePoint& point, int group);
   void splat(Vec2 position);
   void build_pyramid();
+  void sort_elements();
   [[nodiscard]] std::optional<Line> line_at(Vec2 position, Vec2 normal, int group) const;
 
   std::vector<Grid<std::uint8_t>> levels_;  ///< maxima over windows of 2^level + 1 cells at least
   GridFrame bucket_frame_;
-  std::vector<std::int32_t> first_;  ///< element, by bucket
-  std::vector<Element> elements_;
+  std::vector<std::int32_t> first_;  ///< element, by bucket; of the last bucket also the end
+  std::vector<Element> elements_;    ///< bucket by bucket
 };
 
 }  // namespace outrider

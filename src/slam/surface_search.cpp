@@ -3,6 +3,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "outrider/core/units.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
@@ -38,8 +39,8 @@ bool better(const Block& a, const Block& b) {
 class Search {
  public:
   Search(const std::vector<Grid<std::uint8_t>>& levels, const Surface& surface, const MatchWindow& window,
-         double least, const Vec2* except, double apart_m)
-      : levels_(levels), window_(window), except_(except), apart_m_(apart_m), best_{{}, least} {
+         double least, const Pose2* except, const Separation& distinct)
+      : levels_(levels), window_(window), except_(except), distinct_(distinct), best_{{}, least} {
     const GridFrame& frame = levels.front().frame;
     reach_ = static_cast<int>(std::min(std::ceil(window.reach_m / frame.resolution_m), most_reach_cells));
     double farthest_m = 1.0;
@@ -154,15 +155,18 @@ class Search {
     const double side_m = levels_.front().frame.resolution_m;
     const Vec2 place =
         window_.centre.position + side_m * Vec2{double(block.offset.x), double(block.offset.y)};
-    if (except_ != nullptr && distance(*except_, place) <= apart_m_) return;
-    best_ = {{place, window_.centre.heading_rad + (block.angle - turns_) * step_rad_}, block.bound};
+    const Pose2 pose{place, window_.centre.heading_rad + (block.angle - turns_) * step_rad_};
+    if (except_ != nullptr && distance(except_->position, place) <= distinct_.position_m &&
+        std::abs(wrap_angle(except_->heading_rad - pose.heading_rad)) <= distinct_.heading_rad)
+      return;
+    best_ = {pose, block.bound};
     found_ = true;
   }
 
   const std::vector<Grid<std::uint8_t>>& levels_;
   const MatchWindow& window_;
-  const Vec2* except_;
-  double apart_m_;
+  const Pose2* except_;
+  Separation distinct_;
   FoundPose best_;
   bool found_ = false;
   std::int64_t tried_ = 0;
@@ -176,13 +180,13 @@ class Search {
 
 std::optional<FoundPose> SurfaceMap::find(const Surface& surface, const MatchWindow& window,
                                           double least) const {
-  Search search(levels_, thinned(surface, most_points), window, least, nullptr, 0.0);
+  Search search(levels_, thinned(surface, most_points), window, least, nullptr, {});
   return search.run() ? search.best() : std::nullopt;
 }
 
 bool SurfaceMap::may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
-                                  Vec2 except, double apart_m) const {
-  Search search(levels_, thinned(surface, most_points), window, least, &except, apart_m);
+                                  const Pose2& except, const Separation& distinct) const {
+  Search search(levels_, thinned(surface, most_points), window, least, &except, distinct);
   return !search.run() || search.best();
 }
 

@@ -29,6 +29,7 @@
 #include <memory>
 #include <vector>
 
+#include "outrider/slam/map_check.hpp"
 #include "outrider/slam/occupancy_map.hpp"
 
 namespace outrider {
@@ -56,12 +57,13 @@ std::vector<Option> describe(LaserSlamOptions& options);
 
 /// The result of a step.
 struct LaserSlamStep {
-  Pose2 pose;                ///< estimated world_T_robot after the step
-  bool matched = false;      ///< the scan matched; otherwise the pose is that of the odometry
-  bool lost = false;         ///< the robot is lost; see the head of this file
-  bool kept = false;         ///< the scan became a keyframe
-  bool closed_loop = false;  ///< a loop was closed
-  MapUpdate update;          ///< changes of map()
+  Pose2 pose;                   ///< estimated world_T_robot after the step
+  bool matched = false;         ///< the scan matched; otherwise the pose is that of the odometry
+  bool lost = false;            ///< the robot is lost; see the head of this file
+  bool kept = false;            ///< the scan became a keyframe
+  bool is_known_place = false;  ///< the keyframe is from a place that was seen many times
+  bool closed_loop = false;     ///< a loop was closed
+  MapUpdate update;             ///< changes of map()
 };
 
 /// A loop constraint between two poses of trajectory(), by their numbers.
@@ -99,6 +101,8 @@ class LaserSlam {
   [[nodiscard]] std::size_t loops() const;
   /// Returns the loops in the order in which they were closed.
   [[nodiscard]] std::vector<LaserLoop> closed_loops() const;
+  /// Checks whether the scans of the keyframes agree on what is free; numbers are those of trajectory().
+  [[nodiscard]] MapCheck check() const;
 
  private:
   struct State;

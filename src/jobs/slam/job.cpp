@@ -17,11 +17,10 @@ struct SlamJob::Input {
 SlamJob::SlamJob() : JobTask("slam") {}
 SlamJob::~SlamJob() = default;
 
-/// Takes the pose of the laser from the log, unless an option says it.
-void SlamJob::take_mount(const LaserTopics& topics) {
+void SlamJob::take_mount(const std::optional<Pose2>& robot_T_laser) {
   const bool is_given = given.contains("laser.laser_x") || given.contains("laser.laser_y") ||
                         given.contains("laser.laser_heading");
-  if (!is_given) scenario.laser.robot_T_laser = topics.robot_T_laser().value_or(scenario.laser.robot_T_laser);
+  if (!is_given) scenario.laser.robot_T_laser = robot_T_laser.value_or(scenario.laser.robot_T_laser);
 }
 
 Outcome<Warnings> SlamJob::load() {
@@ -29,12 +28,13 @@ Outcome<Warnings> SlamJob::load() {
   if (is_log_file(scenario.log)) {
     auto topics = open_laser_topics(scenario.log, scenario.topics);
     if (!topics) return pass_on(topics);
-    take_mount(**topics);
+    take_mount((*topics)->robot_T_laser());
     input_ = std::make_unique<Input>(Input{.topics = std::move(*topics), .has_topics = true});
     return Warnings{};
   }
   auto input = load_slam_input(scenario.log, scenario.truth, scenario.noise, scenario.carmen);
   if (!input) return pass_on(input);
+  if (const auto* log = std::get_if<LaserLog>(&*input)) take_mount(log->robot_T_laser);
   input_ = std::make_unique<Input>(Input{.value = std::move(*input)});
   return Warnings{};
 }

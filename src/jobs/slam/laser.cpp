@@ -50,9 +50,9 @@ Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy) {
   return part;
 }
 
-/// Logs the mapping. Of a recording that is read while it is mapped, belief, odometry and scan are logged at
-/// the keyframes only, and the map once in ten seconds: the log then grows with the map, and not with the
-/// recording.
+/// Logs the mapping. Of a recording that is read while it is mapped, belief, odometry and path are logged at
+/// the keyframes only, scans at those of new places, and the map once in ten seconds: the log then grows with
+/// the way, and not with the recording.
 class Recorder {
  public:
   /// `times_s` are the times of all steps, or empty for a recording that is read while it is mapped.
@@ -61,7 +61,7 @@ class Recorder {
         log_(log, scenario, "laser"),
         keyframes_only_(times_s.empty()),
         times_s_(std::move(times_s)),
-        map_(options_.map, options_.robot_T_laser, options_.trust_odometry, keyframes_only_ ? 10.0 : 1.0) {
+        map_(options_.map, options_.robot_T_laser, keyframes_only_ ? period_s : 1.0) {
     log_mount(log, "laser", options_.robot_T_laser, 0.0);
   }
 
@@ -70,13 +70,13 @@ class Recorder {
     if (keyframes_only_) times_s_.push_back(seen.time_s - recorded_s_.front());
     const double time_s = times_s_[step];
     if (!keyframes_only_ || outcome.kept || step == 0) {
+      noted_.push_back(step);
       log_.note({time_s, outcome.pose, slam.pose_covariance(), seen.odometry, outcome.closed_loop});
-      log_scan(log_.log(), time_s, *seen.scan);
+      note_scan(time_s, *seen.scan, outcome.is_known_place);
     } else {
       log_.pass(time_s);
     }
-    if (outcome.kept || options_.trust_odometry)
-      map_.add(log_.log(), outcome.pose, *seen.scan, time_s, step + 1);
+    if (outcome.kept || options_.trust_odometry) map_.add(log_.log(), outcome.pose, *seen.scan, time_s);
     if (outcome.lost) log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
     if (outcome.closed_loop) log_loops(slam, slam.trajectory());
   }
@@ -85,10 +85,14 @@ class Recorder {
   double settle(const LaserRun& run) {
     std::vector<Pose2> poses = run.slam.trajectory();
     log_loops(run.slam, poses);
-    map_.finish(log_.log(), poses, log_.end_s());
+    map_.finish(log_.log(), run.slam.map().occupancy(), log_.end_s());
     poses.erase(poses.begin());  // before the first scan
-    const Grid<std::uint8_t> map = known_part(map_.map().occupancy());
-    return log_.settle(poses, run.reference, map.cells.empty() ? Box2{} : map.frame.bounds());
+    const Grid<std::uint8_t> map = known_part(run.slam.map().occupancy());
+    const double way_m = length_of(poses);
+    std::vector<Pose2> noted;
+    for (const std::size_t step : noted_) noted.push_back(poses[step]);
+    log_.settle(noted, run.reference, map.cells.empty() ? Box2{} : map.frame.bounds());
+    return way_m;
   }
 
   [[nodiscard]] double end_s() const { return log_.end_s(); }
@@ -96,6 +100,16 @@ class Recorder {
   [[nodiscard]] const std::vector<double>& recorded_s() const { return recorded_s_; }
 
  private:
+  static constexpr double period_s = 10.0;  ///< of what is logged of a place that is known
+
+  /// Logs a scan. A recording that is read while it is mapped may drive through known places for hours: of
+  /// their scans, one in ten seconds is logged.
+  void note_scan(double time_s, const LaserScan& scan, bool is_known_place) {
+    if (keyframes_only_ && is_known_place && time_s < scan_logged_s_ + period_s) return;
+    log_scan(log_.log(), time_s, scan);
+    scan_logged_s_ = time_s;
+  }
+
   void log_loops(const LaserSlam& slam, const std::vector<Pose2>& poses) {
     outrider_msgs::Loops loops;
     for (const LaserLoop& loop : slam.closed_loops()) {
@@ -113,6 +127,8 @@ class Recorder {
   bool keyframes_only_;
   std::vector<double> times_s_;     ///< of the run
   std::vector<double> recorded_s_;  ///< of the steps so far
+  std::vector<std::size_t> noted_;  ///< the steps that are logged
+  double scan_logged_s_ = 0.0;
   ScanMap map_;
   std::size_t told_ = 0;  ///< number of loops that are logged as events
 };
@@ -131,7 +147,7 @@ Metrics metrics_of(const LaserRun& run) {
           {"steps_lost", number(run.lost)},
           {"loops", number(run.slam.loops())},
           {"map_m2", free_m2(run.slam.map())},
-          {"log_s", run.log_s}};
+          {"log_s", known(run.log_s)}};
 }
 
 Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_s, const LaserRun& run) {
@@ -162,9 +178,9 @@ Status report_mapping(Recorder& recorder, Run& run, const RunWatch& watch, const
   run.report.metrics = metrics_of(*mapped);
   run.report.metrics.emplace_back("distance_m", recorder.settle(*mapped));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
-  const bool timed = mapped->log_s > 0.0 && mapped->time_s > 0.0;
   run.report.machine_times = {{"time_s", mapped->time_s}, {"max_step_s", mapped->max_step_s}};
-  if (timed) run.report.machine_times.emplace_back("real_time_factor", mapped->log_s / mapped->time_s);
+  if (mapped->log_s && mapped->time_s > 0.0)
+    run.report.machine_times.emplace_back("real_time_factor", *mapped->log_s / mapped->time_s);
   if (mapped->stopped) mark_cancelled(run.report, run.log, recorder.end_s());
   auto files = files_of(recorder.recorded_s(), *mapped);
   if (!files) return tl::unexpected<Fault>(files.error());

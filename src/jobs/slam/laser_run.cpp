@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "outrider/jobs/slam/laser_mission.hpp"
+#include "outrider/jobs/slam/recording_clock.hpp"
 #include "outrider/robot/recorded_robot.hpp"
 #include "outrider/slam/map_error.hpp"
 
@@ -37,7 +38,6 @@ class Records {
     if (!step) fault_ = std::move(step.error());
     if (fault_ || !*step) return std::nullopt;
     LaserLogStep& read = **step;
-    if (!first_s_) first_s_ = read.scan.time_s;
     seen_.time_s = read.scan.time_s;
     seen_.odometry = compose(seen_.odometry, read.motion);
     seen_.motion = read.motion;
@@ -46,15 +46,10 @@ class Records {
   }
 
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
-  /// Returns the time from the first scan to the present one.
-  [[nodiscard]] double length_s() const {
-    return std::max(0.0, seen_.time_s - first_s_.value_or(seen_.time_s));
-  }
 
  private:
   LaserSource& source_;
   Observation seen_;
-  std::optional<double> first_s_;
   std::optional<Fault> fault_;
 };
 
@@ -90,11 +85,11 @@ Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& opt
   RecordedRobot robot([&] { return records.next(); });
   TimedMission timed{LaserMission(std::move(*begun)), processor_s};
   LaserMission& mission = timed.mission;
-  double log_s = 0.0;
+  RecordingClock clock;
   const bool ended =
       run_mission(timed, robot, watch.stop, [&](const Observation& seen, const Command* command) {
         if (command == nullptr) return;
-        log_s = records.length_s();
+        clock.note(seen.time_s);
         if (watch.stepped) watch.stepped(mission.slam, mission.scans - 1, seen, *mission.newest);
         if (watch.progress) watch.progress(source.progress());
       });
@@ -111,7 +106,7 @@ Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& opt
                   .lost = mission.lost,
                   .time_s = timed.time_s,
                   .max_step_s = timed.max_step_s,
-                  .log_s = log_s,
+                  .log_s = clock.length_s(),
                   .mean_error_m = {},
                   .rms_error_m = {},
                   .reference = {}};

@@ -69,16 +69,19 @@ SlamLog::SlamLog(Log& log, const SlamScenario& scenario, const std::string& engi
 
 void SlamLog::note(const Step& step) {
   times_s_.push_back(step.time_s);
+  end_s_ = step.time_s;
   log_belief(log_, step.time_s, step.pose, step.covariance, step.recognised);
   log_odometry(log_, step.time_s, step.odometry);
 }
 
-double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 box) {
+double length_of(const std::vector<Pose2>& poses) {
   double way_m = 0.0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i > 0) way_m += distance(poses[i - 1].position, poses[i].position);
-    box.include(poses[i].position);
-  }
+  for (std::size_t i = 1; i < poses.size(); ++i) way_m += distance(poses[i - 1].position, poses[i].position);
+  return way_m;
+}
+
+double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 box) {
+  for (const Pose2& pose : poses) box.include(pose.position);
   for (const Vec2 place : reference) box.include(place);
   std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                                        times_s_.size(), poses.size())));
@@ -88,7 +91,7 @@ double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>&
   info_.low = point_of(box.low);
   info_.high = point_of(box.high);
   log_.append(topic::run, end_s(), info_);
-  return way_m;
+  return length_of(poses);
 }
 
 }  // namespace outrider

@@ -31,6 +31,9 @@ void set_place(outrider_msgs::Landmark& landmark, Vec2 position, const Eigen::Ma
 void log_trajectory(Log& log, std::string_view topic, double time_s, const std::vector<double>& times_s,
                     const std::vector<Pose2>& poses);
 
+/// Returns the length of the way through the poses, m.
+double length_of(const std::vector<Pose2>& poses);
+
 class SlamLog {
  public:
   /// Logs what is mapped. `engine` is "laser", "pose_graph" or the engine of landmark maps.
@@ -45,20 +48,21 @@ class SlamLog {
     bool recognised = false;                               ///< a known landmark or place corrected the belief
   };
   void note(const Step& step);
-  /// Notes only the time of a step, for the final path.
-  void pass(double time_s) { times_s_.push_back(time_s); }
+  /// Passes a step that is not logged; only its time counts, as the end of the run.
+  void pass(double time_s) { end_s_ = time_s; }
 
-  /// Logs the final path, with one pose for each step, and a reference in the same frame, which may be empty.
-  /// Logs the bounds of everything, `others` included. Returns the length of the path, m.
+  /// Logs the final path, with one pose for each step noted, and a reference in the same frame, which may be
+  /// empty. Logs the bounds of everything, `others` included. Returns the length of the path, m.
   double settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 others = {});
 
-  [[nodiscard]] double end_s() const { return times_s_.empty() ? 0.0 : times_s_.back(); }
+  [[nodiscard]] double end_s() const { return end_s_; }
   [[nodiscard]] Log& log() { return log_; }
 
  private:
   Log& log_;
   outrider_msgs::RunInfo info_;
-  std::vector<double> times_s_;
+  std::vector<double> times_s_;  ///< of the steps noted
+  double end_s_ = 0.0;
 };
 
 }  // namespace outrider

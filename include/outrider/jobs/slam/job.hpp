@@ -19,7 +19,8 @@ class SlamJob final : public JobTask {
   std::vector<OptionGroup> describe() override { return outrider::describe(scenario); }
 
  private:
-  void take_mount(const LaserTopics& topics);
+  /// Takes the pose of the laser from the log, unless an option says it.
+  void take_mount(const std::optional<Pose2>& robot_T_laser);
 
   struct Input;                   ///< the log, read or opened
   std::unique_ptr<Input> input_;  ///< once loaded

@@ -21,7 +21,8 @@ struct LaserRun {
   std::size_t lost = 0;     ///< steps at which the robot was lost
   double time_s = 0.0;      ///< total time by the given clock
   double max_step_s = 0.0;  ///< longest step by the given clock
-  double log_s = 0.0;       ///< time from the first scan to the last; 0 if the log has no usable times
+  /// Time from the first scan to the last; nothing if the clock of the log cannot be believed.
+  std::optional<double> log_s;
   std::optional<double> mean_error_m;  ///< mean distance of the poses from the aligned reference
   std::optional<double> rms_error_m;   ///< root mean square of that distance
   std::vector<Vec2> reference;         ///< positions, aligned to the track by a rigid motion of least squares

@@ -44,7 +44,7 @@ TEST(LaserRun, TimesAreThoseOfTheClockGiven) {
   EXPECT_EQ(stepped, log.steps.size());
   EXPECT_EQ(run->time_s, static_cast<double>(log.steps.size()) + 1.0);  // each step, and settling
   EXPECT_EQ(run->max_step_s, 1.0);
-  EXPECT_DOUBLE_EQ(run->log_s, 10.0);
+  EXPECT_DOUBLE_EQ(run->log_s.value(), 10.0);
 }
 
 TEST(LaserRun, TheReferenceIsLaidOverTheTrack) {

@@ -108,7 +108,7 @@ TEST(LaserTopicsRun, TheMapOfALogIsThatOfItsScansInMemoryInEveryFormat) {
     const auto mapped = run_laser_log(**source, options(), {}, [] { return 0.0; });
     ASSERT_TRUE(mapped) << to_string(mapped.error());
     EXPECT_EQ(mapped->steps, direct->steps);
-    EXPECT_NEAR(mapped->log_s, direct->log_s, 1e-6);
+    EXPECT_NEAR(mapped->log_s.value(), direct->log_s.value(), 1e-6);
     EXPECT_TRUE(mapped->slam.map().frame() == direct->slam.map().frame());
     EXPECT_EQ(mapped->slam.map().occupancy().cells, direct->slam.map().occupancy().cells);
     EXPECT_EQ(mapped->slam.trajectory(), direct->slam.trajectory());

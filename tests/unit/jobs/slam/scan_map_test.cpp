@@ -66,23 +66,21 @@ TEST(ScanMap, IsThatOfTheMapper) {
   auto slam = LaserSlam::begin(options, rounds.poses.front());
   ASSERT_TRUE(slam);
   Log log;
-  ScanMap map(options.map, options.robot_T_laser, false, 1.0);
+  ScanMap map(options.map, options.robot_T_laser, 1.0);
   for (std::size_t i = 0; i < rounds.scans.size(); ++i) {
     const auto step = slam->advance(rounds.motions[i], rounds.scans[i]);
     ASSERT_TRUE(step);
-    if (step->kept) map.add(log, step->pose, rounds.scans[i], rounds.scans[i].time_s, i + 1);
+    if (step->kept) map.add(log, step->pose, rounds.scans[i], rounds.scans[i].time_s);
   }
   slam->settle();
-  map.finish(log, slam->trajectory(), rounds.scans.back().time_s);
-  EXPECT_EQ(map.map().occupancy().frame, slam->map().occupancy().frame);
-  EXPECT_EQ(map.map().occupancy().cells, slam->map().occupancy().cells);
+  map.finish(log, slam->map().occupancy(), rounds.scans.back().time_s);
   LogMap logged;
   std::ptrdiff_t first = -1;
   logged.read(log, [&](const Grid<std::uint8_t>& grid, bool, std::span<const std::size_t>, double) {
     if (first < 0) first = std::ssize(grid.cells) - std::ranges::count(grid.cells, unknown_cell);
   });
-  EXPECT_EQ(logged.grid().frame, map.map().occupancy().frame);
-  EXPECT_EQ(logged.grid().cells, map.map().occupancy().cells);
+  EXPECT_EQ(logged.grid().frame, slam->map().frame());
+  EXPECT_EQ(logged.grid().cells, slam->map().occupancy().cells);
   const auto& cells = logged.grid().cells;
   const auto known = std::ssize(cells) - std::ranges::count(cells, unknown_cell);
   EXPECT_GT(known, 5000);

@@ -1,0 +1,71 @@
+#include "scan_match.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace outrider {
+namespace {
+
+constexpr double recognised_score = 0.5;
+constexpr double recognised_share = 0.7;
+constexpr double most_rival = 0.85;  // maximum score at another place, relative to the best
+constexpr Separation distinct{0.8, 0.7};
+
+constexpr std::size_t telling_points = 60;  // with fewer, a scan does not tell places apart
+constexpr double least_share = 0.25, sure_share = 0.5, certain_share = 0.9, better_share = 0.1;
+
+Eigen::Matrix3d information_of(const MatchWindow& window) {
+  const double p = 1.0 / (window.position_sd_m * window.position_sd_m);
+  return Eigen::Vector3d(p, p, 1.0 / (window.heading_sd_rad * window.heading_sd_rad)).asDiagonal();
+}
+
+/// Returns the window, enlarged to at least this size.
+MatchWindow widened(MatchWindow window, double reach_m, double turn_rad) {
+  window.reach_m = std::max(window.reach_m, reach_m);
+  window.turn_rad = std::max(window.turn_rad, turn_rad);
+  return window;
+}
+
+}  // namespace
+
+std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window) {
+  const auto found = map.find(surface, window, recognised_score);
+  if (!found) return std::nullopt;
+  if (map.may_be_elsewhere(surface, window, most_rival * found->score, found->pose, distinct))
+    return std::nullopt;
+  constexpr double loose = 100.0;  // 1/m^2: a standard deviation of ten centimetres
+  const Fit fit = map.refine(surface, found->pose, {found->pose, loose * Eigen::Matrix3d::Identity()});
+  return fit.share >= recognised_share ? std::optional(fit) : std::nullopt;
+}
+
+std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                              const std::function<bool(const Pose2&)>& contradicted) {
+  constexpr double narrow_score = 0.1, wide_score = 0.3;
+  constexpr double wide_m = 0.6, wide_rad = 0.6, widest_m = 4.0;
+  const bool telling = surface.size() >= telling_points;
+  if (window.reach_m > most_correction_m) {
+    auto fit = telling ? recognise_place(map, surface, window) : std::nullopt;
+    return fit && !contradicted(fit->pose) ? fit : std::nullopt;
+  }
+  const Eigen::Matrix3d information = information_of(window);
+  Fit best;
+  const auto take = [&](const Fit& fit, double better) {
+    const bool is_certain = fit.share >= certain_share;
+    if (fit.share > best.share + better && (is_certain || !contradicted(fit.pose))) best = fit;
+    return best.share >= sure_share || !telling;
+  };
+  const auto found = [&] { return best.share >= least_share ? std::optional(best) : std::nullopt; };
+  if (const auto pose = map.find(surface, window, narrow_score)) {
+    if (take(map.refine(surface, pose->pose, {window.centre, information}), 0.0)) return found();
+  }
+  if (!telling) return std::nullopt;
+  if (const auto pose = map.find(surface, widened(window, wide_m, wide_rad), wide_score)) {
+    if (take(map.refine(surface, pose->pose, {pose->pose, information}), better_share)) return found();
+  }
+  if (best.share >= least_share) return best;
+  const MatchWindow whole{window.centre, widest_m, std::numbers::pi};
+  const auto fit = recognise_place(map, surface, whole);
+  return fit && !contradicted(fit->pose) ? fit : std::nullopt;
+}
+
+}  // namespace outrider

@@ -1,0 +1,29 @@
+// The pose of a scan on the surfaces around the robot.
+//
+// Odometry is believed first: the best pose is searched within three of its standard deviations. If few
+// points lie on surfaces there, or another scan looked through them, the window is widened to 0.6 m and 0.6
+// rad. If nothing is found there either, it is widened to 4 m and the full turn. In a window that is large
+// enough for several places, the scan must be recognised: most points lie on surfaces, and no other pose
+// scores nearly as well.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "surface_map.hpp"
+
+namespace outrider {
+
+/// A window of more than this may hold several places.
+constexpr double most_correction_m = 3.0;
+
+/// Returns the pose of a surface on a map; nothing unless most points lie on surfaces of the map and no other
+/// pose in the window scores nearly as well.
+std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
+
+/// Returns the pose of a surface in or around a window whose centre and deviations are those of the odometry;
+/// nothing if too few points match. A pose that is `contradicted` is not returned.
+std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                              const std::function<bool(const Pose2&)>& contradicted);
+
+}  // namespace outrider
