@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "graph_lines.hpp"
 
@@ -15,25 +18,37 @@ struct Form {
   std::size_t numbers;
   std::string_view sentence;
 };
-constexpr std::array<Form, 5> forms = {{
+constexpr std::array<Form, 7> planar_forms = {{
     {"VERTEX_SE2", 1, 3, "VERTEX_SE2 id x y heading"},
     {"VERTEX_XY", 1, 2, "VERTEX_XY id x y"},
     {"EDGE_SE2", 2, 9, "EDGE_SE2 from to x y heading and 6 numbers of the information's upper triangle"},
     {"EDGE_SE2_XY", 2, 5, "EDGE_SE2_XY from to x y and 3 numbers of the information's upper triangle"},
     {"FIX", 1, 0, "FIX id"},
+    {"VERTEX2", 1, 3, "VERTEX2 id x y heading"},
+    {"EDGE2", 2, 9, "EDGE2 from to x y heading and the information as xx xy yy hh xh yh"},
+}};
+constexpr std::array<Form, 3> spatial_forms = {{
+    {"VERTEX_SE3:QUAT", 1, 7, "VERTEX_SE3:QUAT id x y z and a quaternion qx qy qz qw"},
+    {"EDGE_SE3:QUAT", 2, 28,
+     "EDGE_SE3:QUAT from to x y z qx qy qz qw and 21 numbers of the information's upper triangle"},
+    {"FIX", 1, 0, "FIX id"},
 }};
 
-Status read_line(std::string_view line, GraphLines& lines) {
+/// The words of a line that has one of the forms.
+struct Line {
+  std::string_view tag;
+  std::vector<std::string_view> names;
+  std::vector<double> numbers;
+};
+
+Outcome<Line> read_words(std::string_view line, std::span<const Form> forms, std::string_view ground) {
   const std::vector<std::string_view> all = words(line);
-  const Form* form = nullptr;
-  for (const Form& candidate : forms) {
-    if (candidate.tag == all[0]) form = &candidate;
-  }
-  if (form == nullptr) {
-    return bad_input(
-        fmt::format("'{}' is no line of a graph of the plane; expected VERTEX_SE2, VERTEX_XY, EDGE_SE2, "
-                    "EDGE_SE2_XY or FIX",
-                    excerpt(all[0])));
+  const auto form = std::ranges::find(forms, all[0], &Form::tag);
+  if (form == forms.end()) {
+    std::vector<std::string_view> tags;
+    for (const Form& known : forms) tags.push_back(known.tag);
+    return bad_input(fmt::format("'{}' is no line of a graph of {}; expected one of {}", excerpt(all[0]),
+                                 ground, fmt::join(tags, ", ")));
   }
   const std::span<const std::string_view> rest(all.begin() + 1, all.end());
   const auto values =
@@ -41,39 +56,126 @@ Status read_line(std::string_view line, GraphLines& lines) {
   const bool names =
       values && number<std::int64_t>(rest[0]) && (form->names < 2 || number<std::int64_t>(rest[1]));
   if (!names) return bad_input(fmt::format("'{}' is not valid; expected {}", excerpt(line), form->sentence));
-  const auto& v = *values;
-  const std::span<const double> numbers(v);
-  if (form->tag == "VERTEX_SE2") return lines.place(rest[0], {{v[0], v[1]}, v[2]}, false);
-  if (form->tag == "VERTEX_XY") return lines.place(rest[0], {{v[0], v[1]}, 0.0}, true);
-  if (form->tag == "EDGE_SE2") {
-    return lines.join(EdgeKind::pose, rest[0], rest[1], {{v[0], v[1]}, v[2]}, numbers.subspan(3), false);
-  }
-  if (form->tag == "EDGE_SE2_XY") {
-    return lines.join(EdgeKind::point, rest[0], rest[1], {{v[0], v[1]}, 0.0}, numbers.subspan(2), false);
-  }
-  const bool first = !lines.graph.nodes.empty() && lines.graph.nodes.front().name == rest[0];
+  return Line{form->tag, {rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(form->names)}, *values};
+}
+
+template <class Pose>
+Status fix(const Line& line, const GraphLines<Pose>& lines) {
+  const bool first = !lines.graph.nodes.empty() && lines.graph.nodes.front().name == line.names[0];
   return first ? Status{} : bad_input("only the first vertex can be fixed; take the line out");
 }
 
-}  // namespace
+Status add_line(const Line& line, GraphLines<Pose2>& lines) {
+  const auto& v = line.numbers;
+  const std::span<const double> numbers(v);
+  if (line.tag == "FIX") return fix(line, lines);
+  const Pose2 pose = {{v[0], v[1]}, line.tag == "VERTEX_XY" || line.tag == "EDGE_SE2_XY" ? 0.0 : v[2]};
+  if (line.tag.starts_with("VERTEX")) return lines.place(line.names[0], pose, line.tag == "VERTEX_XY");
+  if (line.tag == "EDGE_SE2_XY") {
+    return lines.join(EdgeKind::point, line.names[0], line.names[1], pose, numbers.subspan(2),
+                      EdgeMatrix::information);
+  }
+  const std::array<double, 6> toro = {v[3], v[4], v[7], v[5], v[8], v[6]};
+  const auto triangle = line.tag == "EDGE2" ? std::span<const double>(toro) : numbers.subspan(3);
+  return lines.join(EdgeKind::pose, line.names[0], line.names[1], pose, triangle, EdgeMatrix::information);
+}
 
-Outcome<PoseGraph> pose_graph_from_g2o(std::string_view text, const std::string& name) {
-  GraphLines lines;
-  auto read = read_graph_lines(text, name, [&](std::string_view line) { return read_line(line, lines); });
+/// Returns the pose of seven numbers; a fault if the quaternion is not of length 1, to the digits of a file.
+Outcome<Pose3> pose3_of(std::span<const double> v) {
+  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
+  if (std::abs(q.norm() - 1.0) > 1e-3) {
+    return bad_input(fmt::format("its quaternion has length {:.6g}; expected 1", q.norm()));
+  }
+  const Eigen::Matrix3d r = q.normalized().toRotationMatrix();
+  Pose3 pose{{v[0], v[1], v[2]}, {}};
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    pose.rotation.axes[static_cast<std::size_t>(k)] = {r(0, k), r(1, k), r(2, k)};
+  }
+  return pose;
+}
+
+Status add_line(const Line& line, GraphLines<Pose3>& lines) {
+  if (line.tag == "FIX") return fix(line, lines);
+  const std::span<const double> numbers(line.numbers);
+  auto pose = pose3_of(numbers);
+  if (!pose) return pass_on(pose);
+  if (line.tag == "VERTEX_SE3:QUAT") return lines.place(line.names[0], *pose, false);
+  return lines.join(EdgeKind::pose, line.names[0], line.names[1], *pose, numbers.subspan(7),
+                    EdgeMatrix::information);
+}
+
+template <class Pose>
+Outcome<PoseGraphOf<Pose>> read_graph(std::string_view text, const std::string& name, InformationTerms terms,
+                                      std::span<const Form> forms, std::string_view ground) {
+  GraphLines<Pose> lines;
+  lines.terms = terms;
+  auto read = read_graph_lines(text, name, [&](std::string_view line) -> Status {
+    auto found = read_words(line, forms, ground);
+    if (!found) return pass_on(found);
+    return add_line(*found, lines);
+  });
   if (!read) return pass_on(read);
   auto graph = std::move(lines).finish();
   if (!graph) return bad_input(graph.error().sentence, name);
   return graph;
 }
 
+/// Returns " a b .." with the upper triangle of the first rows.
+std::string triangle_text(const Eigen::Ref<const Eigen::MatrixXd>& information, Eigen::Index rows) {
+  std::string text;
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index j = i; j < rows; ++j) text += fmt::format(" {}", information(i, j));
+  }
+  return text;
+}
+
+std::string pose_text(const Pose3& pose) {
+  Eigen::Matrix3d r;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const Vec3& axis = pose.rotation.axes[static_cast<std::size_t>(k)];
+    r.col(k) << axis.x, axis.y, axis.z;
+  }
+  const Eigen::Quaterniond q = Eigen::Quaterniond(r).normalized();
+  return fmt::format("{} {} {} {} {} {} {}", pose.position.x, pose.position.y, pose.position.z, q.x(), q.y(),
+                     q.z(), q.w());
+}
+
+template <class Pose>
+Status check_names(const PoseGraphOf<Pose>& graph) {
+  for (const auto& node : graph.nodes) {
+    if (number<std::int64_t>(node.name)) continue;
+    return bad_input(fmt::format("g2o names nodes by whole numbers, not '{}'", excerpt(node.name)));
+  }
+  return {};
+}
+
+}  // namespace
+
+Outcome<PoseGraph> pose_graph_from_g2o(std::string_view text, const std::string& name,
+                                       InformationTerms terms) {
+  return read_graph<Pose2>(text, name, terms, planar_forms, "the plane");
+}
+
+Outcome<PoseGraph3> pose_graph3_from_g2o(std::string_view text, const std::string& name,
+                                         InformationTerms terms) {
+  return read_graph<Pose3>(text, name, terms, spatial_forms, "space");
+}
+
+bool is_spatial_g2o(std::string_view text) {
+  while (!text.empty()) {
+    std::string_view line = take_line(text);
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(white_space) == std::string_view::npos) continue;
+    return words(line)[0].find("_SE3:") != std::string_view::npos;
+  }
+  return false;
+}
+
 Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& poses) {
+  if (auto ok = check_names(graph); !ok) return pass_on(ok);
   std::string text;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const auto& [position, heading_rad] = poses[i];
-    if (!number<std::int64_t>(graph.nodes[i].name)) {
-      return bad_input(
-          fmt::format("g2o names nodes by whole numbers, not '{}'", excerpt(graph.nodes[i].name)));
-    }
     text += graph.nodes[i].is_point
                 ? fmt::format("VERTEX_XY {} {} {}\n", graph.nodes[i].name, position.x, position.y)
                 : fmt::format("VERTEX_SE2 {} {} {} {}\n", graph.nodes[i].name, position.x, position.y,
@@ -85,10 +187,22 @@ Outcome<std::string> to_g2o(const PoseGraph& graph, const std::vector<Pose2>& po
     text += fmt::format("{} {} {} {} {}", point ? "EDGE_SE2_XY" : "EDGE_SE2", graph.nodes[edge.from].name,
                         graph.nodes[edge.to].name, edge.measured.position.x, edge.measured.position.y);
     if (!point) text += fmt::format(" {}", edge.measured.heading_rad);
-    for (Eigen::Index i = 0; i < (point ? 2 : 3); ++i) {
-      for (Eigen::Index j = i; j < (point ? 2 : 3); ++j) text += fmt::format(" {}", edge.information(i, j));
-    }
-    text += '\n';
+    text += triangle_text(edge.information, point ? 2 : 3) + '\n';
+  }
+  return text;
+}
+
+Outcome<std::string> to_g2o(const PoseGraph3& graph, const std::vector<Pose3>& poses) {
+  if (auto ok = check_names(graph); !ok) return pass_on(ok);
+  std::string text;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+    text += fmt::format("VERTEX_SE3:QUAT {} {}\n", graph.nodes[i].name, pose_text(poses[i]));
+  }
+  for (const GraphEdge3& edge : graph.edges) {
+    if (edge.kind != EdgeKind::pose)
+      return bad_input("g2o in space has only edges between poses; leave the rest out");
+    text += fmt::format("EDGE_SE3:QUAT {} {} {}{}\n", graph.nodes[edge.from].name, graph.nodes[edge.to].name,
+                        pose_text(edge.measured), triangle_text(edge.information, 6));
   }
   return text;
 }

@@ -3,45 +3,65 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
 namespace outrider {
 namespace {
 
-Eigen::Index rows_of(std::span<const double> triangle) {
-  return triangle.size() == 6 ? 3 : triangle.size() == 3 ? 2 : 1;
-}
-
 /// Returns the symmetric matrix; rows that the edge does not measure are 0.
-Eigen::Matrix3d from_upper(std::span<const double> triangle) {
-  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
-  const Eigen::Index n = rows_of(triangle);
+template <class Pose>
+PoseMatrix<Pose> from_upper(std::span<const double> triangle, Eigen::Index rows) {
+  PoseMatrix<Pose> result = PoseMatrix<Pose>::Zero();
   std::size_t next = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = i; j < n; ++j) result(i, j) = result(j, i) = triangle[next++];
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index j = i; j < rows; ++j) result(i, j) = result(j, i) = triangle[next++];
   }
   return result;
 }
 
-/// Inverts the upper left n x n block; all else is 0. Returns nothing if the block is not positive definite.
-std::optional<Eigen::Matrix3d> inverse_of_part(Eigen::Matrix3d a, Eigen::Index n) {
-  a.diagonal().tail(3 - n).setOnes();
-  const Eigen::LLT<Eigen::Matrix3d> factor(a);
-  Eigen::Matrix3d inverse = factor.solve(Eigen::Matrix3d::Identity());
+/// Returns the information with these terms only.
+template <class Pose>
+PoseMatrix<Pose> reduced(const PoseMatrix<Pose>& information, Eigen::Index rows, InformationTerms terms) {
+  if (terms == InformationTerms::all) return information;
+  PoseMatrix<Pose> result = PoseMatrix<Pose>(information.diagonal().asDiagonal());
+  if (terms == InformationTerms::diagonal || rows == 1) return result;
+  for (Eigen::Index first = 0; first < rows; first += dimension<Pose>) {
+    const Eigen::Index size = first == 0 ? dimension<Pose> : rows - first;
+    const Eigen::MatrixXd part = information.block(first, first, size, size);
+    result.diagonal().segment(first, size).setConstant(static_cast<double>(size) / part.inverse().trace());
+  }
+  return result;
+}
+
+/// Inverts the upper left part with so many rows; all else is 0. Returns nothing if the part is not positive
+/// definite.
+template <class Pose>
+std::optional<PoseMatrix<Pose>> inverse_of_part(PoseMatrix<Pose> a, Eigen::Index rows) {
+  constexpr int N = freedoms<Pose>;
+  a.diagonal().tail(N - rows).setOnes();
+  const Eigen::LLT<PoseMatrix<Pose>> factor(a);
+  PoseMatrix<Pose> inverse = factor.solve(PoseMatrix<Pose>::Identity());
   if (factor.info() != Eigen::Success || !inverse.allFinite()) return std::nullopt;
-  inverse.diagonal().tail(3 - n).setZero();
+  inverse.diagonal().tail(N - rows).setZero();
   return inverse;
 }
 
-bool is_near(const Pose2& pose) {
-  return std::abs(pose.position.x) <= 1e9 && std::abs(pose.position.y) <= 1e9 &&
-         std::abs(pose.heading_rad) <= 1e9;
+bool is_near(double x, double y, double z) {
+  return std::abs(x) <= 1e9 && std::abs(y) <= 1e9 && std::abs(z) <= 1e9;
+}
+bool is_near(const Pose2& pose) { return is_near(pose.position.x, pose.position.y, pose.heading_rad); }
+bool is_near(const Pose3& pose) { return is_near(pose.position.x, pose.position.y, pose.position.z); }
+
+Eigen::Index rows_of(EdgeKind kind, int dimension, int freedoms) {
+  return kind == EdgeKind::pose ? freedoms : kind == EdgeKind::point ? dimension : 1;
 }
 
 }  // namespace
 
-Outcome<std::uint32_t> GraphLines::node(std::string_view name, bool is_point) {
+template <class Pose>
+Outcome<std::uint32_t> GraphLines<Pose>::node(std::string_view name, bool is_point) {
   const auto found = numbers_.find(name);
   if (found != numbers_.end()) {
     if (graph.nodes[found->second].is_point == is_point) return found->second;
@@ -55,7 +75,8 @@ Outcome<std::uint32_t> GraphLines::node(std::string_view name, bool is_point) {
   return number;
 }
 
-Status GraphLines::place(std::string_view name, const Pose2& pose, bool is_point) {
+template <class Pose>
+Status GraphLines<Pose>::place(std::string_view name, const Pose& pose, bool is_point) {
   if (!is_near(pose)) return bad_input(fmt::format("{} stands beyond 1e9 m; correct it", excerpt(name)));
   auto number = node(name, is_point);
   if (!number) return pass_on(number);
@@ -65,8 +86,9 @@ Status GraphLines::place(std::string_view name, const Pose2& pose, bool is_point
   return {};
 }
 
-Status GraphLines::join(EdgeKind kind, std::string_view from, std::string_view to, const Pose2& measured,
-                        std::span<const double> triangle, bool covariance) {
+template <class Pose>
+Status GraphLines<Pose>::join(EdgeKind kind, std::string_view from, std::string_view to, const Pose& measured,
+                              std::span<const double> triangle, EdgeMatrix matrix) {
   if (from == to) return bad_input(fmt::format("it joins {} to itself; take it out", excerpt(from)));
   if (!is_near(measured)) return bad_input("it measures more than 1e9 m; correct it");
   const bool range = kind == EdgeKind::range;
@@ -78,19 +100,23 @@ Status GraphLines::join(EdgeKind kind, std::string_view from, std::string_view t
   if (!a) return pass_on(a);
   auto b = node(to, range ? known_point(to) : kind == EdgeKind::point);
   if (!b) return pass_on(b);
-  Eigen::Matrix3d information = from_upper(triangle);
-  const Eigen::Index n = rows_of(triangle);
-  const auto inverse = inverse_of_part(information, n);
-  if (!inverse || (covariance && !inverse_of_part(*inverse, n))) {
-    return bad_input(fmt::format("its {} is not positive definite; correct it",
-                                 covariance ? "covariance" : "information"));
+  const bool covariance = matrix == EdgeMatrix::covariance;
+  const Eigen::Index rows = rows_of(kind, dimension<Pose>, freedoms<Pose>);
+  PoseMatrix<Pose> information = from_upper<Pose>(triangle, rows);
+  if (!covariance) information = reduced<Pose>(information, rows, terms);
+  const auto inverse = inverse_of_part<Pose>(information, rows);
+  if (!inverse || (covariance && !inverse_of_part<Pose>(*inverse, rows))) {
+    return bad_input(covariance ? "its covariance is not positive definite; correct it"
+                                : "its information is not positive definite; correct it, or read only its "
+                                  "diagonal");
   }
   if (covariance) information = *inverse;
   graph.edges.push_back({kind, *a, *b, measured, information});
   return {};
 }
 
-Outcome<PoseGraph> GraphLines::finish() && {
+template <class Pose>
+Outcome<PoseGraphOf<Pose>> GraphLines<Pose>::finish() && {
   if (auto ok = place_from_edges(graph, placed); !ok) return pass_on(ok);
   if (auto ok = check(graph); !ok) return pass_on(ok);
   return std::move(graph);
@@ -121,5 +147,8 @@ Status read_graph_lines(std::string_view text, const std::string& name,
   }
   return {};
 }
+
+template class GraphLines<Pose2>;
+template class GraphLines<Pose3>;
 
 }  // namespace outrider

@@ -9,24 +9,29 @@
 #include <string_view>
 #include <vector>
 
+#include "outrider/io/g2o.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/slam/pose_graph.hpp"
 
 namespace outrider {
 
+/// What the matrix of an edge is.
+enum class EdgeMatrix { information, covariance };
+
+template <class Pose>
 class GraphLines {
  public:
   /// Places a node. Fault: bad_input if it is placed already.
-  Status place(std::string_view name, const Pose2& pose, bool is_point);
-  /// Adds an edge. New nodes are not placed. `triangle` is the upper triangle of the information matrix, or
-  /// of the covariance matrix if `covariance` is true.
-  Status join(EdgeKind kind, std::string_view from, std::string_view to, const Pose2& measured,
-              std::span<const double> triangle, bool covariance);
+  Status place(std::string_view name, const Pose& pose, bool is_point);
+  /// Adds an edge. New nodes are not placed. `triangle` is the upper triangle of its matrix, by rows.
+  Status join(EdgeKind kind, std::string_view from, std::string_view to, const Pose& measured,
+              std::span<const double> triangle, EdgeMatrix matrix);
   [[nodiscard]] bool knows(std::string_view name) const { return numbers_.contains(name); }
   /// Returns the graph. Nodes that no line placed are placed by the edges.
-  Outcome<PoseGraph> finish() &&;
+  Outcome<PoseGraphOf<Pose>> finish() &&;
 
-  PoseGraph graph;
+  InformationTerms terms = InformationTerms::all;
+  PoseGraphOf<Pose> graph;
   std::vector<bool> placed;
 
  private:

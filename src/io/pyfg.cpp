@@ -26,7 +26,7 @@ constexpr std::array<Form, 5> forms = {{
 }};
 
 struct Reader {
-  GraphLines lines;
+  GraphLines<Pose2> lines;
   std::vector<Pose2> truth;
   std::set<char> robots;  ///< robots whose first pose was read
 
@@ -66,12 +66,15 @@ struct Reader {
         return bad_input(fmt::format("there is no vertex {}; put its line before", excerpt(end)));
     }
     if (form->tag == "EDGE_SE2") {
-      return lines.join(EdgeKind::pose, name, to, {{v[0], v[1]}, v[2]}, numbers.subspan(3), true);
+      return lines.join(EdgeKind::pose, name, to, {{v[0], v[1]}, v[2]}, numbers.subspan(3),
+                        EdgeMatrix::covariance);
     }
     if (form->tag == "EDGE_SE2_XY") {
-      return lines.join(EdgeKind::point, name, to, {{v[0], v[1]}, 0.0}, numbers.subspan(2), true);
+      return lines.join(EdgeKind::point, name, to, {{v[0], v[1]}, 0.0}, numbers.subspan(2),
+                        EdgeMatrix::covariance);
     }
-    return lines.join(EdgeKind::range, name, to, {{v[0], 0.0}, 0.0}, numbers.subspan(1), true);
+    return lines.join(EdgeKind::range, name, to, {{v[0], 0.0}, 0.0}, numbers.subspan(1),
+                      EdgeMatrix::covariance);
   }
 };
 

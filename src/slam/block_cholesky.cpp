@@ -12,25 +12,28 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< 
 
 }  // namespace
 
-void BlockMatrix::add_node() {
-  diagonals_.push_back(Eigen::Matrix3d::Zero());
+template <int N>
+void BlockMatrix<N>::add_node() {
+  diagonals_.push_back(Block::Zero());
   neighbours_.emplace_back();
 }
 
-std::uint32_t BlockMatrix::pair(std::uint32_t a, std::uint32_t b) {
+template <int N>
+std::uint32_t BlockMatrix<N>::pair(std::uint32_t a, std::uint32_t b) {
   auto& shorter = neighbours_[neighbours_[a].size() <= neighbours_[b].size() ? a : b];
   const std::uint32_t other = &shorter == &neighbours_[a] ? b : a;
   for (const Neighbour& neighbour : shorter) {
     if (neighbour.node == other) return neighbour.pair;
   }
   const auto number = static_cast<std::uint32_t>(blocks_.size());
-  blocks_.push_back(Eigen::Matrix3d::Zero());
+  blocks_.push_back(Block::Zero());
   neighbours_[a].push_back({b, number});
   neighbours_[b].push_back({a, number});
   return number;
 }
 
-void BlockCholesky::begin(std::vector<std::uint32_t> order) {
+template <int N>
+void BlockCholesky<N>::begin(std::vector<std::uint32_t> order) {
   order_ = std::move(order);
   place_.assign(order_.size(), 0);
   for (std::size_t i = 0; i < order_.size(); ++i) place_[order_[i]] = static_cast<std::uint32_t>(i);
@@ -41,7 +44,8 @@ void BlockCholesky::begin(std::vector<std::uint32_t> order) {
   stamp_ = 0;
 }
 
-void BlockCholesky::append(std::uint32_t node) {
+template <int N>
+void BlockCholesky<N>::append(std::uint32_t node) {
   place_.resize(std::max<std::size_t>(place_.size(), node + 1), 0);
   place_[node] = static_cast<std::uint32_t>(order_.size());
   order_.push_back(node);
@@ -53,7 +57,8 @@ void BlockCholesky::append(std::uint32_t node) {
 
 /// Computes the rows of a column: those of the matrix and those of its children in the elimination tree. All
 /// marked places to the left must be done.
-void BlockCholesky::analyse_column(const BlockMatrix& matrix, std::uint32_t place) {
+template <int N>
+void BlockCholesky<N>::analyse_column(const BlockMatrix<N>& matrix, std::uint32_t place) {
   Column& column = columns_[place];
   const auto parent = [&](std::uint32_t child) {
     return columns_[child].rows.empty() ? none : columns_[child].rows.front();
@@ -79,8 +84,9 @@ void BlockCholesky::analyse_column(const BlockMatrix& matrix, std::uint32_t plac
   if (parent_now != parent_before) columns_[parent_now].children.push_back(place);
 }
 
-std::vector<std::uint32_t> BlockCholesky::analyse(const BlockMatrix& matrix,
-                                                  std::span<const std::uint32_t> changed) {
+template <int N>
+std::vector<std::uint32_t> BlockCholesky<N>::analyse(const BlockMatrix<N>& matrix,
+                                                     std::span<const std::uint32_t> changed) {
   std::vector<std::uint32_t> places;
   auto first = static_cast<std::uint32_t>(order_.size());
   for (const std::uint32_t node : changed) {
@@ -111,50 +117,57 @@ std::vector<std::uint32_t> BlockCholesky::analyse(const BlockMatrix& matrix,
 }
 
 /// L(i,j) = (A(i,j) - sum over k < j of L(i,k) L(j,k)^T) L(j,j)^-T.
-bool BlockCholesky::factor_column(const BlockMatrix& matrix, std::uint32_t place) {
+template <int N>
+bool BlockCholesky<N>::factor_column(const BlockMatrix<N>& matrix, std::uint32_t place) {
   Column& column = columns_[place];
   const std::uint32_t node = order_[place];
   for (std::uint32_t index = 0; index < column.rows.size(); ++index) {
     index_[column.rows[index]] = index;
     column.blocks[index].setZero();
   }
-  Eigen::Matrix3d pivot = matrix.diagonal(node);
+  Block pivot = matrix.diagonal(node);
   for (const auto& neighbour : matrix.neighbours(node)) {
     const std::uint32_t row = place_[neighbour.node];
     if (row > place) column.blocks[index_[row]] = matrix.block(node, neighbour).transpose();
   }
   for (const BlockAddress& entry : column.row) {
     const Column& left = columns_[entry.place];
-    const Eigen::Matrix3d factor = left.blocks[entry.index].transpose();
+    const Block factor = left.blocks[entry.index].transpose();
     pivot.noalias() -= left.blocks[entry.index] * factor;
     for (std::size_t i = entry.index + 1; i < left.rows.size(); ++i) {
       column.blocks[index_[left.rows[i]]].noalias() -= left.blocks[i] * factor;
     }
   }
-  const Eigen::LLT<Eigen::Matrix3d> triangle(pivot);
+  const Eigen::LLT<Block> triangle(pivot);
   if (triangle.info() != Eigen::Success || !triangle.matrixLLT().allFinite()) return false;
-  column.inverse = triangle.matrixL().solve(Eigen::Matrix3d::Identity());
-  const Eigen::Matrix3d right = column.inverse.transpose();
-  for (Eigen::Matrix3d& block : column.blocks) block = block * right;
+  column.inverse = triangle.matrixL().solve(Block::Identity());
+  const Block right = column.inverse.transpose();
+  for (Block& block : column.blocks) block = block * right;
   return true;
 }
 
-bool BlockCholesky::factor(const BlockMatrix& matrix, std::span<const std::uint32_t> places) {
+template <int N>
+bool BlockCholesky<N>::factor(const BlockMatrix<N>& matrix, std::span<const std::uint32_t> places) {
   return std::all_of(places.begin(), places.end(),
                      [&](std::uint32_t place) { return factor_column(matrix, place); });
 }
 
-void BlockCholesky::analyse_all(const BlockMatrix& matrix) { analyse(matrix, order_); }
+template <int N>
+void BlockCholesky<N>::analyse_all(const BlockMatrix<N>& matrix) {
+  analyse(matrix, order_);
+}
 
-bool BlockCholesky::factor_all(const BlockMatrix& matrix) {
+template <int N>
+bool BlockCholesky<N>::factor_all(const BlockMatrix<N>& matrix) {
   for (std::uint32_t place = 0; place < order_.size(); ++place) {
     if (!factor_column(matrix, place)) return false;
   }
   return true;
 }
 
-std::vector<Eigen::Vector3d> BlockCholesky::solve(std::span<const Eigen::Vector3d> b) const {
-  std::vector<Eigen::Vector3d> x(order_.size());
+template <int N>
+std::vector<Eigen::Matrix<double, N, 1>> BlockCholesky<N>::solve(std::span<const Vector> b) const {
+  std::vector<Vector> x(order_.size());
   for (std::size_t place = 0; place < order_.size(); ++place) x[place] = b[order_[place]];
   for (std::size_t place = 0; place < order_.size(); ++place) {
     const Column& column = columns_[place];
@@ -170,30 +183,32 @@ std::vector<Eigen::Vector3d> BlockCholesky::solve(std::span<const Eigen::Vector3
     }
     x[place] = column.inverse.transpose() * x[place];
   }
-  std::vector<Eigen::Vector3d> result(order_.size());
+  std::vector<Vector> result(order_.size());
   for (std::size_t place = 0; place < order_.size(); ++place) result[order_[place]] = x[place];
   return result;
 }
 
-std::vector<Eigen::Matrix3d> BlockCholesky::inverse_columns(std::uint32_t node) const {
-  std::vector<Eigen::Matrix3d> result(order_.size());
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    std::vector<Eigen::Vector3d> unit(order_.size(), Eigen::Vector3d::Zero());
-    unit[node] = Eigen::Vector3d::Unit(k);
-    const std::vector<Eigen::Vector3d> column = solve(unit);
+template <int N>
+std::vector<Eigen::Matrix<double, N, N>> BlockCholesky<N>::inverse_columns(std::uint32_t node) const {
+  std::vector<Block> result(order_.size());
+  for (Eigen::Index k = 0; k < N; ++k) {
+    std::vector<Vector> unit(order_.size(), Vector::Zero());
+    unit[node] = Vector::Unit(k);
+    const std::vector<Vector> column = solve(unit);
     for (std::size_t i = 0; i < column.size(); ++i) result[i].col(k) = column[i];
   }
   return result;
 }
 
 /// The inverse is L^-T L^-1: with Y the columns of L^-1 that belong to the node, its block is Y^T Y.
-Eigen::Matrix3d BlockCholesky::inverse_diagonal(std::uint32_t node) const {
+template <int N>
+Eigen::Matrix<double, N, N> BlockCholesky<N>::inverse_diagonal(std::uint32_t node) const {
   const std::uint32_t first = place_[node];
-  std::vector<Eigen::Matrix3d> y(order_.size() - first, Eigen::Matrix3d::Zero());
+  std::vector<Block> y(order_.size() - first, Block::Zero());
   y.front().setIdentity();
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  Block sum = Block::Zero();
   for (std::uint32_t place = first; place < order_.size(); ++place) {
-    Eigen::Matrix3d& here = y[place - first];
+    Block& here = y[place - first];
     if (here.isZero(0.0)) continue;
     const Column& column = columns_[place];
     here = column.inverse * here;
@@ -207,23 +222,25 @@ Eigen::Matrix3d BlockCholesky::inverse_diagonal(std::uint32_t node) const {
 
 /// With Z the inverse and S(i) = L(i,j) L(j,j)^-1 for the rows i of column j: Z(i,j) = -sum of Z(i,k) S(k),
 /// and Z(j,j) = L(j,j)^-T L(j,j)^-1 - sum of Z(j,k) S(k); every Z(i,k) needed lies in the structure of L.
-std::vector<Eigen::Matrix3d> BlockCholesky::inverse_diagonals() const {
-  std::vector<Eigen::Matrix3d> diagonals(order_.size());
-  std::vector<std::vector<Eigen::Matrix3d>> inverse(order_.size());
-  const auto entry = [&](std::uint32_t row, std::uint32_t place) -> Eigen::Matrix3d {
+template <int N>
+auto BlockCholesky<N>::inverse_blocks(std::span<const std::array<std::uint32_t, 2>> pairs) const
+    -> InverseBlocks {
+  std::vector<Block> diagonals(order_.size());
+  std::vector<std::vector<Block>> inverse(order_.size());
+  const auto entry = [&](std::uint32_t row, std::uint32_t place) -> Block {
     if (row == place) return diagonals[row];
     const std::uint32_t left = std::min(row, place);
     const auto& rows = columns_[left].rows;
     const auto at = std::lower_bound(rows.begin(), rows.end(), std::max(row, place)) - rows.begin();
-    const Eigen::Matrix3d& found = inverse[left][static_cast<std::size_t>(at)];
+    const Block& found = inverse[left][static_cast<std::size_t>(at)];
     if (row > place) return found;
     return found.transpose();
   };
   for (std::size_t place = order_.size(); place-- > 0;) {
     const Column& column = columns_[place];
-    std::vector<Eigen::Matrix3d> scaled;
-    for (const Eigen::Matrix3d& block : column.blocks) scaled.emplace_back(block * column.inverse);
-    inverse[place].resize(column.rows.size(), Eigen::Matrix3d::Zero());
+    std::vector<Block> scaled;
+    for (const Block& block : column.blocks) scaled.emplace_back(block * column.inverse);
+    inverse[place].resize(column.rows.size(), Block::Zero());
     for (std::size_t i = 0; i < column.rows.size(); ++i) {
       for (std::size_t k = 0; k < column.rows.size(); ++k) {
         inverse[place][i].noalias() -= entry(column.rows[i], column.rows[k]) * scaled[k];
@@ -234,14 +251,26 @@ std::vector<Eigen::Matrix3d> BlockCholesky::inverse_diagonals() const {
       diagonals[place].noalias() -= inverse[place][k].transpose() * scaled[k];
     }
   }
-  std::vector<Eigen::Matrix3d> result(order_.size());
-  for (std::size_t place = 0; place < order_.size(); ++place) result[order_[place]] = diagonals[place];
+  InverseBlocks result{std::vector<Block>(order_.size()), {}};
+  for (std::size_t place = 0; place < order_.size(); ++place)
+    result.diagonals[order_[place]] = diagonals[place];
+  for (const auto& [a, b] : pairs) result.pairs.push_back(entry(place_[a], place_[b]));
   return result;
 }
 
-std::size_t BlockCholesky::fill() const {
+template <int N>
+std::size_t BlockCholesky<N>::fill() const {
   return std::accumulate(columns_.begin(), columns_.end(), std::size_t{0},
                          [](std::size_t sum, const Column& column) { return sum + column.rows.size(); });
 }
+
+template class BlockMatrix<2>;
+template class BlockMatrix<3>;
+template class BlockMatrix<4>;
+template class BlockMatrix<6>;
+template class BlockCholesky<2>;
+template class BlockCholesky<3>;
+template class BlockCholesky<4>;
+template class BlockCholesky<6>;
 
 }  // namespace outrider

@@ -1,28 +1,67 @@
-// The edges of a pose graph: residuals, Jacobians, robust weights, and the normal equations they add up to.
+// The edges of a pose graph: residuals, Jacobians and robust weights.
 //
-// Unknowns are steps (x, y, heading) along the world's axes. retract() moves a pose by a step along an arc
-// that leaves in the direction (x, y) and turns by the heading, so poses that rotate together about one point
-// keep their relative poses exactly, however stiff the edges between them. A residual of fewer than three
-// numbers is padded with zeros, and so is its information.
+// Unknowns are steps (position, rotation) along the world's axes. retract() moves a pose by a step along a
+// screw that leaves in the direction of the position and turns by the rotation, so poses that rotate together
+// about one point keep their relative poses exactly, however stiff the edges between them. A residual of
+// fewer numbers than a pose has unknowns is padded with zeros, and so is its information.
 #pragma once
 
 #include <string_view>
 
-#include "block_cholesky.hpp"
 #include "outrider/slam/pose_graph.hpp"
 
 namespace outrider {
 
-struct LinearEdge {
-  Eigen::Vector3d residual = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d by_from = Eigen::Matrix3d::Zero();  ///< derivative of the residual by a step of `from`
-  Eigen::Matrix3d by_to = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-};
+template <class Pose>
+using PoseVector = Eigen::Matrix<double, freedoms<Pose>, 1>;
 
-Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to);
-LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to);
+/// Numbers of the residual of an edge.
+template <class Pose>
+constexpr int residual_rows(EdgeKind kind) {
+  return kind == EdgeKind::pose ? freedoms<Pose> : kind == EdgeKind::point ? dimension<Pose> : 1;
+}
+
+/// The error of a measured rotation by the angle a: `angle` is a itself, in the plane only; `chord` is
+/// 2 sin(a/2), whose square is half the squared Frobenius distance of the rotations in space, and a quarter
+/// of twice that in the plane. In space it is a vector along the axis: twice the vector part of the
+/// quaternion.
+enum class RotationError { angle, chord };
+
+template <class Pose>
+struct LinearEdgeOf {
+  PoseVector<Pose> residual = PoseVector<Pose>::Zero();
+  PoseMatrix<Pose> by_from = PoseMatrix<Pose>::Zero();  ///< derivative of the residual by a step of `from`
+  PoseMatrix<Pose> by_to = PoseMatrix<Pose>::Zero();
+  PoseMatrix<Pose> information = PoseMatrix<Pose>::Zero();
+};
+using LinearEdge = LinearEdgeOf<Pose2>;
+
+Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to,
+                         RotationError error = RotationError::angle);
+PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
+                           RotationError error = RotationError::chord);
+LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to,
+                     RotationError error = RotationError::angle);
+LinearEdgeOf<Pose3> linearise(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
+                              RotationError error = RotationError::chord);
+
 Pose2 retract(const Pose2& pose, const Eigen::Vector3d& step);
+Pose3 retract(const Pose3& pose, const PoseVector<Pose3>& step);
+
+/// The parts of a pose as matrices, for code that serves the plane and space.
+Eigen::Vector2d position_of(const Pose2& pose);
+Eigen::Vector3d position_of(const Pose3& pose);
+Eigen::Matrix2d rotation_of(const Pose2& pose);
+Eigen::Matrix3d rotation_of(const Pose3& pose);
+/// Sets the rotation to the one nearest to the matrix.
+void set_rotation(Pose2& pose, const Eigen::Matrix2d& matrix);
+void set_rotation(Pose3& pose, const Eigen::Matrix3d& matrix);
+void set_position(Pose2& pose, const Eigen::Vector2d& position);
+void set_position(Pose3& pose, const Eigen::Vector3d& position);
+
+/// The information of the rotation as one number: the inverse of its mean variance.
+template <class Pose>
+double rotation_weight(const GraphEdgeOf<Pose>& edge);
 
 /// The loss of a robust kernel at s = r^T W r, and its derivative by s: the weight of the edge.
 struct Loss {
@@ -30,30 +69,5 @@ struct Loss {
   double weight = 1.0;
 };
 Loss robust_loss(std::string_view kernel, double width, double s);
-
-/// The normal equations H x = -g of a graph whose node `fixed` does not move.
-class GraphEquations {
- public:
-  GraphEquations(const PoseGraph& graph, std::uint32_t fixed);
-
-  /// Resets all equations to zero, with ones on the diagonal if a node has fewer than three unknowns.
-  void clear(int of_a_pose = 3, int of_a_point = 2);
-  void add(std::size_t edge, const LinearEdge& linear);
-  /// Solves for the steps, by node, with `damping` added to the diagonal; empty if H is singular.
-  std::vector<Eigen::Vector3d> solve(double damping);
-  /// Returns the decrease of the cost that the linear model predicts for steps of solve().
-  [[nodiscard]] double predicted_decrease(const std::vector<Eigen::Vector3d>& step) const;
-  /// Factors H and returns the diagonal blocks of its inverse; empty if H is singular.
-  std::vector<Eigen::Matrix3d> covariances();
-
- private:
-  std::uint32_t fixed_;
-  std::vector<std::uint8_t> is_point_;
-  std::vector<std::uint32_t> pairs_;  ///< by edge
-  std::vector<std::array<std::uint32_t, 2>> ends_;
-  BlockMatrix matrix_;
-  std::vector<Eigen::Vector3d> gradient_;
-  BlockCholesky factor_;
-};
 
 }  // namespace outrider

@@ -187,7 +187,7 @@ Eigen::Matrix3d GrowingGraph::covariance(std::uint32_t node) const {
 }
 
 std::vector<Eigen::Matrix3d> GrowingGraph::covariances() const {
-  std::vector<Eigen::Matrix3d> result = factor_.inverse_diagonals();
+  std::vector<Eigen::Matrix3d> result = factor_.inverse_blocks({}).diagonals;
   result.front().setZero();
   return result;
 }

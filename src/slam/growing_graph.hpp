@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "archive.hpp"
+#include "block_cholesky.hpp"
 #include "graph_edges.hpp"
 
 namespace outrider {
@@ -95,8 +96,8 @@ class GrowingGraph {
   std::vector<std::uint32_t> pair_of_;                ///< by edge
   std::vector<LinearEdge> linear_;                    ///< by edge
   std::vector<std::uint32_t> changed_;                ///< nodes with new edges
-  BlockMatrix matrix_;
-  BlockCholesky factor_;
+  BlockMatrix<3> matrix_;
+  BlockCholesky<3> factor_;
   std::vector<Eigen::Vector3d> gradient_;
 };
 

@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <tuple>
 #include <utility>
 
-#include "graph_edges.hpp"
-#include "outrider/core/units.hpp"
+#include "trust_region.hpp"
 
 namespace outrider {
 namespace {
 
-const std::vector<std::string> starts = {"best", "given", "chordal"};
+const std::vector<std::string> starts = {"best", "given", "odometry", "spanning_tree", "chordal"};
 const std::vector<std::string> kernels = {"none", "huber", "cauchy", "geman_mcclure"};
 
 Status check_options(const PoseGraphOptions& options) {
@@ -24,197 +26,192 @@ Status check_options(const PoseGraphOptions& options) {
   return {};
 }
 
-std::uint32_t first_pose(const PoseGraph& graph) {
-  const auto first = std::find_if(graph.nodes.begin(), graph.nodes.end(),
-                                  [](const GraphNode& node) { return !node.is_point; });
-  return static_cast<std::uint32_t>(first - graph.nodes.begin());
-}
+constexpr double roughly = 1e-4;  ///< tolerance of a descent until it is known to be the best
 
-std::vector<Pose2> given_poses(const PoseGraph& graph) {
-  std::vector<Pose2> poses;
-  for (const GraphNode& node : graph.nodes) poses.push_back(node.pose);
-  return poses;
-}
+/// Goes down from several starts, roughly, and keeps the lowest end.
+template <class Pose>
+class Search {
+ public:
+  Search(const PoseGraphOf<Pose>& graph, const PoseGraphOptions& options, const Budget& budget)
+      : graph_(graph),
+        options_(options),
+        tolerance_(options.start == "best" ? std::max(roughly, options.tolerance) : options.tolerance),
+        meter_(budget),
+        equations_(graph, first_pose(graph)) {}
 
-double robust_cost(const PoseGraph& graph, const std::vector<Pose2>& poses, const PoseGraphOptions& options) {
-  double sum = 0.0;
-  for (const GraphEdge& edge : graph.edges) {
-    const Eigen::Vector3d r = residual(edge, poses[edge.from], poses[edge.to]);
-    const double s = r.dot(edge.information * r);
-    sum += robust_loss(options.kernel, options.kernel_width, s).value;
+  /// Returns true while another descent may find more: there is budget, and the lowest cost was found once.
+  [[nodiscard]] bool goes_on() const { return !spent_ && agreeing_ < 2; }
+  [[nodiscard]] tl::unexpected<Fault> refusal() const { return meter_.refusal(); }
+
+  void descend_from(const GraphStart<Pose>& start) {
+    keep(start, begin_descent(graph_, plain(), start.poses));
   }
-  return sum;
-}
 
-void linearise(const PoseGraph& graph, const std::vector<Pose2>& poses, const PoseGraphOptions& options,
-               GraphEquations& equations) {
-  equations.clear();
-  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const GraphEdge& edge = graph.edges[i];
-    LinearEdge linear = linearise(edge, poses[edge.from], poses[edge.to]);
-    const double s = linear.residual.dot(linear.information * linear.residual);
-    linear.information *= robust_loss(options.kernel, options.kernel_width, s).weight;
-    equations.add(i, linear);
+  /// Goes down under a kernel first, by which edges that contradict the others do not bend the graph.
+  void descend_softly(const GraphStart<Pose>& start, double kernel_width) {
+    const GraphObjective soft = {.kernel = "geman_mcclure", .kernel_width = kernel_width};
+    Descent<Pose> descent = begin_descent(graph_, soft, start.poses);
+    proceed(soft, tolerance_, descent);
+    if (!spent_) keep(start, begin_descent(graph_, plain(), std::move(descent.poses)));
   }
-}
 
-/// Returns the headings of the chordal relaxation. It treats rotations as vectors of the plane and minimises
-/// the sum of w |z(b) - E z(a)|^2, with the first at its heading.
-std::vector<double> chordal_headings(const PoseGraph& graph, std::uint32_t first, GraphEquations& equations) {
-  equations.clear(2, 0);
-  const Vec2 axis = direction(graph.nodes[first].pose.heading_rad);
-  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const GraphEdge& edge = graph.edges[i];
-    if (edge.kind != EdgeKind::pose) continue;
-    LinearEdge linear;
-    const Vec2 turn = direction(edge.measured.heading_rad);
-    linear.by_from.topLeftCorner<2, 2>() << -turn.x, turn.y, -turn.y, -turn.x;
-    linear.by_to.diagonal() << 1.0, 1.0, 0.0;
-    linear.information.diagonal() << edge.information(2, 2), edge.information(2, 2), 0.0;
-    if (edge.from == first) linear.residual = linear.by_from * Eigen::Vector3d(axis.x, axis.y, 0.0);
-    if (edge.to == first) linear.residual = linear.by_to * Eigen::Vector3d(axis.x, axis.y, 0.0);
-    equations.add(i, linear);
+  /// Follows the best descent to its end; empty if there was no budget for any.
+  std::optional<PoseGraphSolutionOf<Pose>> finish() {
+    if (!best_) return std::nullopt;
+    if (tolerance_ > options_.tolerance) {
+      best_->end = DescentEnd::none;
+      proceed(plain(), options_.tolerance, *best_);
+    }
+    PoseGraphSolutionOf<Pose> solution;
+    solution.cost = cost(graph_, best_->poses);
+    solution.start_cost = cost(graph_, start_.poses);
+    solution.robust_cost = best_->cost;
+    solution.poses = std::move(best_->poses);
+    solution.iterations = iterations_;
+    solution.start = start_.name;
+    solution.converged = best_->end == DescentEnd::converged;
+    solution.descents = descents_;
+    solution.descents_agreeing = agreeing_;
+    return solution;
   }
-  std::vector<double> headings;
-  for (const Eigen::Vector3d& z : equations.solve(0.0)) headings.push_back(std::atan2(z[1], z[0]));
-  if (!headings.empty()) headings[first] = graph.nodes[first].pose.heading_rad;
-  return headings;
-}
 
-/// Returns the positions for given headings: one linear step from any initial positions.
-std::vector<Pose2> chordal_positions(const PoseGraph& graph, const std::vector<double>& headings,
-                                     GraphEquations& equations) {
-  std::vector<Pose2> poses = given_poses(graph);
-  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].heading_rad = headings[i];
-  equations.clear(2, 2);
-  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const GraphEdge& edge = graph.edges[i];
-    if (edge.kind == EdgeKind::range) continue;
-    LinearEdge linear = linearise(edge, poses[edge.from], poses[edge.to]);
-    linear.by_from.col(2).setZero();
-    linear.by_to.col(2).setZero();
-    linear.information.col(2).setZero();
-    linear.information.row(2).setZero();
-    equations.add(i, linear);
+ private:
+  [[nodiscard]] GraphObjective plain() const {
+    return {.kernel = options_.kernel, .kernel_width = options_.kernel_width};
   }
-  const std::vector<Eigen::Vector3d> steps = equations.solve(0.0);
-  if (steps.empty()) return {};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    poses[i] = graph.nodes[i].is_point ? Pose2{retract(poses[i], steps[i]).position, 0.0}
-                                       : retract(poses[i], {steps[i][0], steps[i][1], 0.0});
+  void proceed(const GraphObjective& objective, double tolerance, Descent<Pose>& descent) {
+    const std::int64_t before = descent.iterations;
+    spent_ = !descend(graph_, objective, {options_.iterations, tolerance}, equations_, descent, meter_);
+    iterations_ += descent.iterations - before;
   }
-  return poses;
-}
+  void keep(const GraphStart<Pose>& start, Descent<Pose> descent) {
+    constexpr double equal = 10.0 * roughly;
+    proceed(plain(), tolerance_, descent);
+    if (descent.iterations == 0) return;
+    ++descents_;
+    const double gap = best_ ? descent.cost - best_->cost : -HUGE_VAL;
+    const bool agrees = std::abs(gap) <= equal * std::max(descent.cost, 1e-3);
+    agreeing_ = agrees ? agreeing_ + 1 : gap < 0.0 ? 1 : agreeing_;
+    if (gap >= 0.0) return;
+    best_ = std::move(descent);
+    start_ = start;
+  }
 
-Outcome<std::vector<Pose2>> chordal(const PoseGraph& graph, GraphEquations& equations) {
-  const std::vector<double> headings = chordal_headings(graph, first_pose(graph), equations);
-  std::vector<Pose2> poses;
-  if (!headings.empty()) poses = chordal_positions(graph, headings, equations);
-  if (!poses.empty()) return poses;
-  return bad_input("relative poses alone do not join all poses; take the start given", "start");
-}
-
-struct Start {
-  std::vector<Pose2> poses;
-  std::string name;
+  const PoseGraphOf<Pose>& graph_;
+  const PoseGraphOptions& options_;
+  double tolerance_;
+  BudgetMeter meter_;
+  GraphEquations<Pose> equations_;
+  std::optional<Descent<Pose>> best_;
+  GraphStart<Pose> start_;
+  std::int64_t iterations_ = 0;
+  int descents_ = 0, agreeing_ = 0;
+  bool spent_ = false;
 };
-Outcome<Start> choose_start(const PoseGraph& graph, const PoseGraphOptions& options,
-                            GraphEquations& equations) {
-  Start given{given_poses(graph), "given"};
-  if (options.start == "given") return given;
-  auto relaxed = chordal(graph, equations);
-  if (!relaxed && options.start == "chordal") return pass_on(relaxed);
-  const bool take = relaxed && (options.start == "chordal" || robust_cost(graph, *relaxed, options) <
-                                                                  robust_cost(graph, given.poses, options));
-  return take ? Start{std::move(*relaxed), "chordal"} : given;
-}
 
-std::vector<Pose2> retract_all(const PoseGraph& graph, const std::vector<Pose2>& poses,
-                               const std::vector<Eigen::Vector3d>& step) {
-  std::vector<Pose2> result = poses;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    result[i] = retract(poses[i], step[i]);
-    if (graph.nodes[i].is_point) result[i].heading_rad = 0.0;
+/// Returns the starts of these names that exist, each once.
+template <class Pose>
+std::vector<GraphStart<Pose>> different_starts(const PoseGraphOf<Pose>& graph,
+                                               const std::array<const char*, 2>& names) {
+  std::vector<GraphStart<Pose>> result;
+  std::vector<double> costs;
+  for (const char* name : names) {
+    auto start = graph_start(graph, name);
+    if (!start) continue;
+    costs.push_back(cost(graph, start->poses));
+    if (std::count(costs.begin(), costs.end(), costs.back()) == 1) result.push_back(std::move(*start));
   }
   return result;
 }
 
-/// The damping is equal for all unknowns (Levenberg). If it were proportional to the diagonal (Marquardt), a
-/// stiff edge between two poses would prevent both from moving.
-constexpr double least_damping = 1e-3;
-constexpr double most_damping = 1e12;
+/// Descends from the starts in turn until the lowest cost has been found twice: first as they are, then under
+/// ever narrower kernels. Those made from the edges come first, because they close the loops.
+template <class Pose>
+void descend_from_all(const PoseGraphOf<Pose>& graph, Search<Pose>& search) {
+  constexpr std::array<std::array<const char*, 2>, 2> all = {
+      {{"chordal", "spanning_tree"}, {"given", "odometry"}}};
+  for (const auto& names : all) {
+    const std::vector<GraphStart<Pose>> some = different_starts(graph, names);
+    for (const auto& start : some) {
+      if (search.goes_on()) search.descend_from(start);
+    }
+    for (const double kernel_width : {3.0, 2.0, 1.0}) {
+      for (const auto& start : some) {
+        if (search.goes_on()) search.descend_softly(start, kernel_width);
+      }
+    }
+  }
+}
 
 }  // namespace
 
 std::vector<Option> describe(PoseGraphOptions& options) {
   return {
       {"start", "", 0, 0,
-       "where to begin: given (by the file), chordal (a relaxation), or the better of both: best",
+       "where to begin: given (by the file), odometry, spanning_tree, chordal (a relaxation), or best: all "
+       "of "
+       "them until two agree",
        &options.start},
       {"kernel", "", 0, 0, "loss of an edge that does not fit: none, huber, cauchy or geman_mcclure",
        &options.kernel},
       {"kernel_width", "", 1e-3, 1e6, "standard deviations from which a kernel weighs down",
        &options.kernel_width},
-      {"iterations", "", 1, 100'000, "most steps of the optimisation", &options.iterations},
-      {"tolerance", "", 1e-15, 1.0, "relative decrease of the cost at which to stop", &options.tolerance}};
+      {"iterations", "", 1, 100'000, "most steps of one descent", &options.iterations},
+      {"tolerance", "", 1e-15, 1.0,
+       "relative decrease of the cost that one more step would make, at which to stop", &options.tolerance}};
 }
 
-double cost(const PoseGraph& graph, const std::vector<Pose2>& poses) { return robust_cost(graph, poses, {}); }
+template <class Pose>
+double cost(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses) {
+  return cost(graph, poses, GraphObjective{});
+}
 
-Outcome<PoseGraphSolution> optimise(const PoseGraph& graph, const PoseGraphOptions& options,
-                                    const Budget& budget) {
+template <class Pose>
+Outcome<PoseGraphSolutionOf<Pose>> optimise(const PoseGraphOf<Pose>& graph, const PoseGraphOptions& options,
+                                            const Budget& budget) {
   if (auto ok = check_options(options); !ok) return pass_on(ok);
   if (auto ok = check(graph); !ok) return pass_on(ok);
-  BudgetMeter meter(budget);
-  GraphEquations equations(graph, first_pose(graph));
-  auto start = choose_start(graph, options, equations);
-  if (!start) return pass_on(start);
-  PoseGraphSolution best{std::move(start->poses), 0, 0, 0, 0, start->name, false};
-  best.start_cost = cost(graph, best.poses);
-  best.robust_cost = robust_cost(graph, best.poses, options);
-  double damping = 0.0;
-  while (best.iterations < options.iterations && damping < most_damping && !best.converged) {
-    if (!meter.spend()) {
-      if (best.iterations == 0) return meter.refusal();
-      break;
-    }
-    ++best.iterations;
-    linearise(graph, best.poses, options, equations);
-    const std::vector<Eigen::Vector3d> step = equations.solve(damping);
-    const double predicted = step.empty() ? 0.0 : equations.predicted_decrease(step);
-    std::vector<Pose2> next = step.empty() ? best.poses : retract_all(graph, best.poses, step);
-    const double next_cost = step.empty() ? best.robust_cost : robust_cost(graph, next, options);
-    const double decrease = best.robust_cost - next_cost;
-    best.converged = !step.empty() && predicted <= options.tolerance * best.robust_cost;
-    if (decrease > 0.0) {
-      damping = damping > least_damping ? 0.1 * damping : 0.0;
-      best.poses = std::move(next);
-      best.robust_cost = next_cost;
-    } else {
-      damping = std::max(least_damping, 10.0 * damping);
-    }
+  Search<Pose> search(graph, options, budget);
+  if (options.start == "best") {
+    descend_from_all(graph, search);
+  } else {
+    auto start = graph_start(graph, options.start);
+    if (!start) return pass_on(start);
+    search.descend_from(*start);
   }
-  best.cost = cost(graph, best.poses);
-  return best;
+  auto solution = search.finish();
+  if (!solution) return search.refusal();
+  return std::move(*solution);
 }
 
-Outcome<std::vector<Eigen::Matrix3d>> marginal_covariances(const PoseGraph& graph,
-                                                           const std::vector<Pose2>& poses) {
+template <class Pose>
+Outcome<std::vector<PoseMatrix<Pose>>> marginal_covariances(const PoseGraphOf<Pose>& graph,
+                                                            const std::vector<Pose>& poses) {
   if (auto ok = check(graph); !ok) return pass_on(ok);
   if (poses.size() != graph.nodes.size()) {
     return bad_input(
         fmt::format("{} poses for {} nodes; give one for each", poses.size(), graph.nodes.size()));
   }
-  const std::uint32_t first = first_pose(graph);
-  GraphEquations equations(graph, first);
-  linearise(graph, poses, {}, equations);
-  std::vector<Eigen::Matrix3d> result = equations.covariances();
+  constexpr int unused = freedoms<Pose> - dimension<Pose>;
+  GraphEquations<Pose> equations(graph, first_pose(graph));
+  linearise(graph, poses, GraphObjective{}, equations);
+  std::vector<PoseMatrix<Pose>> result = equations.covariances().diagonals;
   if (result.empty()) return bad_input("the measurements do not determine every node; add some");
-  result[first].setZero();
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (graph.nodes[i].is_point) result[i](2, 2) = 0.0;
+    if (graph.nodes[i].is_point) result[i].template bottomRightCorner<unused, unused>().setZero();
   }
   return result;
 }
+
+template double cost(const PoseGraph&, const std::vector<Pose2>&);
+template double cost(const PoseGraph3&, const std::vector<Pose3>&);
+template Outcome<PoseGraphSolutionOf<Pose2>> optimise(const PoseGraph&, const PoseGraphOptions&,
+                                                      const Budget&);
+template Outcome<PoseGraphSolutionOf<Pose3>> optimise(const PoseGraph3&, const PoseGraphOptions&,
+                                                      const Budget&);
+template Outcome<std::vector<PoseMatrix<Pose2>>> marginal_covariances(const PoseGraph&,
+                                                                      const std::vector<Pose2>&);
+template Outcome<std::vector<PoseMatrix<Pose3>>> marginal_covariances(const PoseGraph3&,
+                                                                      const std::vector<Pose3>&);
 
 }  // namespace outrider

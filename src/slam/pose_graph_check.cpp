@@ -6,6 +6,7 @@
 
 #include "covariances.hpp"
 #include "graph_edges.hpp"
+#include "graph_starts.hpp"
 
 namespace outrider {
 namespace {
@@ -17,20 +18,26 @@ bool bounded(const Pose2& pose) {
          std::abs(pose.heading_rad) <= largest;
 }
 
-std::string name_of(const PoseGraph& graph, const GraphEdge& edge) {
+bool bounded(const Pose3& pose) {
+  return position_of(pose).cwiseAbs().maxCoeff() <= largest &&
+         (rotation_of(pose).transpose() * rotation_of(pose) - Eigen::Matrix3d::Identity()).norm() < 1e-6;
+}
+
+template <class Pose>
+std::string name_of(const PoseGraphOf<Pose>& graph, const GraphEdgeOf<Pose>& edge) {
   return fmt::format("the edge from {} to {}", graph.nodes[edge.from].name, graph.nodes[edge.to].name);
 }
 
-Eigen::Index dimension(EdgeKind kind) { return kind == EdgeKind::pose ? 3 : kind == EdgeKind::point ? 2 : 1; }
-
 /// Returns true if the information, with ones for the missing dimensions of the residual, is positive
 /// definite.
-bool positive_definite(const GraphEdge& edge) {
+template <class Pose>
+bool positive_definite(const GraphEdgeOf<Pose>& edge) {
   if (!is_symmetric(edge.information)) return false;
-  Eigen::Matrix3d information = edge.information;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    for (Eigen::Index j = 0; j < 3; ++j) {
-      if (std::max(i, j) < dimension(edge.kind)) continue;
+  const Eigen::Index rows = residual_rows<Pose>(edge.kind);
+  PoseMatrix<Pose> information = edge.information;
+  for (Eigen::Index i = 0; i < freedoms<Pose>; ++i) {
+    for (Eigen::Index j = 0; j < freedoms<Pose>; ++j) {
+      if (std::max(i, j) < rows) continue;
       if (information(i, j) != 0.0) return false;
       information(i, j) = i == j ? 1.0 : 0.0;
     }
@@ -38,7 +45,8 @@ bool positive_definite(const GraphEdge& edge) {
   return information.llt().info() == Eigen::Success;
 }
 
-Status check_edge(const PoseGraph& graph, const GraphEdge& edge) {
+template <class Pose>
+Status check_edge(const PoseGraphOf<Pose>& graph, const GraphEdgeOf<Pose>& edge) {
   if (edge.from >= graph.nodes.size() || edge.to >= graph.nodes.size()) {
     return bad_input(fmt::format("an edge joins nodes {} and {} of {}; name nodes that exist", edge.from,
                                  edge.to, graph.nodes.size()));
@@ -59,50 +67,22 @@ Status check_edge(const PoseGraph& graph, const GraphEdge& edge) {
   return {};
 }
 
-using Reach = std::vector<std::vector<std::uint32_t>>;
-/// Lists the edges at each node.
-Reach edges_at_nodes(const PoseGraph& graph) {
-  Reach reach(graph.nodes.size());
-  for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
-    reach[graph.edges[i].from].push_back(i);
-    reach[graph.edges[i].to].push_back(i);
-  }
-  return reach;
-}
-
-/// Computes the pose of the far node of an edge from the near one; returns false if the edge does not
-/// determine it.
-bool place(PoseGraph& graph, const GraphEdge& edge, std::uint32_t near) {
-  if (edge.kind == EdgeKind::range) return false;
-  if (near == edge.from) {
-    Pose2 pose = wrap_heading(compose(graph.nodes[near].pose, edge.measured));
-    if (graph.nodes[edge.to].is_point) pose.heading_rad = 0.0;
-    graph.nodes[edge.to].pose = pose;
-    return true;
-  }
-  if (edge.kind != EdgeKind::pose) return false;
-  const Pose2& to = graph.nodes[edge.to].pose;
-  const double heading_rad = to.heading_rad - edge.measured.heading_rad;
-  graph.nodes[edge.from].pose =
-      wrap_heading({to.position - rotated(heading_rad, edge.measured.position), heading_rad});
-  return true;
-}
-
 }  // namespace
 
-Status check(const PoseGraph& graph) {
-  const bool has_pose = std::any_of(graph.nodes.begin(), graph.nodes.end(),
-                                    [](const GraphNode& node) { return !node.is_point; });
+template <class Pose>
+Status check(const PoseGraphOf<Pose>& graph) {
+  const bool has_pose =
+      std::any_of(graph.nodes.begin(), graph.nodes.end(), [](const auto& node) { return !node.is_point; });
   if (!has_pose) return bad_input("the graph has no poses; expected at least one");
   if (graph.edges.empty()) return bad_input("the graph has no edges; expected at least one");
-  for (const GraphNode& node : graph.nodes) {
+  for (const auto& node : graph.nodes) {
     if (!bounded(node.pose))
       return bad_input(fmt::format("node {} stands beyond 1e9, or nowhere", node.name));
   }
-  for (const GraphEdge& edge : graph.edges) {
+  for (const auto& edge : graph.edges) {
     if (auto ok = check_edge(graph, edge); !ok) return ok;
   }
-  const Reach reach = edges_at_nodes(graph);
+  const std::vector<std::vector<std::uint32_t>> reach = edges_at_nodes(graph);
   std::vector<bool> reached(graph.nodes.size(), false);
   std::vector<std::uint32_t> queue = {0};
   reached[0] = true;
@@ -121,43 +101,22 @@ Status check(const PoseGraph& graph) {
                                graph.nodes[static_cast<std::size_t>(apart)].name, graph.nodes.front().name));
 }
 
-PoseGraph in_measured_frame(PoseGraph graph) {
-  for (GraphEdge& edge : graph.edges) {
+template <class Pose>
+PoseGraphOf<Pose> in_measured_frame(PoseGraphOf<Pose> graph) {
+  constexpr int D = dimension<Pose>;
+  for (auto& edge : graph.edges) {
     if (edge.kind != EdgeKind::pose) continue;
-    const Eigen::Matrix3d turn = rotation_by(edge.measured.heading_rad);
-    const Eigen::Matrix3d information = turn * edge.information * turn.transpose();
+    PoseMatrix<Pose> turn = PoseMatrix<Pose>::Identity();
+    turn.template topLeftCorner<D, D>() = rotation_of(edge.measured);
+    const PoseMatrix<Pose> information = turn * edge.information * turn.transpose();
     edge.information = 0.5 * (information + information.transpose());
   }
   return graph;
 }
 
-Status place_from_edges(PoseGraph& graph, std::vector<bool> placed) {
-  std::vector<std::uint32_t> queue;
-  for (std::uint32_t node = 0; node < graph.nodes.size(); ++node) {
-    if (placed[node]) queue.push_back(node);
-  }
-  for (std::uint32_t node = 0; queue.empty() && node < graph.nodes.size(); ++node) {
-    if (graph.nodes[node].is_point) continue;
-    graph.nodes[node].pose = {};
-    placed[node] = true;
-    queue.push_back(node);
-  }
-  const Reach reach = edges_at_nodes(graph);
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const std::uint32_t near = queue[next];
-    for (const std::uint32_t i : reach[near]) {
-      const GraphEdge& edge = graph.edges[i];
-      const std::uint32_t far = edge.from == near ? edge.to : edge.from;
-      if (placed[far] || !place(graph, edge, near)) continue;
-      placed[far] = true;
-      queue.push_back(far);
-    }
-  }
-  const auto lost = std::find(placed.begin(), placed.end(), false);
-  if (lost == placed.end()) return {};
-  const auto& name = graph.nodes[static_cast<std::size_t>(lost - placed.begin())].name;
-  return bad_input(
-      fmt::format("the edges do not say where node {} stands; give it a place or an edge", name));
-}
+template Status check(const PoseGraph&);
+template Status check(const PoseGraph3&);
+template PoseGraph in_measured_frame(PoseGraph);
+template PoseGraph3 in_measured_frame(PoseGraph3);
 
 }  // namespace outrider

@@ -7,6 +7,7 @@
 
 #include "outrider/io/files.hpp"
 #include "outrider/io/g2o.hpp"
+#include "outrider/io/pyfg.hpp"
 
 namespace outrider {
 namespace {
@@ -82,38 +83,50 @@ bool is_name(const std::string& word) {
   return !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
 }
 
-Outcome<SlamInput> load_graph(const std::string& path, const std::string& text,
-                              const std::vector<std::string>& words) {
+template <class Pose>
+Outcome<SlamInput> input_of(Outcome<PoseGraphOf<Pose>> graph, const SlamScenario& scenario) {
+  if (!graph) return pass_on(graph);
+  if (scenario.measured_frame) *graph = in_measured_frame(std::move(*graph));
+  return SlamInput(GraphInput<Pose>{std::move(*graph), {}});
+}
+
+Outcome<SlamInput> load_graph(const std::string& text, const std::vector<std::string>& words,
+                              const SlamScenario& scenario) {
+  const std::string& path = scenario.log;
   if ((words.size() > 1 && is_name(words[1])) || (words.size() > 2 && is_name(words[2]))) {
     auto graph = pose_graph_from_pyfg(text, path);
     if (!graph) return pass_on(graph);
-    return SlamInput(GraphInput{std::move(graph->graph), std::move(graph->truth)});
+    auto input = input_of<Pose2>(std::move(graph->graph), scenario);
+    if (input) std::get<GraphInput<Pose2>>(*input).truth = std::move(graph->truth);
+    return input;
   }
-  auto graph = pose_graph_from_g2o(text, path);
-  if (!graph) return pass_on(graph);
-  return SlamInput(GraphInput{std::move(*graph), {}});
+  const InformationTerms terms = scenario.information == "all"        ? InformationTerms::all
+                                 : scenario.information == "diagonal" ? InformationTerms::diagonal
+                                                                      : InformationTerms::isotropic;
+  if (is_spatial_g2o(text)) return input_of(pose_graph3_from_g2o(text, path, terms), scenario);
+  return input_of(pose_graph_from_g2o(text, path, terms), scenario);
 }
 
 }  // namespace
 
-Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
-                                   const CarmenOptions& carmen) {
+Outcome<SlamInput> load_slam_input(const SlamScenario& scenario) {
+  const std::string& path = scenario.log;
   const auto text = read_file(path);
   if (!text) return bad_input(text.error().sentence, text.error().where);
   if (fs::path(path).filename().string().find("Odometry.dat") != std::string::npos) {
-    return load_mrclam(path, *text, noise);
+    return load_mrclam(path, *text, scenario.noise);
   }
   if (is_carmen_log(*text)) {
-    auto log = laser_log_from_carmen({*text, path}, carmen);
+    auto log = laser_log_from_carmen({*text, path}, scenario.carmen);
     if (!log) return pass_on(log);
     return SlamInput(std::move(*log));
   }
   const std::vector<std::string> words = first_tokens(*text);
   const std::string tag = words.empty() ? "" : words.front();
   if (tag.starts_with("VERTEX") || tag.starts_with("EDGE") || tag == "FIX")
-    return load_graph(path, *text, words);
+    return load_graph(*text, words, scenario);
   if (tag == "SENSOR" || (tag == "ODOMETRY" && words.size() == 4)) {
-    return load_freiburg(path, *text, truth, noise);
+    return load_freiburg(path, *text, scenario.truth, scenario.noise);
   }
   if (tag == "ODOMETRY") {
     auto log = landmark_log_from_chain({*text, path});

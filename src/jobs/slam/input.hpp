@@ -5,22 +5,21 @@
 #include <string>
 #include <variant>
 
-#include "outrider/io/carmen_log.hpp"
-#include "outrider/io/pyfg.hpp"
+#include "outrider/jobs/slam/scenario.hpp"
 
 namespace outrider {
 
+template <class Pose>
 struct GraphInput {
-  PoseGraph graph;
-  std::vector<Pose2> truth;  ///< by node; empty where unknown
+  PoseGraphOf<Pose> graph;
+  std::vector<Pose> truth;  ///< by node; empty where unknown
 };
 
-using SlamInput = std::variant<GraphInput, LandmarkLog, LaserLog>;
+using SlamInput = std::variant<GraphInput<Pose2>, GraphInput<Pose3>, LandmarkLog, LaserLog>;
 
-/// Loads a file of one of these kinds: a g2o or PyFG graph; a Freiburg log, with the map `truth` or
-/// "world.dat" beside it; an MR.CLAM log by its odometry file, with the measurements, barcodes and landmarks
-/// beside it; a chain; a laser log of CARMEN.
-Outcome<SlamInput> load_slam_input(const std::string& path, const std::string& truth, const LogNoise& noise,
-                                   const CarmenOptions& carmen);
+/// Loads the log, a file of one of these kinds: a g2o, TORO or PyFG graph; a Freiburg log, with the map
+/// `truth` or "world.dat" beside it; an MR.CLAM log by its odometry file, with the measurements, barcodes and
+/// landmarks beside it; a chain; a laser log of CARMEN.
+Outcome<SlamInput> load_slam_input(const SlamScenario& scenario);
 
 }  // namespace outrider

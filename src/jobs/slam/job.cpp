@@ -32,7 +32,7 @@ Outcome<Warnings> SlamJob::load() {
     input_ = std::make_unique<Input>(Input{.topics = std::move(*topics), .has_topics = true});
     return Warnings{};
   }
-  auto input = load_slam_input(scenario.log, scenario.truth, scenario.noise, scenario.carmen);
+  auto input = load_slam_input(scenario);
   if (!input) return pass_on(input);
   if (const auto* log = std::get_if<LaserLog>(&*input)) take_mount(log->robot_T_laser);
   input_ = std::make_unique<Input>(Input{.value = std::move(*input)});
@@ -44,7 +44,10 @@ Status SlamJob::run(Run& run, const RunWatch& watch) {
   run.report.status = "done";
   run.report.world_name = name_of(scenario);
   if (input_->has_topics) return map_laser_topics(*this, std::move(input_->topics), run, watch);
-  if (auto* graph = std::get_if<GraphInput>(&input)) return solve_graph(*this, *graph, run, watch);
+  if (const auto* graph = std::get_if<GraphInput<Pose2>>(&input))
+    return solve_graph(*this, *graph, run, watch);
+  if (const auto* graph = std::get_if<GraphInput<Pose3>>(&input))
+    return solve_graph(*this, *graph, run, watch);
   if (const auto* log = std::get_if<LaserLog>(&input)) return map_laser_log(*this, *log, run, watch);
   return map_landmark_log(*this, std::get<LandmarkLog>(input), run, watch);
 }
@@ -56,7 +59,7 @@ Job slam_job() {
           .blank = [] { return std::make_unique<SlamJob>(); },
           .file_option = "log",
           .file_sentence =
-              "ROS bag or MCAP, laser log, landmark log, g2o graph or PyFG graph, may be gzip-compressed, or "
+              "ROS bag or MCAP, laser log, landmark log, g2o, TORO or PyFG graph, may be gzip-compressed, or "
               "a scenario; docs/jobs/slam.md",
           .summary = slam_summary};
 }

@@ -18,7 +18,8 @@ namespace outrider {
 using TopicsInput = std::unique_ptr<LaserTopics>;
 
 /// Map a recording. Each reports the numbers that docs/jobs/slam.md lists.
-Status solve_graph(const SlamJob& job, GraphInput input, Run& run, const RunWatch& watch);
+template <class Pose>
+Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, const RunWatch& watch);
 Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const RunWatch& watch);
 Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch);
 /// Maps a log of ROS topics. Opens it again if `source` is null, because an earlier run has read it.

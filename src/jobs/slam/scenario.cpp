@@ -22,8 +22,12 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
   graph.push_back({"measured_frame", "", 0, 0,
                    "errors of poses in the frame of the measured pose, as g2o has them",
                    &scenario.measured_frame});
+  graph.push_back({"information", "", 0, 0,
+                   "terms of information matrices that count: all; diagonal, for files whose other terms are "
+                   "wrong; or isotropic: one number for positions and one for rotations",
+                   &scenario.information});
   std::vector<Option> top = {
-      file_option("log", "ROS bag or MCAP, laser log, landmark log, g2o graph or PyFG graph (.gz may follow)",
+      file_option("log", "ROS bag or MCAP, laser log, landmark log, g2o, TORO or PyFG graph (.gz may follow)",
                   &scenario.log),
       file_option("truth", "file with the true landmarks of a Freiburg log", &scenario.truth),
       file_option("resume", "state of an earlier run to continue from", &scenario.resume)};
@@ -39,6 +43,12 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
 
 Status check(const SlamScenario& scenario) {
   if (scenario.log.empty()) return bad_input("it is missing; name the file of a log or a graph", "log");
+  if (scenario.information != "all" && scenario.information != "diagonal" &&
+      scenario.information != "isotropic") {
+    return bad_input(
+        fmt::format("'{}' is not valid; expected all, diagonal, isotropic", excerpt(scenario.information)),
+        "graph.information");
+  }
   return {};
 }
 

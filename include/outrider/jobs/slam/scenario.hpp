@@ -1,7 +1,7 @@
 // The scenario of mapping from a recorded log: every setting under the name it has in files and flags.
 //
 //   job: slam
-//   log: hall.log.gz           # laser log, landmark log, g2o or PyFG graph
+//   log: hall.log.gz           # laser log, landmark log, g2o, TORO or PyFG graph
 //   laser: {reach: 20}
 //
 // describe() has the other keys.
@@ -29,11 +29,12 @@ struct SlamScenario {
   std::string truth;   ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
   std::string resume;  ///< path of the state of an earlier run to continue from; landmark logs only
   bool measured_frame = false;  ///< errors of graph poses in the frame of the measured pose, as g2o has them
-  LandmarkSlamOptions landmarks;                      ///< of landmark logs
-  LogNoise noise;                                     ///< noise of landmark logs
-  PoseGraphOptions graph;                             ///< of pose graphs
-  CarmenOptions carmen;                               ///< of reading laser logs
-  LaserTopicsOptions topics;                          ///< of reading logs of ROS topics
+  std::string information = "all";  ///< terms of the information matrices of graphs: InformationTerms
+  LandmarkSlamOptions landmarks;    ///< of landmark logs
+  LogNoise noise;                   ///< noise of landmark logs
+  PoseGraphOptions graph;           ///< of pose graphs
+  CarmenOptions carmen;             ///< of reading laser logs
+  LaserTopicsOptions topics;        ///< of reading logs of ROS topics
   LaserSlamOptions laser = laser_options_for_logs();  ///< of laser logs
 };
 
