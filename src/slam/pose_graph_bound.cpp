@@ -222,11 +222,15 @@ Outcome<double> least_cost_bound(const PoseGraphOf<Pose>& graph, const std::vect
   }
   DualProblem<Pose> dual(graph, poses);
   const double whole = std::max(cost(graph, poses), 1e-3);
-  for (double loss = 1e-9; loss < 2.0; loss *= 10.0) {
-    const double shift = dual.shift_for(loss * whole);
-    if (dual.is_positive(shift)) return std::max(0.0, dual.bound(shift));
+  const auto proves = [&](double loss) { return dual.is_positive(dual.shift_for(loss * whole)); };
+  constexpr double least = 1e-9, most = 2.0, fine = 1e-4;  // relative losses
+  double loss = least;
+  while (loss < most && !proves(loss)) loss *= 10.0;
+  if (loss >= most) return 0.0;
+  for (double factor = std::sqrt(0.1); loss > fine && factor < 0.8; factor = std::sqrt(factor)) {
+    if (proves(factor * loss)) loss *= factor;
   }
-  return 0.0;
+  return std::max(0.0, dual.bound(dual.shift_for(loss * whole)));
 }
 
 template Outcome<double> least_cost_bound(const PoseGraph&, const std::vector<Pose2>&);

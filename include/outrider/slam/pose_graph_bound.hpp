@@ -10,8 +10,8 @@
 // The least of the sum over all poses is bounded by Lagrangian duality as in SE-Sync (Rosen, Carlone,
 // Bandeira and Leonard, IJRR 38 (2019) 95-125, sections 4 and 5): the multipliers follow from the poses, and
 // the dual matrix plus a shift is tested for positive definiteness by a sparse Cholesky factorisation. The
-// least shift of a decimal ladder that succeeds, times the dimension and the number of poses, is what the
-// proof leaves open.
+// least shift that is found to succeed, times the dimension and the number of poses, is what the proof leaves
+// open.
 //
 // At a global minimum with moderate errors the bound reaches the cost. Elsewhere it does not, and is below
 // the least cost all the same: any poses give a valid bound. It holds up to the rounding errors of the
