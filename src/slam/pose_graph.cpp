@@ -85,7 +85,8 @@ bool revise_refusals(const PoseGraphOf<Pose>& graph, const PoseGraphSolutionOf<P
                      const PoseGraphOf<Pose>& kept, std::vector<bool>& refused,
                      std::vector<bool>& taken_back) {
   constexpr double deviations = 5.0;
-  const double variance = std::min(1.0, solution.cost / std::max(1.0, degrees_of_freedom(kept)));
+  constexpr double rounding = 1e-6;  // of measurements without noise, nothing is an error below this
+  const double variance = std::clamp(solution.cost / std::max(1.0, degrees_of_freedom(kept)), rounding, 1.0);
   const std::vector<double> changes = cost_changes(graph, solution.poses, refused);
   double worst = 0.0;
   for (std::size_t i = 0; i < changes.size(); ++i) worst = refused[i] ? worst : std::max(worst, changes[i]);

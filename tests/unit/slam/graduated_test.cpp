@@ -99,6 +99,24 @@ TEST(Graduated, RefusesFalseEdges) {
   refuses_false_edges<Pose3>();
 }
 
+/// Without noise, the limit would be that of rounding errors; honest edges stay in.
+TEST(Graduated, KeepsExactEdges) {
+  Rng rng(3);
+  for (int round = 0; round < testing::cases(5); ++round) {
+    PoseGraph graph = testing::random_graph(20, 3, 0.0, rng);
+    EXPECT_TRUE(optimise(graph, {.robust = "gnc"}, {})->refused.empty());
+    graph.edges.push_back(graph.edges[12]);
+    ASSERT_EQ(graph.edges.back().kind, EdgeKind::pose);
+    graph.edges.back().from = 2;
+    graph.edges.back().to = 17;
+    graph.edges.back().measured = random_pose<Pose2>(rng);
+    const auto solution = optimise(graph, {.robust = "gnc"}, {});
+    ASSERT_TRUE(solution);
+    EXPECT_EQ(solution->refused,
+              std::vector<std::uint32_t>{static_cast<std::uint32_t>(graph.edges.size() - 1)});
+  }
+}
+
 /// The predicted change of the cost is what refusing or taking back an edge does, for a graph that is linear.
 TEST(Graduated, CostChangesAreThoseOfSolvingAgain) {
   Rng rng(2);
