@@ -16,5 +16,6 @@ struct PeerResult {
 /// Solves from the given poses on one thread, with sparse Cholesky factorisation, default tolerances and at
 /// most 1000 iterations. Returns nothing without Ceres, or for graphs with points or ranges.
 std::optional<PeerResult> solve_with_ceres(const PoseGraph& graph);
+std::optional<PeerResult> solve_with_ceres(const PoseGraph3& graph);
 
 }  // namespace outrider::bench

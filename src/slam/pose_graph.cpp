@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "graduated.hpp"
+#include "graph_search.hpp"
 #include "trust_region.hpp"
 
 namespace outrider {
@@ -16,131 +18,16 @@ namespace {
 
 const std::vector<std::string> starts = {"best", "given", "odometry", "spanning_tree", "chordal"};
 const std::vector<std::string> kernels = {"none", "huber", "cauchy", "geman_mcclure"};
+const std::vector<std::string> robust_methods = {"none", "gnc"};
 
 Status check_options(const PoseGraphOptions& options) {
   for (const auto& [names, name, key] :
-       {std::tuple(&starts, &options.start, "start"), std::tuple(&kernels, &options.kernel, "kernel")}) {
+       {std::tuple(&starts, &options.start, "start"), std::tuple(&kernels, &options.kernel, "kernel"),
+        std::tuple(&robust_methods, &options.robust, "robust")}) {
     if (std::find(names->begin(), names->end(), *name) != names->end()) continue;
     return bad_input(fmt::format("'{}' is not valid; expected {}", *name, fmt::join(*names, ", ")), key);
   }
   return {};
-}
-
-constexpr double roughly = 1e-4;  ///< tolerance of a descent until it is known to be the best
-
-/// Goes down from several starts, roughly, and keeps the lowest end.
-template <class Pose>
-class Search {
- public:
-  Search(const PoseGraphOf<Pose>& graph, const PoseGraphOptions& options, const Budget& budget)
-      : graph_(graph),
-        options_(options),
-        tolerance_(options.start == "best" ? std::max(roughly, options.tolerance) : options.tolerance),
-        meter_(budget),
-        equations_(graph, first_pose(graph)) {}
-
-  /// Returns true while another descent may find more: there is budget, and the lowest cost was found once.
-  [[nodiscard]] bool goes_on() const { return !spent_ && agreeing_ < 2; }
-  [[nodiscard]] tl::unexpected<Fault> refusal() const { return meter_.refusal(); }
-
-  void descend_from(const GraphStart<Pose>& start) {
-    keep(start, begin_descent(graph_, plain(), start.poses));
-  }
-
-  /// Goes down under a kernel first, by which edges that contradict the others do not bend the graph.
-  void descend_softly(const GraphStart<Pose>& start, double kernel_width) {
-    const GraphObjective soft = {.kernel = "geman_mcclure", .kernel_width = kernel_width};
-    Descent<Pose> descent = begin_descent(graph_, soft, start.poses);
-    proceed(soft, tolerance_, descent);
-    if (!spent_) keep(start, begin_descent(graph_, plain(), std::move(descent.poses)));
-  }
-
-  /// Follows the best descent to its end; empty if there was no budget for any.
-  std::optional<PoseGraphSolutionOf<Pose>> finish() {
-    if (!best_) return std::nullopt;
-    if (tolerance_ > options_.tolerance) {
-      best_->end = DescentEnd::none;
-      proceed(plain(), options_.tolerance, *best_);
-    }
-    PoseGraphSolutionOf<Pose> solution;
-    solution.cost = cost(graph_, best_->poses);
-    solution.start_cost = cost(graph_, start_.poses);
-    solution.robust_cost = best_->cost;
-    solution.poses = std::move(best_->poses);
-    solution.iterations = iterations_;
-    solution.start = start_.name;
-    solution.converged = best_->end == DescentEnd::converged;
-    solution.descents = descents_;
-    solution.descents_agreeing = agreeing_;
-    return solution;
-  }
-
- private:
-  [[nodiscard]] GraphObjective plain() const {
-    return {.kernel = options_.kernel, .kernel_width = options_.kernel_width};
-  }
-  void proceed(const GraphObjective& objective, double tolerance, Descent<Pose>& descent) {
-    const std::int64_t before = descent.iterations;
-    spent_ = !descend(graph_, objective, {options_.iterations, tolerance}, equations_, descent, meter_);
-    iterations_ += descent.iterations - before;
-  }
-  void keep(const GraphStart<Pose>& start, Descent<Pose> descent) {
-    constexpr double equal = 10.0 * roughly;
-    proceed(plain(), tolerance_, descent);
-    if (descent.iterations == 0) return;
-    ++descents_;
-    const double gap = best_ ? descent.cost - best_->cost : -HUGE_VAL;
-    const bool agrees = std::abs(gap) <= equal * std::max(descent.cost, 1e-3);
-    agreeing_ = agrees ? agreeing_ + 1 : gap < 0.0 ? 1 : agreeing_;
-    if (gap >= 0.0) return;
-    best_ = std::move(descent);
-    start_ = start;
-  }
-
-  const PoseGraphOf<Pose>& graph_;
-  const PoseGraphOptions& options_;
-  double tolerance_;
-  BudgetMeter meter_;
-  GraphEquations<Pose> equations_;
-  std::optional<Descent<Pose>> best_;
-  GraphStart<Pose> start_;
-  std::int64_t iterations_ = 0;
-  int descents_ = 0, agreeing_ = 0;
-  bool spent_ = false;
-};
-
-/// Returns the starts of these names that exist, each once.
-template <class Pose>
-std::vector<GraphStart<Pose>> different_starts(const PoseGraphOf<Pose>& graph,
-                                               const std::array<const char*, 2>& names) {
-  std::vector<GraphStart<Pose>> result;
-  std::vector<double> costs;
-  for (const char* name : names) {
-    auto start = graph_start(graph, name);
-    if (!start) continue;
-    costs.push_back(cost(graph, start->poses));
-    if (std::count(costs.begin(), costs.end(), costs.back()) == 1) result.push_back(std::move(*start));
-  }
-  return result;
-}
-
-/// Descends from the starts in turn until the lowest cost has been found twice: first as they are, then under
-/// ever narrower kernels. Those made from the edges come first, because they close the loops.
-template <class Pose>
-void descend_from_all(const PoseGraphOf<Pose>& graph, Search<Pose>& search) {
-  constexpr std::array<std::array<const char*, 2>, 2> all = {
-      {{"chordal", "spanning_tree"}, {"given", "odometry"}}};
-  for (const auto& names : all) {
-    const std::vector<GraphStart<Pose>> some = different_starts(graph, names);
-    for (const auto& start : some) {
-      if (search.goes_on()) search.descend_from(start);
-    }
-    for (const double kernel_width : {3.0, 2.0, 1.0}) {
-      for (const auto& start : some) {
-        if (search.goes_on()) search.descend_softly(start, kernel_width);
-      }
-    }
-  }
 }
 
 }  // namespace
@@ -150,15 +37,37 @@ std::vector<Option> describe(PoseGraphOptions& options) {
       {"start", "", 0, 0,
        "where to begin: given (by the file), odometry, spanning_tree, chordal (a relaxation), or best: all "
        "of "
-       "them until two agree",
+       "them until the first is proven to be the least or two agree",
        &options.start},
       {"kernel", "", 0, 0, "loss of an edge that does not fit: none, huber, cauchy or geman_mcclure",
        &options.kernel},
       {"kernel_width", "", 1e-3, 1e6, "standard deviations from which a kernel weighs down",
        &options.kernel_width},
-      {"iterations", "", 1, 100'000, "most steps of one descent", &options.iterations},
+      {"robust", "", 0, 0,
+       "gnc: refuse edges that contradict the others, but no odometry, by graduated non-convexity; or none",
+       &options.robust},
+      {"iterations", "", 1, 100'000, "most steps: of the last descent, and of all before together",
+       &options.iterations},
       {"tolerance", "", 1e-15, 1.0,
        "relative decrease of the cost that one more step would make, at which to stop", &options.tolerance}};
+}
+
+template <class Pose>
+PoseGraphOf<Pose> without_edges(PoseGraphOf<Pose> graph, const std::vector<std::uint32_t>& edges) {
+  std::vector<GraphEdgeOf<Pose>> kept;
+  for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
+    if (!std::binary_search(edges.begin(), edges.end(), i)) kept.push_back(graph.edges[i]);
+  }
+  graph.edges = std::move(kept);
+  return graph;
+}
+
+template <class Pose>
+double degrees_of_freedom(const PoseGraphOf<Pose>& graph) {
+  double result = freedoms<Pose>;  // the first pose is known
+  for (const auto& edge : graph.edges) result += residual_rows<Pose>(edge.kind);
+  for (const auto& node : graph.nodes) result -= node.is_point ? dimension<Pose> : freedoms<Pose>;
+  return result;
 }
 
 template <class Pose>
@@ -166,22 +75,77 @@ double cost(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses) {
   return cost(graph, poses, GraphObjective{});
 }
 
+namespace {
+
+/// Refuses the edges that contradict the others most, and takes back those that do not; false if there are
+/// none. An edge that was taken back and is refused again stays so. Where the errors of the kept edges are
+/// smaller than their information says, so is what is allowed (Pope, NOAA report NOS 65 NGS 1, 1976).
+template <class Pose>
+bool revise_refusals(const PoseGraphOf<Pose>& graph, const PoseGraphSolutionOf<Pose>& solution,
+                     const PoseGraphOf<Pose>& kept, std::vector<bool>& refused,
+                     std::vector<bool>& taken_back) {
+  constexpr double deviations = 5.0;
+  constexpr double rounding = 1e-6;  // of measurements without noise, nothing is an error below this
+  const double variance = std::clamp(solution.cost / std::max(1.0, degrees_of_freedom(kept)), rounding, 1.0);
+  const std::vector<double> changes = cost_changes(graph, solution.poses, refused);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < changes.size(); ++i) worst = refused[i] ? worst : std::max(worst, changes[i]);
+  bool any = false;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const double most = variance * largest_cost(residual_rows<Pose>(graph.edges[i].kind), deviations);
+    const bool contradicts = changes[i] > most;
+    const bool change = refused[i] ? !contradicts && !taken_back[i] : contradicts && changes[i] > 0.5 * worst;
+    if (!change) continue;
+    any = true;
+    taken_back[i] = taken_back[i] || refused[i];
+    refused[i] = !refused[i];
+  }
+  return any;
+}
+
+/// Refuses edges by graduated non-convexity, then solves without them and revises the refusals until none
+/// changes. Where the budget ends, the solution is not converged.
+template <class Pose>
+Outcome<PoseGraphSolutionOf<Pose>> optimise_graduated(const PoseGraphOf<Pose>& graph,
+                                                      const PoseGraphOptions& options, BudgetMeter& meter) {
+  const bool best = options.start == "best";
+  auto start = graph_start(graph, best ? "chordal" : options.start);
+  if (!start && best) start = graph_start(graph, "given");
+  if (!start) return pass_on(start);
+  PoseGraphOf<Pose> placed = graph;
+  std::vector<bool> refused = graduated_refusals(graph, start->poses, options.iterations, meter);
+  std::vector<bool> taken_back(refused.size(), false);
+  PoseGraphSolutionOf<Pose> solution;
+  solution.poses = std::move(start->poses);
+  for (bool revised = true; revised;) {
+    for (std::size_t i = 0; i < placed.nodes.size(); ++i) placed.nodes[i].pose = solution.poses[i];
+    std::vector<std::uint32_t> without;
+    for (std::uint32_t i = 0; i < refused.size(); ++i) {
+      if (refused[i]) without.push_back(i);
+    }
+    const PoseGraphOf<Pose> kept = without_edges(placed, without);
+    auto next = search_minimum(kept, options, meter);
+    if (!next && solution.descents == 0) return next;
+    solution.converged = false;
+    if (!next) return solution;
+    solution = std::move(*next);
+    solution.iterations = static_cast<std::int64_t>(meter.spent());
+    solution.refused = std::move(without);
+    revised = revise_refusals(graph, solution, kept, refused, taken_back);
+  }
+  return solution;
+}
+
+}  // namespace
+
 template <class Pose>
 Outcome<PoseGraphSolutionOf<Pose>> optimise(const PoseGraphOf<Pose>& graph, const PoseGraphOptions& options,
                                             const Budget& budget) {
   if (auto ok = check_options(options); !ok) return pass_on(ok);
   if (auto ok = check(graph); !ok) return pass_on(ok);
-  Search<Pose> search(graph, options, budget);
-  if (options.start == "best") {
-    descend_from_all(graph, search);
-  } else {
-    auto start = graph_start(graph, options.start);
-    if (!start) return pass_on(start);
-    search.descend_from(*start);
-  }
-  auto solution = search.finish();
-  if (!solution) return search.refusal();
-  return std::move(*solution);
+  BudgetMeter meter(budget);
+  return options.robust == "gnc" ? optimise_graduated(graph, options, meter)
+                                 : search_minimum(graph, options, meter);
 }
 
 template <class Pose>
@@ -203,6 +167,10 @@ Outcome<std::vector<PoseMatrix<Pose>>> marginal_covariances(const PoseGraphOf<Po
   return result;
 }
 
+template PoseGraph without_edges(PoseGraph, const std::vector<std::uint32_t>&);
+template PoseGraph3 without_edges(PoseGraph3, const std::vector<std::uint32_t>&);
+template double degrees_of_freedom(const PoseGraph&);
+template double degrees_of_freedom(const PoseGraph3&);
 template double cost(const PoseGraph&, const std::vector<Pose2>&);
 template double cost(const PoseGraph3&, const std::vector<Pose3>&);
 template Outcome<PoseGraphSolutionOf<Pose2>> optimise(const PoseGraph&, const PoseGraphOptions&,

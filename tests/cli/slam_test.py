@@ -10,6 +10,8 @@ from tool import DATA, SOURCE, ToolTest, flat, main
 
 EDGE = "EDGE_SE2 {} {} 1 0 {} 100 0 0 100 0 400\n"
 SQUARE = "".join(EDGE.format(i, (i + 1) % 4, math.pi / 2 + 0.02 * i) for i in range(4))
+UNIT3 = "4 0 0 0 0 0 4 0 0 0 0 4 0 0 0 9 0 0 9 0 9"
+SPACE = "".join(f"EDGE_SE3:QUAT {i} {(i + 1) % 4} 1 0 {0.1 * i} 0 0 0.7 0.71414284285 {UNIT3}\n" for i in range(4))
 KEYS = {"landmark_rmse_m", "landmark_rmse_aligned_m", "ate_m", "cost", "steps", "time_s", "max_step_s"}
 MACHINE_TIMES = {"time_s", "max_step_s", "median_step_s", "real_time_factor"}  # printed, and in no file
 
@@ -196,6 +198,37 @@ class Slam(ToolTest):
         self.assertAlmostEqual(again["start_cost"], found["cost"], places=9)
         self.assertAlmostEqual(again["cost"], found["cost"], places=9)
         self.assertIn("4 nodes, 4 edges", self.run_tool("slam", "square.g2o").stdout)
+
+    def test_graph_in_space(self):
+        self.write("space.g2o", SPACE)
+        found = self.result("space.g2o", "--out", "out")
+        self.assertEqual((found["nodes"], found["edges"], found["loops"]), (4, 4, 1))
+        self.assertLessEqual(found["cost_bound"], found["cost"] + 1e-9)
+        self.assertIn("<svg", (self.folder / "out" / "run.svg").read_text())
+        again = self.result("out/graph.g2o", "--graph-start", "given")
+        self.assertAlmostEqual(again["start_cost"], found["cost"], places=9)
+        self.write("coupled.g2o", SPACE.replace("4 0 0 0 0 0", "4 0 0 0 0 9", 1))
+        self.refused("slam", "coupled.g2o", says=["coupled.g2o:1: ", "not positive definite", "diagonal"])
+        self.result("coupled.g2o", "--graph-information", "isotropic")
+        self.refused("slam", "space.g2o", "--graph-information", "some", says=["'some'", "isotropic"])
+
+    def test_false_edges(self):
+        """Three rounds of a square with a false edge: doubtful, or found and refused."""
+        lines = []
+        for i in range(1, 25):
+            lines.append(f"EDGE_SE2 {i - 1} {i} 1 0 {math.pi / 2 if i % 2 else 0} 400 0 0 400 0 2500")
+            if i >= 8:
+                lines.append(f"EDGE_SE2 {i - 8} {i} 0.01 0 0 400 0 0 400 0 2500")
+        self.write("false.g2o", "\n".join([*lines, "EDGE_SE2 3 20 5 5 1 400 0 0 400 0 2500"]) + "\n")
+        run = self.run_tool("slam", "false.g2o", "--json")
+        found = self.json_of(run)
+        self.assertEqual((run.returncode, found["status"]), (1, "doubtful"), found)
+        self.assertIn("edge from 3 to 20 contradicts", found["reason"])
+        found = self.result("false.g2o", "--graph-robust", "gnc", "--out", "out")
+        self.assertEqual(found["edges_refused"], 1)
+        kept = self.result_of("out")["refused_edges"]
+        self.assertEqual([(row["from"], row["to"]) for row in kept], [("3", "20")])
+        self.refused("slam", "false.g2o", "--graph-robust", "sometimes", says=["'sometimes'", "gnc"])
 
     def test_example(self):
         found = self.result(SOURCE / "scenarios" / "slam" / "yard.g2o", "--out", "out")

@@ -10,15 +10,18 @@
 //
 // optimise() goes down by a trust region (Powell's dogleg) on a sparse block Cholesky factorisation. It
 // begins at the poses given, along the odometry, along a spanning tree, or at a chordal relaxation that needs
-// no poses (Carlone et al., ICRA 2015, 4597-4604). "best" descends from one start after the other until two
-// descents end at the same lowest cost, then under robust kernels first, and keeps the lowest end. Robust
-// kernels weigh edges down by iteratively reweighted least squares.
+// no poses (Carlone et al., ICRA 2015, 4597-4604). "best" descends from one start after the other until the
+// first end is proven to be the least or two descents end at the same lowest cost, then under robust kernels
+// first, and keeps the lowest end. Robust kernels weigh edges down by iteratively reweighted least squares.
 //
 // In space, the error of a rotation by the angle a about an axis is 2 sin(a/2) along that axis: twice the
 // vector part of its quaternion.
 //
+// With robust "gnc", edges that contradict the others are refused (Yang et al., RA-L 5 (2020) 1127-1134), but
+// never the odometry, which are the edges between poses that follow each other in the file.
+//
 // Guarantees: no descent raises the cost. The end is a local minimum to the tolerance, when `converged`; that
-// it is the global one is not proven. Same graph and options, same bytes.
+// it is the global one is not proven (pose_graph_bound.hpp can). Same graph and options, same bytes.
 // Errors: bad_input for what check() refuses; budget_exhausted (an iteration is an expansion) and cancelled
 // only before the first step: afterwards the best so far is returned. Thread rule: pure functions.
 #pragma once
@@ -100,6 +103,7 @@ struct PoseGraphOptions {
   std::string start = "best";
   std::string kernel = "none";
   double kernel_width = 3.0;
+  std::string robust = "none";
   std::int64_t iterations = 1000;
   double tolerance = 1e-9;
 };
@@ -116,12 +120,22 @@ struct PoseGraphSolutionOf {
   std::string start;            ///< of the best descent: given, odometry, spanning_tree or chordal
   bool converged = false;       ///< the best descent is at a minimum, to the tolerance
   int descents = 0;
-  int descents_agreeing = 0;  ///< that ended at the lowest cost
+  int descents_agreeing = 0;           ///< that ended at the lowest cost; one is enough if it is proven
+  std::vector<std::uint32_t> refused;  ///< edges without which the costs are, ascending
 };
 using PoseGraphSolution = PoseGraphSolutionOf<Pose2>;
 
 template <class Pose>
 double cost(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses);
+
+/// Returns the graph without these edges, ascending.
+template <class Pose>
+PoseGraphOf<Pose> without_edges(PoseGraphOf<Pose> graph, const std::vector<std::uint32_t>& edges);
+
+/// Returns the numbers measured minus the unknowns. If the information matrices are right, the least cost is
+/// distributed as chi-square with so many degrees of freedom.
+template <class Pose>
+double degrees_of_freedom(const PoseGraphOf<Pose>& graph);
 
 template <class Pose>
 Outcome<PoseGraphSolutionOf<Pose>> optimise(const PoseGraphOf<Pose>& graph, const PoseGraphOptions& options,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "graph_log.hpp"
 #include "outrider/geometry/spatial_pose.hpp"
@@ -8,6 +9,8 @@
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/slam/map_error.hpp"
+#include "outrider/slam/pose_graph_bound.hpp"
+#include "outrider/slam/pose_graph_doubt.hpp"
 
 namespace outrider {
 namespace {
@@ -88,20 +91,81 @@ std::vector<Vec2> truth_on_map(const GraphInput<Pose>& input, const std::vector<
   return result;
 }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
 template <class Pose>
-Metrics metrics_of(const GraphInput<Pose>& input, const PoseGraphSolutionOf<Pose>& solution) {
+Metrics metrics_of(const GraphInput<Pose>& input, const PoseGraphOf<Pose>& kept,
+                   const PoseGraphSolutionOf<Pose>& solution) {
   const auto number = [](auto value) { return static_cast<double>(value); };
+  const auto bound = least_cost_bound(kept, solution.poses);
   return {{"landmark_rmse_m", known(rms_error(input, solution.poses, true, false))},
           {"landmark_rmse_aligned_m", known(rms_error(input, solution.poses, true, true))},
           {"ate_m", known(rms_error(input, solution.poses, false, true))},
           {"cost", solution.cost},
+          {"cost_bound", bound ? *bound : unknown},
+          {"degrees_of_freedom", degrees_of_freedom(kept)},
           {"steps", number(solution.iterations)},
           {"nodes", number(input.graph.nodes.size())},
           {"edges", number(input.graph.edges.size())},
+          {"edges_refused", number(solution.refused.size())},
           {"start_cost", solution.start_cost},
           {"robust_cost", solution.robust_cost},
           {"descents", number(solution.descents)},
           {"descents_agreeing", number(solution.descents_agreeing)}};
+}
+
+template <class Pose>
+std::string edge_name(const PoseGraphOf<Pose>& graph, std::uint32_t edge) {
+  return fmt::format("from {} to {}", graph.nodes[graph.edges[edge].from].name,
+                     graph.nodes[graph.edges[edge].to].name);
+}
+
+/// Returns why the solution cannot be believed; empty if it can.
+template <class Pose>
+std::string doubt_sentence(const PoseGraphOf<Pose>& kept, const PoseGraphSolutionOf<Pose>& solution) {
+  constexpr double largest_share = 0.25;
+  const GraphDoubt doubt = doubt_about(kept, solution.poses);
+  const auto refused = static_cast<double>(solution.refused.size());
+  if (refused > largest_share * (doubt.refusable + refused)) {
+    return fmt::format("{} of {} edges that are no odometry are refused; check where they come from", refused,
+                       doubt.refusable + refused);
+  }
+  if (doubt.edge) {
+    return fmt::format(
+        "the edge {} contradicts the others: without it the cost would be lower by {:.4g}; --graph-robust "
+        "gnc "
+        "refuses such edges",
+        edge_name(kept, *doubt.edge), doubt.edge_cost);
+  }
+  if (!doubt.cost) return {};
+  return fmt::format(
+      "a cost of {:.6g} is implausible for {} degrees of freedom: the information matrices are too large, or "
+      "edges contradict each other, which --graph-robust gnc refuses",
+      solution.cost, degrees_of_freedom(kept));
+}
+
+template <class Pose>
+void set_status(Report& report, const PoseGraphOf<Pose>& kept, const PoseGraphSolutionOf<Pose>& solution) {
+  if (!solution.converged) {
+    report.status = "not_done";
+    report.reason =
+        fmt::format("no minimum is reached to the tolerance after {} steps; allow more by --graph-iterations",
+                    solution.iterations);
+    return;
+  }
+  report.reason = doubt_sentence(kept, solution);
+  if (!report.reason.empty()) report.status = "doubtful";
+}
+
+/// Returns the refused edges as a table; they are in the log as events too.
+template <class Pose>
+Table refused_edges(const PoseGraphOf<Pose>& graph, const PoseGraphSolutionOf<Pose>& solution) {
+  Table table{"refused_edges", {"edge", "from", "to"}, {}};
+  for (const std::uint32_t i : solution.refused) {
+    const auto& edge = graph.edges[i];
+    table.rows.push_back({static_cast<double>(i), graph.nodes[edge.from].name, graph.nodes[edge.to].name});
+  }
+  return table;
 }
 
 }  // namespace
@@ -115,27 +179,26 @@ Status solve_graph(const SlamJob& job, const GraphInput<Pose>& input, Run& run, 
   const auto solution = optimise(input.graph, scenario.graph, watch.budget());
   const double time_s = wall_s() - began_s;
   if (!solution) return tl::unexpected<Fault>(solution.error());
-  const auto marginals = marginal_covariances(input.graph, solution->poses);
-  run.report.metrics = metrics_of(input, *solution);
-  const PlanGraph plan = {plan_of(input.graph),
-                          plan_of(solution->poses),
-                          plan_of(odometry_of(input.graph, solution->poses)),
-                          marginals ? plan_of(*marginals) : std::vector<Eigen::Matrix3d>(),
-                          truth_on_map(input, solution->poses),
-                          solution->start};
+  const PoseGraphOf<Pose> kept = without_edges(input.graph, solution->refused);
+  const auto marginals = marginal_covariances(kept, solution->poses);
+  run.report.metrics = metrics_of(input, kept, *solution);
+  PlanGraph plan = {plan_of(kept),
+                    plan_of(solution->poses),
+                    plan_of(odometry_of(input.graph, solution->poses)),
+                    marginals ? plan_of(*marginals) : std::vector<Eigen::Matrix3d>(),
+                    truth_on_map(input, solution->poses),
+                    solution->start,
+                    {}};
+  for (const std::uint32_t edge : solution->refused) plan.refused.push_back(edge_name(input.graph, edge));
   const Metrics logged = log_graph(run.log, scenario, plan);
   run.report.metrics.insert(run.report.metrics.end(), logged.begin(), logged.end());
-  if (!solution->converged) {
-    run.report.status = "not_done";
-    run.report.reason =
-        fmt::format("no minimum is reached to the tolerance after {} steps; allow more by --graph-iterations",
-                    solution->iterations);
-  }
+  set_status(run.report, kept, *solution);
+  if (!solution->refused.empty()) run.report.tables.push_back(refused_edges(input.graph, *solution));
   run.report.machine_times = {
       {"time_s", time_s},
       {"max_step_s", time_s / static_cast<double>(std::max<std::int64_t>(1, solution->iterations))}};
   run.files = {{"track.csv", track_csv(plan.poses)}};
-  if (auto g2o = to_g2o(input.graph, solution->poses)) run.files.push_back({"graph.g2o", *g2o});
+  if (auto g2o = to_g2o(kept, solution->poses)) run.files.push_back({"graph.g2o", *g2o});
   return {};
 }
 

@@ -98,6 +98,9 @@ Metrics log_graph(Log& to, const SlamScenario& scenario, const PlanGraph& solved
   const std::vector<NodeIndex>& way = ways.main();
   SlamLog log(to, scenario, "pose_graph");
   log_event(to, 0.0, "start", fmt::format("optimising starts at the {} guess", solved.start));
+  for (std::size_t i = 0; i < std::min(solved.refused.size(), most_events); ++i) {
+    log_event(to, 0.0, "refused", fmt::format("the edge {} contradicts the others", solved.refused[i]));
+  }
   std::vector<Pose2> settled;
   std::vector<Vec2> reference;
   outrider_msgs::Loops loops = loops_of(solved, ways);

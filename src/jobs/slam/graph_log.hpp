@@ -73,6 +73,7 @@ struct PlanGraph {
   std::vector<Eigen::Matrix3d> covariances;  ///< of x, y and heading; or empty
   std::vector<Vec2> truth;                   ///< positions in the frame of the map; or empty
   std::string start;                         ///< where the optimisation began
+  std::vector<std::string> refused;          ///< edges refused, as "from 1 to 2"
 };
 
 /// Logs the graph. The longest path is that of the robot. A graph is solved at once, so the believed poses

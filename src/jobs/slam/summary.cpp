@@ -30,6 +30,9 @@ std::string slam_summary(const Report& report) {
                         value("nodes"), value("edges"), value("start_cost"), value("steps"));
   }
   text += line(report, "cost", "cost", "{:.6g}");
+  if (value("cost_bound") > 0.0)
+    text += line(report, "cost_bound", "proven", "no poses cost less than {:.6g}");
+  if (value("edges_refused") > 0.0) text += line(report, "edges_refused", "refused", "{:.0f} edges");
   text += line(report, "landmark_rmse_aligned_m", "truth", "landmarks off by {:.3f} m, once laid over it");
   text += line(report, "mean_absolute_error_m", "reference", "the way is off by {:.3f} m on average");
   if (!report.reason.empty()) text += fmt::format("\n  {}\n", printable(report.reason));

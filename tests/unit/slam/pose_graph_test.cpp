@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dense.hpp"
+#include "outrider/slam/pose_graph_bound.hpp"
 #include "random_graphs.hpp"
 
 namespace outrider {
@@ -162,7 +163,7 @@ TEST(PoseGraph, NeverRisesFromABadStart) {
   }
 }
 
-/// Several starts find what one does not: the lowest end of all, which at least two reach.
+/// Several starts find what one does not: the lowest end of all, which is proven or which two reach.
 TEST(PoseGraph, TheBestOfSeveralStartsIsNoWorseThanAny) {
   Rng rng(12);
   int better = 0;
@@ -174,7 +175,8 @@ TEST(PoseGraph, TheBestOfSeveralStartsIsNoWorseThanAny) {
     const auto given = optimise(graph, {.start = "given"}, {});
     ASSERT_TRUE(best && given);
     EXPECT_TRUE(best->converged);
-    EXPECT_GE(best->descents_agreeing, 2);
+    const auto bound = least_cost_bound(graph, best->poses);
+    EXPECT_TRUE(best->descents_agreeing >= 2 || *bound >= 0.999 * best->cost);
     EXPECT_LE(best->cost, given->cost * (1.0 + 1e-6));
     better += best->cost < 0.999 * given->cost ? 1 : 0;
   }
