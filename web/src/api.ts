@@ -1,5 +1,6 @@
 // The server's interface (docs/server.md): requests return a value or throw the server's sentence.
 import { base64Of } from "./base/base64";
+import { sourceOf, type Source } from "./log/source";
 
 export interface FileRow { path: string; kind: "scenario" | "run" | "map" | "other"; job?: string; bytes: number }
 export interface OptionRow {
@@ -171,8 +172,16 @@ export async function getJson<T>(path: string): Promise<T> {
   return await (await answer(path)).json() as T;
 }
 
-export async function getBlob(path: string): Promise<Blob> {
-  return (await answer(path)).blob();
+/** Size up to which a file is moved at once: many small requests take longer. */
+const movedWhole = 64 << 20;
+
+/** A file at the server; of a large one only the parts that are read are moved. */
+export async function fileAt(path: string): Promise<Source> {
+  const part = async (from: number, to: number): Promise<Response> => answer(path, { headers: { Range: `bytes=${from}-${to - 1}` } });
+  const whole = async (): Promise<Blob> => (await answer(path)).blob();
+  const size = Number((await part(0, 1).catch(() => null))?.headers.get("Content-Range")?.split("/")[1] ?? 0);
+  if (size <= movedWhole) return sourceOf(await whole());
+  return { size, whole, read: async (from, to) => new Uint8Array(await (await part(from, to)).arrayBuffer()) };
 }
 
 /** Saves a scenario with the files that it needs; existing files are replaced only if `replace` is set. */

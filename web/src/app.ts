@@ -1,7 +1,7 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
-import { filePath, getBlob, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
+import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
 import { emblem, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -9,6 +9,7 @@ import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
+import type { Source } from "./log/source";
 import { editorOf } from "./plan/editors";
 import type { Opened } from "./plan/plan_page";
 
@@ -23,7 +24,7 @@ function refusalView(sentence: string): View {
   return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the files"))) };
 }
 
-async function watchFile(file: Blob, query: Record<string, string>): Promise<View> {
+async function watchFile(file: Blob | Source, query: Record<string, string>): Promise<View> {
   const [{ openLog }, { Watch }] = await Promise.all([import("./log/file"), import("./watch/watch")]);
   const log = await openLog(file);
   const watch = new Watch(log, query);
@@ -51,7 +52,7 @@ async function scenarioView(path: string, query: Record<string, string>): Promis
 const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs: [0, 64 * 44] };
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
-  if (view === "watch") return watchFile(await getBlob(filePath(path)), query);
+  if (view === "watch") return watchFile(await fileAt(filePath(path)), query);
   if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
   if (view === "change") return scenarioView(path, query);
   if (view === "draw") return planView(await send<MapAnswer>("POST", "maps", { grid: blank }), query);

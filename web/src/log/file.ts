@@ -1,30 +1,29 @@
-// A run as a file: read whole where it fits in memory. In a larger one the heavy topics are read when they are shown, and
-// all others in the background. A log that was cut short has no index, so it is read to where it got.
+// A run as a file: a small one is read whole before it is shown. In a larger one the scans are read when they are shown,
+// in one that does not fit in memory all heavy topics, and all others in the background. A log that was cut short has no index, so it is read to where it got.
 import { McapIndexedReader, type McapTypes } from "@mcap/core";
 import { decoderOf, decompressors } from "./decode";
 import { RunLog } from "./run_log";
+import { sourceOf, type Source } from "./source";
 import { LogStream, originOf } from "./stream";
 import { parseSummary } from "./summary";
-import { heavyTypes, unread } from "./topics";
+import { heavyTypes, scanTypes, unread } from "./topics";
 import { Windows, windowLength, type HeavyTopic } from "./windows";
 
-/** Decompressed size up to which a file is read whole. */
+/** Decompressed size up to which a file is read before it is shown, and up to which all but its scans are kept in memory. */
+export const mostAtOnce = 24 << 20;
 export const mostInMemory = 256 << 20;
 const pieceBytes = 4 << 20;
 const patience_ms = 40;  // for which the page stands still while a large file is read
 const magic = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 
-class BlobReadable implements McapTypes.IReadable {
-  constructor(private blob: Blob) {}
-  size(): Promise<bigint> { return Promise.resolve(BigInt(this.blob.size)); }
-  async read(offset: bigint, size: bigint): Promise<Uint8Array> {
-    return new Uint8Array(await this.blob.slice(Number(offset), Number(offset + size)).arrayBuffer());
-  }
-}
+const readable = (source: Source): McapTypes.IReadable => ({
+  size: () => Promise.resolve(BigInt(source.size)),
+  read: (offset, size) => source.read(Number(offset), Number(offset + size)),
+});
 
 /** Why a file is no log, as a sentence; null when it begins as one. */
-async function faultOf(blob: Blob): Promise<string | null> {
-  const head = new Uint8Array(await blob.slice(0, 64).arrayBuffer());
+async function faultOf(source: Source): Promise<string | null> {
+  const head = await source.read(0, Math.min(64, source.size));
   if (magic.every((byte, i) => head[i] === byte)) return null;
   const start = new TextDecoder().decode(head).trimStart();
   if (/^\{\s*"outrider_report"/.test(start)) {
@@ -34,23 +33,24 @@ async function faultOf(blob: Blob): Promise<string | null> {
 }
 
 /** Opens a log. Throws a sentence where the file is none. */
-export async function openLog(blob: Blob, inMemory = mostInMemory): Promise<RunLog> {
-  const fault = await faultOf(blob);
+export async function openLog(file: Blob | Source, inMemory = mostInMemory, atOnce = Math.min(mostAtOnce, inMemory)): Promise<RunLog> {
+  const source = file instanceof Blob ? sourceOf(file) : file;
+  const fault = await faultOf(source);
   if (fault) throw new Error(fault);
-  const index = await McapIndexedReader.Initialize({ readable: new BlobReadable(blob), decompressHandlers: decompressors, messageIndexCacheSizeBytes: 32 << 20 })
+  const index = await McapIndexedReader.Initialize({ readable: readable(source), decompressHandlers: decompressors, messageIndexCacheSizeBytes: 32 << 20 })
     .catch(() => null);
   const bytes = index?.chunkIndexes.reduce((sum, chunk) => sum + Number(chunk.uncompressedSize), 0) ?? 0;
-  const log = index && bytes > inMemory ? await openLarge(index) : await readWhole(blob);
-  log.file = blob;
+  const log = index && bytes > atOnce ? await openLarge(index, bytes > inMemory ? heavyTypes : scanTypes) : await readWhole(source);
+  log.file = source;
   return log;
 }
 
-async function readWhole(blob: Blob): Promise<RunLog> {
+async function readWhole(source: Source): Promise<RunLog> {
   const log = new RunLog();
   const stream = new LogStream(log);
   try {
-    for (let at = 0; at < blob.size && !stream.done; at += pieceBytes) {
-      stream.feed(new Uint8Array(await blob.slice(at, at + pieceBytes).arrayBuffer()));
+    for (let at = 0; at < source.size && !stream.done; at += pieceBytes) {
+      stream.feed(await source.read(at, Math.min(at + pieceBytes, source.size)));
     }
   } catch (error) {
     if (log.channels.size === 0) throw error;  // else it holds up to where it is damaged
@@ -61,7 +61,7 @@ async function readWhole(blob: Blob): Promise<RunLog> {
 
 const pause = (): Promise<void> => new Promise((done) => setTimeout(done, 0));
 
-async function openLarge(index: McapIndexedReader): Promise<RunLog> {
+async function openLarge(index: McapIndexedReader, lazyTypes: ReadonlySet<string>): Promise<RunLog> {
   const log = new RunLog();
   const { statistics } = index;
   const origin = originOf(statistics?.messageStartTime ?? 0n);
@@ -73,7 +73,7 @@ async function openLarge(index: McapIndexedReader): Promise<RunLog> {
     const decode = decoderOf(messageEncoding, schema);
     log.addChannel(topic, schema?.name ?? "", decode);
     if (unread.has(topic)) continue;
-    if (!heavyTypes.has(schema?.name ?? "")) light.push(topic);
+    if (!lazyTypes.has(schema?.name ?? "")) light.push(topic);
     else if (decode) heavy.set(topic, { decode, length: windowLength(Number(statistics?.channelMessageCounts.get(id) ?? 0n), log.ahead) });
   }
   for await (const { data } of index.readAttachments({ name: "run.json" })) log.summary = parseSummary(new TextDecoder().decode(data));

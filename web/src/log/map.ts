@@ -9,7 +9,8 @@ import { topic } from "./topics";
 export const occupied = 50;
 
 const updatesBetweenKept = 32;
-const mostKept = 24;
+/** How many maps of so many cells are kept: up to 64 MB of them, but 12 of any size. */
+const mostKept = (cells: number): number => Math.min(96, Math.max(12, Math.floor(64e6 / Math.max(1, cells))));
 
 export interface MapNow {
   origin: Vec2;
@@ -31,19 +32,29 @@ function copyOf(map: MapNow): MapNow {
   return { ...map, cells: map.cells.slice(), extent: { low: [...map.extent.low], high: [...map.extent.high] } };
 }
 
+/** Puts values into a rectangle of the map, row by row: scrubbing does it for millions of cells. */
 function put(map: MapNow, x: number, y: number, width: number, data: ArrayLike<number>): void {
   const { columns, rows, cells, extent: { low, high } } = map;
-  for (let i = 0; i < data.length; ++i) {
-    const [column, row] = [x + (i % width), y + Math.floor(i / width)];
-    if (column < 0 || row < 0 || column >= columns || row >= rows) continue;
-    const at = row * columns + column;
-    const value = data[i]!;
-    map.known += Number(value >= 0) - Number(cells[at]! >= 0);
-    cells[at] = value;
-    if (value < 0) continue;
-    low[0] = Math.min(low[0], column);
+  const [first, last] = [Math.max(0, -x), Math.min(width, columns - x)];
+  for (let from = 0, row = y; from < data.length; from += width, ++row) {
+    if (row < 0 || row >= rows) continue;
+    const end = Math.min(last, data.length - from);
+    const start = row * columns + x;
+    let [left, right] = [Infinity, -Infinity];
+    for (let i = first; i < end; ++i) {
+      const value = data[from + i]!;
+      const at = start + i;
+      if (cells[at]! >= 0) map.known -= 1;
+      cells[at] = value;
+      if (value < 0) continue;
+      map.known += 1;
+      if (left === Infinity) left = x + i;
+      right = x + i;
+    }
+    if (left === Infinity) continue;
+    low[0] = Math.min(low[0], left);
     low[1] = Math.min(low[1], row);
-    high[0] = Math.max(high[0], column);
+    high[0] = Math.max(high[0], right);
     high[1] = Math.max(high[1], row);
   }
   map.version = ++versions;
@@ -94,7 +105,7 @@ export class MapHistory {
     now.t = t;
     if (++this.since % updatesBetweenKept > 0 || this.kept.some((one) => one.t >= t)) return;
     this.kept.push({ ...now, map: copyOf(now.map) });
-    if (this.kept.length > mostKept) this.kept = this.kept.filter((_, i) => i % 2 === 1);
+    if (this.kept.length > mostKept(now.map.cells.length)) this.kept = this.kept.filter((_, i) => i % 2 === 1);
   }
 }
 

@@ -1,6 +1,7 @@
 // RunLog: the messages of a run by their topics, in the order of time. It only grows. A file, a live connection and
 // the one-file page all fill it (file.ts, stream.ts).
 import type { Decode } from "./decode";
+import type { Source } from "./source";
 import type { Summary } from "./summary";
 import { unread } from "./topics";
 import type { Windows } from "./windows";
@@ -61,7 +62,7 @@ export class RunLog {
   /** The log has been read as far as it goes, and has no end: its run was killed, or its file was cut. */
   cut = false;
   /** The file, where there is one. */
-  file: Blob | null = null;
+  file: Source | null = null;
   /** Called when a part of a large file has been read: light topics that `grew`, or what was asked for. What shows the log sets it. */
   changed: (grew: boolean) => void = () => undefined;
   private windows: Windows | null = null;

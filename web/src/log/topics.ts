@@ -49,6 +49,8 @@ export const ofRobot = (robot: number, name: string): string => `/robot_${robot}
 /** Topics that nothing is drawn of; their messages are not kept. */
 export const unread = new Set(["/tf", "/scene"]);
 
+/** Types of scans and pictures, of which only the present one is drawn: in all but small files they are read when they are shown. */
+export const scanTypes: ReadonlySet<string> = new Set(["sensor_msgs/msg/LaserScan", "sensor_msgs/msg/PointCloud2", "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"]);
+
 /** Types whose messages are large: in a large file they are read when they are shown. */
-export const heavyTypes = new Set(["sensor_msgs/msg/LaserScan", "sensor_msgs/msg/PointCloud2", "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage",
-  "nav_msgs/msg/OccupancyGrid", "map_msgs/msg/OccupancyGridUpdate"]);
+export const heavyTypes: ReadonlySet<string> = new Set([...scanTypes, "nav_msgs/msg/OccupancyGrid", "map_msgs/msg/OccupancyGridUpdate"]);

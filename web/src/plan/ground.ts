@@ -83,7 +83,7 @@ export class GridGround {
   ends(radius_m: number): [Vec2, Vec2] {
     const { width, height, resolution_m: r } = this.grid;
     const open = { width, height, open: Uint8Array.from(this.cells, (value) => Number(value === free)) };
-    const ends = endsIn(eroded(open, radius_m / r + Math.SQRT2)) ?? endsIn(open) ?? [[0, 0], [0, 0]];
+    const ends = endsIn(eroded(open, radius_m > 0 ? radius_m / r + Math.SQRT2 : 0)) ?? endsIn(open) ?? [[0, 0], [0, 0]];
     return [this.centre(...ends[0]), this.centre(...ends[1])];
   }
 }

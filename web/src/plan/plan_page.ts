@@ -207,6 +207,8 @@ export class PlanPage {
   private aboutSearch(): string {
     const sentences = this.seats.map(({ choice: { planner: { name, tells } }, pane }) => {
       if (!pane.answer) return "";
+      const [shown, all] = [pane.trace?.length ?? 0, pane.answer.expansions ?? 0];
+      if (pane.answer.trace?.truncated && all > shown) return `${name}: the steps show the first ${shown.toLocaleString("en")} of ${all.toLocaleString("en")} expansions.`;
       if (tells === "lookup" && (pane.trace?.length ?? 0) <= 1) return `${name} looks its answer up in an index: there is no search to step through.`;
       return tells === "tree" ? `${name} draws points and has no queue: the steps show its tree as it grew.` : "";
     });

@@ -9,16 +9,15 @@ import { bodiesOf, wallsOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Layer } from "./layer";
 
-const known = new Map<string, [number, number, number]>();
+const known = new Map<string, number>();
 
-/** Red, green and blue of a colour of the theme. A look at a pixel may wait for the graphics card, so it is taken once. */
-function bytesOf(colour: string): [number, number, number] {
+/** A colour of the theme as a pixel. A look at a pixel may wait for the graphics card, so it is taken once. */
+function pixelOf(colour: string): number {
   if (!known.has(colour)) {
     const ctx = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true })!;
     ctx.fillStyle = colour;
     ctx.fillRect(0, 0, 1, 1);
-    const [red, green, blue] = ctx.getImageData(0, 0, 1, 1).data;
-    known.set(colour, [red!, green!, blue!]);
+    known.set(colour, new Uint32Array(ctx.getImageData(0, 0, 1, 1).data.buffer)[0]!);
   }
   return known.get(colour)!;
 }
@@ -37,13 +36,14 @@ export class MapPicture {
     this.canvas.width = Math.max(1, columns);
     this.canvas.height = Math.max(1, rows);
     const image = new ImageData(this.canvas.width, this.canvas.height);
-    const [free, wall] = [bytesOf(theme.yard), bytesOf(theme["solid-high"])];
-    for (let i = 0; i < cells.length; ++i) {
-      const value = cells[i]!;
-      if (value < 0) continue;
-      const at = 4 * ((rows - 1 - Math.floor(i / columns)) * columns + (i % columns));
-      image.data.set(value >= occupied ? wall : free, at);
-      image.data[at + 3] = 255;
+    const pixels = new Uint32Array(image.data.buffer);
+    const [free, wall] = [pixelOf(theme.yard), pixelOf(theme["solid-high"])];
+    for (let row = 0, i = 0; row < rows; ++row) {
+      let at = (rows - 1 - row) * columns;
+      for (const end = i + columns; i < end; ++i, ++at) {
+        const value = cells[i]!;
+        if (value >= 0) pixels[at] = value >= occupied ? wall : free;
+      }
     }
     this.canvas.getContext("2d")!.putImageData(image, 0, 0);
     return true;

@@ -216,7 +216,7 @@ export class Watch {
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
   private saveLog(): void {
-    if (this.log.file) saveBlob(this.log.file, "run.mcap");
+    if (this.log.file) void this.log.file.whole().then((blob) => saveBlob(blob, "run.mcap"));
     else saveText(JSON.stringify(this.log.summary), "run.json");
   }
 

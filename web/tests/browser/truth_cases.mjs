@@ -1,6 +1,6 @@
 // The cases of the page about what its panels say: the same thing, about the present time, and only what is so.
 import assert from "node:assert/strict";
-import { cpSync, readFileSync } from "node:fs";
+import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { until } from "./browser.mjs";
 import { serve, source } from "./server.mjs";
@@ -68,14 +68,24 @@ export const truthCases = ({ open, text, frames, cell, answers, server, folder }
     await page.waitForSelector(".start button:enabled");
     assert.match(await text(page, ".refused"), /^yard\/yrad\.yaml: there is no such scenario/);
     assert.equal(await page.inputValue("#scenario"), "");
-    const before = await page.locator(".rows li").count();
+    const count = async () => (await (await fetch(`${server.url}api/v1/runs`)).json()).runs.length;
+    const before = await count();
     await page.click(".start button");
     await frames(page);
     assert.match(await page.evaluate(() => location.hash), /^#live\?/);
-    assert.equal(await page.locator(".rows li").count(), before);
+    assert.equal(await count(), before);
     await page.selectOption("#scenario", "pursuit/park.yaml");
     await page.click(".start button");
     await page.waitForSelector(".live-page .verdict");
+    await page.close();
+  },
+
+  async "a search that is too long to be sent whole says how much of it is shown"() {
+    writeFileSync(join(folder, "maps/wide.map"), `type octile\nheight 300\nwidth 300\nmap\n${`${".".repeat(300)}\n`.repeat(300)}`);
+    const page = await open("#plan/maps/wide.map?planner=dijkstra");
+    await page.waitForSelector(".result");
+    await until("the sentence", async () => /^dijkstra: the steps show the first 50,000 of \d\d,\d{3} expansions\.$/.test(await text(page, ".action")));
+    rmSync(join(folder, "maps/wide.map"));
     await page.close();
   },
 

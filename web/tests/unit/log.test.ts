@@ -94,6 +94,22 @@ describe("a large file", () => {
     expect(log.summary!.status).toBe("done");
   });
 
+  it("that fits in memory has its scans alone read when they are asked for; only the parts that are read are moved", async () => {
+    const bytes = new Uint8Array(await mcapOf(messages));
+    let moved = 0;
+    const remote = { size: bytes.length, whole: () => Promise.resolve(new Blob([bytes])), read: (from: number, to: number) => {
+      moved += to - from;
+      return Promise.resolve(bytes.slice(from, to));
+    } };
+    const log = await openLog(remote, 1e9, 1000);
+    expect([log.isLazy("/scan"), log.isLazy("/paid")]).toEqual([true, false]);
+    const before = moved;
+    expect(before).toBeGreaterThan(0);
+    expect((await arrived(() => log.at<LaserScan>("/scan", 20.05)))!.t).toBe(20);
+    await vi.waitFor(() => expect(log.messages("/paid").length).toBe(400));
+    expect(log.file).toBe(remote);
+  });
+
   it("gives the same windows as a file in memory", async () => {
     const [lazy, whole] = [await open(), await openLog(new Blob([await mcapOf(messages)]))];
     for (const [from, to] of [[0, 0], [-1, 1], [3.05, 3.95], [5, 20], [12.8, 12.8], [39, 99], [50, 60]] as const) {

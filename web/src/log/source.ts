@@ -1,0 +1,14 @@
+// Where the bytes of a log are: in memory or on disk, or at a server that sends the parts that are asked for.
+
+export interface Source {
+  readonly size: number;
+  read(from: number, to: number): Promise<Uint8Array>;
+  /** All of it, to be saved. */
+  whole(): Promise<Blob>;
+}
+
+export const sourceOf = (blob: Blob): Source => ({
+  size: blob.size,
+  read: async (from, to) => new Uint8Array(await blob.slice(from, to).arrayBuffer()),
+  whole: () => Promise.resolve(blob),
+});
