@@ -1,11 +1,10 @@
 // CloseRange: the surfaces right around a robot, finer than the cells of its map.
 //
 // It keeps the beam ends of the last scans and carries them along by odometry, which errs little over so
-// short a way. surfaces() puts each of them
-// on the straight line through its neighbours, which averages the noise, and drops those without neighbours.
-// So the width of a gap is known to a few millimetres, where the map knows it to two cells. centre_path()
-// moves a path to the middle of narrow places between these points. Pure functions of their arguments. Thread
-// rule: const members may be called concurrently.
+// short a way. surfaces() puts each of them on the straight line through its neighbours, which averages the
+// noise, and drops those without neighbours. So the width of a gap is known to a few millimetres, where the
+// map knows it to two cells. centre_path() moves a path to the middle of narrow places between these points.
+// Pure functions of their arguments. Thread rule: const members may be called concurrently.
 #pragma once
 
 #include <deque>
