@@ -107,18 +107,16 @@ Pose3 retract(const Pose3& pose, const PoseVector<Pose3>& step) {
   return result;
 }
 
-Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to, RotationError error) {
+Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to) {
   if (edge.kind == EdgeKind::range) {
     return {distance(from.position, to.position) - edge.measured.position.x, 0.0, 0.0};
   }
   const Vec2 r = from.to_local(to.position) - edge.measured.position;
   if (edge.kind == EdgeKind::point) return {r.x, r.y, 0.0};
-  const double angle = wrap_angle(to.heading_rad - from.heading_rad - edge.measured.heading_rad);
-  return {r.x, r.y, error == RotationError::angle ? angle : 2.0 * std::sin(0.5 * angle)};
+  return {r.x, r.y, wrap_angle(to.heading_rad - from.heading_rad - edge.measured.heading_rad)};
 }
 
-PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
-                           RotationError /*error*/) {
+PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose3& to) {
   PoseVector<Pose3> result = PoseVector<Pose3>::Zero();
   if (edge.kind == EdgeKind::range) {
     result[0] = norm(to.position - from.position) - edge.measured.position.x;
@@ -129,9 +127,9 @@ PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose
   return result;
 }
 
-LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to, RotationError error) {
+LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to) {
   LinearEdge result;
-  result.residual = residual(edge, from, to, error);
+  result.residual = residual(edge, from, to);
   result.information = edge.information;
   if (edge.kind == EdgeKind::range) {
     linearise_range(result, from, to);
@@ -142,17 +140,15 @@ LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to, 
   result.by_from.topRows<2>() << -axis.x, -axis.y, seen.y, axis.y, -axis.x, -seen.x;
   result.by_to.topRows<2>() << axis.x, axis.y, 0.0, -axis.y, axis.x, 0.0;
   if (edge.kind == EdgeKind::pose) {
-    const double half = 0.5 * result.residual[2];  // sin(a/2) of the chord
-    result.by_to(2, 2) = error == RotationError::angle ? 1.0 : std::sqrt(std::max(0.0, 1.0 - half * half));
-    result.by_from(2, 2) = -result.by_to(2, 2);
+    result.by_from(2, 2) = -1.0;
+    result.by_to(2, 2) = 1.0;
   }
   return result;
 }
 
 /// A turn of `to` by w multiplies the remaining quaternion (q, v) by (1, R(to)^T w / 2) from the right, so 2
 /// v grows by (q + [v]x) R(to)^T w.
-LinearEdgeOf<Pose3> linearise(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
-                              RotationError /*error*/) {
+LinearEdgeOf<Pose3> linearise(const GraphEdge3& edge, const Pose3& from, const Pose3& to) {
   LinearEdgeOf<Pose3> result;
   result.information = edge.information;
   if (edge.kind == EdgeKind::range) {

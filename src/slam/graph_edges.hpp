@@ -21,12 +21,6 @@ constexpr int residual_rows(EdgeKind kind) {
   return kind == EdgeKind::pose ? freedoms<Pose> : kind == EdgeKind::point ? dimension<Pose> : 1;
 }
 
-/// The error of a measured rotation by the angle a: `angle` is a itself, in the plane only; `chord` is
-/// 2 sin(a/2), whose square is half the squared Frobenius distance of the rotations in space, and a quarter
-/// of twice that in the plane. In space it is a vector along the axis: twice the vector part of the
-/// quaternion.
-enum class RotationError { angle, chord };
-
 template <class Pose>
 struct LinearEdgeOf {
   PoseVector<Pose> residual = PoseVector<Pose>::Zero();
@@ -36,14 +30,10 @@ struct LinearEdgeOf {
 };
 using LinearEdge = LinearEdgeOf<Pose2>;
 
-Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to,
-                         RotationError error = RotationError::angle);
-PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
-                           RotationError error = RotationError::chord);
-LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to,
-                     RotationError error = RotationError::angle);
-LinearEdgeOf<Pose3> linearise(const GraphEdge3& edge, const Pose3& from, const Pose3& to,
-                              RotationError error = RotationError::chord);
+Eigen::Vector3d residual(const GraphEdge& edge, const Pose2& from, const Pose2& to);
+PoseVector<Pose3> residual(const GraphEdge3& edge, const Pose3& from, const Pose3& to);
+LinearEdge linearise(const GraphEdge& edge, const Pose2& from, const Pose2& to);
+LinearEdgeOf<Pose3> linearise(const GraphEdge3& edge, const Pose3& from, const Pose3& to);
 
 Pose2 retract(const Pose2& pose, const Eigen::Vector3d& step);
 Pose3 retract(const Pose3& pose, const PoseVector<Pose3>& step);

@@ -8,11 +8,6 @@ namespace {
 
 constexpr double least_cost = 1e-3;  ///< the tolerance is relative to the cost, but not to less than this
 
-template <class Pose>
-RotationError rotation_error(const GraphObjective& objective) {
-  return objective.chord || dimension<Pose> == 3 ? RotationError::chord : RotationError::angle;
-}
-
 double weight_of(const GraphObjective& objective, std::size_t edge) {
   return objective.weights.empty() ? 1.0 : objective.weights[edge];
 }
@@ -115,8 +110,7 @@ double cost(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses, cons
   double sum = 0.0;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const auto& edge = graph.edges[i];
-    const PoseVector<Pose> r =
-        residual(edge, poses[edge.from], poses[edge.to], rotation_error<Pose>(objective));
+    const PoseVector<Pose> r = residual(edge, poses[edge.from], poses[edge.to]);
     const double s = r.dot(edge.information * r);
     sum += weight_of(objective, i) * robust_loss(objective.kernel, objective.kernel_width, s).value;
   }
@@ -129,8 +123,7 @@ void linearise(const PoseGraphOf<Pose>& graph, const std::vector<Pose>& poses,
   equations.clear();
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const auto& edge = graph.edges[i];
-    LinearEdgeOf<Pose> linear =
-        linearise(edge, poses[edge.from], poses[edge.to], rotation_error<Pose>(objective));
+    LinearEdgeOf<Pose> linear = linearise(edge, poses[edge.from], poses[edge.to]);
     const double s = linear.residual.dot(linear.information * linear.residual);
     linear.information *=
         weight_of(objective, i) * robust_loss(objective.kernel, objective.kernel_width, s).weight;

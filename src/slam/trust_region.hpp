@@ -16,7 +16,6 @@ struct GraphObjective {
   std::string kernel = "none";
   double kernel_width = 1.0;
   std::vector<double> weights = {};  ///< by edge; empty: 1 for each
-  bool chord = false;                ///< errors of rotations as chords, in the plane too
 };
 
 struct DescentLimits {
