@@ -103,21 +103,35 @@ class Judge {
   }
 
   void explain(const Frontier& frontier, const RefusedFrontier* refused, LeftOver& left, LeftOvers& found) {
-    if (refused == nullptr)
-      return set_reason(left, LeftReason::not_tried, "the robot did not come to go there");
-    if (refused->kind == Refusal::given_up) return set_reason(left, LeftReason::not_seen, refused->reason);
+    if (refused == nullptr) {
+      set_reason(left, LeftReason::not_tried, "the robot did not come to go there");
+    } else if (refused->kind == Refusal::given_up) {
+      set_reason(left, LeftReason::not_seen, refused->reason);
+    } else if (refused->kind == Refusal::banned) {
+      set_reason(left, LeftReason::failed, refused->reason);
+    } else {
+      explain_way(frontier, *refused, left, found);
+    }
+  }
+
+  /// No way that is wide enough leads there.
+  void explain_way(const Frontier& frontier, const RefusedFrontier& refused, LeftOver& left,
+                   LeftOvers& found) {
     const std::uint32_t there = free_.roomiest(frontier.cells);
-    const float room_m = free_.room_m[there];
-    if (room_m == WidestWays::drivable || refused->kind == Refusal::banned)
-      return set_reason(left, refused->kind == Refusal::banned ? LeftReason::failed : LeftReason::no_way,
-                        refused->reason);
-    const float past_m = past_touches_.room_m[past_touches_.roomiest(frontier.cells)];
+    const std::uint32_t past_there = past_touches_.roomiest(frontier.cells);
+    const float room_m = free_.room_m[there], past_m = past_touches_.room_m[past_there];
+    if (room_m == WidestWays::drivable) {
+      set_reason(left, LeftReason::no_way, refused.reason);
+      return;
+    }
     if (past_m >= static_cast<float>(state_.robot.radius_m) && room_m < past_m)
       set_reason(left, LeftReason::touched,
                  "the robot touched something on the way that its laser does not see");
-    if (room_m > 0.0F) return explain_narrow(frontier, there, room_m, left, found);
-    if (left.reason == LeftReason::touched) return;
-    explain_narrow(frontier, past_touches_.roomiest(frontier.cells), 0.0F, left, found);
+    if (room_m > 0.0F) {
+      explain_narrow(frontier, there, room_m, left, found);
+    } else if (left.reason != LeftReason::touched) {
+      explain_narrow(frontier, past_there, 0.0F, left, found);
+    }
   }
 
   /// The way there is narrow, or was found to be so.
@@ -142,14 +156,14 @@ class Judge {
       left.width_m = tried->width_m;
     }
     if (may_fit && tried == nullptr) {
-      return set_reason(
-          left, LeftReason::not_tried,
-          fmt::format("the way there is {:.2f} m wide on the map at ({:.2f}, {:.2f}), and not tried",
-                      left.width_m, left.narrowest.x, left.narrowest.y));
+      set_reason(left, LeftReason::not_tried,
+                 fmt::format("the way there is {:.2f} m wide on the map at ({:.2f}, {:.2f}), and not tried",
+                             left.width_m, left.narrowest.x, left.narrowest.y));
+    } else {
+      set_reason(left, LeftReason::narrow,
+                 fmt::format("too narrow: {:.2f} m wide at ({:.2f}, {:.2f}) for a robot of {:.2f} m",
+                             left.width_m, left.narrowest.x, left.narrowest.y, 2.0 * state_.robot.radius_m));
     }
-    set_reason(left, LeftReason::narrow,
-               fmt::format("too narrow: {:.2f} m wide at ({:.2f}, {:.2f}) for a robot of {:.2f} m",
-                           left.width_m, left.narrowest.x, left.narrowest.y, 2.0 * state_.robot.radius_m));
   }
 
   static void set_reason(LeftOver& left, LeftReason reason, std::string sentence) {

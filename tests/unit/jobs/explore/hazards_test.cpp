@@ -113,25 +113,6 @@ TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {
   EXPECT_GE(left_over, 1);
 }
 
-TEST(ExploreHazards, LeavesOverWhatIsBehindAGlassDoor) {
-  World world = rooms(0.9, 1.0);
-  world.solids.push_back(box("glass", {2.4, 0.5}, {2.43, 1.5}, 0.16));  // the laser is at 0.18 m
-  world.solids.push_back(box("screen", {4.0, 0.0}, {4.1, 1.5}));
-  ASSERT_FALSE(reaches(world, burger().radius_m, {4.5, 1.0}));
-  const auto run = explored(world, burger().radius_m, 1);
-  ASSERT_TRUE(run);
-  EXPECT_EQ(run->stop_reason, "left_over");
-  EXPECT_NE(run->report.reason.find("touched there"), std::string::npos) << run->report.reason;
-  EXPECT_GE(metric(run->report, "left_touched"), 1.0);
-  EXPECT_LE(metric(run->report, "contacts"), 8.0) << "it remembers what it has touched";
-  EXPECT_EQ(metric(run->report, "visible_contacts"), 0.0);
-  EXPECT_EQ(metric(run->report, "returned_home"), 1.0);
-  ASSERT_FALSE(run->touched.empty());
-  double nearest_m = 1.0;
-  for (const Vec2 point : run->touched) nearest_m = std::min(nearest_m, std::abs(point.x - 2.4));
-  EXPECT_LT(nearest_m, 0.02) << "where it touched the glass";
-}
-
 TEST(ExploreHazards, DrivesAroundATableBelowItsLaserAndIsDone) {
   World world = rooms(1.8, 1.0);
   world.solids.push_back(box("table", {1.3, 0.8}, {1.6, 1.2}, 0.15));
