@@ -29,7 +29,8 @@ function verdictOf({ summary, cut, count, end }: RunLog): { word: string; senten
   if (!summary) return { word: "No verdict", sentence: "The log has no run.json, which says how the run ended." };
   const done = summary.status === "done";
   const caught = summary.metrics.catch_time_s;
-  return { word: done ? "Done" : summary.status === "cancelled" ? "Cancelled" : "Not done", sentence: summary.reason || (done && Number.isFinite(caught) ? `caught in second ${caught}` : "") };
+  const words: Record<string, string> = { done: "Done", doubtful: "Doubtful", cancelled: "Cancelled" };
+  return { word: words[summary.status] ?? "Not done", sentence: summary.reason || (done && Number.isFinite(caught) ? `caught in second ${caught}` : "") };
 }
 
 /** Returns title and verdict, for the header of the viewer and above a run in the app. */

@@ -29,7 +29,7 @@ using Warnings = std::vector<std::string>;
 
 /// A run: what it came to, what happened in it, and the files that it made.
 struct Run {
-  Report report;                         ///< status "done", "not_done" or "cancelled", metrics, tables
+  Report report;                         ///< status, metrics, tables
   Log log;                               ///< all messages
   std::vector<NamedContent> files = {};  ///< other files that the job made, such as "map.yaml"
 };

@@ -16,10 +16,10 @@ namespace outrider {
 
 /// What a run came to.
 struct Report {
-  std::string status;                                         ///< "done", "not_done" or "cancelled"
-  std::string job;                                            ///< "guard", ...
-  std::string reason;                                         ///< why it is not done; empty when it is
-  std::string world_name;                                     ///< name of the world, the map or the log
+  std::string status;      ///< "done", "doubtful", "not_done" or "cancelled"
+  std::string job;         ///< "guard", ...
+  std::string reason;      ///< why it is not done or is doubtful; else empty
+  std::string world_name;  ///< name of the world, the map or the log
   std::vector<std::pair<std::string, std::string>> settings;  ///< option name -> value with unit
   std::vector<std::string> warnings;                    ///< what was repaired or is uncertain in the input
   std::vector<std::pair<std::string, double>> metrics;  ///< in display order

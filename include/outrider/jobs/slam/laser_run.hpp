@@ -17,6 +17,7 @@ struct LaserRun {
   LaserSlam slam;
   std::size_t steps = 0;    ///< number of mapped steps
   bool stopped = false;     ///< the rest of the log was skipped on request
+  bool trusts_odometry = false;  ///< no scan was matched, because the odometry is given as right
   std::size_t matched = 0;  ///< steps whose scan was matched
   std::size_t lost = 0;     ///< steps at which the robot was lost
   double time_s = 0.0;      ///< total time by the given clock
