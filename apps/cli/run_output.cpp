@@ -51,7 +51,7 @@ Status check(const RunOutput& output, bool folder_given) {
   return folder_given ? check_folder(output.folder) : Status{};
 }
 
-Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output) {
+Outcome<WrittenFiles> write_run(const Job& job, Run& run, RunLog& log, const RunOutput& output) {
   const bool begun = run.report.status != "cancelled" || has_parts(run.report);
   if (output.folder.empty() || !begun) return WrittenFiles{};
   const std::string name(job.name);
@@ -76,7 +76,7 @@ Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, con
     if (!page) return pass_on(page);
     add("page", name + ".html", std::move(*page));
   }
-  for (const NamedContent& file : run.files) add(file.path, file.path, file.content);
+  for (NamedContent& file : run.files) add(file.path, file.path, std::move(file.content));
   if (auto ok = make_folder(output.folder); !ok) return pass_on(ok);
   std::rotate(files.begin(), files.begin() + 1, files.end());  // run.json comes last: where it is, all are
   if (auto ok = outrider::write_files(files, complete); !ok) return pass_on(ok);

@@ -26,8 +26,9 @@ std::string result_text(const Run& run);
 
 /// Completes the log, and writes run.json, its plan view run.svg, the page, and the
 /// files of the job: all of them or none. A run without messages has no log. Writes nothing for a run that
-/// was cancelled before its mission began, so the files of an earlier run stay whole.
-Outcome<WrittenFiles> write_run(const Job& job, const Run& run, RunLog& log, const RunOutput& output);
+/// was cancelled before its mission began, so the files of an earlier run stay whole. Takes the contents of
+/// the files from the run.
+Outcome<WrittenFiles> write_run(const Job& job, Run& run, RunLog& log, const RunOutput& output);
 
 /// Returns a page that plays the run whose log is in that file. Fault: bad_input if the log is larger than
 /// 256 MiB.

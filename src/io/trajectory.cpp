@@ -61,7 +61,9 @@ Trajectory trajectory_of(const std::vector<double>& times_s, const std::vector<P
 }
 
 std::string tum_text(const Trajectory& trajectory) {
+  constexpr std::size_t most_line_bytes = 200;  // pages that are not written take no memory
   std::string text = "# time x y z qx qy qz qw\n";
+  text.reserve(most_line_bytes * (trajectory.size() + 1));
   for (const auto& [time_ns, pose] : trajectory) {
     const auto& [at, q] = pose;
     fmt::format_to(std::back_inserter(text), "{}.{:09} {} {} {} {} {} {} {}\n", time_ns / 1'000'000'000,

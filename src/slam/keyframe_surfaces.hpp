@@ -32,6 +32,8 @@ class KeyframeSurfaces {
     for (auto& [keyframe, held] : held_) held.is_used = false;
   }
 
+  [[nodiscard]] const Pose2& robot_T_laser() const { return robot_T_laser_; }
+
  private:
   struct Held {
     Surface surface;

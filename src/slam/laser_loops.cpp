@@ -3,7 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
 namespace outrider {
@@ -20,13 +22,15 @@ constexpr double sensed_m = 4.0;        // visits nearer than this see the same 
 constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
+constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
 
-/// Returns the surface points of the last keyframes together, in the frame of the last one.
-Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces) {
+/// Returns the surface points of the last keyframes together, from `first` on, in the frame of the last one.
+Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::size_t first) {
   Surface result;
   const std::size_t count = graph.keyframes.size();
   const Pose2& last = graph.keyframes.back().pose;
-  for (std::size_t i = count > query_keyframes ? count - query_keyframes : 0; i < count; ++i) {
+  for (std::size_t i = std::max(first, count > query_keyframes ? count - query_keyframes : 0); i < count;
+       ++i) {
     const Pose2 pose = relative_pose(last, graph.keyframes[i].pose);
     for (const SurfacePoint& p : surfaces.of(graph, static_cast<std::uint32_t>(i))) {
       result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
@@ -57,15 +61,46 @@ std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncerta
   return result;
 }
 
-/// Returns the surfaces of the keyframes around `scan`, from the same visit.
-SurfaceMap map_of_visit(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t scan) {
+/// Keyframes from `first` to before `end`.
+struct Visit {
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+/// Returns the keyframes around one, without the last ones.
+Visit visit_of(const KeyframeGraph& graph, std::uint32_t scan) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
+  constexpr std::uint32_t apart = 2 * query_keyframes;
+  return {scan > visit_keyframes ? scan - visit_keyframes : 0,
+          std::min(scan + visit_keyframes + 1, last > apart ? last - apart : 0)};
+}
+
+SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit) {
   std::vector<SurfaceMap::Part> parts;
-  for (std::uint32_t i = scan > visit_keyframes ? scan - visit_keyframes : 0; i <= scan + visit_keyframes;
-       ++i) {
-    if (i + 2 * query_keyframes < last) parts.push_back({&surfaces.of(graph, i), graph.keyframes[i].pose, 0});
-  }
+  for (std::uint32_t i = visit.first; i < visit.end; ++i)
+    parts.push_back({&surfaces.of(graph, i), graph.keyframes[i].pose, 0});
   return SurfaceMap(parts);
+}
+
+/// Returns true if the scans of the last keyframes, from `first` on, and those of a visit contradict each
+/// other with the last keyframe at `there`: too many points of the one are where the other looked through.
+bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const Visit& visit,
+                     std::size_t first, const Pose2& there) {
+  constexpr std::size_t least_points = 40;
+  constexpr double most_share = 0.25;
+  const std::size_t count = graph.keyframes.size();
+  const Pose2 moved = compose(there, relative_pose(graph.keyframes.back().pose, Pose2{}));
+  Agreement sum;
+  for (std::size_t q = std::max(first, count > query_keyframes ? count - query_keyframes : 0); q < count;
+       q += 2) {
+    const Pose2 pose = compose(compose(moved, graph.keyframes[q].pose), robot_T_laser);
+    for (std::uint32_t v = visit.first; v < visit.end; v += 2) {
+      const Keyframe& key = graph.keyframes[v];
+      if (key.has_scan())
+        sum += mutual_agreement(graph.keyframes[q].scan, pose, key.scan, compose(key.pose, robot_T_laser));
+    }
+  }
+  return sum.seen() >= least_points && sum.contradiction() > most_share;
 }
 
 /// Returns true if the pose lies within `reach_sd` standard deviations of where the keyframe is believed to
@@ -99,19 +134,47 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
   tried_at_m = last.way_m;
   const Eigen::Matrix3d& c = last.covariance;
   const double reach_m = std::clamp(sds * std::sqrt(c(0, 0) + c(1, 1)), least_reach_m, most_reach_m);
-  const double turn_rad = std::clamp(sds * std::sqrt(c(2, 2)), least_turn_rad, most_turn_rad);
-  const Surface query = thinned(last_surface(graph, surfaces), most_points);
+  const double heading_sd_rad = std::sqrt(c(2, 2));
+  const double turn_rad = heading_sd_rad > adrift_rad
+                              ? std::numbers::pi
+                              : std::clamp(sds * heading_sd_rad, least_turn_rad, most_turn_rad);
+  const Surface query = thinned(last_surface(graph, surfaces, 0), most_points);
   bool any = false;
   for (const std::uint32_t scan : candidates(graph, reach_m)) {
     const Pose2 here = graph.keyframes.back().pose;  // optimisation moves it
-    const auto fit = recognise_place(map_of_visit(graph, surfaces, scan), query,
-                                     {here, reach_m, turn_rad, reach_m, turn_rad});
-    if (!fit || !is_plausible(graph.keyframes.back(), fit->pose, reach_sd) || !close_loop(graph, scan, *fit))
+    const Visit visit = visit_of(graph, scan);
+    const auto fit =
+        recognise_place(map_of(graph, surfaces, visit), query, {here, reach_m, turn_rad, reach_m, turn_rad});
+    if (!fit) continue;
+    if (!is_plausible(graph.keyframes.back(), fit->pose, reach_sd) ||
+        is_contradicted(graph, surfaces.robot_T_laser(), visit, 0, fit->pose) ||
+        !close_loop(graph, scan, *fit)) {
+      ++refused;
       continue;
+    }
     any = true;
     closed.emplace_back(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
   }
   return any;
+}
+
+bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
+  constexpr double reach_m = 4.0;
+  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
+  const Visit before{gap > 2 * visit_keyframes ? gap - 2 * visit_keyframes : 0, gap};
+  const Surface query = thinned(last_surface(graph, surfaces, gap), most_points);
+  const auto fit = recognise_place(map_of(graph, surfaces, before), query,
+                                   {graph.keyframes.back().pose, reach_m, std::numbers::pi});
+  if (!fit || is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
+      !close_loop(graph, gap - 1, *fit))
+    return false;
+  bridged.emplace_back(gap - 1, last);
+  return true;
+}
+
+bool LoopSearch::spans(std::uint32_t gap) const {
+  const auto around = [&](const auto& pair) { return pair.first < gap && gap <= pair.second; };
+  return std::ranges::any_of(closed, around) || std::ranges::any_of(bridged, around);
 }
 
 }  // namespace outrider

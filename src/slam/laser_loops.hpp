@@ -2,7 +2,9 @@
 //
 // The last keyframes, joined rigidly, are matched with the keyframes of each earlier visit whose uncertainty
 // allows the same place. A match is accepted if most points lie on a surface, no other pose in the window
-// scores nearly as well, and the optimised graph still agrees with the constraint.
+// scores nearly as well, the two visits agree on what is free, and the optimised graph still agrees with the
+// constraint. A gap, which odometry alone spans because a scan matched nothing, is bridged by the same rules:
+// the keyframes after it are searched among those before it, in the full turn.
 #pragma once
 
 #include <optional>
@@ -15,11 +17,19 @@ namespace outrider {
 
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< keyframes: the earlier, the later
-  double tried_at_m = 0.0;                                      ///< distance driven at the last search
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      bridged;              ///< the last one before a gap, and one after it
+  std::size_t refused = 0;  ///< places that were recognised and not believed
+  double tried_at_m = 0.0;  ///< distance driven at the last search
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose.
   bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd);
+  /// Joins the last keyframes with those before the gap, which ends at the keyframe `gap`. Returns true if it
+  /// moved the poses.
+  bool bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
+  /// Returns true if a constraint of this search spans the gap.
+  [[nodiscard]] bool spans(std::uint32_t gap) const;
 };
 
 }  // namespace outrider

@@ -15,6 +15,8 @@
 namespace outrider {
 namespace {
 
+constexpr double most_contradiction = 0.5;  // share of points; with more, odometry is wrong
+
 bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
   return std::abs(pose.position.x) <= most && std::abs(pose.position.y) <= most &&
@@ -24,6 +26,12 @@ bool in_the_world(const Pose2& pose) {
 struct TrackPoint {
   std::uint32_t key = 0;
   Pose2 key_T_robot;
+};
+
+/// A keyframe that matched nothing.
+struct Gap {
+  std::uint32_t keyframe = 0;
+  std::size_t part_before = 0;
 };
 
 }  // namespace
@@ -38,7 +46,8 @@ struct LaserSlam::State {
   std::vector<TrackPoint> track;        ///< the track after that
   std::vector<Pose2> drawn;             ///< poses of the keyframes in the map as drawn
   LocalMap local;
-  std::size_t part = 0;  ///< the first keyframe since the robot was last lost
+  std::size_t part = 0;   ///< the first keyframe since the robot was last lost
+  std::vector<Gap> gaps;  ///< keyframes that odometry alone joins to the ones before
   OdometryBias bias;
   Driven unmatched;    ///< since the last match
   Driven unkept;       ///< since the last keyframe
@@ -56,11 +65,12 @@ struct LaserSlam::State {
   }
   void move(const Pose2& motion);
   [[nodiscard]] MatchWindow window() const;
-  [[nodiscard]] bool contradicts(const LaserScan& scan, const Pose2& at) const;
+  [[nodiscard]] double contradiction(const LaserScan& scan, const Pose2& at) const;
+  bool bridge_gap();
   void take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step);
   void learn(const Fit& fit);
   [[nodiscard]] bool is_keyframe_due() const;
-  void add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit);
+  void add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_lost);
   void build_local_map() { local.build(graph, part, pose); }
   [[nodiscard]] bool stands_as_drawn() const;
   MapUpdate redraw();
@@ -119,16 +129,26 @@ MatchWindow LaserSlam::State::window() const {
           std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
 }
 
-/// Returns true if the scan, taken at that pose, contradicts the one of the last keyframe: most points that
-/// both see are where one of them looked through.
-bool LaserSlam::State::contradicts(const LaserScan& scan, const Pose2& at) const {
+/// Returns the share of the points that one of the two looked through, of a scan at that pose and the one of
+/// the last keyframe; 0 if they share too few.
+double LaserSlam::State::contradiction(const LaserScan& scan, const Pose2& at) const {
   constexpr std::size_t least_points = 40;
-  constexpr double most_share = 0.5;
-  if (graph.keyframes.size() <= part) return false;
+  if (graph.keyframes.size() <= part) return 0.0;
   const Keyframe& last = graph.keyframes.back();
   const Agreement pair = mutual_agreement(scan, compose(at, options.robot_T_laser), last.scan,
                                           compose(last.pose, options.robot_T_laser));
-  return pair.seen() >= least_points && pair.contradiction() > most_share;
+  return pair.seen() >= least_points ? pair.contradiction() : 0.0;
+}
+
+/// Joins the last keyframes with those before the last gap, if that is recent and nothing spans it. Returns
+/// true if this moved the poses.
+bool LaserSlam::State::bridge_gap() {
+  constexpr std::size_t most_keyframes = 8;
+  if (gaps.empty() || graph.keyframes.size() - gaps.back().keyframe > most_keyframes) return false;
+  const Gap& gap = gaps.back();
+  if (loops.spans(gap.keyframe) || !loops.bridge(graph, local.surfaces(), gap.keyframe)) return false;
+  part = gap.part_before;
+  return true;
 }
 
 bool LaserSlam::State::is_keyframe_due() const {
@@ -139,8 +159,9 @@ bool LaserSlam::State::is_keyframe_due() const {
 }
 
 /// Adds a keyframe with a constraint to the one before, and to an earlier visit if it was matched with one.
-void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit) {
-  constexpr MotionNoise lost{0.3, 0.3};  // regardless of the stated odometry noise
+void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_lost) {
+  constexpr MotionNoise unmatched_noise{0.3, 0.3};  // regardless of the stated odometry noise
+  constexpr MotionNoise adrift{3.0, 1.0};
   constexpr MotionNoise loose{0.1, 0.1};
   constexpr double least_share = 0.5;
   const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
@@ -149,8 +170,9 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
   graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan});
   if (key == 0) return;
   const MotionNoise driven = odometry_noise(unkept, options);
-  const MotionNoise noise{std::max(lost.position_m, driven.position_m),
-                          std::max(lost.heading_rad, driven.heading_rad)};
+  const MotionNoise& least = is_lost ? adrift : unmatched_noise;
+  const MotionNoise noise{std::max(least.position_m, driven.position_m),
+                          std::max(least.heading_rad, driven.heading_rad)};
   graph.add_constraint(key - 1, key, pose,
                        fit     ? Eigen::Matrix3d(fit->information + driven.information())
                        : blind ? driven.information()
@@ -228,19 +250,22 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   if (blind && local.map() != nullptr) build_local_map();
   const MatchWindow about = window();
   const bool begun = local.map() != nullptr;
-  const auto contradicted = [&](const Pose2& at) { return contradicts(scan, at); };
+  const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
   const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted) : std::nullopt;
   step.matched = fit.has_value();
-  step.lost = begun && !fit && (about.reach_m > most_correction_m || contradicted(pose));
+  step.lost =
+      begun && !fit && (about.reach_m > most_correction_m || contradiction(scan, pose) > most_contradiction);
   if (fit) pose = fit->pose;
   if (!fit) bias.forget();
   if (fit || step.lost) unmatched = {};
-  if (step.lost) part = graph.keyframes.size();
   if (step.lost || is_keyframe_due()) {
+    if (begun && !fit) gaps.push_back({static_cast<std::uint32_t>(graph.keyframes.size()), part});
+    if (step.lost) part = graph.keyframes.size();
     if (fit) learn(*fit);
-    add_keyframe(scan, fit);
+    add_keyframe(scan, fit, step.lost);
     step.kept = true;
     step.closed_loop = options.close_loops && loops.close(graph, local.surfaces(), options.loop_reach_sd);
+    step.closed_loop = bridge_gap() || step.closed_loop;
     pose = graph.keyframes.back().pose;
     build_local_map();
     step.is_known_place = local.is_crowded();
@@ -304,6 +329,15 @@ MapCheck LaserSlam::check() const {
   }
   return check_map(scans);
 }
+std::vector<std::size_t> LaserSlam::gaps() const {
+  const std::vector<std::size_t> pose_of = state_->pose_numbers();
+  std::vector<std::size_t> open;
+  for (const Gap& gap : state_->gaps) {
+    if (!state_->loops.spans(gap.keyframe)) open.push_back(pose_of[gap.keyframe]);
+  }
+  return open;
+}
+std::size_t LaserSlam::loops_refused() const { return state_->loops.refused; }
 std::vector<LaserLoop> LaserSlam::closed_loops() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();
   std::vector<LaserLoop> result;

@@ -39,19 +39,21 @@ std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface
 }
 
 std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
-                              const std::function<bool(const Pose2&)>& contradicted) {
+                              const std::function<double(const Pose2&)>& contradiction) {
+  const auto believed = [&](const Fit& fit) {
+    return fit.share >= certain_share || contradiction(fit.pose) <= (fit.share >= sure_share ? 0.5 : 0.25);
+  };
   constexpr double narrow_score = 0.1, wide_score = 0.3;
   constexpr double wide_m = 0.6, wide_rad = 0.6, widest_m = 4.0;
   const bool telling = surface.size() >= telling_points;
   if (window.reach_m > most_correction_m) {
     auto fit = telling ? recognise_place(map, surface, window) : std::nullopt;
-    return fit && !contradicted(fit->pose) ? fit : std::nullopt;
+    return fit && believed(*fit) ? fit : std::nullopt;
   }
   const Eigen::Matrix3d information = information_of(window);
   Fit best;
   const auto take = [&](const Fit& fit, double better) {
-    const bool is_certain = fit.share >= certain_share;
-    if (fit.share > best.share + better && (is_certain || !contradicted(fit.pose))) best = fit;
+    if (fit.share > best.share + better && believed(fit)) best = fit;
     return best.share >= sure_share || !telling;
   };
   const auto found = [&] { return best.share >= least_share ? std::optional(best) : std::nullopt; };
@@ -65,7 +67,7 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
   if (best.share >= least_share) return best;
   const MatchWindow whole{window.centre, widest_m, std::numbers::pi};
   const auto fit = recognise_place(map, surface, whole);
-  return fit && !contradicted(fit->pose) ? fit : std::nullopt;
+  return fit && believed(*fit) ? fit : std::nullopt;
 }
 
 }  // namespace outrider

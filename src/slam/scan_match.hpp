@@ -22,8 +22,9 @@ constexpr double most_correction_m = 3.0;
 std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
 
 /// Returns the pose of a surface in or around a window whose centre and deviations are those of the odometry;
-/// nothing if too few points match. A pose that is `contradicted` is not returned.
+/// nothing if too few points match. `contradiction` returns the share of the points that another scan looked
+/// through at a pose; a pose with a large share is not returned. The fewer points match, the less is large.
 std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
-                              const std::function<bool(const Pose2&)>& contradicted);
+                              const std::function<double(const Pose2&)>& contradiction);
 
 }  // namespace outrider

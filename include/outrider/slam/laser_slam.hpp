@@ -62,7 +62,7 @@ struct LaserSlamStep {
   bool lost = false;            ///< the robot is lost; see the head of this file
   bool kept = false;            ///< the scan became a keyframe
   bool is_known_place = false;  ///< the keyframe is from a place that was seen many times
-  bool closed_loop = false;     ///< a loop was closed
+  bool closed_loop = false;     ///< a loop was closed, or a gap was bridged: poses moved
   MapUpdate update;             ///< changes of map()
 };
 
@@ -101,6 +101,11 @@ class LaserSlam {
   [[nodiscard]] std::size_t loops() const;
   /// Returns the loops in the order in which they were closed.
   [[nodiscard]] std::vector<LaserLoop> closed_loops() const;
+  /// Returns the number of places that were recognised and not believed.
+  [[nodiscard]] std::size_t loops_refused() const;
+  /// Returns the poses that only odometry joins to the ones before, because their scan matched nothing and no
+  /// later match spans the gap.
+  [[nodiscard]] std::vector<std::size_t> gaps() const;
   /// Checks whether the scans of the keyframes agree on what is free; numbers are those of trajectory().
   [[nodiscard]] MapCheck check() const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "laser_verdict.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/io/trajectory.hpp"
 #include "outrider/job/clock.hpp"
@@ -23,7 +24,9 @@ namespace {
 /// Returns one line per scan: number, time (s), x, y (m), heading (rad). The first pose is that before all
 /// scans.
 std::string track_csv(const std::vector<double>& times_s, const std::vector<Pose2>& poses) {
+  constexpr std::size_t most_line_bytes = 130;  // pages that are not written take no memory
   std::string text = "step,time,x,y,heading\n";
+  text.reserve(most_line_bytes * poses.size());
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     const Pose2& pose = poses[i + 1];
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, times_s[i], pose.position.x,
@@ -96,6 +99,8 @@ class Recorder {
   }
 
   [[nodiscard]] double end_s() const { return log_.end_s(); }
+  /// Returns the times of the steps in the run.
+  [[nodiscard]] const std::vector<double>& times_s() const { return times_s_; }
   /// Returns the times of the steps as they were recorded.
   [[nodiscard]] const std::vector<double>& recorded_s() const { return recorded_s_; }
 
@@ -151,15 +156,16 @@ Metrics metrics_of(const LaserRun& run) {
 }
 
 Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_s, const LaserRun& run) {
-  const std::vector<Pose2> poses = run.slam.trajectory();
   const Grid<std::uint8_t> map = known_part(run.slam.map().occupancy());
   auto text = map_server_text({map, 0.0}, "map.pgm");
   if (!text) return pass_on(text);
-  return std::vector<NamedContent>{
-      {"track.csv", track_csv(recorded_s, poses)},
-      {"trajectory.tum", tum_text(trajectory_of(recorded_s, {poses.begin() + 1, poses.end()}))},
-      {"map.pgm", std::move(text->image)},
-      {"map.yaml", std::move(text->yaml)}};
+  std::vector<Pose2> poses = run.slam.trajectory();
+  std::vector<NamedContent> files = {{"track.csv", track_csv(recorded_s, poses)}};
+  poses.erase(poses.begin());  // before the first scan
+  files.push_back({"trajectory.tum", tum_text(trajectory_of(recorded_s, poses))});
+  files.push_back({"map.pgm", std::move(text->image)});
+  files.push_back({"map.yaml", std::move(text->yaml)});
+  return files;
 }
 
 /// Maps what `map` runs, and reports it.
@@ -178,6 +184,7 @@ Status report_mapping(Recorder& recorder, Run& run, const RunWatch& watch, const
   run.report.metrics = metrics_of(*mapped);
   run.report.metrics.emplace_back("distance_m", recorder.settle(*mapped));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
+  judge_mapping(run.report, run.log, *mapped, recorder.times_s());
   run.report.machine_times = {{"time_s", mapped->time_s}, {"max_step_s", mapped->max_step_s}};
   if (mapped->log_s && mapped->time_s > 0.0)
     run.report.machine_times.emplace_back("real_time_factor", *mapped->log_s / mapped->time_s);

@@ -102,6 +102,7 @@ Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& opt
   return LaserRun{.slam = std::move(mission.slam),
                   .steps = mission.scans,
                   .stopped = !ended,
+                  .trusts_odometry = options.trust_odometry,
                   .matched = mission.matched,
                   .lost = mission.lost,
                   .time_s = timed.time_s,

@@ -15,12 +15,13 @@ namespace outrider {
 /// A mapped log.
 struct LaserRun {
   LaserSlam slam;
-  std::size_t steps = 0;    ///< number of mapped steps
-  bool stopped = false;     ///< the rest of the log was skipped on request
-  std::size_t matched = 0;  ///< steps whose scan was matched
-  std::size_t lost = 0;     ///< steps at which the robot was lost
-  double time_s = 0.0;      ///< total time by the given clock
-  double max_step_s = 0.0;  ///< longest step by the given clock
+  std::size_t steps = 0;         ///< number of mapped steps
+  bool stopped = false;          ///< the rest of the log was skipped on request
+  bool trusts_odometry = false;  ///< no scan was matched, because the odometry is given as right
+  std::size_t matched = 0;       ///< steps whose scan was matched
+  std::size_t lost = 0;          ///< steps at which the robot was lost
+  double time_s = 0.0;           ///< total time by the given clock
+  double max_step_s = 0.0;       ///< longest step by the given clock
   /// Time from the first scan to the last; nothing if the clock of the log cannot be believed.
   std::optional<double> log_s;
   std::optional<double> mean_error_m;  ///< mean distance of the poses from the aligned reference
