@@ -135,19 +135,31 @@ struct OdometryOfScan {
   std::optional<Pose2> after;   ///< the first ODOM before the next scan
 };
 
+/// Returns true if two poses are the same but for rounding.
+bool is_same(const Pose2& a, const Pose2& b) {
+  constexpr double same_m = 0.002, same_rad = 0.005;
+  return distance(a.position, b.position) <= same_m &&
+         std::abs(wrap_angle(a.heading_rad - b.heading_rad)) <= same_rad;
+}
+
+/// Returns the pose on the straight way from one pose to another that is nearest to a place.
+Pose2 between(const Pose2& from, const Pose2& to, Vec2 near) {
+  const Vec2 way = to.position - from.position;
+  const double square = dot(way, way);
+  const double part = square > 0.0 ? std::clamp(dot(near - from.position, way) / square, 0.0, 1.0) : 0.0;
+  return {from.position + part * way,
+          from.heading_rad + part * wrap_angle(to.heading_rad - from.heading_rad)};
+}
+
 /// Returns true if the pose of the scan is one of the odometry: equal to the ODOM before, between it and the
 /// one after, or as far from the one before as that from its predecessor.
 bool is_on_odometry(const OdometryOfScan& scan) {
-  constexpr double same_m = 0.002;
-  const Vec2 here = scan.pose.position, before = scan.before->position;
-  const double off_m = distance(before, here);
-  if (off_m <= same_m) return true;
+  const Vec2 here = scan.pose.position;
+  if (is_same(*scan.before, scan.pose)) return true;
   const bool is_based_on_it = scan.after && distance(scan.after->position, here) <= 1e-9;
-  if (scan.after && !is_based_on_it) {
-    const double way_m = distance(before, scan.after->position);
-    return off_m + distance(here, scan.after->position) <= 1.1 * way_m + same_m;
-  }
+  if (scan.after && !is_based_on_it) return is_same(between(*scan.before, *scan.after, here), scan.pose);
   if (!scan.step) return false;
+  constexpr double same_m = 0.002;
   const Vec2 expected = compose(*scan.before, *scan.step).position;
   return distance(expected, here) <= 0.5 * norm(scan.step->position) + same_m;
 }

@@ -67,7 +67,8 @@ void add_triangle(Marker& marker, const Vec3& a, const Vec3& b, const Vec3& c) {
   for (const Vec3& corner : {a, b, c}) marker.points.push_back(point_of(corner));
 }
 
-/// Adds the sides and the top of a prism over a convex polygon, counter-clockwise.
+/// Adds the sides and the top of a prism over a convex polygon, counter-clockwise; over a segment, both faces
+/// of a thin wall.
 void add_prism(Marker& marker, const std::vector<Vec2>& base, double low_z, double high_z) {
   const auto at = [](Vec2 p, double z) { return Vec3{p.x, p.y, z}; };
   for (std::size_t i = 0; i < base.size(); ++i) {
@@ -88,7 +89,7 @@ void add_solids(Scene& scene, const outrider_msgs::Solids& solids) {
       RoundedPolygon shape{{}, piece.radius};
       for (const auto& point : piece.points) shape.core.push_back(vec2_of(point));
       const auto base = shape.radius_m > 0.0 ? inscribed(shape, round_step_rad) : shape.core;
-      if (base.size() > 2) add_prism(solid.blocks_driving ? blocks : overhead, base, low_z, high_z);
+      if (base.size() > 1) add_prism(solid.blocks_driving ? blocks : overhead, base, low_z, high_z);
     }
   }
   scene.add(std::move(blocks));

@@ -35,9 +35,8 @@ Status check_options(const PoseGraphOptions& options) {
 std::vector<Option> describe(PoseGraphOptions& options) {
   return {
       {"start", "", 0, 0,
-       "where to begin: given (by the file), odometry, spanning_tree, chordal (a relaxation), or best: all "
-       "of "
-       "them until the first is proven to be the least or two agree",
+       "where to begin: given (by the file), odometry, spanning_tree, chordal, or best: all, until one is "
+       "proven",
        &options.start},
       {"kernel", "", 0, 0, "loss of an edge that does not fit: none, huber, cauchy or geman_mcclure",
        &options.kernel},

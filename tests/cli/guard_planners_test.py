@@ -43,7 +43,7 @@ class GuardPlanners(ToolTest):
         picture = ElementTree.fromstring((self.folder / "out/run.svg").read_text())
         words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
         self.assertIn("fox", words)
-        self.assertIn("3 of 3 targets in range", words)
+        self.assertIn("0 to 3 of 3 targets in range", words)
 
 
 class GuardBench(ToolTest):

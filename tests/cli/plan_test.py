@@ -210,7 +210,7 @@ class Plan(ToolTest):
         self.assertEqual(trace[0]["vertex"], trace[0]["parent"])
         for expansion in trace:
             self.assertAlmostEqual(expansion["f"], expansion["g"] + expansion["h"], places=9)
-        self.assertIn("expanded first", (self.folder / "out" / "run.svg").read_text())
+        self.assertIn("expanded; the later, the darker", (self.folder / "out" / "run.svg").read_text())
         self.refused("plan", *question, "--compare", says=["trace", "one search"])
         self.refused("plan", "small.map", "--from", "0,0", "--to", "5,3 1,1", "--trace", says=["trace", "one search"])
 

@@ -70,7 +70,7 @@ def write(path, compression="none", steps=60, with_odometry=True, scans=("/scan"
             bag.write("/tf", transform("odom", "base_link", x, y, heading, time), time)
             for topic in scans:
                 bag.write(topic, scan(x, y, heading, stamp), time)
-            x, y, heading = x + 0.1 * math.cos(heading), y + 0.1 * math.sin(heading), heading + 0.05
+            x, y, heading = x + 0.1 * math.cos(heading), y + 0.1 * math.sin(heading), heading + 0.15  # stays in the room
 
 
 def write_big(path, size_mb, with_cameras):

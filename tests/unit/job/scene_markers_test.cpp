@@ -48,6 +48,17 @@ TEST(SceneMarkers, ASolidIsAPrismOverItsFootprint) {
   EXPECT_NEAR(volume_above_zero(markers[0]), 2.0 * 1.0 * 1.5, 1e-12);
 }
 
+TEST(SceneMarkers, AThinWallHasBothFaces) {
+  Log log;
+  log.append(topic::solids, 0.0,
+             outrider_msgs::Solids{{{"wall", "box", {{{{1.0, 1.0}, {3.0, 1.0}}, 0.0}}, 0.0, 0.5, true}}});
+  log_markers(log);
+  const auto markers = markers_of(log);
+  ASSERT_EQ(markers.size(), 1U);
+  EXPECT_EQ(markers[0].points.size(), 3U * 2U * 2U);
+  for (const auto& point : markers[0].points) EXPECT_EQ(point.y, 1.0);
+}
+
 TEST(SceneMarkers, ASolidWithoutEndIsDrawnAndOneOverheadIsApart) {
   Log log;
   constexpr double inf = std::numeric_limits<double>::infinity();
