@@ -135,31 +135,32 @@ struct OdometryOfScan {
   std::optional<Pose2> after;   ///< the first ODOM before the next scan
 };
 
-/// Returns true if two poses are the same but for rounding.
-bool is_same(const Pose2& a, const Pose2& b) {
-  constexpr double same_m = 0.002, same_rad = 0.005;
-  return distance(a.position, b.position) <= same_m &&
-         std::abs(wrap_angle(a.heading_rad - b.heading_rad)) <= same_rad;
+bool is_near(const Pose2& a, const Pose2& b, double most_m, double most_rad) {
+  return distance(a.position, b.position) <= most_m &&
+         std::abs(wrap_angle(a.heading_rad - b.heading_rad)) <= most_rad;
 }
 
-/// Returns the pose on the straight way from one pose to another that is nearest to a place.
-Pose2 between(const Pose2& from, const Pose2& to, Vec2 near) {
+/// Returns true if the pose lies on the way between two others, and not at its ends, where small corrections
+/// of a good odometry lie too.
+bool is_between(const Pose2& from, const Pose2& to, const Pose2& pose) {
+  constexpr double end = 0.05, off_m = 0.002, off_rad = 0.005;
   const Vec2 way = to.position - from.position;
-  const double square = dot(way, way);
-  const double part = square > 0.0 ? std::clamp(dot(near - from.position, way) / square, 0.0, 1.0) : 0.0;
-  return {from.position + part * way,
-          from.heading_rad + part * wrap_angle(to.heading_rad - from.heading_rad)};
+  const double part = dot(way, pose.position - from.position) / dot(way, way);
+  if (!(part >= end && part <= 1.0 - end)) return false;
+  const Pose2 there{from.position + part * way,
+                    from.heading_rad + part * wrap_angle(to.heading_rad - from.heading_rad)};
+  return is_near(there, pose, off_m, off_rad);
 }
 
 /// Returns true if the pose of the scan is one of the odometry: equal to the ODOM before, between it and the
 /// one after, or as far from the one before as that from its predecessor.
 bool is_on_odometry(const OdometryOfScan& scan) {
+  constexpr double rounding = 1e-4, same_m = 0.002;
   const Vec2 here = scan.pose.position;
-  if (is_same(*scan.before, scan.pose)) return true;
+  if (is_near(*scan.before, scan.pose, rounding, rounding)) return true;
   const bool is_based_on_it = scan.after && distance(scan.after->position, here) <= 1e-9;
-  if (scan.after && !is_based_on_it) return is_same(between(*scan.before, *scan.after, here), scan.pose);
+  if (scan.after && !is_based_on_it) return is_between(*scan.before, *scan.after, scan.pose);
   if (!scan.step) return false;
-  constexpr double same_m = 0.002;
   const Vec2 expected = compose(*scan.before, *scan.step).position;
   return distance(expected, here) <= 0.5 * norm(scan.step->position) + same_m;
 }

@@ -23,8 +23,7 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
                    "errors of poses in the frame of the measured pose, as g2o has them",
                    &scenario.measured_frame});
   graph.push_back({"information", "", 0, 0,
-                   "terms of information matrices that count: all; diagonal, for files whose other terms are "
-                   "wrong; or isotropic: one number for positions and one for rotations",
+                   "which terms of information matrices count: all, diagonal or isotropic",
                    &scenario.information});
   std::vector<Option> top = {
       file_option("log", "ROS bag or MCAP, laser log, landmark log, g2o, TORO or PyFG graph (.gz may follow)",
