@@ -15,7 +15,7 @@ struct Keyframe {
 
   [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }
   /// Frees the memory of the scan.
-  void release_scan() { scan.ranges_m = {}; }
+  void release_scan() { scan.ranges_m = std::vector<float>(); }  // "= {}" would keep the memory
 };
 
 /// Expresses a covariance or an information of (x, y, heading) in a frame rotated by the heading.

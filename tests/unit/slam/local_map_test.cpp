@@ -39,6 +39,7 @@ TEST(LocalMap, HoldsTheFirstAndTheLastScansOfAPlaceThatIsKnown) {
   const KeyframeGraph few = laps(12, 24), more = laps(24, 24);
   ASSERT_LT(held(few), std::ssize(few.keyframes)) << "else nothing was released";
   EXPECT_LT(held(more), held(few) + 24);
+  for (const Keyframe& key : more.keyframes) EXPECT_TRUE(key.has_scan() || key.scan.ranges_m.capacity() == 0);
   EXPECT_TRUE(std::ranges::all_of(more.keyframes.begin(), more.keyframes.begin() + 48, &Keyframe::has_scan));
   EXPECT_TRUE(std::ranges::all_of(more.keyframes.end() - 20, more.keyframes.end(), &Keyframe::has_scan));
 }
