@@ -1,4 +1,4 @@
-// Whether two scans of one place agree on what is free.
+// Agreement tells whether two scans of one place agree on what is free.
 //
 // A point that one scan hit must not lie where the other one looked through. The comparison uses the raw
 // ranges and the two poses only, so it judges matches and maps that were made in other ways. Source: Lu and

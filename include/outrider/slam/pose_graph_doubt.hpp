@@ -1,4 +1,4 @@
-// Whether a solved pose graph can be believed: its cost, and each edge against all others.
+// Judges whether a solved pose graph can be believed: its cost, and each edge against all others.
 //
 // If the information matrices are right, the least cost is distributed as chi-square, and so is the cost that
 // one edge adds. Where the matrices are too small, the cost of a graph with false edges can still be

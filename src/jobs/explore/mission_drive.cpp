@@ -48,7 +48,7 @@ void back_off(ExploreMission& mission) {
   if (mission.driven_m - mission.stuck_m > elsewhere_m) mission.stuck_here = 0;
   mission.stuck_m = mission.driven_m;
   ++mission.stuck;
-  if (!(mission.touching && mission.new_touch)) ++mission.stuck_here;
+  if (!(mission.touching && std::exchange(mission.new_touch, false))) ++mission.stuck_here;
   add_event(mission, mission.touching ? "touch" : "stuck",
             fmt::format("at ({:.2f}, {:.2f}): {}; it goes back a little", mission.pose.position.x,
                         mission.pose.position.y,
@@ -84,7 +84,7 @@ Twist2 steer_back(const ExploreMission& mission, const Nearby& nearby) {
   return {-back.ahead_mps, 0.0, back.turn_radps};
 }
 
-/// Keeps an eye on getting on; true when it has to go back.
+/// Notes progress; returns true if there was none for so long that the robot has to go back.
 bool stands_still(ExploreMission& mission) {
   const bool moved = distance(mission.pose.position, mission.stood.position) > moved_m ||
                      std::abs(wrap_angle(mission.pose.heading_rad - mission.stood.heading_rad)) > turned_rad;

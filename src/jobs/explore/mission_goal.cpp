@@ -10,8 +10,9 @@ namespace {
 
 constexpr double here_m = 0.5;
 
-/// Whether the map was brought to its best lately; else it will be, with the next scan. Before the robot goes
-/// home that may show that something is left to see, and when it believes that it is home, that it is not.
+/// Returns true if all poses were optimised lately; otherwise requests it with the next scan. Before the
+/// robot goes home that may show that something is left to see, and when it believes that it is home, that it
+/// is not.
 bool settled(ExploreMission& mission, double lately_m = std::numeric_limits<double>::infinity()) {
   if (mission.settled_m && mission.driven_m - *mission.settled_m <= lately_m) return true;
   mission.wants_settling = true;
@@ -39,7 +40,7 @@ std::vector<Vec2> trail_home(const ExploreMission& mission) {
   return way;
 }
 
-/// The way home, or the end without one.
+/// Sends the robot home, or ends the mission if it is there or need not return.
 void turn_home(ExploreMission& mission, const std::string& stop_reason, const std::string& reason) {
   if (mission.stop_reason != stop_reason) add_event(mission, "home", reason);
   mission.stop_reason = stop_reason;

@@ -1,4 +1,4 @@
-// Whether a map of laser scans can be believed.
+// Judges whether a map of laser scans can be believed.
 #pragma once
 
 #include <string>

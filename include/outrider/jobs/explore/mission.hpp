@@ -78,7 +78,7 @@ struct ExploreMission {
   std::vector<Vec2> beam_ends;  ///< beam ends of the newest usable scan, in the world frame of that time
   CloseRange close_range;
   bool touching = false;
-  bool new_touch = false;             ///< the newest touch was of something that was not touched before
+  bool new_touch = false;             ///< it has just touched something that was not touched before
   std::vector<Vec2> contacts;         ///< where it touched something, in the world of that time
   std::vector<TouchedPoint> touches;  ///< the obstacles that it takes to be there
   std::vector<Vec2> touched;          ///< the same in the world, by the newest estimate

@@ -114,6 +114,21 @@ TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {
   EXPECT_GE(left_over, 1);
 }
 
+/// A pane in a corridor that the robot cannot turn in once it has touched it: it gets wedged.
+TEST(ExploreHazards, ARobotThatIsWedgedAtAGlassPaneEndsAndSaysSo) {
+  World world = rooms(0.9, 1.0);
+  world.solids.push_back(box("glass", {2.4, 0.5}, {2.43, 1.5}, 0.16));  // the laser is at 0.18 m
+  world.solids.push_back(box("screen", {4.0, 0.0}, {4.1, 1.5}));
+  ASSERT_FALSE(reaches(world, burger().radius_m, {4.5, 1.0}));
+  const auto run = explored(world, burger().radius_m, 1);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->report.status, "not_done");
+  EXPECT_NE(run->stop_reason, "complete");
+  EXPECT_FALSE(run->report.reason.empty());
+  EXPECT_GE(metric(run->report, "contacts"), 1.0);
+  EXPECT_LE(metric(run->report, "time_s"), 600.0) << "it does not try for ever";
+}
+
 TEST(ExploreHazards, DrivesAroundATableBelowItsLaserAndIsDone) {
   World world = rooms(1.8, 1.0);
   world.solids.push_back(box("table", {1.3, 0.8}, {1.6, 1.2}, 0.15));
