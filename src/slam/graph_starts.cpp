@@ -32,13 +32,6 @@ bool place(PoseGraphOf<Pose>& graph, const GraphEdgeOf<Pose>& edge, std::uint32_
   return true;
 }
 
-template <class Pose>
-std::vector<Pose> poses_of(const PoseGraphOf<Pose>& graph) {
-  std::vector<Pose> poses;
-  for (const auto& node : graph.nodes) poses.push_back(node.pose);
-  return poses;
-}
-
 /// Places each pose from the one before it in the file, where an edge joins them, beginning at the first.
 template <class Pose>
 void place_by_odometry(PoseGraphOf<Pose>& graph, std::vector<bool>& placed) {

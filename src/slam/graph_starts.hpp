@@ -11,6 +11,14 @@ struct GraphStart {
   std::string name;
 };
 
+/// Returns the poses of the nodes.
+template <class Pose>
+std::vector<Pose> poses_of(const PoseGraphOf<Pose>& graph) {
+  std::vector<Pose> poses;
+  for (const auto& node : graph.nodes) poses.push_back(node.pose);
+  return poses;
+}
+
 /// Lists the edges at each node.
 template <class Pose>
 std::vector<std::vector<std::uint32_t>> edges_at_nodes(const PoseGraphOf<Pose>& graph);

@@ -24,13 +24,17 @@ constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
 
+/// Returns the first of the last keyframes, from `first` on.
+std::size_t first_of_last(const KeyframeGraph& graph, std::size_t first) {
+  const std::size_t count = graph.keyframes.size();
+  return std::max(first, count > query_keyframes ? count - query_keyframes : 0);
+}
+
 /// Returns the surface points of the last keyframes together, from `first` on, in the frame of the last one.
 Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::size_t first) {
   Surface result;
-  const std::size_t count = graph.keyframes.size();
   const Pose2& last = graph.keyframes.back().pose;
-  for (std::size_t i = std::max(first, count > query_keyframes ? count - query_keyframes : 0); i < count;
-       ++i) {
+  for (std::size_t i = first_of_last(graph, first); i < graph.keyframes.size(); ++i) {
     const Pose2 pose = relative_pose(last, graph.keyframes[i].pose);
     for (const SurfacePoint& p : surfaces.of(graph, static_cast<std::uint32_t>(i))) {
       result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
@@ -88,11 +92,9 @@ bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, con
                      std::size_t first, const Pose2& there) {
   constexpr std::size_t least_points = 40;
   constexpr double most_share = 0.25;
-  const std::size_t count = graph.keyframes.size();
   const Pose2 moved = compose(there, relative_pose(graph.keyframes.back().pose, Pose2{}));
   Agreement sum;
-  for (std::size_t q = std::max(first, count > query_keyframes ? count - query_keyframes : 0); q < count;
-       q += 2) {
+  for (std::size_t q = first_of_last(graph, first); q < graph.keyframes.size(); q += 2) {
     const Pose2 pose = compose(compose(moved, graph.keyframes[q].pose), robot_T_laser);
     for (std::uint32_t v = visit.first; v < visit.end; v += 2) {
       const Keyframe& key = graph.keyframes[v];

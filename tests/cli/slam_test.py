@@ -1,19 +1,14 @@
 """`outrider slam` and `bench slam` on small files and, where it is, on published data."""
-import gzip
-import json
 import math
-import os
-import unittest
 
-from mcap_log import map_of, xyz
-from tool import DATA, SOURCE, ToolTest, flat, main
+from mcap_log import xyz
+from slam_case import SlamCase, path_of
+from tool import DATA, SOURCE, flat, main
 
 EDGE = "EDGE_SE2 {} {} 1 0 {} 100 0 0 100 0 400\n"
 SQUARE = "".join(EDGE.format(i, (i + 1) % 4, math.pi / 2 + 0.02 * i) for i in range(4))
 UNIT3 = "4 0 0 0 0 0 4 0 0 0 0 4 0 0 0 9 0 0 9 0 9"
 SPACE = "".join(f"EDGE_SE3:QUAT {i} {(i + 1) % 4} 1 0 {0.1 * i} 0 0 0.7 0.71414284285 {UNIT3}\n" for i in range(4))
-KEYS = {"landmark_rmse_m", "landmark_rmse_aligned_m", "ate_m", "cost", "steps", "time_s", "max_step_s"}
-MACHINE_TIMES = {"time_s", "max_step_s", "median_step_s", "real_time_factor"}  # printed, and in no file
 
 
 def freiburg_log():
@@ -30,46 +25,7 @@ def freiburg_log():
     return "\n".join(lines) + "\n", "".join(f"{n} {x} {y}\n" for n, (x, y) in posts.items())
 
 
-def path_of(path):
-    """(time, x, y) of each pose of a nav_msgs/Path."""
-    return [(one.header.stamp.sec + one.header.stamp.nanosec / 1e9, *xyz(one.pose.position)[:2]) for one in path.poses]
-
-
-class Slam(ToolTest):
-    def result(self, *args):
-        run = self.run_tool("slam", *args, "--json", timeout=300)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        found = flat(self.json_of(run))
-        self.assertEqual((found["status"], found["job"]), ("done", "slam"))
-        self.assertLessEqual(KEYS, set(found))
-        return found
-
-    def rows(self, folder):
-        """The columns x, y of track.csv."""
-        lines = (self.folder / folder / "track.csv").read_text().splitlines()
-        at = lines[0].split(",").index("x")
-        return [[float(value) for value in line.split(",")[at:at + 2]] for line in lines[1:]]
-
-    def check_log(self, found, folder, track):
-        """The files say what was printed, and the settled path is that of track.csv."""
-        result, log = self.result_of(folder), self.log_of(folder)
-        self.assertEqual((result["job"], result["status"]), ("slam", found["status"]))
-        self.assertEqual(found["log"], f"{folder}/run.mcap")
-        for name, value in found.items():
-            if isinstance(value, (int, float)) and name not in MACHINE_TIMES:
-                self.assertEqual(result["metrics"][name], value, name)
-        self.assertFalse(MACHINE_TIMES & {name for name, value in result["metrics"].items() if value is not None})
-        settled, beliefs = path_of(log.latest("/trajectory")), log.read("/belief")
-        self.assertEqual(len(settled), len(beliefs))
-        self.assertEqual(len(log.of("/odom")), len(beliefs))
-        self.assertEqual(len(settled), len(track))
-        for (_, *place), (x, y) in zip(settled, track):
-            self.assertLess(math.dist(place, (x, y)), 2e-6)
-        self.assertEqual([time for time, _ in beliefs], [time for time, *_ in settled])
-        info = log.latest("/run")
-        self.assertTrue(all(info.low.x < x < info.high.x and info.low.y < y < info.high.y for _, x, y in settled))
-        return log
-
+class Slam(SlamCase):
     def test_log_of_landmarks(self):
         log, world = freiburg_log()
         self.write("log.dat", log)
@@ -157,36 +113,6 @@ class Slam(ToolTest):
         self.assertEqual((free["sightings_refused"], free["reason"][:6]), (0, "errors"))
         self.assertGreater(self.doubtful("gated.yaml")["sightings_refused"], 0)
 
-    def test_laser_scenario(self):
-        """The bundled log of a simulated robot: the map it makes, beside the truth in the log."""
-        found = self.mapped("--scenario", SOURCE / "scenarios/slam/office.yaml", "--out", "out")
-        self.assertLess(found["mean_absolute_error_m"], 0.05)
-        log = self.check_log(found, "out", self.rows("out"))
-        settled, reference = path_of(log.latest("/trajectory")), path_of(log.latest("/reference"))
-        self.assertEqual(len(settled), len(reference))
-        for (_, belief), true, place in zip(log.read("/belief"), reference, settled):
-            self.assertLess(math.dist(true[1:], place[1:]), 0.2)
-            self.assertLess(math.dist(xyz(belief.pose.pose.position)[:2], place[1:]), 0.5)
-        self.assertEqual(len(log.latest("/loops").loops), found["loops"])
-        self.assertEqual(len([one for _, one in log.read("/rosout") if one.name == "loop"]), found["loops"])
-        scans = log.read("/scan")
-        stamps = [(scan.header.stamp.sec, scan.header.stamp.nanosec) for _, scan in scans]
-        self.assertEqual(stamps, sorted(stamps))
-        self.assertGreater(len(scans), 50)
-        self.assertEqual({len(scan.ranges) for _, scan in scans}, {120})
-        for _, known in log.read("/map"):
-            self.assertEqual(len(known.data), known.info.width * known.info.height)
-        self.assertGreater(log.read("/map_updates")[-1][0], 0.5 * settled[-1][0])
-
-    def test_trusted_odometry_has_a_map(self):
-        self.mapped(SOURCE / "scenarios/slam/office.log.gz", "--laser-trust-odometry", "--out", "out")
-        size = (self.folder / "out/map.pgm").read_bytes().split()[1:3]
-        self.assertTrue(all(int(side) > 50 for side in size))
-        info, rows = map_of(self.log_of("out"))
-        self.assertAlmostEqual(info.resolution, 0.05, places=6)
-        known = [x for x in range(info.width) if any(row[x] >= 0 for row in rows)]
-        self.assertLessEqual(abs(known[-1] - known[0] + 1 - int(size[0])), 4)
-
     def test_graph(self):
         self.write("square.g2o", SQUARE)
         found = self.result("square.g2o", "--out", "out")
@@ -247,13 +173,6 @@ class Slam(ToolTest):
         self.assertEqual(len((self.folder / "ekf" / "track.csv").read_text().splitlines()), 18)
         self.assertEqual((self.folder / "graph" / "landmarks.csv").read_text().splitlines()[0],
                          "id,x,y,xx,xy,yy,sightings")
-
-    def doubtful(self, *args):
-        run = self.run_tool("slam", *args, "--json")
-        self.assertEqual(run.returncode, 1, run.stderr)
-        found = flat(self.json_of(run))
-        self.assertEqual(found["status"], "doubtful")
-        return found
 
     def test_a_carried_robot_is_doubtful(self):
         """Its odometry knows nothing of the 3 m by which it was carried half-way."""
@@ -330,58 +249,6 @@ class Slam(ToolTest):
         self.assertEqual((found.returncode, found.stdout), (2, ""))
         self.assertIn(".g2o", self.sentence(found))
 
-    def laser_log(self, name, scans=None):
-        """A published log, cut after so many scans."""
-        path = DATA / "slam" / "lidar" / f"{name}-corrected.log.gz"
-        if not path.exists():
-            self.skipTest(f"{path} is absent; set OUTRIDER_DATA")
-        if scans is None:
-            return path
-        with gzip.open(path, "rt") as lines:
-            kept = []
-            for line in lines:
-                kept.append(line)
-                scans -= line.startswith("FLASER")
-                if scans == 0:
-                    break
-        self.write(f"{name}.log", "".join(kept))
-        return f"{name}.log"
-
-    def mapped(self, *args):
-        run = self.run_tool("slam", *args, "--json", timeout=900)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        return flat(self.json_of(run))
-
-    def test_laser_log(self):
-        log = self.laser_log("intel", 120)
-        found = self.mapped(log, "--out", "a")
-        self.assertEqual((found["steps"], found["steps_matched"]), (120, 119))
-        self.assertLess(found["mean_absolute_error_m"], 0.1)
-        self.assertLess(found["ate_m"], 0.15)
-        self.assertGreater(found["real_time_factor"], 1)
-        self.mapped(log, "--out", "b")
-        for name in ("track.csv", "run.svg", "map.yaml", "map.pgm"):
-            self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
-        self.assertEqual(len((self.folder / "a" / "track.csv").read_text().splitlines()), 121)
-        path = self.run_tool("plan", "a/map.yaml", "--from", "0,0", "--to", "0.5,0", "--json")
-        self.assertEqual(path.returncode, 0, path.stderr)
-
-    def test_whole_laser_logs(self):
-        if "OUTRIDER_CASES" not in os.environ:
-            self.skipTest("long; set OUTRIDER_CASES")
-        for name in ("intel", "aces", "csail", "freiburg-079", "freiburg-101"):
-            with self.subTest(name):
-                self.assertLess(self.mapped(self.laser_log(name))["mean_absolute_error_m"], 0.1)
-
-    def test_laser_refusals(self):
-        self.write("bad.log", "PARAM a b\nFLASER 2 1 x 0 0 0 0 0 0 0 h 0\n")
-        self.refused("slam", "bad.log", says=["bad.log:2: ", "'x'", "FLASER n r1"])
-        self.write("none.log", "ODOM 0 0 0 0 0 0 0 h 0\n")
-        self.refused("slam", "none.log", says=["none.log: ", "no scan"])
-        self.write("nan.log", "FLASER 0 0 0 0 0 0 0 0 h 0\nFLASER 2 nan nan 0 0 0 0 0 0 1 h 1\n")
-        found = self.doubtful("nan.log", "--out", "out")
-        self.assertEqual((found["steps_matched"], found["reason"]), (0, "the map may be wrong: only 0 of 1 scans matched the map"))
-
     def test_published(self):
         folder = DATA / "slam"
         if not folder.exists():
@@ -397,21 +264,6 @@ class Slam(ToolTest):
         self.assertIn("the robot was lost", self.doubtful(log, "--slam-engine", "kalman")["reason"])
         found = self.result(folder / "landmark" / "mrclam5a_multirobot_with_gt.pyfg.gz")
         self.assertLess(found["landmark_rmse_aligned_m"], 0.1)
-
-    def mapped_again(self, log, folder):
-        run = self.run_tool("slam", log, "--out", folder, "--json", timeout=300)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        return flat(self.json_of(run)), (self.folder / folder / "map.pgm").read_bytes()
-
-    def test_the_log_of_an_exploration_is_mapped_again(self):
-        run = self.run_tool("run", SOURCE / "scenarios/explore/office.yaml", "--out", "r", "--json", timeout=300)
-        self.assertIn(run.returncode, (0, 1), run.stderr)  # it may find a gap that is too narrow for it
-        explored = flat(self.json_of(run))
-        found, image = self.mapped_again("r/run.mcap", "a")
-        self.assertEqual(found["steps_lost"], 0)
-        self.assertAlmostEqual(found["map_m2"], explored["mapped_free_m2"], delta=0.05 * found["map_m2"])
-        self.assertEqual(self.mapped_again("r", "b")[1], image)
-        self.refused("slam", "r", "--scan", "/front", says=["--scan", "the log has no topic '/front'", "/scan"])
 
 
 if __name__ == "__main__":

@@ -132,9 +132,8 @@ std::string doubt_sentence(const PoseGraphOf<Pose>& kept, const PoseGraphSolutio
   }
   if (doubt.edge) {
     return fmt::format(
-        "the edge {} contradicts the others: without it the cost would be lower by {:.4g}; --graph-robust "
-        "gnc "
-        "refuses such edges",
+        "the edge {} contradicts the others: without it the cost would be lower by {:.4g}; "
+        "--graph-robust gnc refuses such edges",
         edge_name(kept, *doubt.edge), doubt.edge_cost);
   }
   if (!doubt.cost) return {};

@@ -7,7 +7,6 @@
 namespace outrider {
 namespace {
 
-using testing::poses_of;
 using testing::random_graph;
 using testing::shaken;
 

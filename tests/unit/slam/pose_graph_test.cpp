@@ -12,7 +12,6 @@ namespace outrider {
 namespace {
 
 using testing::largest_gap;
-using testing::poses_of;
 using testing::random_graph;
 using testing::random_pose;
 using testing::shaken;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "graph_edges.hpp"
+#include "graph_starts.hpp"
 #include "support/random_cases.hpp"
 
 namespace outrider::testing {
@@ -85,13 +86,6 @@ PoseGraphOf<Pose> random_graph(std::size_t poses, std::size_t points, double err
     join(EdgeKind::range, rng.below(poses), i);
   }
   return graph;
-}
-
-template <class Pose>
-std::vector<Pose> poses_of(const PoseGraphOf<Pose>& graph) {
-  std::vector<Pose> poses;
-  for (const auto& node : graph.nodes) poses.push_back(node.pose);
-  return poses;
 }
 
 template <class Pose>
