@@ -10,10 +10,11 @@
 # files include. Each layer is a component of the installed package, whose needs follow from these lists
 # (Install.cmake).
 #
-# CHECKED enables container checks in releases too (Harden.cmake).
+# CHECKED enables container checks in releases too (Harden.cmake). APART compiles the files one by one in quick
+# builds too (Precompile.cmake), for layers with many files of one kind, each with private names of that kind.
 
 function(outrider_layer)
-  cmake_parse_arguments(LAYER "CHECKED" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(LAYER "CHECKED;APART" "NAME" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
   string(REPLACE / _ name ${LAYER_NAME})
   set(target outrider_${name})
   set(tree ${PROJECT_BINARY_DIR}/layers/${name})
@@ -50,6 +51,9 @@ function(outrider_layer)
     outrider_precompile(${target} checked_layers)
   else()
     outrider_precompile(${target} layers)
+  endif()
+  if(NOT LAYER_APART)
+    outrider_join(${target})
   endif()
   set_property(GLOBAL APPEND PROPERTY OUTRIDER_LAYERS ${target})
 endfunction()

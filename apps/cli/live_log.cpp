@@ -11,7 +11,7 @@ namespace outrider::cli {
 namespace {
 
 constexpr std::chrono::milliseconds period{200};
-constexpr std::size_t chunk_bytes = std::size_t{64} << 10U;  // what a viewer holds in memory
+constexpr std::size_t viewer_chunk_bytes = std::size_t{64} << 10U;  // what a viewer holds in memory
 
 std::string_view variable(const char* name) {
   const char* const text = std::getenv(name);
@@ -27,7 +27,7 @@ LiveLog::LiveLog() {
   auto output = make_descriptor_sink(descriptor);
   if (!output) return;
   auto writer =
-      McapWriter::begin(std::move(*output), {.compression = Codec::none, .chunk_bytes = chunk_bytes});
+      McapWriter::begin(std::move(*output), {.compression = Codec::none, .chunk_bytes = viewer_chunk_bytes});
   if (!writer) return;
   sink_.emplace(std::move(*writer));
   flusher_ = std::jthread([this](const std::stop_token& stop) { flush_often(stop); });

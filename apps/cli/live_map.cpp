@@ -18,7 +18,7 @@ namespace outrider::cli {
 namespace {
 
 constexpr int dots_across = 2, dots_up = 4;  // in a Braille character
-constexpr auto period = std::chrono::milliseconds(100);
+constexpr auto map_period = std::chrono::milliseconds(100);
 
 /// Returns the state of a square of cells: occupied if any cell is, else free if any cell is, else unknown.
 Occupancy state_of(const Grid<std::uint8_t>& occupancy, Cell low, int side) {
@@ -101,7 +101,7 @@ LiveMap::~LiveMap() {
 
 void LiveMap::append(std::size_t, std::int64_t, std::string_view) {
   if (!terminal_ || std::chrono::steady_clock::now() < next_) return;
-  next_ = std::chrono::steady_clock::now() + period;
+  next_ = std::chrono::steady_clock::now() + map_period;
   draw();
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "message.hpp"
+#include "outrider/core/text.hpp"
 
 namespace outrider::server::foxglove {
 namespace {
@@ -14,11 +15,6 @@ constexpr std::string_view known_subprotocols[] = {"foxglove.sdk.v1",
                                                    "foxglove.websocket.v1"};  // the first is best
 constexpr char message_data_op = 0x01;
 constexpr char time_op = 0x02;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
-}
 
 /// Appends a number, the lowest byte first.
 template <class Number>

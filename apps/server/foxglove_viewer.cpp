@@ -10,8 +10,8 @@
 namespace outrider::server {
 namespace {
 
-constexpr std::size_t most_requests = 4096;  // that wait to be obeyed
-constexpr std::size_t most_values = 20'000;  // JSON values in a message
+constexpr std::size_t most_waiting = 4096;           // that wait to be obeyed
+constexpr std::size_t most_message_values = 20'000;  // JSON values in a message
 // A client subscribes to its channels one by one, and has them in the order of time if they begin together.
 constexpr std::chrono::milliseconds settling{100};
 constexpr std::chrono::milliseconds pause{20};  // until there is memory again
@@ -24,7 +24,7 @@ FoxgloveViewer::FoxgloveViewer(Runs& runs, Shared& shared, std::string version, 
 bool FoxgloveViewer::receive(const std::string& text) {
   const auto lease = shared_.values.take(memory_of_json(text));
   if (!lease) return false;
-  const auto message = parse_json(text, "message", most_values);
+  const auto message = parse_json(text, "message", most_message_values);
   if (!message || !message->is_object()) return false;
   const auto requests = foxglove::requests_of(*message);
   {
@@ -35,7 +35,7 @@ bool FoxgloveViewer::receive(const std::string& text) {
       if (requests_.empty()) requests_since_ = Clock::now();
       requests_.insert(requests_.end(), requests->begin(), requests->end());
     }
-    if (requests_.size() > most_requests || statuses_.size() > most_requests) return false;
+    if (requests_.size() > most_waiting || statuses_.size() > most_waiting) return false;
   }
   wake();
   return true;

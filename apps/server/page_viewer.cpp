@@ -10,10 +10,11 @@ namespace {
 constexpr std::size_t most_replies = 1024;
 constexpr std::size_t largest_frame = std::size_t{64} << 10U;  // of a log
 constexpr std::int64_t most_id = 1'000'000'000'000;
-constexpr std::chrono::hours longest_wait{1};       // a newer plan request or closing ends it sooner
-constexpr std::size_t most_waiting = 1000;          // viewers
-constexpr std::size_t most_values = 200'000;        // JSON values in a message
-constexpr std::chrono::milliseconds patience{200};  // a plan that takes longer is cancelled for a newer one
+constexpr std::chrono::hours longest_wait{1};  // a newer plan request or closing ends it sooner
+constexpr std::size_t most_waiting = 1000;     // viewers
+constexpr std::size_t most_values = 200'000;   // JSON values in a message
+constexpr std::chrono::milliseconds plan_patience{
+    200};  // a plan that takes longer is cancelled for a newer one
 
 std::string error_text(const Fault& fault, const Json& id) {
   Json message = {{"type", "error"}};
@@ -97,7 +98,7 @@ void PageViewer::want_plan(const Message& message) {
   const std::lock_guard lock(mutex_);
   if (plan_) replies_.push_back(superseded(*plan_));
   plan_ = message;
-  if (std::chrono::steady_clock::now() - planning_since_ > patience) planning_.request_stop();
+  if (std::chrono::steady_clock::now() - planning_since_ > plan_patience) planning_.request_stop();
 }
 
 PageViewer::Work PageViewer::next_work() {

@@ -1,6 +1,7 @@
 #include "temporary_folder.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <stdlib.h>  // mkdtemp
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -31,7 +32,7 @@ Outcome<TemporaryFolder> TemporaryFolder::make() {
   constexpr int attempts = 10;  // another server may remove it before it is locked
   for (int i = 0; i < attempts; ++i) {
     std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / (std::string(prefix) + "XXXXXX")).string();
+    std::string name = (fs::temp_directory_path(error) / fmt::format("{}XXXXXX", prefix)).string();
     if (error || ::mkdtemp(name.data()) == nullptr) break;
     if (const int descriptor = locked(name); descriptor >= 0) {
       return TemporaryFolder(fs::canonical(name), descriptor);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace outrider {
@@ -54,6 +55,17 @@ std::string printable(std::string_view text, std::string_view kept) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return result;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower_letter(c);
+  return result;
+}
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
+  return text.substr(0, text.find_last_not_of(white_space) + 1);
 }
 
 std::string markup_text(std::string_view text) {

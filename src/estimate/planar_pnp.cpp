@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Matrix86 = Eigen::Matrix<double, 8, 6>;
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 
-constexpr int most_steps = 500;  // the worse solution of a tag seen at an angle converges slowly
+constexpr int most_pnp_steps = 500;  // the worse solution of a tag seen at an angle converges slowly
 
 using Rays = std::array<Vec2, 4>;  // points of the plane z = 1
 
@@ -132,7 +132,7 @@ std::optional<Minimum> refine(Estimate pose, const Vector2d& focal, const std::a
   auto at = linearise(pose, focal, corners, rays);
   if (!at) return std::nullopt;
   double damping = 1e-4;
-  for (int step = 0; step < most_steps && damping < 1e12; ++step) {
+  for (int step = 0; step < most_pnp_steps && damping < 1e12; ++step) {
     Matrix6d normal = at->jacobian.transpose() * at->jacobian;
     normal.diagonal() *= 1.0 + damping;
     const Vector6d move = normal.ldlt().solve(-at->jacobian.transpose() * at->error);

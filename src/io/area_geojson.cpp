@@ -8,13 +8,13 @@
 namespace outrider {
 namespace {
 
-using Json = nlohmann::json;
+using GeoJson = nlohmann::json;
 
 constexpr int deepest = 64;
 
 /// Collects the polygons of a GeoJSON object, each with its position in the document.
-Status find_polygons(const Json& object, const std::string& where, int depth,
-                     std::vector<std::pair<const Json*, std::string>>& found) {
+Status find_polygons(const GeoJson& object, const std::string& where, int depth,
+                     std::vector<std::pair<const GeoJson*, std::string>>& found) {
   if (depth > deepest) return bad_input("it nests too deep; give one polygon", where);
   const auto type = object.is_object() ? object.find("type") : object.end();
   if (!object.is_object() || type == object.end() || !type->is_string()) {
@@ -37,11 +37,11 @@ Status find_polygons(const Json& object, const std::string& where, int depth,
   return {};
 }
 
-Outcome<AreaRing> ring_of(const Json& points, const std::string& where) {
+Outcome<AreaRing> ring_of(const GeoJson& points, const std::string& where) {
   if (!points.is_array()) return bad_input("a ring is a list of [x, y]", where);
   AreaRing ring{{}, where};
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Json& point = points[i];
+    const GeoJson& point = points[i];
     if (!point.is_array() || point.size() < 2 || !point[0].is_number() || !point[1].is_number()) {
       return bad_input("a corner is [longitude, latitude] or [x, y]", fmt::format("{}[{}]", where, i));
     }
@@ -53,9 +53,9 @@ Outcome<AreaRing> ring_of(const Json& points, const std::string& where) {
 }  // namespace
 
 Outcome<AreaRings> rings_from_geojson(std::string_view text, const std::string& name) {
-  const Json object = Json::parse(text, nullptr, false);
+  const GeoJson object = GeoJson::parse(text, nullptr, false);
   if (object.is_discarded()) return bad_input("it is no JSON; write a GeoJSON polygon", name);
-  std::vector<std::pair<const Json*, std::string>> polygons;
+  std::vector<std::pair<const GeoJson*, std::string>> polygons;
   if (auto good = find_polygons(object, name + ": $", 0, polygons); !good) return pass_on(good);
   if (polygons.size() != 1) {
     return bad_input(

@@ -21,11 +21,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   while (true) {
     const std::size_t comma = line.find(',');
-    std::string_view field = line.substr(0, comma);
-    const std::size_t first = std::min(field.find_first_not_of(white_space), field.size());
-    field.remove_prefix(first);
-    field = field.substr(0, field.find_last_not_of(white_space) + 1);
-    fields.push_back(field);
+    fields.push_back(trimmed(line.substr(0, comma)));
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }

@@ -20,7 +20,7 @@ YAML::Node either(const YAML::Node& map, const char* first, const char* second) 
 }
 
 /// Returns the numbers of a sequence, or of the sequence `data` in a map.
-std::optional<std::vector<double>> numbers_of(const YAML::Node& node) {
+std::optional<std::vector<double>> matrix_of(const YAML::Node& node) {
   const YAML::Node list = node.IsMap() ? node["data"] : node;
   if (!list.IsDefined() || !list.IsSequence() || list.size() > 100) return std::nullopt;
   std::vector<double> numbers;
@@ -34,7 +34,7 @@ std::optional<std::vector<double>> numbers_of(const YAML::Node& node) {
 
 Status read_matrix(const YAML::Node& node, const std::string& name, Camera& camera) {
   const std::string where = yaml_where(name, node);
-  const auto k = numbers_of(node);
+  const auto k = matrix_of(node);
   if (!k || k->size() != 9) {
     return bad_input("the camera matrix is not valid; expected nine numbers by rows: fx 0 cx 0 fy cy 0 0 1",
                      where);
@@ -64,7 +64,7 @@ Status read_lens(const YAML::Node& map, const std::string& name, Camera& camera)
   }
   const YAML::Node node = either(map, "distortion_coefficients", "D");
   if (!node.IsDefined()) return {};
-  const auto lens = numbers_of(node);
+  const auto lens = matrix_of(node);
   if (!lens || (!lens->empty() && lens->size() != 4 && lens->size() != 5)) {
     return bad_input("the distortion is not valid; expected four or five numbers: k1 k2 p1 p2 k3",
                      yaml_where(name, node));

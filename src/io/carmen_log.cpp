@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -27,7 +26,7 @@ constexpr double least_range_m = 0.02;
 
 using Words = std::span<const std::string_view>;
 
-Outcome<Pose2> pose_of(Words words, std::string_view form) {
+Outcome<Pose2> pose_of_words(Words words, std::string_view form) {
   const auto v = line_numbers(words, 3, form);
   if (!v) return bad_input(v.error().sentence);
   return Pose2{{(*v)[0], (*v)[1]}, (*v)[2]};
@@ -36,9 +35,8 @@ Outcome<Pose2> pose_of(Words words, std::string_view form) {
 /// Returns true for the notations of invalid readings: nan, -nan, inf, Infinity.
 bool is_no_number(std::string_view word) {
   if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
-  std::string lower(word);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower == "nan" || lower == "inf" || lower == "infinity";
+  const std::string name = lower(word);
+  return name == "nan" || name == "inf" || name == "infinity";
 }
 
 struct ScanLine {
@@ -69,7 +67,7 @@ Outcome<std::size_t> count_at(Words words, std::size_t index, std::string_view f
                                index < words.size() ? excerpt(words[index]) : "", most_beams, form));
 }
 
-Outcome<ScanLine> scan_of(Words words, double most_m) {
+Outcome<ScanLine> scan_line_of(Words words, double most_m) {
   auto count = count_at(words, 1, scan_form);
   if (!count) return pass_on(count);
   const std::size_t n = *count;
@@ -79,7 +77,7 @@ Outcome<ScanLine> scan_of(Words words, double most_m) {
   }
   ScanLine line;
   const auto times = line_numbers(words.subspan(n + 8, 1), 1, scan_form);
-  auto pose = pose_of(words.subspan(n + 2, 3), scan_form);
+  auto pose = pose_of_words(words.subspan(n + 2, 3), scan_form);
   if (!times || !pose) return bad_input(times ? pose.error().sentence : times.error().sentence);
   line.pose = *pose;
   const double parts = static_cast<double>(std::max<std::size_t>(1, n % 2 == 0 ? n : n - 1));
@@ -105,8 +103,8 @@ Outcome<ScanLine> robot_scan_of(Words words, double most_m) {
     return bad_input(fmt::format("{} words, where {} are expected; a line is {}", words.size(), rest + 12,
                                  robot_scan_form));
   }
-  const auto laser = pose_of(words.subspan(rest, 3), robot_scan_form);
-  const auto robot = pose_of(words.subspan(rest + 3, 3), robot_scan_form);
+  const auto laser = pose_of_words(words.subspan(rest, 3), robot_scan_form);
+  const auto robot = pose_of_words(words.subspan(rest + 3, 3), robot_scan_form);
   const auto time = line_numbers(words.subspan(rest + 11, 1), 1, robot_scan_form);
   for (const auto* part : {&laser, &robot}) {
     if (!*part) return bad_input(part->error().sentence);
@@ -135,7 +133,7 @@ struct OdometryOfScan {
   std::optional<Pose2> after;   ///< the first ODOM before the next scan
 };
 
-bool is_near(const Pose2& a, const Pose2& b, double most_m, double most_rad) {
+bool is_near_pose(const Pose2& a, const Pose2& b, double most_m, double most_rad) {
   return distance(a.position, b.position) <= most_m &&
          std::abs(wrap_angle(a.heading_rad - b.heading_rad)) <= most_rad;
 }
@@ -149,7 +147,7 @@ bool is_between(const Pose2& from, const Pose2& to, const Pose2& pose) {
   if (!(part >= end && part <= 1.0 - end)) return false;
   const Pose2 there{from.position + part * way,
                     from.heading_rad + part * wrap_angle(to.heading_rad - from.heading_rad)};
-  return is_near(there, pose, off_m, off_rad);
+  return is_near_pose(there, pose, off_m, off_rad);
 }
 
 /// Returns true if the pose of the scan is one of the odometry: equal to the ODOM before, between it and the
@@ -157,7 +155,7 @@ bool is_between(const Pose2& from, const Pose2& to, const Pose2& pose) {
 bool is_on_odometry(const OdometryOfScan& scan) {
   constexpr double rounding = 1e-4, same_m = 0.002;
   const Vec2 here = scan.pose.position;
-  if (is_near(*scan.before, scan.pose, rounding, rounding)) return true;
+  if (is_near_pose(*scan.before, scan.pose, rounding, rounding)) return true;
   const bool is_based_on_it = scan.after && distance(scan.after->position, here) <= 1e-9;
   if (scan.after && !is_based_on_it) return is_between(*scan.before, *scan.after, scan.pose);
   if (!scan.step) return false;
@@ -204,7 +202,8 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
   bool has_odometry = false;
   auto ok = for_each_line(log, [&](Words words) -> Status {
     if (words[0] == "ODOM") {
-      const auto pose = pose_of(words.subspan(1, std::min<std::size_t>(3, words.size() - 1)), odometry_form);
+      const auto pose =
+          pose_of_words(words.subspan(1, std::min<std::size_t>(3, words.size() - 1)), odometry_form);
       if (!pose) return bad_input(pose.error().sentence);
       if (!odometry && !scans.empty()) scans.back().after = *pose;
       step = odometry ? std::optional(wrap_heading(relative_pose(*odometry, *pose))) : std::nullopt;
@@ -214,7 +213,7 @@ Outcome<LaserLog> laser_log_from_carmen(const NamedText& log, const CarmenOption
     if (words[0] != "FLASER" && words[0] != "ROBOTLASER1") return {};
     if (kind.empty()) kind = words[0];
     if (words[0] != kind) return {};  // the same scan in the other form
-    auto line = kind == "FLASER" ? scan_of(words, options.most_m) : robot_scan_of(words, options.most_m);
+    auto line = kind == "FLASER" ? scan_line_of(words, options.most_m) : robot_scan_of(words, options.most_m);
     if (!line) return bad_input(line.error().sentence);
     Pose2 motion;
     if (!scans.empty() && odometry) motion = wrap_heading(relative_pose(scans.back().pose, *odometry));

@@ -7,7 +7,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::string_view odometry_form =
+constexpr std::string_view chain_odometry_form =
     "'ODOMETRY i j x y heading' and 6 numbers of the covariance's upper triangle";
 constexpr std::string_view landmark_form =
     "'LANDMARK i k x y' and 3 numbers of the covariance's upper triangle";
@@ -20,9 +20,10 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
   std::int64_t pose = -1;  // number of the pose reached; -1: none
   const auto read_odometry = [&](std::span<const std::string_view> words) -> Status {
     const auto from = number<std::int64_t>(words[0]), to = number<std::int64_t>(words[1]);
-    const auto v = line_numbers(words, 11, odometry_form);
+    const auto v = line_numbers(words, 11, chain_odometry_form);
     if (!v) return bad_input(v.error().sentence);
-    if (!from || !to) return bad_input(fmt::format("poses have whole numbers; a line is {}", odometry_form));
+    if (!from || !to)
+      return bad_input(fmt::format("poses have whole numbers; a line is {}", chain_odometry_form));
     if (pose >= 0 && *from != pose) {
       return bad_input(
           fmt::format("it starts at pose {}, where pose {} was reached; poses form a chain", *from, pose));
@@ -60,7 +61,7 @@ Outcome<LandmarkLog> landmark_log_from_chain(const NamedText& log) {
     if (words[0] == "ODOMETRY" && words.size() > 2) return read_odometry(words.subspan(1));
     if (words[0] == "LANDMARK" && words.size() > 2) return read_landmark(words.subspan(1));
     return bad_input(fmt::format("'{}' is no line of this log; a line is {} or {}", excerpt(words[0]),
-                                 odometry_form, landmark_form));
+                                 chain_odometry_form, landmark_form));
   });
   if (!ok) return pass_on(ok);
   if (result.steps.empty()) return bad_input("the log is empty; expected at least one line", log.name);

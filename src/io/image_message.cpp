@@ -10,8 +10,8 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t longest_side = 100'000;
-constexpr std::uint64_t most_pixels = 100'000'000;
+constexpr std::uint32_t longest_message_side = 100'000;
+constexpr std::uint64_t most_message_pixels = 100'000'000;
 
 /// How the pixels of an encoding lie in memory.
 struct PixelLayout {
@@ -39,11 +39,11 @@ constexpr std::array<PixelLayout, 14> layouts = {{{"mono8", 1, 0, 0, 0},
 
 Status check_size(const sensor_msgs::Image& message, std::size_t pixel_bytes) {
   const std::uint64_t pixels = std::uint64_t{message.width} * message.height;
-  if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > longest_side ||
-      pixels > most_pixels) {
+  if (message.width == 0 || message.height == 0 ||
+      std::max(message.width, message.height) > longest_message_side || pixels > most_message_pixels) {
     return bad_input(
         fmt::format("an image of {} x {} pixels is not read; sides go from 1 to {} and pixels to {}",
-                    message.width, message.height, longest_side, most_pixels));
+                    message.width, message.height, longest_message_side, most_message_pixels));
   }
   const std::uint64_t row = std::uint64_t{message.width} * pixel_bytes;
   const std::uint64_t bytes = std::uint64_t{message.step} * message.height;
@@ -99,9 +99,10 @@ Outcome<Camera> camera_of(const sensor_msgs::CameraInfo& message) {
   if (k[1] != 0.0 || k[3] != 0.0 || k[6] != 0.0 || k[7] != 0.0 || k[8] != 1.0) {
     return bad_input("the camera matrix is that of no pinhole; its rows are fx 0 cx, 0 fy cy, 0 0 1");
   }
-  if (message.width == 0 || message.height == 0 || std::max(message.width, message.height) > longest_side) {
+  if (message.width == 0 || message.height == 0 ||
+      std::max(message.width, message.height) > longest_message_side) {
     return bad_input(fmt::format("a camera of {} x {} pixels; expected 1 to {}", message.width,
-                                 message.height, longest_side));
+                                 message.height, longest_message_side));
   }
   Camera camera;
   camera.width_px = static_cast<int>(message.width);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double farthest_m = 1e6;
+constexpr double farthest_origin_m = 1e6;
 
 struct MapKeys {
   std::string image;
@@ -69,7 +69,7 @@ std::optional<std::array<double, 3>> origin_of(const YAML::Node& node) {
   std::array<double, 3> origin{};
   for (std::size_t i = 0; i < node.size(); ++i) {
     const auto value = node[i].IsScalar() ? number<double>(node[i].Scalar()) : std::nullopt;
-    if (!value || std::abs(*value) > farthest_m) return std::nullopt;
+    if (!value || std::abs(*value) > farthest_origin_m) return std::nullopt;
     origin[i] = *value;
   }
   return origin;
@@ -149,7 +149,7 @@ Outcome<MapServerMap> map_from_image(const std::string& path, const MapKeys& key
 Status check_frame(const GridFrame& frame, const std::string& path) {
   const double far = std::max(std::abs(frame.origin.x), std::abs(frame.origin.y));
   if (frame.width >= 1 && frame.height >= 1 && frame.resolution_m > 0.0 &&
-      std::isfinite(frame.resolution_m) && far <= farthest_m) {
+      std::isfinite(frame.resolution_m) && far <= farthest_origin_m) {
     return {};
   }
   return bad_input("an empty map, or one with no origin and resolution, is not written", path);

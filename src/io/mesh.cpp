@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t largest_mesh_bytes = std::size_t{64} << 20;
 constexpr double farthest = 1e6;
 
-bool is_near(Vec3 p) {  // false for NaN too
+bool is_corner_near(Vec3 p) {  // false for NaN too
   return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
 }
 
@@ -47,7 +47,7 @@ Outcome<std::vector<Triangle>> mesh_from_bytes(std::string_view bytes, const std
   auto triangles = read_format(bytes, name);
   if (!triangles) return triangles;
   for (const Triangle& triangle : *triangles) {
-    if (std::ranges::all_of(triangle, is_near)) continue;
+    if (std::ranges::all_of(triangle, is_corner_near)) continue;
     return bad_input("a corner lies beyond 1e6, or is no number; scale the mesh", name);
   }
   std::erase_if(*triangles, [](const Triangle& triangle) { return !has_area(triangle); });

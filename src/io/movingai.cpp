@@ -10,12 +10,12 @@
 namespace outrider {
 namespace {
 
-constexpr int longest_side = 100'000;
-constexpr std::size_t most_cells = 100'000'000;
-constexpr std::size_t most_queries = 1'000'000;
+constexpr int longest_octile_side = 100'000;
+constexpr std::size_t most_map_cells = 100'000'000;
+constexpr std::size_t most_scenarios = 1'000'000;
 
 /// Returns lines one by one and counts them.
-struct Lines {
+struct MapLines {
   std::string_view rest;
   const std::string& name;
   std::size_t number = 0;
@@ -28,35 +28,35 @@ struct Lines {
 };
 
 /// Reads "key N" with N from 1 to the longest side.
-Outcome<int> side(Lines& lines, std::string_view key) {
+Outcome<int> side(MapLines& lines, std::string_view key) {
   const std::string_view line = lines.next();
   const auto parts = words(line);
   const auto value = parts.size() == 2 && parts[0] == key ? number<int>(parts[1]) : std::nullopt;
-  if (!value || *value < 1 || *value > longest_side) {
+  if (!value || *value < 1 || *value > longest_octile_side) {
     return bad_input(fmt::format("'{}' is not valid; this line is '{} N' with N from 1 to {}", excerpt(line),
-                                 key, longest_side),
+                                 key, longest_octile_side),
                      lines.where());
   }
   return *value;
 }
 
-Status expect(Lines& lines, std::string_view line) {
+Status expect_line(MapLines& lines, std::string_view line) {
   const std::string_view got = lines.next();
   if (words(got) == words(line)) return {};
   return bad_input(fmt::format("'{}' is not valid; this line is '{}'", excerpt(got), line), lines.where());
 }
 
-Outcome<GridFrame> header(Lines& lines) {
-  if (auto type = expect(lines, "type octile"); !type) return pass_on(type);
+Outcome<GridFrame> header(MapLines& lines) {
+  if (auto type = expect_line(lines, "type octile"); !type) return pass_on(type);
   auto height = side(lines, "height");
   if (!height) return pass_on(height);
   auto width = side(lines, "width");
   if (!width) return pass_on(width);
-  if (auto map = expect(lines, "map"); !map) return pass_on(map);
+  if (auto map = expect_line(lines, "map"); !map) return pass_on(map);
   const GridFrame frame{{0.0, 0.0}, 1.0, *width, *height};
-  if (frame.size() > most_cells) {
+  if (frame.size() > most_map_cells) {
     return bad_input(fmt::format("{} x {} cells are more than {}, the most that is read", frame.width,
-                                 frame.height, most_cells),
+                                 frame.height, most_map_cells),
                      lines.name);
   }
   if (frame.size() > lines.rest.size()) {
@@ -84,7 +84,7 @@ Outcome<MovingAiQuery> query_of(std::string_view line, const std::string& where)
     numbers[i] = *value;
   }
   const auto [bucket, width, height, sx, sy, gx, gy] = numbers;
-  if (width < 1 || height < 1 || width > longest_side || height > longest_side)
+  if (width < 1 || height < 1 || width > longest_octile_side || height > longest_octile_side)
     return wrong("the size is not 1 to 100000");
   if (sx >= width || gx >= width || sy >= height || gy >= height)
     return wrong("a point lies outside the map");
@@ -97,7 +97,7 @@ Outcome<MovingAiQuery> query_of(std::string_view line, const std::string& where)
 }  // namespace
 
 Outcome<Grid<std::uint8_t>> movingai_map_from_text(std::string_view text, const std::string& name) {
-  Lines lines{text, name};
+  MapLines lines{text, name};
   auto frame = header(lines);
   if (!frame) return pass_on(frame);
   Grid<std::uint8_t> blocked(*frame);
@@ -124,7 +124,7 @@ Outcome<Grid<std::uint8_t>> movingai_map_from_text(std::string_view text, const 
 
 Outcome<std::vector<MovingAiQuery>> movingai_scenario_from_text(std::string_view text,
                                                                 const std::string& name) {
-  Lines lines{text, name};
+  MapLines lines{text, name};
   const auto version = words(lines.next());
   if (version.size() != 2 || version[0] != "version" || number<double>(version[1]) != 1.0) {
     return bad_input("the first line is not 'version 1'", lines.where());
@@ -133,8 +133,8 @@ Outcome<std::vector<MovingAiQuery>> movingai_scenario_from_text(std::string_view
   while (!lines.rest.empty()) {
     const std::string_view line = lines.next();
     if (words(line).empty()) continue;
-    if (queries.size() == most_queries) {
-      return bad_input(fmt::format("more than {} queries; split the file", most_queries), lines.where());
+    if (queries.size() == most_scenarios) {
+      return bad_input(fmt::format("more than {} queries; split the file", most_scenarios), lines.where());
     }
     auto query = query_of(line, lines.where());
     if (!query) return pass_on(query);

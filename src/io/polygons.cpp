@@ -18,12 +18,6 @@ void skip_white(std::string_view& rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));
 }
 
-std::string_view trimmed(std::string_view text) {
-  skip_white(text);
-  text.remove_suffix(text.size() - 1 - std::min(text.find_last_not_of(white_space), text.size() - 1));
-  return text;
-}
-
 /// Removes one "(x,y)" from the text and returns it.
 Outcome<Vec2> take_point(std::string_view& rest, const std::string& where) {
   const auto wrong = [&] {

@@ -12,7 +12,7 @@
 namespace outrider {
 namespace {
 
-constexpr int longest_side = 100'000;
+constexpr int longest_map_side = 100'000;
 constexpr std::size_t most_cells = 100'000'000;
 /// Up to this number of cells, the length of the text is not checked first, so a fault can name the short
 /// row.
@@ -32,11 +32,6 @@ struct Lines {
   }
   [[nodiscard]] std::string where() const { return fmt::format("{}:{}", name, number); }
 };
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
-  return text.substr(0, text.find_last_not_of(white_space) + 1);
-}
 
 Status expect(Lines& lines, std::string_view letter) {
   const std::string_view line = lines.next();
@@ -67,9 +62,9 @@ Outcome<GridFrame> take_size(Lines& lines) {
   if (auto letter = expect(lines, "N"); !letter) return pass_on(letter);
   const std::string_view line = lines.next();
   const auto size = pair_of(line);
-  if (!size || size->x > longest_side || size->y > longest_side) {
+  if (!size || size->x > longest_map_side || size->y > longest_map_side) {
     return bad_input(fmt::format("'{}' is no size; expected width,height, whole numbers from 1 to {}",
-                                 excerpt(line), longest_side),
+                                 excerpt(line), longest_map_side),
                      lines.where());
   }
   const GridFrame frame{{0.0, 0.0}, 1.0, size->x, size->y};

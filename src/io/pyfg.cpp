@@ -10,14 +10,14 @@
 namespace outrider {
 namespace {
 
-struct Form {
+struct PyfgForm {
   std::string_view tag;
   std::size_t names_from;  ///< index of the word with the first name
   std::size_t names;
   std::size_t numbers;
   std::string_view sentence;
 };
-constexpr std::array<Form, 5> forms = {{
+constexpr std::array<PyfgForm, 5> pyfg_forms = {{
     {"VERTEX_SE2", 2, 1, 3, "VERTEX_SE2 time name x y heading"},
     {"VERTEX_XY", 1, 1, 2, "VERTEX_XY name x y"},
     {"EDGE_SE2", 2, 2, 9, "EDGE_SE2 time from to x y heading and 6 numbers of the covariance"},
@@ -25,7 +25,7 @@ constexpr std::array<Form, 5> forms = {{
     {"EDGE_RANGE", 2, 2, 2, "EDGE_RANGE time from to range and its variance"},
 }};
 
-struct Reader {
+struct PyfgReader {
   GraphLines<Pose2> lines;
   std::vector<Pose2> truth;
   std::set<char> robots;  ///< robots whose first pose was read
@@ -39,8 +39,8 @@ struct Reader {
 
   Status line(std::string_view text) {
     const std::vector<std::string_view> all = words(text);
-    const Form* form = nullptr;
-    for (const Form& candidate : forms) {
+    const PyfgForm* form = nullptr;
+    for (const PyfgForm& candidate : pyfg_forms) {
       if (candidate.tag == all[0]) form = &candidate;
     }
     if (form == nullptr) {
@@ -81,7 +81,7 @@ struct Reader {
 }  // namespace
 
 Outcome<TrueGraph> pose_graph_from_pyfg(std::string_view text, const std::string& name) {
-  Reader reader;
+  PyfgReader reader;
   auto read = read_graph_lines(text, name, [&](std::string_view line) { return reader.line(line); });
   if (!read) return pass_on(read);
   auto graph = std::move(reader.lines).finish();

@@ -34,7 +34,7 @@ Pose3 pose(const ignition::math::Pose3d& p) {
   return {vec(p.Pos()), {{vec(p.Rot().XAxis()), vec(p.Rot().YAxis()), vec(p.Rot().ZAxis())}}};
 }
 
-bool is_near(Vec3 p) {  // false for NaN too
+bool is_place(Vec3 p) {  // false for NaN too
   return std::abs(p.x) <= farthest_m && std::abs(p.y) <= farthest_m && std::abs(p.z) <= farthest_m;
 }
 
@@ -153,7 +153,7 @@ Status add_solids(World& world, const std::vector<Found>& found, std::vector<Flo
     for (SdfPiece& piece : *pieces) {
       Solid solid{taken.take(names[i] + piece.suffix), found[i].world_T_collision * piece.collision_T_piece,
                   std::move(piece.shape)};
-      if (!is_near(solid.world_T_solid.position)) {
+      if (!is_place(solid.world_T_solid.position)) {
         return bad_input(
             fmt::format("collision '{}' stands beyond 1e6 m, or nowhere; correct its <pose>", names[i]),
             file);
@@ -177,7 +177,7 @@ Status add_solids(World& world, const std::vector<Found>& found, std::vector<Flo
 
 Status set_gravity(World& world, const ignition::math::Vector3d& gravity, const std::string& file) {
   const Vec3 g = vec(gravity);
-  if (!is_near(g) || norm(xy(g)) > 1e-9 * std::abs(g.z) || g.z >= 0.0) {
+  if (!is_place(g) || norm(xy(g)) > 1e-9 * std::abs(g.z) || g.z >= 0.0) {
     return bad_input(
         fmt::format("gravity {} {} {} does not point straight down; write e.g. <gravity>0 0 -9.8</gravity>",
                     g.x, g.y, g.z),

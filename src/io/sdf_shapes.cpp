@@ -27,7 +27,7 @@ constexpr std::size_t most_world_triangles = 2'000'000;
 
 Vec3 vec(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
 
-bool is_size(double size_m) { return size_m > 0.0 && size_m <= largest_m; }
+bool is_shape_size(double size_m) { return size_m > 0.0 && size_m <= largest_m; }
 
 bool is_scale(double factor) { return std::abs(factor) >= smallest_scale && std::abs(factor) <= largest_m; }
 
@@ -73,7 +73,7 @@ tl::unexpected<Fault> bad_size() {
 }
 
 Outcome<Pieces> round_pieces(double radius_m, double length_m, bool capped) {
-  if (!is_size(radius_m) || !is_size(length_m)) return bad_size();
+  if (!is_shape_size(radius_m) || !is_shape_size(length_m)) return bad_size();
   Pieces pieces = {{CylinderShape{radius_m, 0.5 * length_m}}};
   if (!capped) return pieces;
   pieces.push_back({SphereShape{radius_m}, {{0, 0, 0.5 * length_m}, {}}, "_top"});
@@ -121,7 +121,7 @@ Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMesh
   switch (geometry.Type()) {
     case sdf::GeometryType::BOX: {
       const Vec3 size = vec(geometry.BoxShape()->Size());
-      if (!is_size(size.x) || !is_size(size.y) || !is_size(size.z)) return bad_size();
+      if (!is_shape_size(size.x) || !is_shape_size(size.y) || !is_shape_size(size.z)) return bad_size();
       return Pieces{{BoxShape{0.5 * size}}};
     }
     case sdf::GeometryType::CYLINDER:
@@ -129,11 +129,11 @@ Outcome<std::vector<SdfPiece>> sdf_pieces(const sdf::Geometry& geometry, SdfMesh
     case sdf::GeometryType::CAPSULE:
       return round_pieces(geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length(), true);
     case sdf::GeometryType::SPHERE:
-      if (!is_size(geometry.SphereShape()->Radius())) return bad_size();
+      if (!is_shape_size(geometry.SphereShape()->Radius())) return bad_size();
       return Pieces{{SphereShape{geometry.SphereShape()->Radius()}}};
     case sdf::GeometryType::ELLIPSOID: {
       const Vec3 radii = vec(geometry.EllipsoidShape()->Radii());
-      if (!is_size(radii.x) || !is_size(radii.y) || !is_size(radii.z)) return bad_size();
+      if (!is_shape_size(radii.x) || !is_shape_size(radii.y) || !is_shape_size(radii.z)) return bad_size();
       return Pieces{{ellipsoid(radii)}};
     }
     case sdf::GeometryType::PLANE: {

@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t largest_bytes = std::size_t{64} << 20;
 constexpr std::size_t most_pieces = 200'000;
 constexpr std::size_t most_corners = 1000;
-constexpr double farthest_m = 1e6;
+constexpr double farthest_height_m = 1e6;
 constexpr double dented_m = 1e-3;       ///< a corner deeper than this inside the hull makes a polygon concave
 constexpr double rectangle_m = 2e-4;    ///< largest distance of the corners of a rectangle from those given
 constexpr double inner_floor_m = 0.15;  ///< height of the inner floor above the foot, within a robot's body
 
 constexpr const char* form = "expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m";
 
-std::vector<std::string_view> fields_of(std::string_view line) {
+std::vector<std::string_view> slice_fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   for (;;) {
     const std::size_t comma = line.find(',');
@@ -37,7 +37,7 @@ Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
   std::vector<Vec2> hull = convex_hull(corners);
   if (hull.size() < 3) return bad_input("its corners lie on one line; give a wall by its two ends");
   for (const Vec2 corner : corners) {
-    double depth_m = farthest_m;
+    double depth_m = farthest_height_m;
     for (std::size_t i = 0; i < hull.size(); ++i) {
       depth_m = std::min(depth_m, distance(corner, Segment{hull[i], hull[(i + 1) % hull.size()]}));
     }
@@ -51,7 +51,7 @@ Outcome<std::vector<Vec2>> convex(const std::vector<Vec2>& corners) {
 }
 
 Outcome<WorldSlice> slice_of(std::string_view line) {
-  const std::vector<std::string_view> fields = fields_of(line);
+  const std::vector<std::string_view> fields = slice_fields_of(line);
   WorldSlice slice;
   std::size_t first = 0;
   if (!number<double>(fields[0]) && fields.size() > 2) {
@@ -65,7 +65,7 @@ Outcome<WorldSlice> slice_of(std::string_view line) {
   for (std::size_t i = first; i < fields.size(); i += 2) {
     const auto x = number<double>(fields[i]);
     const auto y = number<double>(fields[i + 1]);
-    const bool good = x && y && std::abs(*x) <= farthest_m && std::abs(*y) <= farthest_m;
+    const bool good = x && y && std::abs(*x) <= farthest_height_m && std::abs(*y) <= farthest_height_m;
     if (!good) {
       return bad_input(fmt::format("'{}' is no place within 1e6 m; {}",
                                    excerpt(fmt::format("{},{}", fields[i], fields[i + 1])), form));

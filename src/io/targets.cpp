@@ -15,8 +15,8 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_targets = 100'000;
-constexpr double farthest_m = 1e6;
-constexpr double largest_m = 1e3;
+constexpr double farthest_target_m = 1e6;
+constexpr double largest_side_m = 1e3;
 constexpr std::array<Vec3, 4> size_by_type = {
     {{0.5, 0.205, 0.372}, {0.46, 0.36, 0.178}, {0.51, 0.1372, 0.526}, {0.2576, 0.164, 0.3712}}};
 
@@ -53,7 +53,7 @@ Outcome<double> coordinate(const Words& keys, std::string_view key, std::optiona
     return bad_input(fmt::format("{0} is missing; write {0}=<metres>", key), where);
   }
   const auto value = number<double>(found->second);
-  if (!value || std::abs(*value) > farthest_m) {
+  if (!value || std::abs(*value) > farthest_target_m) {
     return bad_input(
         fmt::format("{}={} is not valid; expected a number from -1e6 to 1e6", key, excerpt(found->second)),
         where);
@@ -84,7 +84,7 @@ Outcome<Vec3> size_of(const Words& keys, std::optional<std::size_t> type, const 
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
     const auto side = number<double>(rest.substr(0, comma));
-    if (comma == std::string_view::npos || !side || *side <= 0.0 || *side > largest_m) {
+    if (comma == std::string_view::npos || !side || *side <= 0.0 || *side > largest_side_m) {
       return bad_input(fmt::format("size={} is not valid; expected length,width,height, each above 0 and at "
                                    "most 1000 m",
                                    excerpt(found->second)),

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -16,16 +15,10 @@
 namespace outrider {
 namespace {
 
-constexpr double largest_m = 1e6;
-
-std::string lower(std::string_view word) {
-  std::string result;
-  for (const char c : word) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
+constexpr double largest_size_m = 1e6;
 
 /// Returns the lines of a grid one by one and counts them.
-struct Lines {
+struct TerrainLines {
   std::string_view rest;
   const std::string& name;
   std::size_t number = 0;
@@ -49,7 +42,7 @@ struct GridHeader {
 };
 
 /// Reads the words before the heights. After that, `lines.line` is the first line of heights.
-Outcome<std::map<std::string, double>> header_fields(Lines& lines) {
+Outcome<std::map<std::string, double>> header_fields(TerrainLines& lines) {
   std::map<std::string, double> words_of_header;
   while (lines.next()) {
     std::string_view rest = lines.line;
@@ -70,7 +63,7 @@ Outcome<std::map<std::string, double>> header_fields(Lines& lines) {
   return words_of_header;
 }
 
-Outcome<GridHeader> header_of(Lines& lines) {
+Outcome<GridHeader> header_of(TerrainLines& lines) {
   auto known = header_fields(lines);
   if (!known) return pass_on(known);
   const auto find = [&](const char* key) -> std::optional<double> {
@@ -93,7 +86,7 @@ Outcome<GridHeader> header_of(Lines& lines) {
   if (auto size = HeightField::check_size(*columns, *rows); !size) {
     return bad_input(size.error().sentence, lines.name);
   }
-  if (!(*cell > 0.0) || *cell > largest_m) {
+  if (!(*cell > 0.0) || *cell > largest_size_m) {
     return bad_input(fmt::format("a cellsize of {:g} is not valid; it is above 0 and at most 1e6 m", *cell),
                      lines.name);
   }
@@ -102,7 +95,7 @@ Outcome<GridHeader> header_of(Lines& lines) {
                     find("nodata_value")};
 }
 
-Outcome<std::vector<double>> heights_of(Lines& lines, const GridHeader& header) {
+Outcome<std::vector<double>> heights_of(TerrainLines& lines, const GridHeader& header) {
   const auto columns = static_cast<std::size_t>(header.columns);
   const std::size_t count = columns * static_cast<std::size_t>(header.rows);
   std::vector<double> heights(count);
@@ -136,7 +129,7 @@ Outcome<std::vector<double>> heights_of(Lines& lines, const GridHeader& header) 
 }  // namespace
 
 Outcome<HeightField> terrain_from_grid(std::string_view text, const std::string& name) {
-  Lines lines{text, name};
+  TerrainLines lines{text, name};
   auto header = header_of(lines);
   if (!header) return pass_on(header);
   auto heights = heights_of(lines, *header);
@@ -149,8 +142,8 @@ Outcome<HeightField> terrain_from_grid(std::string_view text, const std::string&
 
 Outcome<HeightField> terrain_from_png(std::string_view bytes, const std::string& name, Vec3 middle,
                                       Vec3 size) {
-  const auto is_size = [](double m) { return m > 0.0 && m <= largest_m; };
-  if (!is_size(size.x) || !is_size(size.y) || !(std::abs(size.z) <= largest_m)) {
+  const auto is_size = [](double m) { return m > 0.0 && m <= largest_size_m; };
+  if (!is_size(size.x) || !is_size(size.y) || !(std::abs(size.z) <= largest_size_m)) {
     return bad_input(
         fmt::format("a size of {:g} x {:g} x {:g} m is not valid; length and width are above 0, and "
                     "all at most 1e6 m",

@@ -18,11 +18,6 @@ namespace {
 constexpr std::size_t most_near_names = 3;
 constexpr double rounding_deg = 1e-9;  // tolerance for whole degrees
 
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
-  return text.substr(0, text.find_last_not_of(white_space) + 1);
-}
-
 /// Splits a text at semicolons, without the white space around the parts and without empty parts.
 std::vector<std::string_view> parts(std::string_view text) {
   std::vector<std::string_view> found;

@@ -12,13 +12,6 @@
 namespace outrider {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view spaces = " \t\r";
-  const std::size_t first = text.find_first_not_of(spaces);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(spaces) - first + 1);
-}
-
 /// The names of ROS 1 and of older definitions.
 constexpr std::array<std::array<std::string_view, 2>, 5> other_names = {
     {{"time", "builtin_interfaces/Time"},

@@ -19,11 +19,9 @@ namespace {
 
 bool is_real(FieldKind kind) { return kind == FieldKind::float32 || kind == FieldKind::float64; }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 /// Returns true if a key is the name of the field, in ROS 2 or in ROS 1.
 bool is_name_of(const MessageField& field, std::string_view key) {
-  if (std::ranges::equal(field.name, key, {}, lower, lower)) return true;
+  if (std::ranges::equal(field.name, key, {}, lower_letter, lower_letter)) return true;
   if (field.name == "sec") return key == "secs";
   return field.name == "nanosec" && (key == "nsec" || key == "nsecs");
 }

@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-constexpr std::string_view header_type = "std_msgs/Header";
+constexpr std::string_view ros1_header = "std_msgs/Header";
 constexpr int most_levels = 32;
 
 constexpr std::array<std::pair<std::string_view, std::size_t>, 11> sizes = {{{"bool", 1},
@@ -42,7 +42,7 @@ bool is_time(std::string_view type) {
 bool is_message(std::string_view type) { return size_of(type) == 0 && type != "string" && !is_time(type); }
 
 std::span<const DefinedField> ros2_fields(std::string_view name, const std::vector<DefinedField>& fields) {
-  return std::span(fields).subspan(name == header_type ? 1 : 0);  // without "seq"
+  return std::span(fields).subspan(name == ros1_header ? 1 : 0);  // without "seq"
 }
 
 class Conversion {
@@ -53,7 +53,7 @@ class Conversion {
   bool message(std::string_view name, int level = 0) {
     const auto& fields = definitions_.find(name)->second;
     if (level > most_levels) return false;
-    if (name == header_type) take(4);
+    if (name == ros1_header) take(4);
     const auto kept = ros2_fields(name, fields);
     if (kept.empty()) out_ += '\0';
     return ok_ && std::ranges::all_of(kept, [&](const DefinedField& each) { return field(each, level); });
@@ -186,7 +186,7 @@ Outcome<Ros1ToCdr> Ros1ToCdr::of(const Channel& channel) {
   if (const auto missing = collect(*definitions, made.type_, used); !missing.empty()) {
     return bad_input(fmt::format("its schema does not define {}", printable(missing.substr(0, 100))), topic);
   }
-  const auto header = definitions->find(header_type);
+  const auto header = definitions->find(ros1_header);
   if (header != definitions->end() && (header->second.empty() || header->second[0].name != "seq")) {
     return bad_input("its schema has a Header without 'seq'", topic);
   }

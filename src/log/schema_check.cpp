@@ -14,9 +14,7 @@ namespace outrider {
 namespace {
 
 constexpr std::string_view time_type = "builtin_interfaces/Time";
-constexpr std::string_view header_type = "std_msgs/Header";
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+constexpr std::string_view plain_header = "std_msgs/Header";
 
 std::string words_of(const DefinedField& field) {
   std::string type = field.type;
@@ -39,7 +37,7 @@ class Comparison {
       return fmt::format("it does not define {}", name);
     }
     std::span<const DefinedField> fields = found->second;
-    if (ros1_ && name == header_type) {
+    if (ros1_ && name == plain_header) {
       if (fields.empty() || fields[0].name != "seq" || fields[0].type != "uint32")
         return "its Header has no 'seq'";
       fields = fields.subspan(1);
@@ -66,8 +64,9 @@ class Comparison {
   }
 
   [[nodiscard]] bool agrees(const DefinedField& field, const MessageField& expected) const {
-    const bool same_name =
-        ros1_ ? std::ranges::equal(field.name, expected.name, {}, lower, lower) : field.name == expected.name;
+    const bool same_name = ros1_
+                               ? std::ranges::equal(field.name, expected.name, {}, lower_letter, lower_letter)
+                               : field.name == expected.name;
     return same_name && field.type == type_word(expected) && field.shape == expected.shape &&
            (field.shape != FieldShape::array || field.length == expected.array_length);
   }

@@ -16,6 +16,17 @@ bool is_printable(std::string_view text);
 /// characters in `kept` stay. O(text).
 std::string printable(std::string_view text, std::string_view kept = {});
 
+/// Returns the lower case of an ASCII letter, and other characters as they are.
+constexpr char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Returns the text with ASCII letters in lower case.
+std::string lower(std::string_view text);
+
+inline constexpr std::string_view white_space = " \t\r\n\f\v";
+
+/// Returns the text without the white space at both of its ends.
+std::string_view trimmed(std::string_view text);
+
 /// Returns the printable text as character data of HTML or SVG.
 std::string markup_text(std::string_view text);
 

@@ -22,8 +22,6 @@ inline std::string_view take_line(std::string_view& rest) {
   return line;
 }
 
-inline constexpr std::string_view white_space = " \t\r\n\f\v";
-
 /// Removes the next word and the white space before it from `rest`. Returns the word; empty at the end.
 inline std::string_view take_word(std::string_view& rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(white_space), rest.size()));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 constexpr double measured_to = 1e-3;  // of the area, by chords and rounding
-constexpr double arc_step_rad = radians(2.0);
+constexpr double proof_arc_step_rad = radians(2.0);
 
 tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move(sentence), "track"); }
 
@@ -43,7 +43,8 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
                                proof.clearance_m, problem.radius_m()));
   }
   if (!contains(plan.ground.area, plan.track.start.position)) return refused("it begins outside of the area");
-  const std::vector<Vec2> points = points_along(plan.track.start.position, plan.track.pieces, arc_step_rad);
+  const std::vector<Vec2> points =
+      points_along(plan.track.start.position, plan.track.pieces, proof_arc_step_rad);
   const double sure = problem.sure_radius_m(), error_m = problem.tracking_error_m;
   proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
   const Coverage surely =

@@ -9,12 +9,11 @@
 
 #include "narrow.hpp"
 #include "rays.hpp"
+#include "sight.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr int gain_rays = 180;
-constexpr double same_place_m = 0.4;
 constexpr int most_tries = 3;
 /// Noise may draw each wall beside a gap up to a cell and a half too near, and the middle of the gap is up to
 /// half a cell from the centre of a cell.

@@ -9,8 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr double same_place_m = 0.4;
-
 /// The obstacle at a touch, in the frame of the robot: a straight piece across the bearing of the contact, so
 /// long to either side; or the part of the rim ahead if the bumper does not tell the bearing.
 std::vector<Vec2> touched_obstacle(const Observation& seen, double radius_m, double half_m, bool backwards) {

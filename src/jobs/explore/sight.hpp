@@ -43,6 +43,8 @@ const FrontierSight& sight_of(const Frontier& frontier, const FrontierMap& map, 
 /// Drops what is known of frontiers that are no more.
 void forget_gone(SightMemory& memory, const FrontierMap& map);
 
+inline constexpr int gain_rays = 180;  ///< of the fan for gain_at()
+
 /// Returns the unknown area visible from a cell within that range if only occupied cells hide anything, m2.
 double gain_at(Cell from, const Grid<std::uint8_t>& known, const RayFan& fan);
 

@@ -15,7 +15,6 @@
 namespace outrider {
 namespace {
 
-constexpr int gain_rays = 180;
 constexpr double heading_m = 0.5;  // the way begins in the direction of the place so far along it
 
 struct GainMemory {

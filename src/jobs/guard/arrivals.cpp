@@ -7,11 +7,7 @@
 #include <set>
 
 namespace outrider {
-namespace {
-
-constexpr std::size_t most_intruders = 1000;
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<Option> describe(ArrivalOptions& options) {
   return {

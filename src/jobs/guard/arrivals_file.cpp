@@ -12,7 +12,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::size_t most_intruders = 1000;
 constexpr std::size_t most_entrances = 100;
 constexpr double latest_s = 1e6;
 constexpr const char* entrances_key = "arrivals.entrances";

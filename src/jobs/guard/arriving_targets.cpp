@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "outrider/jobs/guard/sequence.hpp"
+#include "outrider/jobs/guard/stops.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double there_m = 1e-6;
 constexpr std::size_t most_planned = 64;
 constexpr double never_s = std::numeric_limits<double>::infinity();
 

@@ -12,7 +12,6 @@ constexpr double near_m = 1.2;  // how far from a stop of the tour a better one 
 constexpr double coarse_tile_m = 0.8;
 constexpr std::size_t most_alone = 40;  // targets, beyond which one search for a tour finds too little
 constexpr std::size_t searches = 4;     // for so many
-constexpr double good_rate = 0.85;      // least hit rate of a shot that is planned while there is a choice
 
 /// Everything that solving over one set of cells after another has in common.
 struct Drafting {

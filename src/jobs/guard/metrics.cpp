@@ -14,7 +14,7 @@ namespace {
 
 using Metrics = std::vector<std::pair<std::string, double>>;
 
-double number(auto value) { return static_cast<double>(value); }
+double as_number(auto value) { return static_cast<double>(value); }
 
 /// Targets by their last status, and the time of intruders inside. A target that was not hit stays until the
 /// end, unless it cannot be hit at all.
@@ -30,7 +30,7 @@ struct Tally {
 
 Tally tally_of(const GuardRun& run, const std::vector<TargetRecord>& records, double end_s) {
   Tally tally;
-  tally.targets = number(records.size());
+  tally.targets = as_number(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
     if (records[i].status == TargetStatus::unreachable) {
       tally.unreachable += 1.0;
@@ -79,12 +79,12 @@ Metrics still_metrics(const GuardPlan& plan, const Tally& tally, const SimRecord
           {"anywhere_lower_bound_s", plan.anywhere_lower_bound_s},
           {"anywhere_gap", plan.anywhere_gap()},
           {"tour_proven", plan.tour_proven ? 1.0 : 0.0},
-          {"stops_offered", number(plan.stops_offered)},
+          {"stops_offered", as_number(plan.stops_offered)},
           {"driven_m", record.driven_m},
           {"turned_rad", record.turned_rad},
-          {"shots", number(record.shots)},
-          {"stops", number(plan.stops.size())},
-          {"places", number(plan.places)}};
+          {"shots", as_number(record.shots)},
+          {"stops", as_number(plan.stops.size())},
+          {"places", as_number(plan.places)}};
 }
 
 Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const Tally& tally,
@@ -102,11 +102,11 @@ Metrics arrival_metrics(const GuardRun& run, const GuardMission& mission, const 
                      {"lower_bound_s", makespan ? bound.makespan_s : bound.time_inside_s},
                      {"intruder_seconds_bound", bound.time_inside_s},
                      {"makespan_bound_s", bound.makespan_s},
-                     {"plans", number(mission.arriving.plans)},
+                     {"plans", as_number(mission.arriving.plans)},
                      {"driven_m", record.driven_m},
                      {"turned_rad", record.turned_rad},
-                     {"shots", number(record.shots)}};
-  if (run.survival.leave < 1.0) metrics.emplace_back("survived", number(mission.arriving.survived));
+                     {"shots", as_number(record.shots)}};
+  if (run.survival.leave < 1.0) metrics.emplace_back("survived", as_number(mission.arriving.survived));
   return metrics;
 }
 
@@ -117,7 +117,7 @@ Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& ta
     inside_s += one.done_s;
     last_s = std::max(last_s, one.done_s);
   }
-  const double shots = number(record.shots);
+  const double shots = as_number(record.shots);
   return {{"targets", tally.targets},
           {"reached", tally.reached},
           {"failed", tally.failed},
@@ -134,8 +134,8 @@ Metrics walker_metrics(const std::vector<TargetRecord>& records, const Tally& ta
 
 /// How often a store was filled, and how low each was at least.
 Metrics supply_metrics(const Log& log, const Supplies& supplies, const StoreKeeper& keeper) {
-  Metrics metrics = {{"fills", number(events_of(log, "fill").size())},
-                     {"unplanned_fills", number(keeper.detours)}};
+  Metrics metrics = {{"fills", as_number(events_of(log, "fill").size())},
+                     {"unplanned_fills", as_number(keeper.detours)}};
   double water = supplies.full(Store::water), charge_j = supplies.full(Store::charge);
   for (const auto& [time_ns, level] : log.messages<outrider_msgs::StoreLevels>(topic::stores)) {
     water = std::min(water, level.water);
@@ -160,11 +160,11 @@ Metrics passing_metrics(const Log& log) {
 Metrics rigid_metrics(const RigidRecord& rigid) {
   const auto& errors = rigid.arrival_errors_m;
   const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
-  return {{"arrival_error_mean_m", errors.empty() ? 0.0 : sum / number(errors.size())},
+  return {{"arrival_error_mean_m", errors.empty() ? 0.0 : sum / as_number(errors.size())},
           {"arrival_error_max_m", errors.empty() ? 0.0 : *std::ranges::max_element(errors)},
           {"flight_error_max_m", rigid.flight_error_m},
-          {"shots_as_foreseen", number(rigid.as_foreseen)},
-          {"bumps", number(rigid.bumps)}};
+          {"shots_as_foreseen", as_number(rigid.as_foreseen)},
+          {"bumps", as_number(rigid.bumps)}};
 }
 
 /// Why not every target was reached; empty where all were.
@@ -192,7 +192,7 @@ std::vector<TableValue> row_of(const std::string& name, const TargetRecord& reco
   return {name,
           std::string(to_string(record.status)),
           record.reason,
-          number(record.shots),
+          as_number(record.shots),
           record.done_s,
           pose.position.x,
           pose.position.y,

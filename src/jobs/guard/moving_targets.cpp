@@ -12,14 +12,14 @@
 namespace outrider {
 namespace {
 
-constexpr double coarse_track = 5e-5;  // accuracy of a flight in air: 1 mm after 1.5 s
-constexpr std::size_t flown = 32;      // futures that a shot is flown at
-constexpr std::size_t futures = 24;    // that a stop is judged by
-constexpr double horizon_s = 60.0;     // of these
+constexpr double coarse_track = 5e-5;     // accuracy of a flight in air: 1 mm after 1.5 s
+constexpr std::size_t most_flights = 32;  // futures that a shot is flown at
+constexpr std::size_t futures = 24;       // that a stop is judged by
+constexpr double horizon_s = 60.0;        // of these
 constexpr double flight_horizon_s = 10.0;
 constexpr double worth_moving_s = 1.0;
 constexpr double region_m = 1.1;  // a rest within this distance of a region is taken for one there
-constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t no_region = std::numeric_limits<std::size_t>::max();
 
 bool is_wanted(const MovingTargets& targets, const StopTasks& tasks, std::size_t who) {
   return tasks.records[who].status == TargetStatus::waiting && !targets.tracks[who].empty();
@@ -47,7 +47,7 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
   const ShotRules& rules = plan.firing_map.rules;
   const Stride stride = stride_of(targets.tracks[who], plan.options);
   std::size_t hits = 0;
-  for (std::size_t i = 0; i < flown; ++i) {
+  for (std::size_t i = 0; i < most_flights; ++i) {
     const Walk walk = possible_future(targets.map, stride, led.meets_s + 1.0, rng);
     Shot shot = led.planned.shot;
     shot.yaw_rad += rules.errors.gun_rad * rng.uniform(-1.0, 1.0);
@@ -59,10 +59,10 @@ double chance_of(const MovingTargets& targets, const MovingPlan& plan, std::size
                     .hit
                 ? 1U
                 : 0U;
-    const double most = static_cast<double>(hits + flown - i - 1) / static_cast<double>(flown);
+    const double most = static_cast<double>(hits + most_flights - i - 1) / static_cast<double>(most_flights);
     if (most < plan.options.chance) return most;
   }
-  return static_cast<double>(hits) / static_cast<double>(flown);
+  return static_cast<double>(hits) / static_cast<double>(most_flights);
 }
 
 /// No shot at one who is on that walk meets it sooner. Over the ground a ball is never faster than it leaves
@@ -110,7 +110,7 @@ std::optional<LedShot> likely_shot(MovingTargets& targets, const StopTasks& task
 
 /// A rest to come: where, as a region, and when.
 struct Rest {
-  std::size_t region = nowhere;
+  std::size_t region = no_region;
   double from_s = 0.0;
   double until_s = 0.0;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double moment_s = 0.2;
 constexpr double settle_s = 0.1;       // that the gun is in its place before a shot
-constexpr double forgiving = 0.7;      // largest error_ratio
+constexpr double passing_ratio = 0.7;  // largest error_ratio
 constexpr std::size_t most_flown = 4;  // shots that a moment is given up after
 
 /// Where the robot may be instead when it shoots, under the extreme errors of the moment and the way.
@@ -65,7 +65,7 @@ std::vector<Candidate> candidates(const ShotRules& rules, const Target& target, 
     before = aimed;
     if (!aimed) continue;
     const double off = error_ratio(rules, target, *aimed);
-    if (off <= forgiving) found.push_back({*aimed, off});
+    if (off <= passing_ratio) found.push_back({*aimed, off});
   }
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
     return a.aimed.flight_s < b.aimed.flight_s;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "outrider/io/text.hpp"
@@ -12,7 +11,7 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_actions = 100'000;
-constexpr double latest_s = 1e9;
+constexpr double latest_plan_s = 1e9;
 constexpr const char* form = "a line is TIME: (ACTION WORDS) [DURATION], with times in s";
 
 using Index = std::map<std::string, std::size_t, std::less<>>;
@@ -44,14 +43,9 @@ struct Parts {
   std::string_view phrase;  ///< between the parentheses
 };
 
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size()));
-  return text.substr(0, text.find_last_not_of(white_space) + 1);
-}
-
 std::optional<double> time_of(std::string_view text) {
   const auto time = number<double>(trimmed(text));
-  return time && *time >= 0.0 && *time <= latest_s ? time : std::nullopt;
+  return time && *time >= 0.0 && *time <= latest_plan_s ? time : std::nullopt;
 }
 
 std::optional<Parts> parts_of(std::string_view line) {
@@ -163,10 +157,8 @@ Outcome<PddlPlan> pddl_plan_from_text(std::string_view text, const std::string& 
   const Reader reader(problem);
   PddlPlan plan;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    std::string line(take_line(text));
-    line.erase(std::min(line.find(';'), line.size()));
-    std::ranges::transform(line, line.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string_view whole = take_line(text);
+    const std::string line = lower(whole.substr(0, whole.find(';')));
     const std::string_view said = trimmed(line);
     if (said.empty()) continue;
     const std::string where = fmt::format("{}:{}", name, line_number);

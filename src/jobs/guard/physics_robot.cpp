@@ -21,7 +21,7 @@ constexpr std::int64_t ticks_per_sample = 400;
 constexpr double let_down_s = 0.5;
 
 // A leg or a turn is over when its time is, and the robot is this near to its end.
-constexpr double there_m = 5e-4;
+constexpr double arrived_m = 5e-4;
 constexpr double there_rad = 1e-3;
 constexpr double patience_s = 1.0;  // or this much later
 
@@ -117,7 +117,7 @@ void PhysicsGuard::track(double duration_s, const ReferenceAt& at) {
     const Pose2 here = pose();
     const double ahead_m = dot(direction(end.pose.heading_rad), end.pose.position - here.position);
     const double turn_rad = wrap_angle(end.pose.heading_rad - here.heading_rad);
-    if (t >= duration_s && std::abs(ahead_m) < there_m && std::abs(turn_rad) < there_rad) break;
+    if (t >= duration_s && std::abs(ahead_m) < arrived_m && std::abs(turn_rad) < there_rad) break;
     bodies_.turn_wheels(outrider::follow(at(std::min(t, duration_s)), here, wheels_));
     roll();
   }
@@ -136,7 +136,7 @@ void PhysicsGuard::turn_to(double heading_rad) {
 }
 
 void PhysicsGuard::drive_to(Vec2 goal) {
-  if (distance(pose().position, goal) < there_m) return;
+  if (distance(pose().position, goal) < arrived_m) return;
   turn_to(heading_of(goal - pose().position));
   const Vec2 from = pose().position;
   const double length = distance(from, goal);

@@ -10,7 +10,6 @@ namespace outrider {
 namespace {
 
 constexpr double tile_m = 0.8;
-constexpr double good_rate = 0.85;  // least hit rate of a shot while there is a choice
 constexpr double least_rate = 0.05;
 
 struct Offer {

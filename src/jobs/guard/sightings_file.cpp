@@ -17,14 +17,6 @@ constexpr std::size_t most_ids = 10'000;
 constexpr double most = 1e6;
 constexpr const char* prefers_key = "wander.prefers";
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
 /// The four fields of a line; nothing when there are not four.
 std::optional<std::array<std::string_view, 4>> fields(std::string_view line) {
   std::array<std::string_view, 4> result;

@@ -11,8 +11,6 @@
 namespace outrider {
 namespace {
 
-constexpr double there_m = 1e-6;
-
 /// The nearest place, at least `apart_m` from here, from where the target can be hit; sure hits first.
 std::optional<Vec2> another_place(const GuardProblem& problem, const FiringMap& firing_map,
                                   std::size_t target, Vec2 here, double apart_m) {

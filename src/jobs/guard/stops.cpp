@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-constexpr float forgiving = 0.9F;  // largest error_ratio of a sure hit
+constexpr float sure_ratio = 0.9F;  // largest error_ratio of a sure hit
 
 /// Offsets of the cells that an error of the drive can put the robot on.
 std::vector<Cell> disk(double radius_m, double step_m) {
@@ -110,7 +110,7 @@ SureHits sure_hits(const GuardProblem& problem, const FiringMap& firing_map) {
     for (std::size_t i = 0; i < firing_map.frame.size(); ++i) {
       if (region.pitch[i] == FiringRegion::no_shot) continue;
       possible.push_back(i);
-      if (region.error_ratio[i] <= forgiving && firing_map.clearance_m[i] >= roomy &&
+      if (region.error_ratio[i] <= sure_ratio && firing_map.clearance_m[i] >= roomy &&
           hit_all_around(firing_map, region, firing_map.frame.cell(i), around)) {
         sure.push_back(i);
       }

@@ -11,7 +11,7 @@
 namespace outrider {
 namespace {
 
-constexpr double rounding = 1e-6;  // of a full store
+constexpr double store_rounding = 1e-6;  // of a full store
 
 /// The robot of the model; each action is taken or refused with a sentence.
 class Follower {
@@ -54,7 +54,7 @@ class Follower {
   /// Takes charge; says so when less than `left` remains.
   std::string use(double charge, double left, std::string_view what) {
     charge_ -= charge;
-    if (!(charge_ < left - rounding * problem_.supplies.charge)) return {};
+    if (!(charge_ < left - store_rounding * problem_.supplies.charge)) return {};
     return fmt::format("the charge is {:.3f} J after it, but {} {:.3f} J", charge_, what, left);
   }
   [[nodiscard]] double per_second(const TemporalAction& action) const {
@@ -89,7 +89,7 @@ class Follower {
     point(yaw, service->pitch_rad, false);
     hit_[goal] = 1;
     water_ -= problem_.supplies.water_per_shot;
-    if (water_ < -rounding * problem_.supplies.water) return "the tank is empty before";
+    if (water_ < -store_rounding * problem_.supplies.water) return "the tank is empty before";
     return use(problem_.supplies.charge_per_shot + per_second(action), problem_.homeward_charge(pose_),
                "the way to a charger takes");
   }

@@ -8,9 +8,9 @@ namespace outrider {
 namespace {
 
 constexpr double spacing_m = 1.5;
-constexpr double near_m = 1.0;        // rests within this distance of a region count for it
-constexpr double prior_s = 20.0;      // over all regions together
-constexpr double concentration = 30;  // of the directions to go on to
+constexpr double near_region_m = 1.0;  // rests within this distance of a region count for it
+constexpr double prior_s = 20.0;       // over all regions together
+constexpr double concentration = 30;   // of the directions to go on to
 constexpr double straight_part = 0.05;
 constexpr double longest_look_s = 3.0;
 
@@ -35,7 +35,7 @@ void add_rest(VisitMap& map, Vec2 place, double seconds, bool new_regions) {
   if (new_regions && distance(map.regions[region], place) > 0.3) {
     map.regions.push_back(place);
     map.seconds.push_back(seconds);
-  } else if (distance(map.regions[region], place) <= near_m) {
+  } else if (distance(map.regions[region], place) <= near_region_m) {
     map.seconds[region] += seconds;
   }
 }

@@ -91,7 +91,7 @@ std::vector<Vec2> truth_on_map(const GraphInput<Pose>& input, const std::vector<
   return result;
 }
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_bound = std::numeric_limits<double>::quiet_NaN();
 
 template <class Pose>
 Metrics metrics_of(const GraphInput<Pose>& input, const PoseGraphOf<Pose>& kept,
@@ -102,7 +102,7 @@ Metrics metrics_of(const GraphInput<Pose>& input, const PoseGraphOf<Pose>& kept,
           {"landmark_rmse_aligned_m", known(rms_error(input, solution.poses, true, true))},
           {"ate_m", known(rms_error(input, solution.poses, false, true))},
           {"cost", solution.cost},
-          {"cost_bound", bound ? *bound : unknown},
+          {"cost_bound", bound ? *bound : no_bound},
           {"degrees_of_freedom", degrees_of_freedom(kept)},
           {"steps", number(solution.iterations)},
           {"nodes", number(input.graph.nodes.size())},

@@ -17,7 +17,7 @@
 namespace outrider {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_events = 300;
 
 /// Returns the number in a name such as L12 or 12; otherwise that of the node.
@@ -121,7 +121,7 @@ Metrics log_graph(Log& to, const SlamScenario& scenario, const PlanGraph& solved
   closed.flush(to, log.end_s());
   to.append(topic::loops, log.end_s(), std::move(loops));
   log_others(to, log.end_s(), solved, ways, box);
-  return {{"landmarks", landmarks > 0 ? static_cast<double>(landmarks) : unknown},
+  return {{"landmarks", landmarks > 0 ? static_cast<double>(landmarks) : no_number},
           {"loops", count},
           {"distance_m", log.settle(settled, reference, box)},
           {"run_s", log.end_s()}};

@@ -50,9 +50,9 @@ std::vector<double> times_of(const LandmarkLog& log) {
 }
 
 /// Logs the mapping.
-class Recorder {
+class LandmarkRecorder {
  public:
-  Recorder(Log& log, const SlamScenario& scenario, const LandmarkLog& recording)
+  LandmarkRecorder(Log& log, const SlamScenario& scenario, const LandmarkLog& recording)
       : recording_(recording),
         log_(log, scenario, scenario.landmarks.engine),
         times_s_(times_of(recording)) {}
@@ -161,7 +161,7 @@ RecordedRobot replay_of(const LandmarkLog& log, bool unknown_ids) {
 
 /// Maps the log. If the run is stopped, only the mapped steps remain in the log.
 Outcome<LandmarkMission> run_log(const SlamJob& job, const LandmarkSlamOptions& options, LandmarkLog& log,
-                                 Recorder& recorder, const RunWatch& watch) {
+                                 LandmarkRecorder& recorder, const RunWatch& watch) {
   auto begun = begin(job, options, log.start);
   if (!begun) return pass_on(begun);
   LandmarkMission mission(std::move(*begun));
@@ -264,7 +264,7 @@ std::vector<NamedContent> files_of(const LandmarkMission& run, const LandmarkMap
 Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const RunWatch& watch) {
   const LandmarkSlamOptions options = options_of(job, log);
   const std::size_t logged = log.steps.size();
-  Recorder recorder(run.log, job.scenario, log);
+  LandmarkRecorder recorder(run.log, job.scenario, log);
   const auto mapped = run_log(job, options, log, recorder, watch);
   if (!mapped) return tl::unexpected<Fault>(mapped.error());
   const LandmarkMap map = mapped->slam.landmarks();

@@ -56,10 +56,10 @@ Grid<std::uint8_t> known_part(const Grid<std::uint8_t>& occupancy) {
 /// Logs the mapping. Of a recording that is read while it is mapped, belief, odometry and path are logged at
 /// the keyframes only, scans at those of new places, and the map once in ten seconds: the log then grows with
 /// the way, and not with the recording.
-class Recorder {
+class LaserRecorder {
  public:
   /// `times_s` are the times of all steps, or empty for a recording that is read while it is mapped.
-  Recorder(Log& log, const SlamScenario& scenario, std::vector<double> times_s)
+  LaserRecorder(Log& log, const SlamScenario& scenario, std::vector<double> times_s)
       : options_(scenario.laser),
         log_(log, scenario, "laser"),
         keyframes_only_(times_s.empty()),
@@ -170,7 +170,7 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
 
 /// Maps what `map` runs, and reports it.
 template <class Map>
-Status report_mapping(Recorder& recorder, Run& run, const RunWatch& watch, const Map& map) {
+Status report_mapping(LaserRecorder& recorder, Run& run, const RunWatch& watch, const Map& map) {
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("mapping"); !ok) return ok;
   const RunWatch inner = steps.inner();
@@ -198,7 +198,7 @@ Status report_mapping(Recorder& recorder, Run& run, const RunWatch& watch, const
 }  // namespace
 
 Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
-  Recorder recorder(run.log, job.scenario, times_of(log));
+  LaserRecorder recorder(run.log, job.scenario, times_of(log));
   return report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
     return run_laser_log(log, job.scenario.laser, mapping, processor_s);
   });
@@ -210,7 +210,7 @@ Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const 
     if (!opened) return pass_on(opened);
     source = std::move(*opened);
   }
-  Recorder recorder(run.log, job.scenario, {});
+  LaserRecorder recorder(run.log, job.scenario, {});
   auto done = report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
     return run_laser_log(*source, job.scenario.laser, mapping, processor_s);
   });

@@ -40,6 +40,18 @@ TEST(Text, WhatATerminalActsOnBecomesAQuestionMark) {
 
 TEST(Text, KeepsWhatItIsTold) { EXPECT_EQ(printable("a\n\tb\x1B", "\n\t"), "a\n\tb?"); }
 
+TEST(Text, IsTrimmedAtBothEndsOnly) {
+  EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
+  EXPECT_EQ(trimmed("a"), "a");
+  EXPECT_EQ(trimmed(" \t\r\n\f\v"), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(Text, LowerCaseIsOfAsciiLettersOnly) {
+  EXPECT_EQ(lower("AZ az 09 [@"), "az az 09 [@");
+  EXPECT_EQ(lower("\u00c4"), "\u00c4");
+}
+
 TEST(Text, MarkupCannotBreakOut) {
   EXPECT_EQ(markup_text("<b>&amp;\x1B"), "&lt;b&gt;&amp;amp;?");
   EXPECT_EQ(markup_text("a \u03c3"), "a \u03c3");

@@ -33,6 +33,9 @@ struct LeftOver {
   std::string sentence;  ///< the reason, with numbers
 };
 
+/// Places of narrow ways this near to each other are one.
+inline constexpr double same_place_m = 0.4;
+
 /// A place where the robot does not fit, as it found out there.
 struct NarrowPlace {
   Vec2 place;

@@ -16,6 +16,8 @@
 
 namespace outrider {
 
+inline constexpr std::size_t most_intruders = 1000;  ///< of a mission
+
 /// A named place where intruders enter.
 struct Entrance {
   std::string name;

@@ -9,6 +9,12 @@
 
 namespace outrider {
 
+/// Least hit rate of a shot that is planned while there is a choice.
+inline constexpr double good_rate = 0.85;
+
+/// A robot this near to a stop stands at it.
+inline constexpr double there_m = 1e-6;
+
 /// For each cell, the targets that can be hit from there despite errors. The shot tolerates the errors of the
 /// gun, the robot fits at every place within the position error of a drive, and the target can also be hit
 /// from all cells whose centres lie within that error. A target for which no cell meets these conditions is
