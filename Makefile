@@ -13,6 +13,10 @@ ifneq ($(wildcard ../shared/data),)
 export OUTRIDER_DATA ?= $(abspath ../shared/data)
 endif
 
+# The names of the tests of some units as a pattern for ctest; without units, of every test.
+space := $() $()
+tests_of = ^($(subst $(space),|,$(strip $(patsubst %,unit_%,$(1)))))$(if $(1),[.])
+
 FUZZ_SECONDS ?= 60
 LOAD_SECONDS ?= 600
 MOMENTS ?= 50
@@ -47,11 +51,12 @@ test:  ## build everything and run every test
 	@ctest --preset release -j $(JOBS) && echo "Every test passed." || \
 	  { echo "Some tests failed; the list above names them."; exit 1; }
 
+# UNITS="io log" runs only the tests of these units.
 asan:  ## run the test programs, costly tests in part, under the address and undefined-behaviour sanitizers
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
-	@ninja -C build-asan -j $(JOBS) test_programs
-	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) && echo "Every test passed under the sanitizers." || \
+	@ninja -C build-asan -j $(JOBS) $(or $(UNITS:%=unit_%),test_programs)
+	@OUTRIDER_CASES=0.1 ctest --preset asan -j $(JOBS) -R '$(call tests_of,$(UNITS))' && echo "Every test passed under the sanitizers." || \
 	  { echo "Some tests failed under the sanitizers; the list above names them."; exit 1; }
 
 # Units that use threads: the server, the tool, and what computes in parallel.
@@ -62,7 +67,7 @@ tsan:  ## run the tests of what uses threads, costly ones in part, under the thr
 	$(CONFIGURE) tsan build-tsan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=4
 	@ninja -C build-tsan -j $(JOBS) outrider $(THREADED:%=unit_%)
 	@OUTRIDER_CASES=0.1 ctest --preset tsan -j $(JOBS) \
-	    -R "^($$(echo $(THREADED:%=unit_%) | tr ' ' '|'))[.]|^cli[.]serve(_plan|_yard|_live|_safety|_confinement)?$$" && \
+	    -R "$(call tests_of,$(THREADED))|^cli[.]serve(_plan|_yard|_live|_safety|_confinement)?$$" && \
 	  echo "No race was found." || { echo "Some tests failed under the thread sanitizer; the list above names them."; exit 1; }
 
 docs:  ## write docs/options.md and docs/scenario.schema.json anew
