@@ -1,10 +1,10 @@
 // RunLog: the messages of a run by their topics, in the order of time. It only grows. A file, a live connection and
 // the one-file page all fill it (file.ts, stream.ts).
+import type { Chunks } from "./chunks";
 import type { Decode } from "./decode";
 import type { Source } from "./source";
 import type { Summary } from "./summary";
 import { unread } from "./topics";
-import type { Windows } from "./windows";
 
 export interface Stamped<T> { t: number; message: T }
 /** The messages of a span of time, as far as it has been read. */
@@ -65,7 +65,7 @@ export class RunLog {
   file: Source | null = null;
   /** Called when a part of a large file has been read: light topics that `grew`, or what was asked for. What shows the log sets it. */
   changed: (grew: boolean) => void = () => undefined;
-  private windows: Windows | null = null;
+  private chunks: Chunks | null = null;
 
   addChannel(topic: string, type: string, decode: Decode | null): Channel {
     let channel = this.channels.get(topic);
@@ -77,7 +77,7 @@ export class RunLog {
   }
 
   /** Heavy topics are read from a large file when they are shown. */
-  readLazily(windows: Windows): void { this.windows = windows; }
+  readLazily(chunks: Chunks): void { this.chunks = chunks; }
 
   /** Time of the latest message, s. */
   get end(): number { return Math.max(this.ahead, ...[...this.channels.values()].map((one) => one.end)); }
@@ -89,7 +89,7 @@ export class RunLog {
   }
 
   /** Returns true if not all messages of the topic are in memory. */
-  isLazy(topic: string): boolean { return this.windows?.has(topic) ?? false; }
+  isLazy(topic: string): boolean { return this.chunks?.has(topic) ?? false; }
 
   /** All messages of a topic; those read lazily are asked for by window() and at(). */
   messages<T>(topic: string): readonly Stamped<T>[] {
@@ -104,14 +104,14 @@ export class RunLog {
 
   /** As latest(), of any topic, with its time; null while it is being read. `changed` is called then. */
   at<T>(topic: string, t: number): Stamped<T> | undefined | null {
-    if (this.isLazy(topic)) return this.windows!.at(topic, t) as Stamped<T> | undefined | null;
+    if (this.isLazy(topic)) return this.chunks!.at(topic, t) as Stamped<T> | undefined | null;
     const all = this.messages<T>(topic);
     return all[indexAt(all, t)];
   }
 
   /** The messages after `from` and not after `until`, which is `to`; or less, while the next part is being read. */
   window<T>(topic: string, from: number, to: number): Span<T> {
-    if (this.isLazy(topic)) return this.windows!.between(topic, from, to) as Span<T>;
+    if (this.isLazy(topic)) return this.chunks!.between(topic, from, to) as Span<T>;
     const all = this.messages<T>(topic);
     return { messages: all.slice(indexAt(all, from) + 1, indexAt(all, to) + 1), until: to };
   }

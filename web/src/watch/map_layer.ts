@@ -22,30 +22,33 @@ function pixelOf(colour: string): number {
   return known.get(colour)!;
 }
 
-/** A picture of a map, of one pixel a cell, painted anew when the map or the colours have changed. */
+/** A picture of a map, of one pixel a cell, painted anew where something is known when the map or the colours have changed. */
 export class MapPicture {
   readonly canvas = document.createElement("canvas");
   private painted = "";
+  private image: ImageData | null = null;
 
   /** Returns true if it was painted. */
   paint(map: MapNow): boolean {
     const asked = `${map.version} ${theme.yard} ${theme["solid-high"]}`;
     if (asked === this.painted) return false;
     this.painted = asked;
-    const { columns, rows, cells } = map;
-    this.canvas.width = Math.max(1, columns);
+    const { columns, rows, cells, extent: { low, high } } = map;
+    this.canvas.width = Math.max(1, columns);  // this clears it, too
     this.canvas.height = Math.max(1, rows);
-    const image = new ImageData(this.canvas.width, this.canvas.height);
-    const pixels = new Uint32Array(image.data.buffer);
+    const [wide, tall] = [high[0] - low[0] + 1, high[1] - low[1] + 1];
+    if (!(wide > 0 && tall > 0)) return true;
+    if (this.image?.width !== wide || this.image.height !== tall) this.image = new ImageData(wide, tall);
+    const pixels = new Uint32Array(this.image.data.buffer);
     const [free, wall] = [pixelOf(theme.yard), pixelOf(theme["solid-high"])];
-    for (let row = 0, i = 0; row < rows; ++row) {
-      let at = (rows - 1 - row) * columns;
-      for (const end = i + columns; i < end; ++i, ++at) {
+    for (let row = high[1], at = 0; row >= low[1]; --row) {
+      let i = row * columns + low[0];
+      for (const end = at + wide; at < end; ++i, ++at) {
         const value = cells[i]!;
-        if (value >= 0) pixels[at] = value >= occupied ? wall : free;
+        pixels[at] = value < 0 ? 0 : value >= occupied ? wall : free;
       }
     }
-    this.canvas.getContext("2d")!.putImageData(image, 0, 0);
+    this.canvas.getContext("2d")!.putImageData(this.image, low[0], rows - 1 - high[1]);
     return true;
   }
 }

@@ -128,10 +128,11 @@ export class Plots {
   private tell({ series, plot, time, values, dots }: Shown, x: number): void {
     time.textContent = series.along ? Math.round(x).toLocaleString("en") : `${x.toFixed(1)} s`;
     const left = plot.valToPos(x, "x");
+    const width = plot.bbox.width / uPlot.pxRatio;  // asking the element would have the page laid out again
     series.lines.forEach((line, i) => {
       const value = valueAt(series.time, line, x);
       values[i]!.textContent = value === null ? "\u2013" : Number.isInteger(value) ? value.toLocaleString("en") : figures(value);
-      dots[i]!.hidden = value === null || left < 0 || left > plot.over.clientWidth;
+      dots[i]!.hidden = value === null || left < 0 || left > width;
       if (value !== null) dots[i]!.style.translate = `${left}px ${plot.valToPos(value, "y")}px`;
     });
   }

@@ -1,12 +1,14 @@
 // Reading: the same log as a file, as a stream cut at any byte, cut short, and read window by window.
+import { McapIndexedReader } from "@mcap/core";
 import { describe, expect, it, vi } from "vitest";
 import { LiveLog } from "../../src/live/live_log";
+import { Chunks } from "../../src/log/chunks";
+import { decoderOf, decompressors } from "../../src/log/decode";
 import { openLog } from "../../src/log/file";
 import type { LaserScan, PaidCost } from "../../src/log/messages";
 import { indexAt, RunLog, type Stamped } from "../../src/log/run_log";
 import { LogStream } from "../../src/log/stream";
 import { parseSummary } from "../../src/log/summary";
-import { windowLength } from "../../src/log/windows";
 import { logOf, mcapOf, type Made } from "./made";
 
 const paid = (t: number, value: number): Made => ({ topic: "/paid", type: "outrider_msgs/msg/PaidCost", t, message: { paid: value } });
@@ -122,10 +124,44 @@ describe("a large file", () => {
     for (const t of [-1, 0, 6.4, 6.39, 33.33, 99]) expect((await arrived(() => lazy.at("/scan", t)))?.t).toBe((whole.at("/scan", t))?.t);
   });
 
-  it("is read in windows of some messages, however many it has", () => {
-    expect(windowLength(6000, 600)).toBeCloseTo(6.4);
-    expect(windowLength(2, 600)).toBeGreaterThan(600);
-    expect(windowLength(1e6, 60)).toBe(0.5);
+  it("may have chunks that overlap in time, and chunks without the topic", async () => {
+    const order = Array.from({ length: 300 }, (_, i) => (7 * i) % 300);  // each chunk has messages from everywhere
+    const late = Array.from({ length: 100 }, (_, i) => paid(30 + i / 10, i));
+    const bytes = await mcapOf([...order.slice(0, 150).map((i) => scan(i / 10)), ...late, ...order.slice(150).map((i) => scan(i / 10))]);
+    const [lazy, whole] = [await openLog(new Blob([bytes]), 1000), await openLog(new Blob([bytes]))];
+    expect([lazy.isLazy("/scan"), whole.isLazy("/scan")]).toEqual([true, false]);
+    for (const t of [-1, 0, 3.33, 14.2, 29.9, 35]) {
+      const found = await arrived(() => lazy.at<LaserScan>("/scan", t));
+      expect(found?.t).toBe(whole.at("/scan", t)?.t);
+      if (found) expect(found.message.ranges[0]).toBeCloseTo(found.t);
+    }
+    const span = await arrived(() => { const one = lazy.window("/scan", 3, 17); return one.until === 17 ? one : null; });
+    expect(span.messages.map(({ t }) => t)).toEqual(whole.window("/scan", 3, 17).messages.map(({ t }) => t));
+  });
+
+  it("is moved one chunk at a time, and lets go of chunks that were not asked for of late", async () => {
+    const bytes = new Uint8Array(await mcapOf(messages));
+    const reads: [number, number][] = [];
+    const remote = { size: bytes.length, whole: () => Promise.resolve(new Blob([bytes])), read: (from: number, to: number) => {
+      reads.push([from, to]);
+      return Promise.resolve(bytes.slice(from, to));
+    } };
+    const index = await McapIndexedReader.Initialize({ decompressHandlers: decompressors, readable: {
+      size: () => Promise.resolve(BigInt(bytes.length)), read: (offset, size) => Promise.resolve(bytes.slice(Number(offset), Number(offset + size))) } });
+    const { id, schemaId, messageEncoding } = [...index.channelsById.values()].find(({ topic }) => topic === "/scan")!;
+    const decode = decoderOf(messageEncoding, index.schemasById.get(schemaId))!;
+    const chunks = new Chunks(index.chunkIndexes, new Map([["/scan", { id, decode }]]), remote, 0n, () => undefined, 3000);
+    expect(index.chunkIndexes.length).toBeGreaterThan(20);
+    const ask = async (t: number): Promise<number> => {
+      const before = reads.length;
+      expect((await arrived(() => chunks.at("/scan", t)))!.t).toBeCloseTo(t);
+      return reads.length - before;
+    };
+    expect(await ask(20)).toBe(1);
+    expect(await ask(20)).toBe(0);
+    for (let t = 1; t < 39; ++t) await ask(t);
+    expect(await ask(38)).toBe(0);
+    expect(await ask(20)).toBe(1);
   });
 });
 
