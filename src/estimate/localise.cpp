@@ -248,4 +248,8 @@ PoseBelief fuse(const PoseBelief& a, const PoseBelief& b) {
   return belief_of(fuse(place_of(a), place_of(b)));
 }
 
+double squared_mahalanobis(const PoseBelief& a, const PoseBelief& b) {
+  return disagreement(place_of(a), place_of(b));
+}
+
 }  // namespace outrider

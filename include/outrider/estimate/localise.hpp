@@ -67,4 +67,8 @@ TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const
 /// taken in (-pi, pi].
 PoseBelief fuse(const PoseBelief& a, const PoseBelief& b);
 
+/// Returns the squared Mahalanobis distance between two independent beliefs: chi-squared with 3 degrees of
+/// freedom if both are of the same pose.
+double squared_mahalanobis(const PoseBelief& a, const PoseBelief& b);
+
 }  // namespace outrider

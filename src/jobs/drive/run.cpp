@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,12 +97,15 @@ class Recorder {
         clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
+    for (; relocalisations_ < mission.relocalisations.size(); ++relocalisations_)
+      note_relocalisation(time_s, mission.relocalisations[relocalisations_]);
     if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
+    Reckoning now = mission.reckoning;  // the robot still rolls out after the last step
+    advance(now, time_s, task_.reckoning, task_.chassis);
+    note_error(now.belief, truth);
     if (time_s < next_s_ && mission.end == DriveEnd::none) return;
     next_s_ = time_s + belief_every_s - 1e-9;
     log_pose(log_, time_s, truth);
-    Reckoning now = mission.reckoning;  // the robot still rolls out after the last step
-    advance(now, time_s, task_.reckoning);
     log_belief(log_, time_s, now.belief.world_T_robot, now.belief.covariance, mission.used > used_);
     used_ = mission.used;
   }
@@ -117,14 +121,38 @@ class Recorder {
   }
 
   double clearance_m = look_around_m;
+  double belief_error_m = 0.0;      ///< largest error of the believed position
+  double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
  private:
+  void note_error(const PoseBelief& belief, const Pose2& truth) {
+    const Vec2 off = truth.position - belief.world_T_robot.position;
+    const Eigen::Vector2d error(off.x, off.y);
+    const Eigen::Matrix2d covariance = belief.covariance.topLeftCorner<2, 2>();
+    belief_error_m = std::max(belief_error_m, norm(off));
+    belief_error_ratio =
+        std::max(belief_error_ratio, std::sqrt(std::max(0.0, error.dot(covariance.ldlt().solve(error)))));
+  }
+
   void note_end(double time_s, const DriveMission& mission) {
-    if (mission.end == DriveEnd::done) return;
-    log_event(log_, time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+    if (mission.end == DriveEnd::lost || mission.end == DriveEnd::stuck)
+      log_event(log_, time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+  }
+
+  void note_relocalisation(double time_s, const Relocalisation& found) {
+    const Pose2& pose = found.belief.world_T_robot;
+    log_event(log_, time_s, "relocalised",
+              fmt::format("by {} the robot is at {:.2f}, {:.2f}, {:.0f} degrees",
+                          found.tags.size() > 1 ? "tags" : fmt::format("tag {} alone", *found.tags.begin()),
+                          pose.position.x, pose.position.y, degrees(pose.heading_rad)));
   }
 
   void arrived(double time_s, const DriveArrival& arrival, const Pose2& truth) {
+    if (!arrival.doubt.empty()) {
+      log_event(log_, time_s, "unconfirmed",
+                fmt::format("waypoint {} unconfirmed: {}", arrival.waypoint + 1, arrival.doubt));
+      return;
+    }
     const Pose2& pose = task_.waypoints[arrival.waypoint].pose;
     const Vec2 error = truth.position - pose.position;
     outrider_msgs::Waypoint& waypoint = waypoints_.waypoints[arrival.waypoint];
@@ -142,10 +170,23 @@ class Recorder {
   Log& log_;
   outrider_msgs::Waypoints waypoints_;
   std::size_t arrivals_ = 0;
+  std::size_t relocalisations_ = 0;
   std::int64_t used_ = 0;
   double next_s_ = 0.0;
   bool ended_ = false;
 };
+
+std::string status_of(DriveEnd end) {
+  switch (end) {
+    case DriveEnd::done: return "done";
+    case DriveEnd::unconfirmed: return "unconfirmed";
+    case DriveEnd::doubtful: return "doubtful";
+    case DriveEnd::none:
+    case DriveEnd::lost:
+    case DriveEnd::stuck: break;
+  }
+  return "not_done";
+}
 
 /// Returns what the drive came to.
 Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Recorder& recorder) {
@@ -155,7 +196,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   const bool touched = recorder.clearance_m < 0.0;
   Report report;
   report.world_name = task.world.name;
-  report.status = mission.end == DriveEnd::done && !touched ? "done" : "not_done";
+  report.status = touched ? "not_done" : status_of(mission.end);
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
     report.reason =
@@ -168,7 +209,11 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
                     {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
-                    {"clearance_m", recorder.clearance_m}};
+                    {"clearance_m", recorder.clearance_m},
+                    {"belief_error_m", recorder.belief_error_m},
+                    {"belief_error_ratio", recorder.belief_error_ratio},
+                    {"tolerance_m", tolerance_m(task)},
+                    {"tolerance_rad", tolerance_rad(task)}};
   report.tables = {recorder.table()};
   return report;
 }
