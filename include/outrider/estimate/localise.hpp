@@ -14,7 +14,8 @@
 // If a second set of the same size gives another pose at a similar cost, there is no answer. This happens,
 // for example, with a single tag whose two solutions are both possible.
 //
-// The prior is only used to choose solutions. The answer is independent of it, so the caller may fuse both.
+// The prior is only used to choose solutions, and as a second point of linearisation for the covariance. The
+// pose is independent of it, so the caller may fuse both.
 // Pure function; O(n^2) for n sightings. There are no faults: each sighting gets a verdict.
 #pragma once
 

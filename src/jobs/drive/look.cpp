@@ -3,13 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace outrider {
 namespace {
 
 constexpr double same_time_s = 1e-9;
+constexpr double corner_memory = 30.0;  ///< number of tags over which the noise of corners is averaged
+constexpr double clearly_larger = 1.3;  ///< ratio of the estimated to the expected noise, 4 standard deviations
 constexpr std::int64_t many_refusals = 10;  ///< of a tag that is doubtful
 constexpr double doubtful_part = 0.2;       ///< of the images with a tag: more refusals are doubtful
+
+/// Estimates the noise of corners from how well four corners fit a square: two degrees of freedom for each tag.
+void note_corners(DriveMission& mission, const std::vector<TagSighting>& sightings) {
+  for (const TagSighting& sighting : sightings) {
+    if (sighting.poses.empty()) continue;
+    const double error_px = sighting.poses.front().error_px;  // squared: a quarter of the sum of squares
+    mission.corner_variance_px2 +=
+        (2.0 * error_px * error_px - mission.corner_variance_px2) / corner_memory;
+  }
+}
+
+/// Returns the options with the estimated noise of corners, if it is clearly larger than the expected noise.
+LocaliseOptions adapted(const DriveMission& mission) {
+  LocaliseOptions options = mission.task.localise;
+  const double sigma_px = std::sqrt(mission.corner_variance_px2);
+  if (sigma_px > clearly_larger * options.corner_sigma_px) options.corner_sigma_px = sigma_px;
+  return options;
+}
 
 bool is_refused(TagVerdict verdict) {
   return verdict == TagVerdict::off_prior || verdict == TagVerdict::outvoted;
@@ -47,7 +68,7 @@ void refuse(DriveMission& mission, const std::vector<TagSighting>& sightings) {
   mission.refused_s = mission.image_s;
   if (mission.stop) mission.stop->refuse(mission.image_s);
   if (is_at_rest(mission.reckoning))
-    mission.relocaliser.add(sightings, task.tags, robot_camera(task.eye), task.localise);
+    mission.relocaliser.add(sightings, task.tags, robot_camera(task.eye), adapted(mission));
 }
 
 }  // namespace
@@ -62,8 +83,9 @@ bool look(DriveMission& mission, const Observation& seen) {
   ++mission.images;
   if (sightings.empty()) return false;
   advance(mission.reckoning, taken_s, task.reckoning, task.chassis);
+  note_corners(mission, sightings);
   const TagFix fix =
-      localise(sightings, task.tags, robot_camera(task.eye), mission.reckoning.belief, task.localise);
+      localise(sightings, task.tags, robot_camera(task.eye), mission.reckoning.belief, adapted(mission));
   if (fix.belief) {
     accept(mission, sightings, fix);
     return true;

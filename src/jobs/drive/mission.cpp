@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "look.hpp"
 #include "outrider/core/units.hpp"
@@ -191,6 +192,7 @@ DriveMission begin(DriveTask given) {
   mission.reckoning.belief.covariance(2, 2) = start_sigma_rad * start_sigma_rad;
   mission.reckoning.errors =
       unknown_errors(task.chassis, task.reckoning.wheel_sigma, task.reckoning.slip_sigma);
+  mission.corner_variance_px2 = std::pow(task.localise.corner_sigma_px, 2);
   mission.follower.from = task.start;
   if (!task.closed_loop) {
     std::vector<Pose2> poses;

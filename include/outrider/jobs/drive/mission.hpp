@@ -86,6 +86,7 @@ struct DriveMission {
   std::int64_t refused = 0;  ///< number of last images in a row with impossible tags
   double refused_s = 0.0;    ///< time of the last of them
   Relocaliser relocaliser;   ///< of these images
+  double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
   std::vector<Relocalisation> relocalisations;
   std::map<int, TagRecord> tag_records;  ///< by id
   std::vector<DriveArrival> arrivals;
