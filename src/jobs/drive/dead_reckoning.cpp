@@ -11,8 +11,9 @@ namespace {
 
 constexpr double memory_s = 1.0;           ///< for which a drift lasts
 constexpr double wander_variance = 1e-4;   ///< of an error of the motion, per second of motion
-constexpr double innovation_memory = 8.0;  ///< number of images over which innovations are averaged
-constexpr double plausible_ratio = 1.8;    ///< of the innovations to what they should be: 3 standard deviations
+constexpr double innovation_memory = 10.0;  ///< number of images over which innovations are averaged
+constexpr double plausible_ratio = 2.0;     ///< of the innovations to what they should be: 5 standard deviations
+constexpr double plausible_squared = 6.25;  ///< of one innovation: 90 % quantile of chi-squared with 3 degrees
 constexpr double at_rest_mps = 1e-3;       ///< slower is at rest
 constexpr double at_rest_radps = 1e-3;
 
@@ -126,6 +127,10 @@ void correct(Reckoning& reckoning, const PoseBelief& measured) {
                                    wrap_angle(measured.world_T_robot.heading_rad - pose.heading_rad));
   Eigen::Matrix3d expected = joint.topLeftCorner<pose_size, pose_size>() + measured.covariance;
   const double squared = innovation.dot(expected.ldlt().solve(innovation));
+  if (squared > plausible_squared) {
+    const double excess = squared / plausible_squared;
+    expected += (excess - 1.0) * measured.covariance;
+  }
   double& ratio = reckoning.innovation_ratio;
   ratio += (squared / static_cast<double>(pose_size) - ratio) / innovation_memory;
   if (ratio > plausible_ratio) {

@@ -9,7 +9,8 @@
 // The filter watches its innovations, the differences between what tags say and what it predicted. If they are
 // larger on average than their covariance says, it increases the covariances by their ratio, so that it follows
 // the tags and states an uncertainty that covers its errors: Mehra, Approaches to adaptive filtering (IEEE
-// Transactions on Automatic Control, 1972).
+// Transactions on Automatic Control, 1972). A single innovation that is improbably large has less weight, since
+// the errors of a tag that is seen from the front are far from normally distributed.
 #pragma once
 
 #include <deque>
