@@ -154,7 +154,8 @@ void add_explore_suite(Command& bench) {
 }
 
 void add_drive_suite(Command& bench) {
-  Command& drive = bench.add("drive", "drives with faults: what they claim against where the robot truly was");
+  Command& drive =
+      bench.add("drive", "drives with faults: what they claim against where the robot truly was");
   auto asked = std::make_shared<Asked<bench::DriveRequest>>();
   bench::DriveRequest& request = asked->request;
   add_scenarios(drive, request.scenarios, "scenario files [scenarios/waypoints/closed_loop.yaml]");

@@ -64,10 +64,8 @@ const std::vector<DriveFault>& drive_faults() {
   static const std::vector<DriveFault> faults = {
       {"none", [](DriveSetup&, Rng&, std::uint64_t) {}},
       {"no tags", [](DriveSetup& setup, Rng&, std::uint64_t) { setup.task.tags.tags.clear(); }},
-      {"blinded",
-       [](DriveSetup& setup, Rng& rng, std::uint64_t) {
-         setup.sim.sight.blind_from_s = rng.uniform(0.0, 40.0);
-       }},
+      {"blinded", [](DriveSetup& setup, Rng& rng,
+                     std::uint64_t) { setup.sim.sight.blind_from_s = rng.uniform(0.0, 40.0); }},
       {"kidnapped by 0.8 m",
        [](DriveSetup& setup, Rng& rng, std::uint64_t) {
          setup.sim.kidnapping = {rng.uniform(0.0, 40.0), 0.8 * either_sign(rng), rng.uniform(-pi, pi)};
@@ -77,7 +75,9 @@ const std::vector<DriveFault>& drive_faults() {
          setup.sim.kidnapping = {rng.uniform(0.0, 40.0), 30.0 * either_sign(rng), rng.uniform(-pi, pi)};
        }},
       {"nudged by 0.2 m at a stop",
-       [](DriveSetup& setup, Rng& rng, std::uint64_t seed) { nudge(setup, rng, seed, 0.2 * either_sign(rng)); }},
+       [](DriveSetup& setup, Rng& rng, std::uint64_t seed) {
+         nudge(setup, rng, seed, 0.2 * either_sign(rng));
+       }},
       {"nudged by 1 to 10 cm",
        [](DriveSetup& setup, Rng& rng, std::uint64_t seed) {
          nudge(setup, rng, seed, rng.uniform(0.01, 0.1) * either_sign(rng));
@@ -142,10 +142,9 @@ nlohmann::ordered_json row_json(const DriveRow& row) {
 }
 
 std::string table_text(const std::vector<DriveRow>& rows) {
-  std::string text =
-      fmt::format("  {:<28} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n", "fault", "runs",
-                  "done", "doubtful", "unconfirmed", "not done", "reached", "false", "worst mm", "worst deg",
-                  "belief, sigmas");
+  std::string text = fmt::format("  {:<28} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n",
+                                 "fault", "runs", "done", "doubtful", "unconfirmed", "not done", "reached",
+                                 "false", "worst mm", "worst deg", "belief, sigmas");
   for (const DriveRow& row : rows) {
     text += fmt::format(
         "  {:<28} {:>5} {:>5} {:>8} {:>11} {:>8} {:>7}/{:<4} {:>6} {:>9.1f} {:>9.2f} {:>7.1f} {:>7.1f}\n",
@@ -184,9 +183,10 @@ Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObser
         const int before = row.false_reached;
         count(row, one, driven(one, seed));
         if (row.false_reached > before)
-          complaints.push_back(fmt::format("{}, seed {}: a stop called reached was off by more than the "
-                                           "tolerance",
-                                           fault.name, seed));
+          complaints.push_back(
+              fmt::format("{}, seed {}: a stop called reached was off by more than the "
+                          "tolerance",
+                          fault.name, seed));
         if (observer.part) observer.part(static_cast<double>(i) / static_cast<double>(request.seeds));
       }
       rows.push_back(std::move(row));

@@ -9,12 +9,13 @@
 namespace outrider {
 namespace {
 
-constexpr double memory_s = 1.0;           ///< for which a drift lasts
-constexpr double wander_variance = 1e-4;   ///< of an error of the motion, per second of motion
+constexpr double memory_s = 1.0;            ///< for which a drift lasts
+constexpr double wander_variance = 1e-5;    ///< of an error of the motion, per second of motion
 constexpr double innovation_memory = 10.0;  ///< number of images over which innovations are averaged
-constexpr double plausible_ratio = 2.0;     ///< of the innovations to what they should be: 5 standard deviations
-constexpr double plausible_squared = 6.25;  ///< of one innovation: 90 % quantile of chi-squared with 3 degrees
-constexpr double at_rest_mps = 1e-3;       ///< slower is at rest
+constexpr double plausible_ratio = 2.0;  ///< of the innovations to what they should be: 5 standard deviations
+constexpr double plausible_squared =
+    6.25;                             ///< of one innovation: 90 % quantile of chi-squared with 3 degrees
+constexpr double at_rest_mps = 1e-3;  ///< slower is at rest
 constexpr double at_rest_radps = 1e-3;
 
 constexpr Eigen::Index pose_size = 3;

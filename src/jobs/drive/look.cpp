@@ -10,17 +10,18 @@ namespace {
 
 constexpr double same_time_s = 1e-9;
 constexpr double corner_memory = 30.0;  ///< number of tags over which the noise of corners is averaged
-constexpr double clearly_larger = 1.3;  ///< ratio of the estimated to the expected noise, 4 standard deviations
+constexpr double clearly_larger =
+    1.3;  ///< ratio of the estimated to the expected noise, 4 standard deviations
 constexpr std::int64_t many_refusals = 10;  ///< of a tag that is doubtful
 constexpr double doubtful_part = 0.2;       ///< of the images with a tag: more refusals are doubtful
 
-/// Estimates the noise of corners from how well four corners fit a square: two degrees of freedom for each tag.
+/// Estimates the noise of corners from how well four corners fit a square: two degrees of freedom for each
+/// tag.
 void note_corners(DriveMission& mission, const std::vector<TagSighting>& sightings) {
   for (const TagSighting& sighting : sightings) {
     if (sighting.poses.empty()) continue;
     const double error_px = sighting.poses.front().error_px;  // squared: a quarter of the sum of squares
-    mission.corner_variance_px2 +=
-        (2.0 * error_px * error_px - mission.corner_variance_px2) / corner_memory;
+    mission.corner_variance_px2 += (2.0 * error_px * error_px - mission.corner_variance_px2) / corner_memory;
   }
 }
 
@@ -119,9 +120,11 @@ bool relocalise(DriveMission& mission) {
 std::string tag_doubt(const DriveMission& mission) {
   for (const auto& [id, record] : mission.tag_records) {
     const auto all = static_cast<double>(record.used + record.refused);
-    if (record.refused < many_refusals || static_cast<double>(record.refused) <= doubtful_part * all) continue;
+    if (record.refused < many_refusals || static_cast<double>(record.refused) <= doubtful_part * all)
+      continue;
     return fmt::format(
-        "tag {} was not where the map says in {} of {} images that other tags explain; does it hang elsewhere?",
+        "tag {} was not where the map says in {} of {} images that other tags explain; does it hang "
+        "elsewhere?",
         id, record.refused, record.used + record.refused);
   }
   return {};

@@ -12,8 +12,8 @@
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;       ///< times closer than this are one
-constexpr double out_of_sight_s = 1.0;   ///< a robot that stands still because of tags waits so long for them
+constexpr double instant_s = 1e-9;      ///< times closer than this are one
+constexpr double out_of_sight_s = 1.0;  ///< a robot that stands still because of tags waits so long for them
 
 /// `rests_until_s`: the robot is known not to move before.
 DriveWheels command(DriveMission& mission, const Twist2& twist, double until_s, double rests_until_s = 0.0) {
@@ -44,8 +44,7 @@ Pose2 foreseen(const DriveMission& mission) {
 
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
 std::string stop_doubt(const DriveMission& mission) {
-  if (is_trusted(mission))
-    return mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+  if (is_trusted(mission)) return mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
   const Relocalisation& last = mission.relocalisations.back();
   return fmt::format("only tag {} tells where it is since the tags moved at {:.1f} s", *last.tags.begin(),
                      last.time_s);
@@ -76,8 +75,8 @@ std::string lost_reason(const DriveMission& mission, double now_s) {
   const bool in_sight = mission.refused > 0 && now_s - mission.refused_s <= out_of_sight_s;
   if (mission.refused >= mission.task.rules.most_refused) {
     return fmt::format(
-        "lost: {} images in a row show tags where they cannot be, and they do not agree on where the robot "
-        "is; was it moved?",
+        "lost: {} images in a row show tags where they cannot be, and they do not agree on where it is; was "
+        "the robot moved?",
         mission.refused);
   }
   if (mission.refused >= mission.task.rules.hold_refused && !in_sight) {
@@ -124,10 +123,11 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
   const bool accepted = look(mission, seen);
   advance(mission.reckoning, now_s, mission.task.reckoning, mission.task.chassis);
   if (relocalise(mission) && is_blocked(mission)) {
-    return finish(mission, DriveEnd::lost,
-                  fmt::format("lost: by the tags in sight the robot was moved, and the straight way to waypoint "
-                              "{} touches an obstacle",
-                              mission.follower.next + 1));
+    return finish(
+        mission, DriveEnd::lost,
+        fmt::format("lost: by the tags in sight the robot was moved, and the straight way to waypoint "
+                    "{} touches an obstacle",
+                    mission.follower.next + 1));
   }
   if (auto reason = lost_reason(mission, now_s); !reason.empty()) {
     return finish(mission, DriveEnd::lost, std::move(reason));

@@ -76,7 +76,11 @@ void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
 class Recorder {
  public:
   Recorder(const DriveTask& task, const CollisionMap& ground, Log& log)
-      : task_(task), ground_(ground), log_(log) {
+      : task_(task),
+        ground_(ground),
+        log_(log),
+        outcomes_(task.waypoints.size(), "not reached"),
+        nearest_m_(task.waypoints.size(), unknown) {
     waypoints_.closed_loop = task.closed_loop;
     for (const Waypoint& waypoint : task.waypoints) {
       waypoints_.waypoints.push_back({point_of(waypoint.pose.position),
@@ -97,6 +101,7 @@ class Recorder {
         clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
+    if (task_.closed_loop) note_passed(mission.follower.next, truth.position);
     for (; relocalisations_ < mission.relocalisations.size(); ++relocalisations_)
       note_relocalisation(time_s, mission.relocalisations[relocalisations_]);
     if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
@@ -110,12 +115,17 @@ class Recorder {
     used_ = mission.used;
   }
 
-  /// Returns each waypoint, and how far off it the robot was when it was reached; NaN where it was not.
+  /// Returns each waypoint, what became of it, and how far off it the robot was when it was reached; NaN
+  /// where it was not. Of a waypoint that is no stop: how near the robot came to it while it was the next
+  /// one.
   [[nodiscard]] Table table() const {
-    Table table{"waypoints", {"x", "y", "heading_rad", "stop", "reached_s", "dx", "dy", "dtheta"}, {}};
-    for (const outrider_msgs::Waypoint& one : waypoints_.waypoints) {
-      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, one.reached,
-                            one.error.x, one.error.y, one.heading_error});
+    Table table{"waypoints",
+                {"x", "y", "heading_rad", "stop", "outcome", "reached_s", "dx", "dy", "dtheta", "nearest_m"},
+                {}};
+    for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
+      const outrider_msgs::Waypoint& one = waypoints_.waypoints[i];
+      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, outcomes_[i],
+                            one.reached, one.error.x, one.error.y, one.heading_error, nearest_m_[i]});
     }
     return table;
   }
@@ -125,6 +135,16 @@ class Recorder {
   double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
  private:
+  /// Notes how near the robot comes to the next waypoint if that is no stop, and which ones it has passed.
+  void note_passed(std::size_t next, Vec2 position) {
+    for (; next_ < next; ++next_) {
+      if (!task_.waypoints[next_].stop) outcomes_[next_] = "passed";
+    }
+    if (task_.waypoints[next].stop) return;
+    const double off_m = distance(position, task_.waypoints[next].pose.position);
+    nearest_m_[next] = std::fmin(nearest_m_[next], off_m);
+  }
+
   void note_error(const PoseBelief& belief, const Pose2& truth) {
     const Vec2 off = truth.position - belief.world_T_robot.position;
     const Eigen::Vector2d error(off.x, off.y);
@@ -148,6 +168,7 @@ class Recorder {
   }
 
   void arrived(double time_s, const DriveArrival& arrival, const Pose2& truth) {
+    outcomes_[arrival.waypoint] = arrival.doubt.empty() ? "reached" : "unconfirmed";
     if (!arrival.doubt.empty()) {
       log_event(log_, time_s, "unconfirmed",
                 fmt::format("waypoint {} unconfirmed: {}", arrival.waypoint + 1, arrival.doubt));
@@ -169,6 +190,9 @@ class Recorder {
   const CollisionMap& ground_;
   Log& log_;
   outrider_msgs::Waypoints waypoints_;
+  std::vector<std::string> outcomes_;  // of each waypoint
+  std::vector<double> nearest_m_;      // to each waypoint that is no stop
+  std::size_t next_ = 0;
   std::size_t arrivals_ = 0;
   std::size_t relocalisations_ = 0;
   std::int64_t used_ = 0;

@@ -13,8 +13,8 @@ constexpr double plausible_mean = 16.27;   ///< 99.9 % quantile of chi-squared w
 constexpr double plausible_newest = 7.81;  ///< its 95 % quantile
 constexpr double standard_deviations = 4.0;
 
-/// Returns true if the belief is plausible for somebody who knows only that pose. The belief is built from the
-/// pose as well, so its own covariance does not count.
+/// Returns true if the belief is plausible for somebody who knows only that pose. The belief is built from
+/// the pose as well, so its own covariance does not count.
 bool is_plausible(const PoseBelief& belief, const PoseBelief& pose, double limit) {
   return squared_mahalanobis({belief.world_T_robot, Eigen::Matrix3d::Zero()}, pose) <= limit;
 }
@@ -37,8 +37,9 @@ void StopCheck::refuse(double time_s) {
 std::string StopCheck::doubt(const PoseBelief& belief, const DriveRules& rules) const {
   if (accepted < rules.settle_sightings) {
     if (refused > 0) return fmt::format("{} images show tags where they cannot be", refused);
-    return accepted == 0 ? "no tag was of use there"
-                         : fmt::format("tags were of use in {} images, of {}", accepted, rules.settle_sightings);
+    return accepted == 0
+               ? "no tag was of use there"
+               : fmt::format("tags were of use in {} images, of {}", accepted, rules.settle_sightings);
   }
   const double sigma_m = position_sigma_m(belief), sigma_rad = heading_sigma_rad(belief);
   if (sigma_m > rules.settle_sigma_m || sigma_rad > rules.settle_sigma_rad) {

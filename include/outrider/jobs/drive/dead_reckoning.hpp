@@ -3,14 +3,15 @@
 // The model: the robot executes each command after `delay_s`, with the lag of a first-order system, and with
 // the errors of its wheels (motion_errors.hpp), which are estimated as well. The speed has a further relative
 // error `drift` that lasts about a second. So the covariance grows with the time and the square of the speed
-// while the robot moves, and stays constant while it stands. This is an extended Kalman filter: Thrun, Burgard
-// and Fox, Probabilistic Robotics, section 7.4. Commands are kept until they take effect. O(1) a period.
+// while the robot moves, and stays constant while it stands. This is an extended Kalman filter: Thrun,
+// Burgard and Fox, Probabilistic Robotics, section 7.4. Commands are kept until they take effect. O(1) a
+// period.
 //
-// The filter watches its innovations, the differences between what tags say and what it predicted. If they are
-// larger on average than their covariance says, it increases the covariances by their ratio, so that it follows
-// the tags and states an uncertainty that covers its errors: Mehra, Approaches to adaptive filtering (IEEE
-// Transactions on Automatic Control, 1972). A single innovation that is improbably large has less weight, since
-// the errors of a tag that is seen from the front are far from normally distributed.
+// The filter watches its innovations, the differences between what tags say and what it predicted. If they
+// are larger on average than their covariance says, it increases the covariances by their ratio, so that it
+// follows the tags and states an uncertainty that covers its errors: Mehra, Approaches to adaptive filtering
+// (IEEE Transactions on Automatic Control, 1972). A single innovation that is improbably large has less
+// weight, since the errors of a tag that is seen from the front are far from normally distributed.
 #pragma once
 
 #include <deque>
@@ -25,14 +26,14 @@ namespace outrider {
 
 /// Options of the model.
 struct ReckoningOptions {
-  double delay_s = 0.07;     ///< delay of a command
-  double lag_s = 0.08;       ///< time constant with which the robot follows a command
-  double drift = 0.1;        ///< relative standard deviation of the speed and of the turn rate
-  double drift_radpm = 0.2;  ///< standard deviation of the turn rate per speed, rad/m
+  double delay_s = 0.07;      ///< delay of a command
+  double lag_s = 0.08;        ///< time constant with which the robot follows a command
+  double drift = 0.1;         ///< relative standard deviation of the speed and of the turn rate
+  double drift_radpm = 0.2;   ///< standard deviation of the turn rate per speed, rad/m
   double wheel_sigma = 0.04;  ///< standard deviation of the error of a wheel at the start, relative
   double slip_sigma = 0.15;   ///< the same of the fraction of sideways motion that is lost
-  double lost_m = 0.25;      ///< the robot is lost if the standard deviation of the position is larger
-  double lost_rad = 0.5;     ///< the same for the heading
+  double lost_m = 0.25;       ///< the robot is lost if the standard deviation of the position is larger
+  double lost_rad = 0.5;      ///< the same for the heading
 };
 /// Describes the options by name.
 std::vector<Option> describe(ReckoningOptions& options);

@@ -83,9 +83,9 @@ struct DriveMission {
   double tag_s = 0.0;                                         ///< time of the last correction by a tag
   std::int64_t images = 0;                                    ///< number of images recent enough to use
   std::int64_t used = 0;                                      ///< images with a tag that corrected the belief
-  std::int64_t refused = 0;  ///< number of last images in a row with impossible tags
-  double refused_s = 0.0;    ///< time of the last of them
-  Relocaliser relocaliser;   ///< of these images
+  std::int64_t refused = 0;          ///< number of last images in a row with impossible tags
+  double refused_s = 0.0;            ///< time of the last of them
+  Relocaliser relocaliser;           ///< of these images
   double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
   std::vector<Relocalisation> relocalisations;
   std::map<int, TagRecord> tag_records;  ///< by id

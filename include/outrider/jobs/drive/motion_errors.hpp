@@ -1,11 +1,12 @@
-// MotionErrors: how a robot moves differently from what is commanded, estimated online together with its pose.
+// MotionErrors: how a robot moves differently from what is commanded, estimated online together with its
+// pose.
 //
-// Five states: for each wheel the relative error of its speed, and the fraction of sideways motion that is lost
-// to slip. They extend the state of the Kalman filter of the pose (dead_reckoning.hpp). Their covariance with
-// the pose grows while the robot moves, so a correction of the pose by tags corrects them too. They wander
-// slowly while the robot moves, because batteries sag and floors change.
-// Source: Larsen, Bak, Andersen and Ravn, Location estimation for an autonomously guided vehicle using an
-// augmented Kalman filter to autocalibrate the odometry (FUSION 1998).
+// Five states: for each wheel the relative error of its speed, and the fraction of sideways motion that is
+// lost to slip. They extend the state of the Kalman filter of the pose (dead_reckoning.hpp). Their covariance
+// with the pose grows while the robot moves, so a correction of the pose by tags corrects them too. They
+// wander slowly while the robot moves, because batteries sag and floors change. Source: Larsen, Bak, Andersen
+// and Ravn, Location estimation for an autonomously guided vehicle using an augmented Kalman filter to
+// autocalibrate the odometry (FUSION 1998).
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +22,8 @@ using MotionErrorRows = Eigen::Matrix<double, 3, motion_error_count>;
 
 /// The estimated errors. By default they are known to be zero.
 struct MotionErrors {
-  MotionErrorVector mean = MotionErrorVector::Zero();  ///< 0.1: the wheel turns 10 % faster; half is lost: 0.5
+  MotionErrorVector mean =
+      MotionErrorVector::Zero();  ///< 0.1: the wheel turns 10 % faster; half is lost: 0.5
   MotionErrorCovariance covariance = MotionErrorCovariance::Zero();
   MotionErrorRows with_pose = MotionErrorRows::Zero();  ///< covariance of the pose (rows) with the errors
 };

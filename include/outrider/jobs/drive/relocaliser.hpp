@@ -1,9 +1,9 @@
 // Relocaliser: finds a robot again whose belief contradicts the tags in sight, from these tags alone.
 //
-// While the robot stands, each image gives a pose without a prior, unless its tags leave two poses open. Poses
-// of consecutive images that agree are fused; one that does not agree starts anew. Enough of them in a row are
-// an answer. A tag that hangs elsewhere than the map says gives a wrong answer that looks right, so the answer
-// counts as corroborated only once two different tags agree on it. O(tags^2) an image.
+// While the robot stands, each image gives a pose without a prior, unless its tags leave two poses open.
+// Poses of consecutive images that agree are fused; one that does not agree starts anew. Enough of them in a
+// row are an answer. A tag that hangs elsewhere than the map says gives a wrong answer that looks right, so
+// the answer counts as corroborated only once two different tags agree on it. O(tags^2) an image.
 #pragma once
 
 #include <optional>
