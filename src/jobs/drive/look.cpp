@@ -60,7 +60,11 @@ void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, co
   mission.tag_s = mission.image_s;
   mission.refused = 0;
   mission.relocaliser = {};
-  if (mission.stop) mission.stop->accept(*fix.belief);
+  if (!mission.stop) return;
+  mission.stop->accept(*fix.belief);
+  mission.stop->is_still = false;
+  if (is_at_rest(mission.reckoning))
+    mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
 }
 
 void refuse(DriveMission& mission, const std::vector<TagSighting>& sightings) {

@@ -9,8 +9,9 @@ namespace outrider {
 namespace {
 
 constexpr std::size_t most_poses = 5;
-constexpr double plausible_mean = 16.27;   ///< 99.9 % quantile of chi-squared with three degrees of freedom
-constexpr double plausible_newest = 7.81;  ///< its 95 % quantile
+constexpr double plausible_mean = 16.27;    ///< 99.9 % quantile of chi-squared with three degrees of freedom
+constexpr double plausible_newest = 7.81;   ///< its 95 % quantile
+constexpr double plausible_corners = 26.1;  ///< 99.9 % quantile with eight degrees of freedom
 constexpr double standard_deviations = 4.0;
 
 /// Returns true if the belief is plausible for somebody who knows only that pose. The belief is built from
@@ -27,11 +28,35 @@ void StopCheck::accept(const PoseBelief& pose) {
   if (poses.size() > most_poses) poses.pop_front();
 }
 
-void StopCheck::refuse(double time_s) {
-  ++refused;
+void StopCheck::compare(std::span<const TagSighting> sightings, double corner_sigma_px, double time_s) {
+  bool compared = false;
+  for (const TagSighting& sighting : sightings) {
+    MeanCorners& mean = corners[sighting.id];
+    const double count = static_cast<double>(mean.images);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) squares += squared_norm(sighting.corners_px[i] - mean.px[i]);
+    if (mean.images > 0 &&
+        squares > plausible_corners * corner_sigma_px * corner_sigma_px * (1.0 + 1.0 / count))
+      return restart(time_s);
+    compared = compared || mean.images > 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      mean.px[i] = mean.px[i] + (1.0 / (count + 1.0)) * (sighting.corners_px[i] - mean.px[i]);
+    ++mean.images;
+  }
+  is_still = compared;
+}
+
+void StopCheck::restart(double time_s) {
   counts_from_s = time_s;
   accepted = 0;
   poses.clear();
+  corners.clear();
+  is_still = false;
+}
+
+void StopCheck::refuse(double time_s) {
+  ++refused;
+  restart(time_s);
 }
 
 std::string StopCheck::doubt(const PoseBelief& belief, const DriveRules& rules) const {
@@ -50,6 +75,7 @@ std::string StopCheck::doubt(const PoseBelief& belief, const DriveRules& rules) 
   for (std::size_t i = 1; i < poses.size(); ++i) mean = fuse(mean, poses[i]);
   if (!is_plausible(belief, mean, plausible_mean) || !is_plausible(belief, poses.back(), plausible_newest))
     return "the last images do not agree with the belief";
+  if (!is_still) return "no two images show the same tag at the same place";
   return {};
 }
 

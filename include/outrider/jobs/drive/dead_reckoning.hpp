@@ -30,7 +30,7 @@ struct ReckoningOptions {
   double lag_s = 0.08;        ///< time constant with which the robot follows a command
   double drift = 0.1;         ///< relative standard deviation of the speed and of the turn rate
   double drift_radpm = 0.2;   ///< standard deviation of the turn rate per speed, rad/m
-  double wheel_sigma = 0.04;  ///< standard deviation of the error of a wheel at the start, relative
+  double wheel_sigma = 0.03;  ///< standard deviation of the error of a wheel at the start, relative
   double slip_sigma = 0.15;   ///< the same of the fraction of sideways motion that is lost
   double lost_m = 0.25;       ///< the robot is lost if the standard deviation of the position is larger
   double lost_rad = 0.5;      ///< the same for the heading
