@@ -91,6 +91,11 @@ const std::vector<DriveFault>& drive_faults() {
          setup.sim.wheels.strafe_slip = 0.5;
          setup.sim.sight.missed = 0.8;
        }},
+      {"tag moved by 10 to 50 cm",
+       [](DriveSetup& setup, Rng& rng, std::uint64_t) {
+         const auto& tags = setup.task.tags.tags;
+         setup.sim.moved_tag = {tags[rng.below(tags.size())].id, rng.uniform(0.1, 0.5) * either_sign(rng)};
+       }},
       {"corners off by 1 px",
        [](DriveSetup& setup, Rng&, std::uint64_t) { setup.sim.sight.corner_sigma_px = 1.0; }},
   };

@@ -37,13 +37,26 @@ bool is_refused(TagVerdict verdict) {
   return verdict == TagVerdict::off_prior || verdict == TagVerdict::outvoted;
 }
 
+/// Forgets the suspicion against tags that explain the image together with others, and returns true if a tag
+/// without suspicion explains it.
+bool clear_suspects(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  std::set<int> used;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (fix.verdicts[i] == TagVerdict::used) used.insert(sightings[i].id);
+  }
+  const auto is_suspect = [&](int id) { return mission.suspects.contains(id); };
+  if (std::ranges::all_of(used, is_suspect)) return false;
+  for (const int id : used) mission.suspects.erase(id);
+  return true;
+}
+
 /// Notes which tags explain the image and which contradict them.
 void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     TagRecord& record = mission.tag_records[sightings[i].id];
     if (fix.verdicts[i] == TagVerdict::used) {
       ++record.used;
-      if (mission.relocalisations.empty()) continue;
+      if (mission.relocalisations.empty() || mission.suspects.contains(sightings[i].id)) continue;
       Relocalisation& last = mission.relocalisations.back();
       last.tags.insert(sightings[i].id);
       last.corroborated = last.tags.size() > 1;
@@ -55,12 +68,13 @@ void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings,
 
 void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
   correct(mission.reckoning, *fix.belief);
+  const bool confirms = clear_suspects(mission, sightings, fix);
   note_tags(mission, sightings, fix);
   ++mission.used;
   mission.tag_s = mission.image_s;
   mission.refused = 0;
   mission.relocaliser = {};
-  if (!mission.stop) return;
+  if (!mission.stop || !confirms) return;
   mission.stop->accept(*fix.belief);
   mission.stop->is_still = false;
   if (is_at_rest(mission.reckoning))
@@ -109,6 +123,10 @@ bool relocalise(DriveMission& mission) {
   PoseBelief belief = *found.pose;  // the images share the errors of where the tags hang
   const double tag_sigma_m = mission.task.localise.tag_sigma_m;
   belief.covariance.diagonal().head<2>().array() += tag_sigma_m * tag_sigma_m;
+  if (!is_trusted(mission)) {
+    const int alone = *mission.relocalisations.back().tags.begin();
+    if (!found.tags.contains(alone)) mission.suspects.insert(alone);
+  }
   relocate(mission.reckoning, belief);
   mission.relocalisations.push_back({mission.reckoning.time_s, belief, found.tags, found.tags.size() > 1});
   mission.relocaliser = {};

@@ -44,7 +44,13 @@ Pose2 foreseen(const DriveMission& mission) {
 
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
 std::string stop_doubt(const DriveMission& mission) {
-  if (is_trusted(mission)) return mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+  if (is_trusted(mission)) {
+    std::string doubt = mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+    if (!doubt.empty() && !mission.suspects.empty())
+      doubt += fmt::format("; tag {} contradicted other tags and does not count",
+                           fmt::join(mission.suspects, ", "));
+    return doubt;
+  }
   const Relocalisation& last = mission.relocalisations.back();
   return fmt::format("only tag {} tells where it is since the tags moved at {:.1f} s", *last.tags.begin(),
                      last.time_s);

@@ -9,7 +9,8 @@
 // robot goes on.
 //
 // A robot that sees tags at impossible places in several images in a row stands still, finds itself by these
-// tags (relocaliser.hpp) and goes on. Until a second tag agrees, stops are unconfirmed.
+// tags (relocaliser.hpp) and goes on. Until a second tag agrees, stops are unconfirmed. A tag that other tags
+// contradict then confirms no stop any more.
 //
 // Open loop: the mission executes the motions of control/timed_drive.hpp one after another and ignores tags.
 //
@@ -89,6 +90,9 @@ struct DriveMission {
   double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
   std::vector<Relocalisation> relocalisations;
   std::map<int, TagRecord> tag_records;  ///< by id
+  /// Ids of tags that said alone where the robot is, and that other tags contradicted later. They confirm
+  /// nothing.
+  std::set<int> suspects;
   std::vector<DriveArrival> arrivals;
   bool initial_stop_sent = false;
   DriveEnd end = DriveEnd::none;

@@ -134,6 +134,23 @@ TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
   }
 }
 
+/// At most stops of this course one tag is in view.
+TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
+  DriveTask task = two_tags_in_view();
+  task.tags.tags = {upright_tag(1, {2, 1, 0.2}, pi), upright_tag(2, {1, 2.5, 0.2}, -pi / 2),
+                    upright_tag(3, {0, 2, 0.2}, 0)};
+  task.waypoints = {{{{0, 0}, 0}}, {{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0}}};
+  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+    for (const Tag& tag : task.tags.tags) {
+      DriveSimParams params = usual_faults();
+      params.moved_tag = {tag.id, seed % 2 == 0 ? 0.1 : -0.1};
+      const auto run = driven(task, params, static_cast<std::uint64_t>(seed));
+      EXPECT_LT(expect_true_claims(run), 4U) << "seed " << seed << ", tag " << tag.id;
+      EXPECT_GE(events_named(run, "relocalised"), 1U) << "the tag contradicts the belief";
+    }
+  }
+}
+
 TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     DriveSimParams params = usual_faults();
