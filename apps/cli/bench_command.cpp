@@ -153,6 +153,17 @@ void add_explore_suite(Command& bench) {
   explore.footer("\nExample: outrider bench explore --strategies tour,nearest --seeds 5");
 }
 
+void add_drive_suite(Command& bench) {
+  Command& drive =
+      bench.add("drive", "drives with faults: what they claim against where the robot truly was");
+  auto asked = std::make_shared<Asked<bench::DriveRequest>>();
+  bench::DriveRequest& request = asked->request;
+  add_scenarios(drive, request.scenarios, "scenario files [scenarios/waypoints/closed_loop.yaml]");
+  add_seeds(drive, request.seeds, "runs with each fault, with seeds from 1 on [100]");
+  finish(drive, "bench drive", bench::measure_drive, asked);
+  drive.footer("\nExample: outrider bench drive --seeds 10");
+}
+
 }  // namespace
 
 void add_bench(Command& tool) {
@@ -163,6 +174,7 @@ void add_bench(Command& tool) {
   add_guard_suite(bench);
   add_slam_suite(bench);
   add_explore_suite(bench);
+  add_drive_suite(bench);
 }
 
 }  // namespace outrider::cli

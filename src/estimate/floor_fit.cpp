@@ -1,5 +1,6 @@
 #include "floor_fit.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "rigid_motion.hpp"
@@ -82,12 +83,24 @@ std::optional<Normal> normal_at(const Pose& robot, const std::vector<TagView>& v
   return normal;
 }
 
+Pose upright_pose(const Pose2& pose) {
+  return {to_eigen(Rotation::from_rpy(0.0, 0.0, pose.heading_rad)), {pose.position.x, pose.position.y, 0.0}};
+}
+
+/// Returns the covariance of x, y and heading.
+Matrix3d planar_covariance(const Normal& normal, double scale) {
+  constexpr std::array<int, 3> kept{0, 1, 5};
+  const Matrix6d covariance = scale * normal.matrix.ldlt().solve(Matrix6d::Identity());
+  const Matrix3d planar = covariance(kept, kept);
+  return 0.5 * (planar + planar.transpose());
+}
+
 }  // namespace
 
 std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<TagView>& views,
-                                       const RobotCamera& robot_camera, const LocaliseOptions& options) {
-  Pose robot{to_eigen(Rotation::from_rpy(0.0, 0.0, start.heading_rad)),
-             {start.position.x, start.position.y, 0.0}};
+                                       const RobotCamera& robot_camera, const LocaliseOptions& options,
+                                       const std::optional<Pose2>& expected) {
+  Pose robot = upright_pose(start);
   auto normal = normal_at(robot, views, robot_camera, options);
   if (!normal) return std::nullopt;
   double damping = 1e-6;
@@ -108,12 +121,15 @@ std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<Tag
   }
   const double freedom = 8.0 * static_cast<double>(views.size()) - 3.0;
   const double scale = (expectation_weight + normal->cost) / (expectation_weight + freedom);
-  constexpr std::array<int, 3> kept{0, 1, 5};
-  const Matrix6d covariance = scale * normal->matrix.ldlt().solve(Matrix6d::Identity());
-  const Matrix3d planar = covariance(kept, kept);
+  Matrix3d planar = planar_covariance(*normal, scale);
+  if (expected) {
+    const auto there = normal_at(upright_pose(*expected), views, robot_camera, options);
+    const Matrix3d other = there ? planar_covariance(*there, scale) : planar;
+    if (other.determinant() > planar.determinant()) planar = other;
+  }
   return PoseBelief{
       {{robot.position.x(), robot.position.y()}, std::atan2(robot.rotation(1, 0), robot.rotation(0, 0))},
-      0.5 * (planar + planar.transpose())};
+      planar};
 }
 
 }  // namespace outrider

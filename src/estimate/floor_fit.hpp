@@ -17,8 +17,12 @@ struct TagView {
 /// Fits the six parameters of the pose of the robot with Levenberg-Marquardt, beginning at `start`. Minimises
 /// the squared errors of the corners, weighted by image noise and tag placement, and of height, roll and
 /// pitch. Returns x, y and heading, with a covariance that is scaled by the residuals as in planar_pnp.hpp.
-/// Returns nothing if a tag lies behind the camera.
+/// If an `expected` pose is given, the covariance is the larger of those that are linearised at the answer
+/// and at the expected pose: noise can push a tag that is seen from the front to an angle at which its
+/// corners seem to tell the angle more precisely than they do. Returns nothing if a tag lies behind the
+/// camera.
 std::optional<PoseBelief> fit_on_floor(const Pose2& start, const std::vector<TagView>& views,
-                                       const RobotCamera& robot_camera, const LocaliseOptions& options);
+                                       const RobotCamera& robot_camera, const LocaliseOptions& options,
+                                       const std::optional<Pose2>& expected = std::nullopt);
 
 }  // namespace outrider

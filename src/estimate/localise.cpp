@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "floor_fit.hpp"
+#include "outrider/estimate/planar_pnp.hpp"
 #include "rigid_motion.hpp"
 
 namespace outrider {
@@ -75,15 +76,17 @@ Frame robot_by(const TagPose& solution, const Tag& tag, const Pose3& robot_T_cam
 /// first order: position = world_tag - R robot_tag, and R changes by minus the rotation of the tag in the
 /// robot frame.
 Matrix6d propagate(const TagPose& solution, const Frame& robot, const Pose3& robot_T_camera,
-                   double tag_sigma_m) {
+                   const LocaliseOptions& options) {
+  // Solutions come with the covariance of corners as good as planar_pnp() expects them.
+  const double noise = std::max(1.0, options.corner_sigma_px / PlanarPnpOptions{}.corner_sigma_px);
   const Matrix3d turn = robot.rotation * to_eigen(robot_T_camera.rotation);  // from camera axes to world axes
   const Vector3d to_tag = robot.rotation * to_eigen((robot_T_camera * solution.camera_T_tag).position);
   Matrix6d by_error = Matrix6d::Zero();
   by_error.topLeftCorner<3, 3>() = -turn;
   by_error.topRightCorner<3, 3>() = -skew(to_tag) * turn;
   by_error.bottomRightCorner<3, 3>() = -turn;
-  Matrix6d covariance = by_error * solution.covariance * by_error.transpose();
-  covariance.topLeftCorner<3, 3>().diagonal().array() += tag_sigma_m * tag_sigma_m;
+  Matrix6d covariance = noise * noise * by_error * solution.covariance * by_error.transpose();
+  covariance.topLeftCorner<3, 3>().diagonal().array() += options.tag_sigma_m * options.tag_sigma_m;
   return covariance;
 }
 
@@ -91,7 +94,7 @@ Matrix6d propagate(const TagPose& solution, const Frame& robot, const Pose3& rob
 Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T_camera,
                    const LocaliseOptions& options) {
   const Frame robot = robot_by(solution, tag, robot_T_camera);
-  const Matrix6d all = propagate(solution, robot, robot_T_camera, options.tag_sigma_m);
+  const Matrix6d all = propagate(solution, robot, robot_T_camera, options);
   const Vector3d up = robot.rotation.col(2), ahead = robot.rotation.col(0);
   const double sine = std::hypot(up.x(), up.y());
   const double per_sine = sine > 0.0 ? std::atan2(sine, up.z()) / sine : 1.0;
@@ -239,13 +242,18 @@ TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const
       views.push_back({map.find(sighting.id), sighting.corners_px});
     }
     const PoseBelief start = belief_of(place);
-    fix.belief = fit_on_floor(start.world_T_robot, views, robot_camera, options).value_or(start);
+    const auto expected = prior ? std::optional(prior->world_T_robot) : std::nullopt;
+    fix.belief = fit_on_floor(start.world_T_robot, views, robot_camera, options, expected).value_or(start);
   }
   return fix;
 }
 
 PoseBelief fuse(const PoseBelief& a, const PoseBelief& b) {
   return belief_of(fuse(place_of(a), place_of(b)));
+}
+
+double squared_mahalanobis(const PoseBelief& a, const PoseBelief& b) {
+  return disagreement(place_of(a), place_of(b));
 }
 
 }  // namespace outrider

@@ -7,7 +7,8 @@ namespace {
 
 constexpr double band_m = 0.01;  ///< of heights about the camera, in which sight lines are sought
 
-/// The parts of the world at the height of the camera, as obstacles to sight.
+}  // namespace
+
 CollisionMap sight_lines(const World& world, double height_m) {
   std::vector<RoundedPolygon> obstacles;
   const double z_m = world.floor_z_m + height_m;
@@ -19,8 +20,6 @@ CollisionMap sight_lines(const World& world, double height_m) {
   constexpr double beyond_m = 10.0;  // tags hang on walls, which may stand on the edge
   return {world.bounds.grown(beyond_m), std::move(obstacles)};
 }
-
-}  // namespace
 
 SimulatedTagCamera::SimulatedTagCamera(const TagScene& scene, const RobotCamera& camera,
                                        const TagCameraOptions& options, const TagSightFaults& faults,

@@ -74,11 +74,54 @@ class Drive(ToolTest):
         self.assertEqual((self.folder / "p.svg").read_bytes(), (self.folder / "a/run.svg").read_bytes())
 
     def test_a_robot_that_is_lost_stops_and_says_so(self):
-        for fault in ("--faults-blind-from", "--faults-kidnapped-at"):
+        for faults in (["--faults-blind-from", "6"], ["--faults-kidnapped-at", "6", "--faults-kidnapped-turn", "180"]):
             answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled",
-                                   fault, "6", status=1)
+                                   *faults, status=1)
+            self.assertEqual(answer["status"], "not_done")
             self.assertIn("lost", answer["reason"])
             self.assertIsNone(answer["waypoints"][-1]["dx"])
+
+    def test_a_kidnapped_robot_that_sees_tags_finds_itself(self):
+        answer = self.run_json("drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled",
+                               "--faults-kidnapped-at", "6")
+        self.assertGreater(answer["belief_error_m"], 0.7)
+        self.assertLessEqual(self.worst(answer)[0], answer["tolerance_m"])
+
+    def test_without_tags_no_stop_of_a_closed_loop_is_reached(self):
+        flags = ["drive", "--waypoints", "0.3,0,0 0.3,0.3,0", "--sight", "modelled"]
+        result = self.run_tool(*flags, "--json")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("there are no tags", result.stderr)
+        answer = self.json_of(result)
+        self.assertEqual(answer["status"], "unconfirmed")
+        self.assertIn("2 of 2 stops unconfirmed", answer["reason"])
+        self.assertEqual([w["outcome"] for w in answer["waypoints"]], ["unconfirmed"] * 2)
+        self.assertEqual([w["reached_s"] for w in answer["waypoints"]], [None] * 2)
+        self.assertIn("0 of 2 stops reached, 2 unconfirmed", self.run_tool(*flags).stdout)
+        self.assertEqual(self.run_json(*flags, "--loop", "open")["status"], "done")
+
+    def test_a_stop_without_a_tag_in_view_is_warned_of(self):
+        flags = ["drive", "--waypoints", "0.3,0,0 0.3,0,180", "--tags", "1=2,0.5,180 2=2,-0.5,180", "--sight", "modelled", "--json"]
+        result = self.run_tool(*flags)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("1 of the stops (waypoint 2)", result.stderr)
+        self.assertEqual([w["outcome"] for w in self.json_of(result)["waypoints"]], ["reached", "unconfirmed"])
+
+    def test_a_waypoint_where_the_robot_stands_has_no_ratio(self):
+        text = self.run_tool("drive", "--waypoints", "0,0,0", "--tags", "1=2,0.5,180 2=2,-0.5,180", "--sight", "modelled").stdout
+        self.assertIn("1 of 1 stops reached", text)
+        self.assertNotIn("times the", text)
+
+    def test_bench_drive_finds_no_false_claim(self):
+        result = self.run_tool("bench", "drive", "--scenarios", WAYPOINTS / "closed_loop.yaml", "--seeds", "2", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "done")
+        self.assertGreaterEqual(len(answer["rows"]), 10)
+        for row in answer["rows"]:
+            self.assertEqual(row["runs"], 2)
+            self.assertEqual(row["false_reached"], 0, row)
+        self.assertEqual(answer["rows"][0]["reached"], answer["rows"][0]["stops"], "without a fault all are reached")
 
     def test_a_goal_and_a_planner(self):
         flags = ["drive", "--bounds", "0,0,3,3", "--start", "0.5,0.5,0", "--goal", "2.5,2,0", "--tags",

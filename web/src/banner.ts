@@ -29,7 +29,7 @@ function verdictOf({ summary, cut, count, end }: RunLog): { word: string; senten
   if (!summary) return { word: "No verdict", sentence: "The log has no run.json, which says how the run ended." };
   const done = summary.status === "done";
   const caught = summary.metrics.catch_time_s;
-  const words: Record<string, string> = { done: "Done", doubtful: "Doubtful", cancelled: "Cancelled" };
+  const words: Record<string, string> = { done: "Done", doubtful: "Doubtful", unconfirmed: "Unconfirmed", cancelled: "Cancelled" };
   return { word: words[summary.status] ?? "Not done", sentence: summary.reason || (done && Number.isFinite(caught) ? `caught in second ${caught}` : "") };
 }
 

@@ -14,7 +14,8 @@
 // If a second set of the same size gives another pose at a similar cost, there is no answer. This happens,
 // for example, with a single tag whose two solutions are both possible.
 //
-// The prior is only used to choose solutions. The answer is independent of it, so the caller may fuse both.
+// The prior is only used to choose solutions, and as a second point of linearisation for the covariance. The
+// pose is independent of it, so the caller may fuse both.
 // Pure function; O(n^2) for n sightings. There are no faults: each sighting gets a verdict.
 #pragma once
 
@@ -66,5 +67,9 @@ TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const
 /// Fuses two independent beliefs, weighted by their inverse covariances. The difference of the headings is
 /// taken in (-pi, pi].
 PoseBelief fuse(const PoseBelief& a, const PoseBelief& b);
+
+/// Returns the squared Mahalanobis distance between two independent beliefs: chi-squared with 3 degrees of
+/// freedom if both are of the same pose.
+double squared_mahalanobis(const PoseBelief& a, const PoseBelief& b);
 
 }  // namespace outrider

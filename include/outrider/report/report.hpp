@@ -16,7 +16,7 @@ namespace outrider {
 
 /// What a run came to.
 struct Report {
-  std::string status;      ///< "done", "not_done", "doubtful" or "cancelled"
+  std::string status;      ///< "done", "not_done", "doubtful", "unconfirmed" or "cancelled"
   std::string job;         ///< "guard", ...
   std::string reason;      ///< why it is not done; empty when it is
   std::string world_name;  ///< name of the world, the map or the log

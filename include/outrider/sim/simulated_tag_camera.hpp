@@ -14,6 +14,10 @@
 
 namespace outrider {
 
+/// Returns the parts of the world at the height of a camera, as obstacles to sight. Tags hang on walls, which
+/// may stand on the edge, so the map reaches 10 m beyond the bounds of the world.
+CollisionMap sight_lines(const World& world, double height_m);
+
 class SimulatedTagCamera {
  public:
   /// `rendered` selects rendered images. Draws from the child streams `camera` and `sight` of `rng`.

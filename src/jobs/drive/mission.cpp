@@ -5,41 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "look.hpp"
 #include "outrider/core/units.hpp"
+#include "outrider/world/collision_map.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;  ///< times closer than this are one
-
-/// Returns true if the image shows a known tag at a place that contradicts the belief.
-bool contradicts(const TagFix& fix) {
-  return !fix.belief && std::ranges::any_of(fix.verdicts, [](TagVerdict verdict) {
-    return verdict == TagVerdict::off_prior || verdict == TagVerdict::outvoted;
-  });
-}
-
-void look(DriveMission& mission, const Observation& seen) {
-  if (!seen.image) return;
-  const auto& [taken_s, sightings] = *seen.image;
-  const bool fresh = seen.time_s - taken_s <= 0.5 * mission.task.rules.period_s + instant_s;
-  if (!fresh || taken_s <= mission.image_s) return;
-  mission.image_s = taken_s;
-  ++mission.images;
-  if (sightings.empty()) return;
-  advance(mission.reckoning, taken_s, mission.task.reckoning);
-  PoseBelief& belief = mission.reckoning.belief;
-  const TagFix fix =
-      localise(sightings, mission.task.tags, robot_camera(mission.task.eye), belief, mission.task.localise);
-  if (fix.belief) {
-    belief = fuse(belief, *fix.belief);
-    ++mission.used;
-    mission.tag_s = taken_s;
-    mission.refused = 0;
-  } else if (contradicts(fix)) {
-    ++mission.refused;
-  }
-}
+constexpr double instant_s = 1e-9;      ///< times closer than this are one
+constexpr double out_of_sight_s = 1.0;  ///< a robot that stands still because of tags waits so long for them
 
 /// `rests_until_s`: the robot is known not to move before.
 DriveWheels command(DriveMission& mission, const Twist2& twist, double until_s, double rests_until_s = 0.0) {
@@ -54,66 +28,136 @@ DriveWheels finish(DriveMission& mission, DriveEnd end, std::string reason) {
   return command(mission, {}, mission.reckoning.time_s + mission.task.rules.rest_s);
 }
 
-void arrive(DriveMission& mission, std::size_t waypoint, double time_s) {
-  mission.arrivals.push_back({waypoint, time_s, mission.reckoning.belief});
+void arrive(DriveMission& mission, std::size_t waypoint, double time_s, std::string doubt) {
+  mission.arrivals.push_back({waypoint, time_s, mission.reckoning.belief, std::move(doubt)});
   mission.since_s = time_s;
+  mission.stop.reset();
 }
 
 /// Returns the pose of the robot when a command that is sent now takes effect.
 Pose2 foreseen(const DriveMission& mission) {
+  const DriveTask& task = mission.task;
   Reckoning ahead = mission.reckoning;
-  advance(ahead, ahead.time_s + mission.task.reckoning.delay_s, mission.task.reckoning);
+  advance(ahead, ahead.time_s + task.reckoning.delay_s, task.reckoning, task.chassis);
   return ahead.belief.world_T_robot;
 }
 
-/// Returns true if a robot that rests at a stop knows its pose well enough, or has waited long enough.
-bool settled(const DriveMission& mission, double time_s, const DriveRules& rules) {
-  const double rested_s = time_s - *mission.resting_since_s;
-  const PoseBelief& belief = mission.reckoning.belief;
-  const bool sharp =
-      position_sigma_m(belief) <= rules.settle_sigma_m && heading_sigma_rad(belief) <= rules.settle_sigma_rad;
-  return rested_s >= (sharp ? rules.settle_s : rules.most_settle_s) - instant_s;
+/// Returns why the stop at which the robot stands is not confirmed; empty if it is.
+std::string stop_doubt(const DriveMission& mission) {
+  if (is_trusted(mission)) {
+    std::string doubt = mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+    if (!doubt.empty() && !mission.suspects.empty())
+      doubt += fmt::format("; tag {} contradicted other tags and does not count",
+                           fmt::join(mission.suspects, ", "));
+    return doubt;
+  }
+  const Relocalisation& last = mission.relocalisations.back();
+  return fmt::format("only tag {} tells where it is since the tags moved at {:.1f} s", *last.tags.begin(),
+                     last.time_s);
 }
 
-std::string lost_reason(const DriveMission& mission) {
-  const PoseBelief& belief = mission.reckoning.belief;
-  if (mission.refused >= mission.task.rules.most_refused) {
-    return fmt::format("lost: {} images in a row show tags where they cannot be; was the robot moved?",
-                       mission.refused);
+/// Decides about the stop at which the robot stands. Returns true if it goes on. `accepted`: the newest image
+/// was accepted in this step, so nobody has moved the robot since.
+bool leaves_stop(DriveMission& mission, double now_s, bool accepted) {
+  const DriveRules& rules = mission.task.rules;
+  const StopCheck& stop = *mission.stop;
+  const bool settled = now_s - stop.counts_from_s >= rules.settle_s - instant_s;
+  std::string doubt = stop_doubt(mission);
+  const double enough_s =
+      rules.settle_s + 2.0 * static_cast<double>(rules.settle_sightings) / mission.task.eye.rate_hz;
+  const bool late = now_s - stop.since_s >= std::max(rules.most_settle_s, enough_s) - instant_s;
+  if (doubt.empty() && !(settled && accepted)) {
+    if (!late) return false;
+    doubt = "images contradicted the belief until the end";
   }
-  if (!is_lost(belief, mission.task.reckoning)) return {};
+  if (!doubt.empty() && !late) return false;
+  arrive(mission, mission.follower.next, now_s, std::move(doubt));
+  return true;
+}
+
+/// Returns why the robot is lost; empty if it is not.
+std::string lost_reason(const DriveMission& mission, double now_s) {
+  const PoseBelief& belief = mission.reckoning.belief;
+  const bool in_sight = mission.refused > 0 && now_s - mission.refused_s <= out_of_sight_s;
+  if (mission.refused >= mission.task.rules.most_refused) {
+    return fmt::format(
+        "lost: {} images in a row show tags where they cannot be, and they do not agree on where it is; was "
+        "the robot moved?",
+        mission.refused);
+  }
+  if (mission.refused >= mission.task.rules.hold_refused && !in_sight) {
+    return fmt::format(
+        "lost: {} images in a row show tags where they cannot be, and none is in sight any more; was the "
+        "robot moved?",
+        mission.refused);
+  }
+  if (in_sight || !is_lost(belief, mission.task.reckoning)) return {};
   return fmt::format(
       "lost: the belief has a standard deviation of {:.2f} m and {:.0f} degrees; no tag was of "
       "use for {:.1f} s",
       position_sigma_m(belief), degrees(heading_sigma_rad(belief)), mission.reckoning.time_s - mission.tag_s);
 }
 
+/// Returns true if an obstacle stands between the robot and the next waypoint.
+bool is_blocked(const DriveMission& mission) {
+  const DriveTask& task = mission.task;
+  const Segment leg{mission.reckoning.belief.world_T_robot.position,
+                    task.waypoints[mission.follower.next].pose.position};
+  return !CollisionMap::of(task.world, task.eye.height_m).segment_free(leg, task.radius_m);
+}
+
+/// Ends the mission once the robot has stood at the last stop.
+DriveWheels finish_at_last_stop(DriveMission& mission) {
+  std::vector<std::string> doubts;
+  for (const DriveArrival& arrival : mission.arrivals) {
+    if (!arrival.doubt.empty())
+      doubts.push_back(fmt::format("waypoint {}: {}", arrival.waypoint + 1, arrival.doubt));
+  }
+  if (doubts.empty()) {
+    std::string doubt = tag_doubt(mission);
+    const DriveEnd end = doubt.empty() ? DriveEnd::done : DriveEnd::doubtful;
+    return finish(mission, end, std::move(doubt));
+  }
+  return finish(mission, DriveEnd::unconfirmed,
+                fmt::format("{} of {} stops unconfirmed; {}", doubts.size(), mission.arrivals.size(),
+                            fmt::join(doubts, "; ")));
+}
+
 DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
   const double now_s = seen.time_s;
-  look(mission, seen);
-  advance(mission.reckoning, now_s, mission.task.reckoning);
-  if (auto reason = lost_reason(mission); !reason.empty()) {
+  const DriveRules& rules = mission.task.rules;
+  const bool accepted = look(mission, seen);
+  advance(mission.reckoning, now_s, mission.task.reckoning, mission.task.chassis);
+  if (relocalise(mission) && is_blocked(mission)) {
+    return finish(
+        mission, DriveEnd::lost,
+        fmt::format("lost: by the tags in sight the robot was moved, and the straight way to waypoint "
+                    "{} touches an obstacle",
+                    mission.follower.next + 1));
+  }
+  if (auto reason = lost_reason(mission, now_s); !reason.empty()) {
     return finish(mission, DriveEnd::lost, std::move(reason));
   }
-  if (now_s - mission.since_s > mission.task.rules.patience_s) {
+  if (now_s - mission.since_s > rules.patience_s) {
     return finish(mission, DriveEnd::stuck,
                   fmt::format("waypoint {} was not reached within {:g} s", mission.follower.next + 1,
-                              mission.task.rules.patience_s));
+                              rules.patience_s));
+  }
+  if (mission.refused >= rules.hold_refused) {
+    mission.follower.last = {};
+    return command(mission, {}, now_s + rules.period_s);
   }
   const FollowStep wanted = follow(mission.follower, mission.task.waypoints, foreseen(mission),
-                                   mission.task.follow, mission.task.pid, mission.task.rules.period_s);
+                                   mission.task.follow, mission.task.pid, rules.period_s);
   if (!wanted.there) {
-    mission.resting_since_s.reset();
-  } else if (!mission.resting_since_s) {
-    mission.resting_since_s = now_s;
-  } else if (settled(mission, now_s, mission.task.rules)) {
-    arrive(mission, mission.follower.next, now_s);
-    if (mission.follower.next + 1 == mission.task.waypoints.size())
-      return finish(mission, DriveEnd::done, {});
-    mission.resting_since_s.reset();
+    mission.stop.reset();
+  } else if (!mission.stop) {
+    mission.stop = StopCheck::at(now_s);
+  } else if (leaves_stop(mission, now_s, accepted)) {
+    if (mission.follower.next + 1 == mission.task.waypoints.size()) return finish_at_last_stop(mission);
     advance_to_next(mission.follower, mission.task.waypoints);
   }
-  return command(mission, wanted.twist, now_s + mission.task.rules.period_s);
+  return command(mission, wanted.twist, now_s + rules.period_s);
 }
 
 double dead_time_s(const Twist2& twist, const Calibration& calibration) {
@@ -123,7 +167,7 @@ double dead_time_s(const Twist2& twist, const Calibration& calibration) {
 
 DriveWheels step_open(DriveMission& mission, const Observation& seen) {
   const double now_s = seen.time_s;
-  advance(mission.reckoning, now_s, mission.task.reckoning);
+  advance(mission.reckoning, now_s, mission.task.reckoning, mission.task.chassis);
   while (mission.motion < mission.motions.size()) {
     const TimedMotion& motion = mission.motions[mission.motion];
     const double moves_until_s = mission.since_s + motion.duration_s;
@@ -136,7 +180,7 @@ DriveWheels step_open(DriveMission& mission, const Observation& seen) {
     }
     mission.since_s = ends_s;
     ++mission.motion;
-    if (motion.at_waypoint) arrive(mission, mission.arrivals.size(), ends_s);
+    if (motion.at_waypoint) arrive(mission, mission.arrivals.size(), ends_s, {});
   }
   return finish(mission, DriveEnd::done, {});
 }
@@ -152,6 +196,9 @@ DriveMission begin(DriveTask given) {
   for (Eigen::Index i = 0; i < 2; ++i)
     mission.reckoning.belief.covariance(i, i) = start_sigma_m * start_sigma_m;
   mission.reckoning.belief.covariance(2, 2) = start_sigma_rad * start_sigma_rad;
+  mission.reckoning.errors =
+      unknown_errors(task.chassis, task.reckoning.wheel_sigma, task.reckoning.slip_sigma);
+  mission.corner_variance_px2 = std::pow(task.localise.corner_sigma_px, 2);
   mission.follower.from = task.start;
   if (!task.closed_loop) {
     std::vector<Pose2> poses;

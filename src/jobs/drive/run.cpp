@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,7 +76,11 @@ void log_start(Log& log, const DriveTask& task, std::uint64_t seed) {
 class Recorder {
  public:
   Recorder(const DriveTask& task, const CollisionMap& ground, Log& log)
-      : task_(task), ground_(ground), log_(log) {
+      : task_(task),
+        ground_(ground),
+        log_(log),
+        outcomes_(task.waypoints.size(), "not reached"),
+        nearest_m_(task.waypoints.size(), unknown) {
     waypoints_.closed_loop = task.closed_loop;
     for (const Waypoint& waypoint : task.waypoints) {
       waypoints_.waypoints.push_back({point_of(waypoint.pose.position),
@@ -96,35 +101,79 @@ class Recorder {
         clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
+    if (task_.closed_loop) note_passed(mission.follower.next, truth.position);
+    for (; relocalisations_ < mission.relocalisations.size(); ++relocalisations_)
+      note_relocalisation(time_s, mission.relocalisations[relocalisations_]);
     if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
+    Reckoning now = mission.reckoning;  // the robot still rolls out after the last step
+    advance(now, time_s, task_.reckoning, task_.chassis);
+    note_error(now.belief, truth);
     if (time_s < next_s_ && mission.end == DriveEnd::none) return;
     next_s_ = time_s + belief_every_s - 1e-9;
     log_pose(log_, time_s, truth);
-    Reckoning now = mission.reckoning;  // the robot still rolls out after the last step
-    advance(now, time_s, task_.reckoning);
     log_belief(log_, time_s, now.belief.world_T_robot, now.belief.covariance, mission.used > used_);
     used_ = mission.used;
   }
 
-  /// Returns each waypoint, and how far off it the robot was when it was reached; NaN where it was not.
+  /// Returns each waypoint, what became of it, and how far off it the robot was when it was reached; NaN
+  /// where it was not. Of a waypoint that is no stop: how near the robot came to it while it was the next
+  /// one.
   [[nodiscard]] Table table() const {
-    Table table{"waypoints", {"x", "y", "heading_rad", "stop", "reached_s", "dx", "dy", "dtheta"}, {}};
-    for (const outrider_msgs::Waypoint& one : waypoints_.waypoints) {
-      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, one.reached,
-                            one.error.x, one.error.y, one.heading_error});
+    Table table{"waypoints",
+                {"x", "y", "heading_rad", "stop", "outcome", "reached_s", "dx", "dy", "dtheta", "nearest_m"},
+                {}};
+    for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
+      const outrider_msgs::Waypoint& one = waypoints_.waypoints[i];
+      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, outcomes_[i],
+                            one.reached, one.error.x, one.error.y, one.heading_error, nearest_m_[i]});
     }
     return table;
   }
 
   double clearance_m = look_around_m;
+  double belief_error_m = 0.0;      ///< largest error of the believed position
+  double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
  private:
+  /// Notes how near the robot comes to the next waypoint if that is no stop, and which ones it has passed.
+  void note_passed(std::size_t next, Vec2 position) {
+    for (; next_ < next; ++next_) {
+      if (!task_.waypoints[next_].stop) outcomes_[next_] = "passed";
+    }
+    if (task_.waypoints[next].stop) return;
+    const double off_m = distance(position, task_.waypoints[next].pose.position);
+    nearest_m_[next] = std::fmin(nearest_m_[next], off_m);
+  }
+
+  void note_error(const PoseBelief& belief, const Pose2& truth) {
+    const Vec2 off = truth.position - belief.world_T_robot.position;
+    const Eigen::Vector2d error(off.x, off.y);
+    const Eigen::Matrix2d covariance = belief.covariance.topLeftCorner<2, 2>();
+    belief_error_m = std::max(belief_error_m, norm(off));
+    belief_error_ratio =
+        std::max(belief_error_ratio, std::sqrt(std::max(0.0, error.dot(covariance.ldlt().solve(error)))));
+  }
+
   void note_end(double time_s, const DriveMission& mission) {
-    if (mission.end == DriveEnd::done) return;
-    log_event(log_, time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+    if (mission.end == DriveEnd::lost || mission.end == DriveEnd::stuck)
+      log_event(log_, time_s, mission.end == DriveEnd::lost ? "lost" : "stuck", mission.reason);
+  }
+
+  void note_relocalisation(double time_s, const Relocalisation& found) {
+    const Pose2& pose = found.belief.world_T_robot;
+    log_event(log_, time_s, "relocalised",
+              fmt::format("by {} the robot is at {:.2f}, {:.2f}, {:.0f} degrees",
+                          found.tags.size() > 1 ? "tags" : fmt::format("tag {} alone", *found.tags.begin()),
+                          pose.position.x, pose.position.y, degrees(pose.heading_rad)));
   }
 
   void arrived(double time_s, const DriveArrival& arrival, const Pose2& truth) {
+    outcomes_[arrival.waypoint] = arrival.doubt.empty() ? "reached" : "unconfirmed";
+    if (!arrival.doubt.empty()) {
+      log_event(log_, time_s, "unconfirmed",
+                fmt::format("waypoint {} unconfirmed: {}", arrival.waypoint + 1, arrival.doubt));
+      return;
+    }
     const Pose2& pose = task_.waypoints[arrival.waypoint].pose;
     const Vec2 error = truth.position - pose.position;
     outrider_msgs::Waypoint& waypoint = waypoints_.waypoints[arrival.waypoint];
@@ -141,11 +190,27 @@ class Recorder {
   const CollisionMap& ground_;
   Log& log_;
   outrider_msgs::Waypoints waypoints_;
+  std::vector<std::string> outcomes_;  // of each waypoint
+  std::vector<double> nearest_m_;      // to each waypoint that is no stop
+  std::size_t next_ = 0;
   std::size_t arrivals_ = 0;
+  std::size_t relocalisations_ = 0;
   std::int64_t used_ = 0;
   double next_s_ = 0.0;
   bool ended_ = false;
 };
+
+std::string status_of(DriveEnd end) {
+  switch (end) {
+    case DriveEnd::done: return "done";
+    case DriveEnd::unconfirmed: return "unconfirmed";
+    case DriveEnd::doubtful: return "doubtful";
+    case DriveEnd::none:
+    case DriveEnd::lost:
+    case DriveEnd::stuck: break;
+  }
+  return "not_done";
+}
 
 /// Returns what the drive came to.
 Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Recorder& recorder) {
@@ -155,7 +220,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   const bool touched = recorder.clearance_m < 0.0;
   Report report;
   report.world_name = task.world.name;
-  report.status = mission.end == DriveEnd::done && !touched ? "done" : "not_done";
+  report.status = touched ? "not_done" : status_of(mission.end);
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
     report.reason =
@@ -168,9 +233,23 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
                     {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
-                    {"clearance_m", recorder.clearance_m}};
+                    {"clearance_m", recorder.clearance_m},
+                    {"belief_error_m", recorder.belief_error_m},
+                    {"belief_error_ratio", recorder.belief_error_ratio},
+                    {"tolerance_m", tolerance_m(task)},
+                    {"tolerance_rad", tolerance_rad(task)}};
   report.tables = {recorder.table()};
   return report;
+}
+
+/// Returns where the tags truly hang.
+TagMap true_tags(const TagMap& map, const MovedTag& moved) {
+  TagMap tags = map;
+  for (Tag& tag : tags.tags) {
+    if (tag.id == moved.id)
+      tag.world_T_tag.position = tag.world_T_tag.position + moved.by_m * tag.world_T_tag.rotation.axes[0];
+  }
+  return tags;
 }
 
 /// In the open loop the camera is blind.
@@ -182,10 +261,11 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
   options.exposure_s = task.eye.exposure_s;
   TagSightFaults faults = params.sight;
   if (!task.closed_loop) faults.blind_from_s = 0.0;
-  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
-                        {.camera = SimulatedTagCamera({task.world, task.tags}, robot_camera(task.eye),
-                                                      options, faults, rendered, rng)},
-                        params.kidnapping);
+  return SimulatedRobot(
+      WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
+      {.camera = SimulatedTagCamera({task.world, true_tags(task.tags, params.moved_tag)},
+                                    robot_camera(task.eye), options, faults, rendered, rng)},
+      params.kidnapping);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "outrider/io/sdf.hpp"
 #include "outrider/io/text.hpp"
 #include "outrider/io/values.hpp"
+#include "tag_warnings.hpp"
 
 namespace outrider {
 namespace {
@@ -207,6 +208,7 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
     setup.path_clearance_m = way_clearance_m(setup.plan->waypoints, ground) - setup.task.radius_m;
   }
   if (auto ok = check_waypoints(setup.task, ground); !ok) return pass_on(ok);
+  for (std::string& warning : tag_warnings(setup.task)) setup.warnings.push_back(std::move(warning));
   return setup;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "outrider/core/text.hpp"
@@ -10,13 +11,31 @@
 namespace outrider {
 namespace {
 
+/// Returns what became of a waypoint. Runs of older versions do not say so.
+std::string outcome_of(const TableRow& row) {
+  if (std::ranges::find(row.table.columns, "outcome") != row.table.columns.end()) return row.text("outcome");
+  if (std::isnan(row.number("reached_s"))) return "not reached";
+  return "reached";
+}
+
 std::string stop_line(std::size_t number, const TableRow& row) {
   std::string text = fmt::format("  {:>3}  {:>7.3f} {:>7.3f} {:>6.1f}  ", number, row.number("x"),
                                  row.number("y"), degrees(wrap_angle(row.number("heading_rad"))));
-  if (row.number("stop") == 0.0) return text + "passed by\n";
-  if (std::isnan(row.number("reached_s"))) return text + "not reached\n";
+  const std::string outcome = outcome_of(row);
+  if (outcome == "passed")
+    return fmt::format("{}passed by, {:.1f} mm off\n", text, 1e3 * row.number("nearest_m"));
+  if (outcome != "reached") return fmt::format("{}{}\n", text, outcome);
   return text + fmt::format("{:>6.1f}  {:>8.1f} {:>8.1f} {:>8.2f}\n", row.number("reached_s"),
                             1e3 * row.number("dx"), 1e3 * row.number("dy"), degrees(row.number("dtheta")));
+}
+
+/// Returns a length or an angle and its ratio to the least possible one.
+std::string ratio_line(std::string_view name, double value, std::string_view unit, double least,
+                       std::string_view of) {
+  constexpr double no_motion = 1e-6;
+  std::string text = fmt::format("  {:<9}  {:.3f} {}", name, value, unit);
+  if (least > no_motion) text += fmt::format(", {:.3f} times the {}", value / least, of);
+  return text + "\n";
 }
 
 }  // namespace
@@ -24,22 +43,25 @@ std::string stop_line(std::size_t number, const TableRow& row) {
 std::string drive_summary(const Report& report) {
   const Table& waypoints = table_named(report, "waypoints");
   const std::string loop = setting(report, "loop");
-  std::size_t stops = 0, reached = 0;
+  std::size_t stops = 0, reached = 0, unconfirmed = 0;
   for (const auto& values : waypoints.rows) {
     const TableRow row{waypoints, values};
-    stops += row.number("stop") == 0.0 ? 0 : 1;
-    reached += std::isnan(row.number("reached_s")) ? 0 : 1;
+    if (row.number("stop") == 0.0) continue;
+    ++stops;
+    const std::string outcome = outcome_of(row);
+    reached += outcome == "reached" ? 1 : 0;
+    unconfirmed += outcome == "unconfirmed" ? 1 : 0;
   }
   std::string text =
-      fmt::format("{}, {} loop: {} of {} stops reached in {}\n\n", printable(report.world_name), loop,
-                  reached, stops, duration_text(metric(report, "time_s")));
+      fmt::format("{}, {} loop: {} of {} stops reached", printable(report.world_name), loop, reached, stops);
+  if (unconfirmed > 0) text += fmt::format(", {} unconfirmed,", unconfirmed);
+  text += fmt::format(" in {}\n\n", duration_text(metric(report, "time_s")));
   text += "       x, m    y, m     deg       s  off x, mm    y, mm      deg\n";
   for (std::size_t i = 0; i < waypoints.rows.size(); ++i)
     text += stop_line(i + 1, {waypoints, waypoints.rows[i]});
-  text += fmt::format("\n  driven     {:.3f} m, {:.3f} times the straight legs\n", metric(report, "driven_m"),
-                      metric(report, "driven_m") / std::max(metric(report, "ideal_m"), 1e-9));
-  text += fmt::format("  turned     {:.3f} rad, {:.3f} times the least\n", metric(report, "turned_rad"),
-                      metric(report, "turned_rad") / std::max(metric(report, "ideal_rad"), 1e-9));
+  text += '\n';
+  text += ratio_line("driven", metric(report, "driven_m"), "m", metric(report, "ideal_m"), "straight legs");
+  text += ratio_line("turned", metric(report, "turned_rad"), "rad", metric(report, "ideal_rad"), "least");
   text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
   if (std::isfinite(metric(report, "path_m"))) {
     text += fmt::format("  path       {:.3f} m, {:.3f} m clear\n", metric(report, "path_m"),

@@ -4,36 +4,68 @@
 // Closed loop: in each period dead reckoning advances the belief to the time of the newest image. The tags of
 // the image correct the belief (estimate/localise.hpp) unless the image is older than half a period or was
 // used before. Dead reckoning then advances the belief to the present. The follower computes the next command
-// for the pose at which the command takes effect. A stop counts as reached once the robot has stood there for
-// `settle_s` with a small uncertainty.
+// for the pose at which the command takes effect. A stop counts as reached if the robot stands there and the
+// tags confirm it (stop_check.hpp). If they do not within `most_settle_s`, the stop is unconfirmed and the
+// robot goes on.
+//
+// A robot that sees tags at impossible places in several images in a row stands still, finds itself by these
+// tags (relocaliser.hpp) and goes on. Until a second tag agrees, stops are unconfirmed. A tag that other tags
+// contradict then confirms no stop any more.
 //
 // Open loop: the mission executes the motions of control/timed_drive.hpp one after another and ignores tags.
 //
-// The mission fails if the belief is lost or a waypoint takes longer than the patience. The belief is lost if
-// its covariance exceeds the limits, or if several images in a row show tags at impossible places (somebody
-// has moved the robot). The first and the last command are to rest, for links that lose commands.
+// The mission fails if the robot is lost or a waypoint takes longer than the patience. It is lost if the
+// covariance of the belief exceeds the limits, if the tags in sight contradict the belief and do not agree on
+// another pose, or if obstacles stand between the robot and the next waypoint after it has found itself. The
+// first and the last command are to rest, for links that lose commands.
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "outrider/control/timed_drive.hpp"
+#include "outrider/jobs/drive/relocaliser.hpp"
+#include "outrider/jobs/drive/stop_check.hpp"
 #include "outrider/jobs/drive/task.hpp"
 #include "outrider/robot/mission.hpp"
 
 namespace outrider {
 
-/// A stop that was reached.
+/// A stop at which the robot stood.
 struct DriveArrival {
   std::size_t waypoint = 0;  ///< its index
   double time_s = 0.0;
   PoseBelief belief;  ///< at that time
+  std::string doubt;  ///< why the stop is unconfirmed; empty: it is reached
+};
+
+/// A time at which the robot found itself by its tags alone.
+struct Relocalisation {
+  double time_s = 0.0;
+  PoseBelief belief;
+  std::set<int> tags;         ///< ids of the tags that said so
+  bool corroborated = false;  ///< two different tags agree on it
+};
+
+/// How often a tag agreed with the other tags and the belief.
+struct TagRecord {
+  std::int64_t used = 0;
+  std::int64_t refused = 0;  ///< in images that other tags explain
 };
 
 /// How a mission ended.
-enum class DriveEnd { none, done, lost, stuck };
+enum class DriveEnd {
+  none,
+  done,         ///< every stop is reached
+  unconfirmed,  ///< the robot believes that it stood at every stop, but not all are confirmed
+  doubtful,     ///< every stop is reached, but a tag contradicted the others
+  lost,
+  stuck,
+};
 
 /// The state of the execution.
 struct DriveMission {
@@ -47,12 +79,20 @@ struct DriveMission {
   std::vector<TimedMotion> motions;  ///< of the open loop
   std::size_t motion = 0;            ///< index of the current motion
   double since_s = 0.0;              ///< start of the path to the current waypoint, or of the current motion
-  std::optional<double> resting_since_s;
+  std::optional<StopCheck> stop;     ///< set while the robot stands at a stop
   double image_s = -std::numeric_limits<double>::infinity();  ///< time of the newest image
   double tag_s = 0.0;                                         ///< time of the last correction by a tag
   std::int64_t images = 0;                                    ///< number of images recent enough to use
   std::int64_t used = 0;                                      ///< images with a tag that corrected the belief
-  std::int64_t refused = 0;  ///< number of last images in a row with impossible tags
+  std::int64_t refused = 0;          ///< number of last images in a row with impossible tags
+  double refused_s = 0.0;            ///< time of the last of them
+  Relocaliser relocaliser;           ///< of these images
+  double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
+  std::vector<Relocalisation> relocalisations;
+  std::map<int, TagRecord> tag_records;  ///< by id
+  /// Ids of tags that said alone where the robot is, and that other tags contradicted later. They confirm
+  /// nothing.
+  std::set<int> suspects;
   std::vector<DriveArrival> arrivals;
   bool initial_stop_sent = false;
   DriveEnd end = DriveEnd::none;

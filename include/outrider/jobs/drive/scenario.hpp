@@ -60,7 +60,7 @@ struct DriveSetup {
   bool rendered = true;               ///< images are rendered; false: modelled
   std::optional<Plan> plan;           ///< answer of the planner, if one was used
   double path_clearance_m = 0.0;      ///< clearance of its legs from the robot's disk
-  std::vector<std::string> warnings;  ///< what was repaired in the world
+  std::vector<std::string> warnings;  ///< what was repaired, and what tags will miss
 };
 
 /// Reads the files and the texts. Faults: bad_input with the file and line, or the key; start_blocked,

@@ -30,14 +30,18 @@ RobotCamera robot_camera(const TagEye& eye);
 
 /// When the mission uses images, waits and gives up.
 struct DriveRules {
-  double period_s = 0.05;           ///< control period; tag poses older than half of it are ignored
-  double settle_s = 0.5;            ///< time to stand at a stop before it counts as reached
-  double most_settle_s = 4.0;       ///< after this time it counts although the uncertainty is still large
+  double period_s = 0.05;      ///< control period; tag poses older than half of it are ignored
+  double settle_s = 0.5;       ///< time to stand at a stop before it counts as reached
+  double most_settle_s = 4.0;  ///< after this time it is unconfirmed, and the robot goes on
+  std::int64_t settle_sightings =
+      3;                            ///< images at a stop whose tags are accepted before it counts as reached
   double settle_sigma_m = 0.006;    ///< largest standard deviation of the position at a stop
   double settle_sigma_rad = 0.006;  ///< the same for the heading
   double patience_s = 120.0;        ///< longest time for one waypoint
-  std::int64_t most_refused = 10;   ///< images in a row with impossible tags after which the robot is lost
-  double rest_s = 1.0;              ///< rest between two motions of the open loop
+  std::int64_t hold_refused = 3;  ///< images in a row with impossible tags after which the robot stands still
+  std::int64_t relocalise = 5;    ///< images that have to agree on where it is then
+  std::int64_t most_refused = 30;  ///< images in a row with impossible tags after which the robot is lost
+  double rest_s = 1.0;             ///< rest between two motions of the open loop
 };
 /// Describes the options by name.
 std::vector<Option> describe(DriveRules& rules);

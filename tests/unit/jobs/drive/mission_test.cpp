@@ -14,6 +14,7 @@ namespace {
 DriveTask task_with(std::vector<Waypoint> waypoints) {
   DriveTask task;
   task.tags.tags = {upright_tag(1, {2, 0.3, 0.2}, pi), upright_tag(2, {2, -0.3, 0.2}, pi)};
+  task.world.bounds = {{-5, -5}, {5, 5}};
   task.waypoints = std::move(waypoints);
   return task;
 }
@@ -71,8 +72,9 @@ TEST(DriveMission, TheFirstAndTheLastCommandAreToRest) {
     ASSERT_GE(commands.size(), 2U);
     EXPECT_EQ(commands.front(), WheelSpeeds4{});
     EXPECT_EQ(commands.back(), WheelSpeeds4{});
-    EXPECT_EQ(mission.end, DriveEnd::done);
-    EXPECT_EQ(mission.arrivals.size(), 1U);
+    EXPECT_EQ(mission.end, closed ? DriveEnd::unconfirmed : DriveEnd::done);
+    ASSERT_EQ(mission.arrivals.size(), 1U);
+    EXPECT_EQ(mission.arrivals[0].doubt, closed ? "no tag was of use there" : "");
     EXPECT_FALSE(step(mission, at(time_s)));
   }
 }
@@ -103,6 +105,89 @@ TEST(DriveMission, LooksMakeTheBeliefSharper) {
                                           : mission.arrivals[0].belief.world_T_robot.position),
             0.01);
   EXPECT_LT(position_sigma_m(mission.reckoning.belief), 0.02);
+}
+
+/// Drives a mission whose robot never moves and sees what `sightings` says of each time. Returns its end.
+template <class Sightings>
+DriveEnd run_at_rest(DriveMission& mission, const Sightings& sightings) {
+  double time_s = 0.0;
+  while (const auto command = step(mission, at(time_s, time_s, sightings(time_s)))) time_s = command->until_s;
+  return mission.end;
+}
+
+TEST(DriveMission, AStopIsReachedByEnoughImagesThatAgree) {
+  DriveTask task = task_with({{{{0, 0}, 0}}});
+  task.rules.settle_sightings = 5;
+  DriveMission mission = begin(task);
+  const auto here = seen_from_pose(task, {});
+  EXPECT_EQ(run_at_rest(mission, [&](double) { return here; }), DriveEnd::done);
+  ASSERT_EQ(mission.arrivals.size(), 1U);
+  EXPECT_GE(mission.arrivals[0].time_s, task.rules.settle_s);
+
+  task.rules.settle_sightings = 100;  // more than there are within most_settle
+  mission = begin(task);
+  EXPECT_EQ(
+      run_at_rest(mission, [&](double time_s) { return time_s < 1.0 ? here : std::vector<TagSighting>{}; }),
+      DriveEnd::unconfirmed);
+  EXPECT_NE(mission.reason.find("waypoint 1"), std::string::npos) << mission.reason;
+}
+
+TEST(DriveMission, AnImageThatContradictsStartsTheCountAnew) {
+  const DriveTask task = task_with({{{{0, 0}, 0}}});
+  const auto here = seen_from_pose(task, {}), elsewhere = seen_from_pose(task, {{0.0, 0.2}, 0.0});
+  DriveMission mission = begin(task);
+  constexpr double nudged_s = 0.4;
+  EXPECT_EQ(run_at_rest(mission,
+                        [&](double time_s) { return std::abs(time_s - nudged_s) < 0.01 ? elsewhere : here; }),
+            DriveEnd::done);
+  EXPECT_GE(mission.arrivals.at(0).time_s, nudged_s + task.rules.settle_s - 0.01);
+}
+
+TEST(DriveMission, ARobotThatTwoTagsPutElsewhereIsRelocalised) {
+  const DriveTask task = task_with({{{{0, 0}, 0}}});
+  const Pose2 truth{{-0.5, 0.4}, 0.2};
+  const auto sightings = seen_from_pose(task, truth);
+  DriveMission mission = begin(task);
+  double time_s = 0.0;
+  while (mission.relocalisations.empty() && time_s < 5.0) {
+    const auto command = step(mission, at(time_s, time_s, sightings));
+    ASSERT_TRUE(command) << mission.reason;
+    if (mission.refused >= task.rules.hold_refused) {
+      EXPECT_EQ(command->wheels, WheelSpeeds4{});
+    }
+    time_s = command->until_s;
+  }
+  ASSERT_EQ(mission.relocalisations.size(), 1U);
+  EXPECT_LT(distance(mission.relocalisations[0].belief.world_T_robot.position, truth.position), 0.01);
+  EXPECT_TRUE(mission.relocalisations[0].corroborated);
+}
+
+TEST(DriveMission, OneTagAloneRelocalisesButConfirmsNoStop) {
+  DriveTask task = task_with({{{{0, 0}, 0}}});
+  task.tags.tags = {upright_tag(1, {2, 1.0, 0.2}, pi)};
+  DriveTask moved = task;  // the tag hangs 0.3 m beside the place in the map, or the robot was moved
+  moved.tags.tags[0].world_T_tag.position.y += 0.3;
+  const auto sightings = seen_from_pose(moved, {});
+  DriveMission mission = begin(task);
+  mission.task.follow.within_m = 10.0;  // it stands wherever it is
+  mission.task.follow.within_rad = 3.0;
+  EXPECT_EQ(run_at_rest(mission, [&](double) { return sightings; }), DriveEnd::unconfirmed);
+  ASSERT_FALSE(mission.relocalisations.empty());
+  EXPECT_FALSE(mission.relocalisations[0].corroborated);
+  EXPECT_NE(mission.reason.find("only tag 1"), std::string::npos) << mission.reason;
+}
+
+TEST(DriveMission, ATagThatContradictsTheOthersMakesTheDriveDoubtful) {
+  DriveTask task = task_with({{{{0, 0}, 0}}});
+  task.tags.tags.push_back(upright_tag(3, {2, 0.0, 0.2}, pi));
+  task.rules.settle_s = 2.0;
+  DriveTask moved = task;
+  moved.tags.tags[2].world_T_tag.position.y += 0.15;
+  const auto sightings = seen_from_pose(moved, {});
+  DriveMission mission = begin(task);
+  EXPECT_EQ(run_at_rest(mission, [&](double) { return sightings; }), DriveEnd::doubtful);
+  EXPECT_TRUE(mission.arrivals.at(0).doubt.empty());
+  EXPECT_NE(mission.reason.find("tag 3"), std::string::npos) << mission.reason;
 }
 
 TEST(DriveMission, StopsWhenImagesContradictTheBelief) {

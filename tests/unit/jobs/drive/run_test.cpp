@@ -137,15 +137,26 @@ TEST(DriveRun, ABlindedRobotStopsAndSaysSo) {
       std::isnan(run.log.latest<outrider_msgs::Waypoints>(topic::waypoints)->waypoints.back().reached));
 }
 
-TEST(DriveRun, AKidnappedRobotStopsAndSaysSo) {
+TEST(DriveRun, AKidnappedRobotFindsItselfByTheTagsInSight) {
   for (int seed = 1; seed <= testing::cases(5); ++seed) {
     DriveSimParams params = faults();
     params.kidnapping.at_s = 6.0;
     const auto run = driven(waypoints(), params, false, static_cast<std::uint64_t>(seed));
-    EXPECT_EQ(run.report.status, "not_done");
-    EXPECT_NE(run.report.reason.find("lost"), std::string::npos) << run.report.reason;
-    EXPECT_EQ(events_of(run.log).back().message.name, "lost");
+    EXPECT_GT(metric(run, "belief_error_m"), 0.7) << "it was kidnapped";
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    EXPECT_LE(worst_of(run).position_m, metric(run, "tolerance_m"));
+    EXPECT_TRUE(std::ranges::any_of(events_of(run.log),
+                                    [](const auto& event) { return event.message.name == "relocalised"; }));
   }
+}
+
+TEST(DriveRun, AKidnappedRobotThatSeesNoTagsSaysSo) {
+  DriveSimParams params = faults();
+  params.kidnapping = {6.0, 0.8, pi};
+  const auto run = driven(waypoints(), params, false, 1);
+  EXPECT_EQ(run.report.status, "not_done");
+  EXPECT_NE(run.report.reason.find("lost"), std::string::npos) << run.report.reason;
+  EXPECT_EQ(events_of(run.log).back().message.name, "lost");
 }
 
 TEST(DriveRun, SameSeedSameBytes) {

@@ -1,0 +1,155 @@
+#include "look.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace outrider {
+namespace {
+
+constexpr double same_time_s = 1e-9;
+constexpr double corner_memory = 30.0;  ///< number of tags over which the noise of corners is averaged
+constexpr double clearly_larger =
+    1.3;  ///< ratio of the estimated to the expected noise, 4 standard deviations
+constexpr std::int64_t many_refusals = 10;  ///< of a tag that is doubtful
+constexpr double doubtful_part = 0.2;       ///< of the images with a tag: more refusals are doubtful
+
+/// Estimates the noise of corners from how well four corners fit a square: two degrees of freedom for each
+/// tag.
+void note_corners(DriveMission& mission, const std::vector<TagSighting>& sightings) {
+  for (const TagSighting& sighting : sightings) {
+    if (sighting.poses.empty()) continue;
+    const double error_px = sighting.poses.front().error_px;  // squared: a quarter of the sum of squares
+    mission.corner_variance_px2 += (2.0 * error_px * error_px - mission.corner_variance_px2) / corner_memory;
+  }
+}
+
+/// Returns the options with the estimated noise of corners, if it is clearly larger than the expected noise.
+LocaliseOptions adapted(const DriveMission& mission) {
+  LocaliseOptions options = mission.task.localise;
+  const double sigma_px = std::sqrt(mission.corner_variance_px2);
+  if (sigma_px > clearly_larger * options.corner_sigma_px) options.corner_sigma_px = sigma_px;
+  return options;
+}
+
+bool is_refused(TagVerdict verdict) {
+  return verdict == TagVerdict::off_prior || verdict == TagVerdict::outvoted;
+}
+
+/// Forgets the suspicion against tags that explain the image together with others, and returns true if a tag
+/// without suspicion explains it.
+bool clear_suspects(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  std::set<int> used;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (fix.verdicts[i] == TagVerdict::used) used.insert(sightings[i].id);
+  }
+  const auto is_suspect = [&](int id) { return mission.suspects.contains(id); };
+  if (std::ranges::all_of(used, is_suspect)) return false;
+  for (const int id : used) mission.suspects.erase(id);
+  return true;
+}
+
+/// Notes which tags explain the image and which contradict them.
+void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    TagRecord& record = mission.tag_records[sightings[i].id];
+    if (fix.verdicts[i] == TagVerdict::used) {
+      ++record.used;
+      if (mission.relocalisations.empty() || mission.suspects.contains(sightings[i].id)) continue;
+      Relocalisation& last = mission.relocalisations.back();
+      last.tags.insert(sightings[i].id);
+      last.corroborated = last.tags.size() > 1;
+    } else if (is_refused(fix.verdicts[i])) {
+      ++record.refused;
+    }
+  }
+}
+
+void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  correct(mission.reckoning, *fix.belief);
+  const bool confirms = clear_suspects(mission, sightings, fix);
+  note_tags(mission, sightings, fix);
+  ++mission.used;
+  mission.tag_s = mission.image_s;
+  mission.refused = 0;
+  mission.relocaliser = {};
+  if (!mission.stop || !confirms) return;
+  mission.stop->accept(*fix.belief);
+  mission.stop->is_still = false;
+  if (is_at_rest(mission.reckoning))
+    mission.stop->compare(sightings, adapted(mission).corner_sigma_px, mission.image_s);
+}
+
+void refuse(DriveMission& mission, const std::vector<TagSighting>& sightings) {
+  const DriveTask& task = mission.task;
+  ++mission.refused;
+  mission.refused_s = mission.image_s;
+  if (mission.stop) mission.stop->refuse(mission.image_s);
+  if (is_at_rest(mission.reckoning))
+    mission.relocaliser.add(sightings, task.tags, robot_camera(task.eye), adapted(mission));
+}
+
+}  // namespace
+
+bool look(DriveMission& mission, const Observation& seen) {
+  if (!seen.image) return false;
+  const DriveTask& task = mission.task;
+  const auto& [taken_s, sightings] = *seen.image;
+  const bool fresh = seen.time_s - taken_s <= 0.5 * task.rules.period_s + same_time_s;
+  if (!fresh || taken_s <= mission.image_s) return false;
+  mission.image_s = taken_s;
+  ++mission.images;
+  if (sightings.empty()) return false;
+  advance(mission.reckoning, taken_s, task.reckoning, task.chassis);
+  note_corners(mission, sightings);
+  const TagFix fix =
+      localise(sightings, task.tags, robot_camera(task.eye), mission.reckoning.belief, adapted(mission));
+  if (fix.belief) {
+    accept(mission, sightings, fix);
+    return true;
+  }
+  if (std::ranges::any_of(fix.verdicts, is_refused)) refuse(mission, sightings);
+  return false;
+}
+
+bool is_trusted(const DriveMission& mission) {
+  return mission.relocalisations.empty() || mission.relocalisations.back().corroborated;
+}
+
+bool relocalise(DriveMission& mission) {
+  const Relocaliser& found = mission.relocaliser;
+  if (!found.pose || found.images < mission.task.rules.relocalise) return false;
+  PoseBelief belief = *found.pose;  // the images share the errors of where the tags hang
+  const double tag_sigma_m = mission.task.localise.tag_sigma_m;
+  belief.covariance.diagonal().head<2>().array() += tag_sigma_m * tag_sigma_m;
+  if (!is_trusted(mission)) {
+    const int alone = *mission.relocalisations.back().tags.begin();
+    if (!found.tags.contains(alone)) mission.suspects.insert(alone);
+  }
+  relocate(mission.reckoning, belief);
+  mission.relocalisations.push_back({mission.reckoning.time_s, belief, found.tags, found.tags.size() > 1});
+  mission.relocaliser = {};
+  mission.refused = 0;
+  mission.stop.reset();
+  const std::size_t next = mission.follower.next;
+  mission.follower = {};
+  mission.follower.next = next;
+  mission.follower.from = belief.world_T_robot;
+  return true;
+}
+
+std::string tag_doubt(const DriveMission& mission) {
+  for (const auto& [id, record] : mission.tag_records) {
+    const auto all = static_cast<double>(record.used + record.refused);
+    if (record.refused < many_refusals || static_cast<double>(record.refused) <= doubtful_part * all)
+      continue;
+    return fmt::format(
+        "tag {} was not where the map says in {} of {} images that other tags explain; does it hang "
+        "elsewhere?",
+        id, record.refused, record.used + record.refused);
+  }
+  return {};
+}
+
+}  // namespace outrider

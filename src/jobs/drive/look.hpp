@@ -1,0 +1,21 @@
+// What a drive learns from the tags in its newest image.
+#pragma once
+
+#include "outrider/jobs/drive/mission.hpp"
+
+namespace outrider {
+
+/// Corrects the belief by the tags of the newest image, if it is recent enough and new. Returns true if the
+/// image corrected it.
+bool look(DriveMission& mission, const Observation& seen);
+
+/// Returns true if the belief rests on the start, or on a pose that two different tags agree on.
+bool is_trusted(const DriveMission& mission);
+
+/// Replaces the belief by the pose that the tags in sight agree on, if they do. Returns true if it did.
+bool relocalise(DriveMission& mission);
+
+/// Returns a sentence about a tag that often contradicted the others; empty if there is none.
+std::string tag_doubt(const DriveMission& mission);
+
+}  // namespace outrider

@@ -1,0 +1,25 @@
+#include "outrider/jobs/drive/relocaliser.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double same_pose = 16.27;  ///< 99.9 % quantile of chi-squared with three degrees of freedom
+
+}  // namespace
+
+void Relocaliser::add(std::span<const TagSighting> sightings, const TagMap& map, const RobotCamera& camera,
+                      const LocaliseOptions& options) {
+  const TagFix fix = localise(sightings, map, camera, std::nullopt, options);
+  if (!fix.belief) {
+    *this = {};
+    return;
+  }
+  if (pose && squared_mahalanobis(*pose, *fix.belief) > same_pose) *this = {};
+  pose = pose ? fuse(*pose, *fix.belief) : *fix.belief;
+  ++images;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    if (fix.verdicts[i] == TagVerdict::used) tags.insert(sightings[i].id);
+  }
+}
+
+}  // namespace outrider

@@ -1,0 +1,178 @@
+// What a drive claims about its stops against where the robot truly was, under faults that it must notice.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+#include "outrider/jobs/drive/run.hpp"
+#include "support/costly_cases.hpp"
+#include "support/logged_run.hpp"
+#include "support/random_cases.hpp"
+
+namespace outrider {
+namespace {
+
+/// Two tags are in view at each stop.
+DriveTask two_tags_in_view() {
+  DriveTask task;
+  task.world.name = "open ground";
+  task.world.bounds = {{-50, -50}, {50, 50}};
+  task.tags.tags = {upright_tag(1, {2.5, 0.5, 0.2}, pi), upright_tag(2, {2.5, -0.5, 0.2}, pi),
+                    upright_tag(3, {2.5, 0.0, 0.2}, pi)};
+  task.waypoints = {{{{0.5, 0}, 0}}, {{{0.5, 0.4}, 0}}, {{{0, 0}, 0}}};
+  return task;
+}
+
+DriveSimParams usual_faults() {
+  DriveSimParams params;
+  params.wheels.gains = {0.985, 1.012, 1.003, 0.989};
+  params.wheels.dead_time_s = 0.08;
+  params.wheels.lag_s = 0.08;
+  params.wheels.strafe_slip = 0.1;
+  params.wheels.noise = 0.005;
+  params.link = {1, 0.05, 0.01};
+  return params;
+}
+
+Run driven(const DriveTask& task, const DriveSimParams& params, std::uint64_t seed) {
+  auto run = testing::logged_run(
+      {}, [&](Log& log) -> Outcome<Report> { return run_drive(task, params, false, seed, log); });
+  return std::move(run.value());
+}
+
+double number(const Run& run, std::size_t waypoint, std::string_view column) {
+  const Table& table = table_named(run.report, "waypoints");
+  return TableRow{table, table.rows.at(waypoint)}.number(column);
+}
+
+std::size_t events_named(const Run& run, std::string_view name) {
+  const auto events = events_of(run.log);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(events, [&](const auto& event) { return event.message.name == name; }));
+}
+
+/// Every stop that is called reached is within the tolerance, and "done" needs all of them. Returns how many
+/// are called reached.
+std::size_t expect_true_claims(const Run& run) {
+  const double most_m = metric(run, "tolerance_m"), most_rad = metric(run, "tolerance_rad");
+  EXPECT_GT(most_m, 0.0);
+  std::size_t reached = 0;
+  const std::size_t stops = table_named(run.report, "waypoints").rows.size();
+  for (std::size_t i = 0; i < stops; ++i) {
+    if (std::isnan(number(run, i, "reached_s"))) continue;
+    ++reached;
+    EXPECT_LE(std::hypot(number(run, i, "dx"), number(run, i, "dy")), most_m) << "waypoint " << i + 1;
+    EXPECT_LE(std::abs(number(run, i, "dtheta")), most_rad) << "waypoint " << i + 1;
+  }
+  if (reached < stops) {
+    EXPECT_NE(run.report.status, "done");
+    EXPECT_FALSE(run.report.reason.empty());
+  }
+  return reached;
+}
+
+TEST(DriveClaims, WithoutTagsNoStopIsReached) {
+  DriveTask task = two_tags_in_view();
+  task.tags = {};
+  const auto run = driven(task, usual_faults(), 1);
+  EXPECT_EQ(run.report.status, "unconfirmed");
+  EXPECT_NE(run.report.reason.find("3 of 3 stops unconfirmed"), std::string::npos) << run.report.reason;
+  EXPECT_EQ(expect_true_claims(run), 0U);
+  EXPECT_EQ(events_named(run, "unconfirmed"), 3U) << "it went to each of them";
+}
+
+TEST(DriveClaims, AKidnappedRobotReachesNothing) {
+  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+    Rng rng(static_cast<std::uint64_t>(seed));
+    DriveSimParams params = usual_faults();
+    params.kidnapping = {rng.uniform(0.5, 10.0), 30.0, rng.uniform(-pi, pi)};
+    const auto run = driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
+    EXPECT_GT(norm(poses_of(run.log).back().position), 20.0) << "it was kidnapped";
+    EXPECT_LT(expect_true_claims(run), 3U);
+  }
+}
+
+TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
+  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+    const auto number_of = static_cast<std::uint64_t>(seed);
+    Rng rng(number_of);
+    const auto undisturbed = driven(two_tags_in_view(), usual_faults(), number_of);
+    ASSERT_EQ(undisturbed.report.status, "done") << undisturbed.report.reason;
+    const std::size_t stop = rng.below(3);
+    DriveSimParams params = usual_faults();
+    const double nudged_s = number(undisturbed, stop, "reached_s") - rng.uniform(0.02, 0.45);
+    params.kidnapping = {nudged_s, seed % 2 == 0 ? 0.2 : -0.2, 0.0};
+    const auto run = driven(two_tags_in_view(), params, number_of);
+    EXPECT_EQ(expect_true_claims(run), 3U) << run.report.reason;
+    EXPECT_EQ(run.report.status, "done");
+    EXPECT_EQ(events_named(run, "relocalised"), 1U);
+    EXPECT_GE(number(run, stop, "reached_s"), nudged_s + two_tags_in_view().rules.settle_s);
+  }
+}
+
+TEST(DriveClaims, TagsInSightFindAKidnappedRobotAgain) {
+  DriveSimParams params = usual_faults();
+  params.kidnapping = {4.0, 0.8, 0.0};
+  const auto run = driven(two_tags_in_view(), params, 1);
+  EXPECT_GT(metric(run, "belief_error_m"), 0.7) << "it was kidnapped";
+  EXPECT_EQ(run.report.status, "done") << run.report.reason;
+  EXPECT_EQ(expect_true_claims(run), 3U);
+  EXPECT_EQ(events_named(run, "relocalised"), 1U);
+}
+
+TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
+  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+    for (const bool wheel : {true, false}) {
+      DriveSimParams params = usual_faults();
+      if (wheel) params.wheels.gains[static_cast<std::size_t>(seed) % 4] += seed % 2 == 0 ? 0.1 : -0.1;
+      if (!wheel) params.wheels.strafe_slip = 0.5;
+      params.sight.missed = 0.5;
+      const auto run = driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
+      expect_true_claims(run);
+      EXPECT_LE(metric(run, "belief_error_ratio"), 6.0) << seed;
+    }
+  }
+}
+
+/// At most stops of this course one tag is in view.
+TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
+  DriveTask task = two_tags_in_view();
+  task.tags.tags = {upright_tag(1, {2, 1, 0.2}, pi), upright_tag(2, {1, 2.5, 0.2}, -pi / 2),
+                    upright_tag(3, {0, 2, 0.2}, 0)};
+  task.waypoints = {{{{0, 0}, 0}}, {{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0}}};
+  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+    for (const Tag& tag : task.tags.tags) {
+      DriveSimParams params = usual_faults();
+      params.moved_tag = {tag.id, seed % 2 == 0 ? 0.1 : -0.1};
+      const auto run = driven(task, params, static_cast<std::uint64_t>(seed));
+      EXPECT_LT(expect_true_claims(run), 4U) << "seed " << seed << ", tag " << tag.id;
+      EXPECT_GE(events_named(run, "relocalised"), 1U) << "the tag contradicts the belief";
+    }
+  }
+}
+
+TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
+  for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
+    DriveSimParams params = usual_faults();
+    params.sight.corner_sigma_px = 1.0;
+    expect_true_claims(driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed)));
+  }
+}
+
+/// A waypoint that is no stop says how near the robot came to it, and one that was never next is not passed.
+TEST(DriveClaims, APassedWaypointSaysHowNear) {
+  DriveTask task = two_tags_in_view();
+  task.waypoints = {{{{0.5, 0}, 0}, false}, {{{0.5, 0.4}, 0}}};
+  const auto run = driven(task, usual_faults(), 1);
+  const Table& table = table_named(run.report, "waypoints");
+  EXPECT_EQ((TableRow{table, table.rows[0]}.text("outcome")), "passed");
+  EXPECT_LE(number(run, 0, "nearest_m"), task.follow.pass_m + 0.05);
+  task.rules.patience_s = 1.0;
+  const auto cut = driven(task, usual_faults(), 1);
+  const Table& early = table_named(cut.report, "waypoints");
+  EXPECT_EQ((TableRow{early, early.rows[0]}.text("outcome")), "not reached");
+  EXPECT_GT(number(cut, 0, "nearest_m"), 0.1);
+}
+
+}  // namespace
+}  // namespace outrider
