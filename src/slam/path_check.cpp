@@ -8,8 +8,8 @@
 namespace outrider {
 namespace {
 
-constexpr double most_chi2 = 16.27;         // of 3 degrees of freedom: exceeded once in a thousand steps
-constexpr double least_shared = 1.0 / 3.0;  // share of the points
+constexpr double most_odometry_chi2 = 16.27;  // of 3 degrees of freedom: exceeded once in a thousand steps
+constexpr double least_shared = 1.0 / 3.0;    // share of the points
 
 /// Returns the squared error of a step by the map in standard deviations of the odometry.
 double chi2_of(const Pose2& by_map, const Keyframe& key) {
@@ -23,8 +23,8 @@ double chi2_of(const Pose2& by_map, const Keyframe& key) {
 }  // namespace
 
 double share_on(const Surface& a, const Pose2& b_T_a, const Surface& b) {
-  constexpr double near_m = 0.15;
-  constexpr double same_side = 0.5;  // cosine between normals of one surface
+  constexpr double close_m = 0.15;
+  constexpr double least_cosine = 0.5;  // cosine between normals of one surface
   Surface sorted;
   std::ranges::copy_if(b, std::back_inserter(sorted),
                        [](const SurfacePoint& p) { return p.normal != Vec2{}; });
@@ -35,14 +35,12 @@ double share_on(const Surface& a, const Pose2& b_T_a, const Surface& b) {
     if (p.normal == Vec2{}) continue;
     ++counted;
     const Vec2 place = b_T_a * p.position, normal = rotated(b_T_a.heading_rad, p.normal);
-    const auto first = std::ranges::lower_bound(sorted, place.x - near_m, {}, x_of);
-    const auto end = std::ranges::upper_bound(sorted, place.x + near_m, {}, x_of);
-    on += std::any_of(first, end,
-                      [&](const SurfacePoint& q) {
-                        return distance(q.position, place) <= near_m && dot(q.normal, normal) >= same_side;
-                      })
-              ? 1
-              : 0;
+    const auto first = std::ranges::lower_bound(sorted, place.x - close_m, {}, x_of);
+    const auto end = std::ranges::upper_bound(sorted, place.x + close_m, {}, x_of);
+    const bool is_on = std::any_of(first, end, [&](const SurfacePoint& q) {
+      return distance(q.position, place) <= close_m && dot(q.normal, normal) >= least_cosine;
+    });
+    on += is_on ? 1 : 0;
   }
   return counted == 0 ? 0.0 : static_cast<double>(on) / static_cast<double>(counted);
 }
@@ -59,7 +57,7 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
   for (std::uint32_t i = 1; i < graph.keyframes.size(); ++i) {
     const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
     const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
-    if (chi2_of(by_map, key) <= most_chi2) continue;
+    if (chi2_of(by_map, key) <= most_odometry_chi2) continue;
     const bool has_both = before.has_scan() && key.has_scan();
     const double shared = has_both ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
     if (shared < least_shared) jumps.push_back({i - 1, i, by_map, key.odometry, shared});

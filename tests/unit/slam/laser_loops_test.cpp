@@ -9,8 +9,6 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t gap = 16, keyframes = 22;
-
 /// A room that looks different after any turn.
 std::vector<testing::Wall> oblique_room() {
   const std::vector<Vec2> corners{{0, 0}, {6, 0.8}, {4.6, 4.2}, {1.5, 4.0}, {0, 2.6}};
@@ -22,6 +20,8 @@ std::vector<testing::Wall> oblique_room() {
 
 /// A robot drove around in a room. Between keyframes `gap` - 1 and `gap` its odometry was off by `off`.
 struct BrokenDrive {
+  static constexpr std::uint32_t gap = 16, count = 22;
+
   std::vector<Pose2> truth;
   KeyframeGraph graph;
   KeyframeSurfaces surfaces{{}, 30.0};
@@ -32,7 +32,7 @@ struct BrokenDrive {
     Rng rng(1);
     testing::Finder finder;
     finder.most_m = 10.0;
-    for (std::uint32_t i = 0; i < keyframes; ++i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
       const double angle = 0.3 * i;
       const Pose2 pose{Vec2{2.4, 2.0} + 0.5 * direction(angle), wrap_angle(angle + 0.5 * pi)};
       const Pose2 believed = i < gap ? pose : compose(off, pose);
@@ -46,7 +46,7 @@ struct BrokenDrive {
 
   [[nodiscard]] double worst_error_m() const {
     double worst_m = 0.0;
-    for (std::uint32_t i = 0; i < keyframes; ++i)
+    for (std::uint32_t i = 0; i < count; ++i)
       worst_m = std::max(worst_m, distance(graph.keyframes[i].pose.position, truth[i].position));
     return worst_m;
   }
@@ -56,18 +56,18 @@ TEST(LaserLoops, AGapIsBridgedWhateverOdometryTurned) {
   for (const Pose2& off : {Pose2{{0.3, 0.2}, 0.1}, Pose2{{1.0, -0.5}, 0.5 * pi}, Pose2{{4.5, 3.0}, -3.0}}) {
     BrokenDrive drive(oblique_room(), oblique_room(), off);
     ASSERT_GT(drive.worst_error_m(), 0.2);
-    ASSERT_FALSE(drive.search.spans(gap));
-    ASSERT_TRUE(drive.search.bridge(drive.graph, drive.surfaces, gap)) << off.heading_rad;
+    ASSERT_FALSE(drive.search.spans(BrokenDrive::gap));
+    ASSERT_TRUE(drive.search.bridge(drive.graph, drive.surfaces, BrokenDrive::gap)) << off.heading_rad;
     EXPECT_LT(drive.worst_error_m(), 0.05);
-    EXPECT_TRUE(drive.search.spans(gap));
-    EXPECT_FALSE(drive.search.spans(gap - 1));
+    EXPECT_TRUE(drive.search.spans(BrokenDrive::gap));
+    EXPECT_FALSE(drive.search.spans(BrokenDrive::gap - 1));
   }
 }
 
 void expect_stays_open(BrokenDrive& drive) {
   const std::vector<Pose2> before = drive.graph.poses();
-  EXPECT_FALSE(drive.search.bridge(drive.graph, drive.surfaces, gap));
-  EXPECT_FALSE(drive.search.spans(gap));
+  EXPECT_FALSE(drive.search.bridge(drive.graph, drive.surfaces, BrokenDrive::gap));
+  EXPECT_FALSE(drive.search.spans(BrokenDrive::gap));
   EXPECT_EQ(drive.graph.poses(), before);
 }
 

@@ -62,7 +62,7 @@ TEST(PathCheck, TheTwoFacesOfAWallAreNotOneSurface) {
 }
 
 /// A drive along the room with odometry that is right.
-KeyframeGraph drive(Rng& rng) {
+KeyframeGraph drive_along(Rng& rng) {
   KeyframeGraph graph;
   for (int i = 0; i < 8; ++i) {
     const Pose2 pose{{1.0 + 0.25 * i, 1.7}, 0.05 * i};
@@ -75,7 +75,7 @@ KeyframeGraph drive(Rng& rng) {
 
 TEST(PathCheck, OdometryThatIsWrongIsNoJumpWhereTheScansOverlap) {
   Rng rng(2);
-  KeyframeGraph graph = drive(rng);
+  KeyframeGraph graph = drive_along(rng);
   KeyframeSurfaces surfaces({}, 30.0);
   EXPECT_TRUE(find_jumps(graph, surfaces).empty());
   graph.keyframes[4].odometry.heading_rad += 0.5 * pi;
@@ -85,7 +85,7 @@ TEST(PathCheck, OdometryThatIsWrongIsNoJumpWhereTheScansOverlap) {
 
 TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   Rng rng(3);
-  KeyframeGraph graph = drive(rng);
+  KeyframeGraph graph = drive_along(rng);
   Keyframe& carried = graph.keyframes[7];
   carried.pose = {{1.0, 2.5}, pi};
   carried.scan = half_turn_scan(carried.pose, rng);
@@ -103,7 +103,7 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
 
 TEST(PathCheck, OfAReleasedScanTheShareOfItsTimeCounts) {
   Rng rng(4);
-  KeyframeGraph graph = drive(rng);
+  KeyframeGraph graph = drive_along(rng);
   graph.keyframes[4].odometry = {{2.0, 0.0}, 1.0};
   graph.keyframes[3].release_scan();
   KeyframeSurfaces surfaces({}, 30.0);
@@ -125,7 +125,6 @@ TEST(PathCheck, AMapperOwnsUpToHavingBeenCarried) {
     options.key_distance_m = 0.1;
     auto slam = LaserSlam::begin(options, place(0));
     ASSERT_TRUE(slam);
-    Pose2 odometry;
     std::size_t matched = 0;
     const auto step = [&](int at, const Pose2& motion) {
       auto done = slam->advance(motion, half_turn_scan(place(at), rng));
