@@ -2,6 +2,7 @@
 #pragma once
 
 #include "graph_edges.hpp"
+#include "motion_noise.hpp"
 #include "outrider/slam/laser_scan.hpp"
 
 namespace outrider {
@@ -12,6 +13,10 @@ struct Keyframe {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double way_m = 0.0;  ///< distance driven up to here
   LaserScan scan;      ///< without ranges once it was released
+
+  Pose2 odometry{};                      ///< its pose on the keyframe before, by odometry
+  MotionNoise odometry_noise{1.0, 1.0};  ///< of that pose
+  double shared_before = 1.0;  ///< share of its surface that the keyframe before shows too, when added
 
   [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }
   /// Frees the memory of the scan.

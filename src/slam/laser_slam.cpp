@@ -9,6 +9,7 @@
 #include "local_map.hpp"
 #include "motion_noise.hpp"
 #include "odometry_bias.hpp"
+#include "path_check.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
@@ -51,6 +52,7 @@ struct LaserSlam::State {
   OdometryBias bias;
   Driven unmatched;    ///< since the last match
   Driven unkept;       ///< since the last keyframe
+  Pose2 counted;       ///< motion since the last keyframe, by odometry
   bool blind = false;  ///< the last scan had too few points
 
   State(const LaserSlamOptions& given, const Pose2& start)
@@ -167,9 +169,11 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
   const auto key = static_cast<std::uint32_t>(graph.keyframes.size());
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
-  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan});
-  if (key == 0) return;
   const MotionNoise driven = odometry_noise(unkept, options);
+  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, counted, driven});
+  counted = {};
+  if (key == 0) return;
+  graph.keyframes.back().shared_before = shared_surface(graph, local.surfaces(), key - 1, key);
   const MotionNoise& least = is_lost ? adrift : unmatched_noise;
   const MotionNoise noise{std::max(least.position_m, driven.position_m),
                           std::max(least.heading_rad, driven.heading_rad)};
@@ -228,7 +232,9 @@ std::vector<std::size_t> LaserSlam::State::pose_numbers() const {
 /// Moves the robot by odometry, corrected for its known systematic errors.
 void LaserSlam::State::move(const Pose2& motion) {
   bias.count(motion);
-  pose = wrap_heading(compose(pose, options.learn_odometry ? bias.corrected(motion) : motion));
+  const Pose2 corrected = options.learn_odometry ? bias.corrected(motion) : motion;
+  pose = wrap_heading(compose(pose, corrected));
+  counted = wrap_heading(compose(counted, corrected));
   unmatched += motion;
   unkept += motion;
 }
@@ -327,7 +333,14 @@ MapCheck LaserSlam::check() const {
     if (!key.has_scan()) continue;
     scans.push_back({&key.scan, compose(key.pose, state_->options.robot_T_laser), key.way_m, pose_of[i]});
   }
-  return check_map(scans);
+  MapCheck result = check_map(scans);
+  KeyframeSurfaces surfaces(state_->options.robot_T_laser, state_->options.reach_m);
+  result.jumps = find_jumps(state_->graph, surfaces);
+  for (Jump& jump : result.jumps) {
+    jump.before = pose_of[jump.before];
+    jump.after = pose_of[jump.after];
+  }
+  return result;
 }
 std::vector<std::size_t> LaserSlam::gaps() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();

@@ -36,8 +36,6 @@ struct LandmarkRecord {
   std::int64_t sightings = 0;
   std::int64_t refused = 0;  ///< consecutive refusals while others were used
   std::int64_t missed = 0;   ///< consecutive misses where it should have been seen
-  std::vector<std::int64_t> apart =
-      {};  ///< ids, in order, that were sighted in the same step; without ids only
 
   template <class Archive>
   void exchange(Archive& archive) {

@@ -72,6 +72,15 @@ def not_counted(steps, first, count):
     return steps[:first] + [after.moved(motion=(0.0, 0.0, 0.0))] + steps[first + count + 1:]
 
 
+def driven_after(steps, first, way_m):
+    """The first step by which the robot has driven so far since `first`."""
+    at, way = first, 0.0
+    while way < way_m:
+        at += 1
+        way += math.hypot(*steps[at].motion[:2])
+    return at
+
+
 def repeated(steps, first, last):
     """The way from `first` to `last` comes twice, as if a second corridor like it followed."""
     ends = steps[first].pose, steps[last].pose

@@ -83,22 +83,45 @@ class SlamLaser(SlamCase):
             with self.subTest(name):
                 self.assertLess(self.mapped(self.laser_log(name))["mean_absolute_error_m"], 0.1)
 
-    def test_damaged_logs(self):
-        """Odometry counts a turn that did not happen: mapped right, or doubtful."""
+    def map_damaged(self, name, steps):
+        """Maps a damaged log, and returns the result and whether the map is right."""
+        self.write(f"{name}.log", laser_logs.text(steps))
+        run = self.run_tool("slam", f"{name}.log", "--json", timeout=900)
+        found = flat(self.json_of(run))
+        self.assertIn((run.returncode, found["status"]), ((0, "done"), (1, "doubtful")), run.stderr)
+        return found, found["mean_absolute_error_m"] < 0.5
+
+    def test_odometry_that_counts_a_turn_too_many(self):
+        """The turn did not happen: mapped right, or doubtful."""
         cases = [("aces", 264), ("csail", 243)] + ([("aces", 132)] if "OUTRIDER_CASES" in os.environ else [])
         right = 0
         for name, at in cases:
             with self.subTest(f"{name} {at}"):
                 steps = laser_logs.read(self.laser_log(name))
-                self.write("turned.log", laser_logs.text(laser_logs.turned_once(steps, at)))
-                run = self.run_tool("slam", "turned.log", "--json", timeout=900)
-                found = flat(self.json_of(run))
-                self.assertIn((run.returncode, found["status"]), ((0, "done"), (1, "doubtful")), run.stderr)
-                is_right = found["mean_absolute_error_m"] < 0.5
+                found, is_right = self.map_damaged(name, laser_logs.turned_once(steps, at))
                 self.assertTrue(is_right or found["status"] == "doubtful", found["mean_absolute_error_m"])
                 right += is_right
         self.assertGreater(right, 0)
         self.assertLess(right, len(cases), "one is so wrong that only its status saves it")
+
+    def check_jump(self, found, is_right):
+        self.assertFalse(is_right, "only the status saves it")
+        self.assertEqual((found["status"], found["jumps"], found["gaps"]), ("doubtful", 1, 0))
+        self.assertEqual(found["scans_contradicted"], 0, "nothing else tells")
+        self.assertRegex(found["reason"], r"jumps once, at [0-9.]+ s: it moves by .* odometry counted ")
+
+    def test_a_stretch_that_is_repeated(self):
+        """The map returns to where the stretch began, which odometry does not tell: doubtful."""
+        for name, first, last, at in (("intel", 109, 849, 370), ("freiburg-079", 1020, 2723, 851)):
+            with self.subTest(name):
+                steps = laser_logs.read(self.laser_log(name))[first:last]
+                again = laser_logs.repeated(steps, at, laser_logs.driven_after(steps, at, 8.0))
+                self.check_jump(*self.map_damaged(name, again))
+
+    def test_a_turn_that_odometry_does_not_count(self):
+        """The robot turns by 160 degrees in a corridor while scans are missing and odometry stands still."""
+        steps = laser_logs.read(self.laser_log("freiburg-079"))
+        self.check_jump(*self.map_damaged("still", laser_logs.not_counted(steps, 4489, 39)))
 
     def test_laser_refusals(self):
         self.write("bad.log", "PARAM a b\nFLASER 2 1 x 0 0 0 0 0 0 0 h 0\n")

@@ -206,6 +206,24 @@ class Slam(SlamCase):
             self.assertGreater(found["chi2_per_dof"], 4)
             self.result("log.dat", "--slam-engine", engine, "--noise-range", "0.05", "--slam-gate", "1")
 
+    def test_landmarks_without_ids(self):
+        """Without ids, MR.CLAM has places in the map twice: doubtful. The log of Freiburg is mapped right."""
+        folder = DATA / "slam" / "landmark"
+        if not folder.exists():
+            self.skipTest(f"{folder} is absent; set OUTRIDER_DATA")
+        flags = ("--slam-engine", "ekf", "--slam-unknown-ids")
+        found = self.result(folder / "freiburg_ekf" / "sensor_data.dat", *flags)
+        self.assertEqual((found["landmarks"], found["landmarks_moved"]), (9, 0))
+        for robot in (1, 3):
+            log = folder / "mrclam_dataset1" / f"Robot{robot}_Odometry.dat.gz"
+            for patience in ("2", "5"):
+                found = self.doubtful(log, *flags, "--slam-patience", patience, "--out", f"{robot}-{patience}")
+                self.assertGreater(found["landmarks"], 15, "else nothing is wrong with it")
+                self.assertEqual((found["steps_lost"], found["chi2_per_dof"] < 4), (0, True), "nothing else tells")
+                self.assertRegex(found["reason"], r"moved \d+ of \d+ landmarks farther .* landmark \d+ at x .* since .* s")
+                doubts = [one for _, one in self.log_of(f"{robot}-{patience}").read("/rosout") if one.name == "doubt"]
+                self.assertEqual(len(doubts), found["landmarks_moved"])
+
     def test_state_continues(self):
         log, _ = freiburg_log()
         self.write("log.dat", log)

@@ -32,11 +32,22 @@ struct Contradiction {
   double share = 0.0;  ///< of the points that both saw, one looked through
 };
 
+/// A step of the path that neither odometry nor scans confirm: the two differ by more than the error of the
+/// odometry, and the scans before and after it show too few surfaces in common.
+struct Jump {
+  std::size_t before = 0;  ///< its poses, by their numbers
+  std::size_t after = 0;
+  Pose2 by_map;  ///< before_T_after
+  Pose2 by_odometry;
+  double shared = 0.0;  ///< share of the points of one scan that lie on a surface of the other
+};
+
 struct MapCheck {
   std::size_t scans = 0;         ///< that share points with another
   std::size_t contradicted = 0;  ///< of these
   /// For each scan that is contradicted by earlier ones, the pair with the largest share, in order.
   std::vector<Contradiction> contradictions;
+  std::vector<Jump> jumps;  ///< in order; check_map() finds none, since it knows no odometry
 };
 
 /// Checks scans in the order in which they were taken. Expects scans that check() accepts.

@@ -15,6 +15,7 @@ std::optional<Command> LandmarkMission::step(const Observation& seen) {
     fault = std::move(outcome.error());
     return std::nullopt;
   }
+  if (checks_landmarks && outcome->used > 0) check.note(times_s.size() - 1, slam.landmarks());
   used += outcome->used;
   refused += outcome->refused;
   removed += static_cast<int>(outcome->removed.size());

@@ -1,12 +1,11 @@
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 
+#include "landmark_verdict.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/track_csv.hpp"
 #include "outrider/job/clock.hpp"
@@ -102,6 +101,8 @@ class LandmarkRecorder {
   }
 
   [[nodiscard]] double end_s() const { return log_.end_s(); }
+  /// Returns the times of the steps in the run.
+  [[nodiscard]] const std::vector<double>& times_s() const { return times_s_; }
 
  private:
   static std::optional<Vec2> nearest(const std::map<std::int64_t, Vec2>& truth, Vec2 place) {
@@ -165,6 +166,7 @@ Outcome<LandmarkMission> run_log(const SlamJob& job, const LandmarkSlamOptions& 
   auto begun = begin(job, options, log.start);
   if (!begun) return pass_on(begun);
   LandmarkMission mission(std::move(*begun));
+  mission.checks_landmarks = options.unknown_ids;
   RunSteps steps(watch, 1);
   if (auto ok = steps.next("mapping"); !ok) return pass_on(ok);
   const RunWatch inner = steps.inner();
@@ -202,31 +204,6 @@ std::string undo_exchange(LandmarkLog& log, const LandmarkMap& map) {
   std::swap(log.true_landmarks[exchanged->first], log.true_landmarks[exchanged->second]);
   return fmt::format("the truth has landmarks {} and {} exchanged; they are taken for each other",
                      exchanged->first, exchanged->second);
-}
-
-/// Returns the cost for each degree of freedom: about 1 if the noise is as the options say; NaN if unknown.
-double chi2_per_dof(const LandmarkSlam& slam) {
-  const auto freedom = static_cast<double>(slam.degrees_of_freedom());
-  return freedom > 0.0 ? slam.cost() / freedom : known(std::nullopt);
-}
-
-/// Returns why the map is doubtful; empty if nothing speaks against it.
-std::string doubts_about(const LandmarkSlamOptions& options, const LandmarkMission& run) {
-  constexpr double most_refused = 0.05, most_chi2_per_dof = 4.0;
-  std::vector<std::string> doubts;
-  if (run.lost > 0) {
-    doubts.push_back(fmt::format("the robot was lost in {} of {} steps", run.lost, run.times_s.size() - 1));
-  }
-  const int sightings = run.used + run.refused;
-  if (run.refused > most_refused * sightings) {
-    doubts.push_back(fmt::format("{} of {} sightings of the map contradict it", run.refused, sightings));
-  }
-  const double ratio = chi2_per_dof(run.slam);
-  if (options.kernel == "none" && ratio > most_chi2_per_dof) {
-    doubts.push_back(
-        fmt::format("errors are {:.1f} times as large as the noise options say", std::sqrt(ratio)));
-  }
-  return fmt::format("{}", fmt::join(doubts, "; "));
 }
 
 Metrics metrics_of(const LandmarkMission& run, std::size_t landmarks, const MapError& error) {
@@ -278,8 +255,7 @@ Status map_landmark_log(const SlamJob& job, LandmarkLog log, Run& run, const Run
                                   recorder.settle(mapped->slam, map, truth, !options.unknown_ids));
   run.report.metrics.emplace_back("run_s", recorder.end_s());
   run.report.machine_times = times_of(*mapped);
-  run.report.reason = doubts_about(options, *mapped);
-  if (!run.report.reason.empty()) run.report.status = "doubtful";
+  judge_landmarks(run.report, run.log, options, *mapped, recorder.times_s());
   if (log.steps.size() < logged) mark_cancelled(run.report, run.log, recorder.end_s());
   run.files = files_of(*mapped, map);
   return {};

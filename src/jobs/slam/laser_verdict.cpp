@@ -60,6 +60,21 @@ void doubt_contradictions(Doubts& doubts, const MapCheck& check) {
       check.contradicted, check.scans, doubts.time_s(first.later), doubts.time_s(first.earlier)));
 }
 
+std::string motion_text(const Pose2& motion) {
+  return fmt::format("{:.2f} m and {:.0f} degrees", norm(motion.position), degrees(motion.heading_rad));
+}
+
+void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
+  if (jumps.empty()) return;
+  for (const Jump& one : jumps) doubts.add("jump", one.after, one.shared);
+  const Jump& first = jumps.front();
+  doubts.add_reason(fmt::format(
+      "the path jumps {} at {:.1f} s: it moves by {}, odometry counted {}, and the scans before and "
+      "after show only {:.0f} % of their surfaces in common",
+      jumps.size() == 1 ? "once," : fmt::format("{} times, first", jumps.size()), doubts.time_s(first.after),
+      motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
+}
+
 void log_doubts(Log& log, const Table& table, double end_s) {
   for (const auto& row : table.rows) {
     const TableRow doubt{table, row};
@@ -80,7 +95,9 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   doubt_matches(doubts, run);
   doubt_gaps(doubts, gaps);
   doubt_contradictions(doubts, check);
+  doubt_jumps(doubts, check.jumps);
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
+  report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));
   report.metrics.emplace_back("scans_contradicted", static_cast<double>(check.contradicted));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "outrider/robot/mission.hpp"
+#include "outrider/slam/landmark_check.hpp"
 #include "outrider/slam/landmark_slam.hpp"
 
 namespace outrider {
@@ -29,6 +30,8 @@ class LandmarkMission {
   int refused = 0;                    ///< sightings
   int removed = 0;                    ///< landmarks
   int lost = 0;                       ///< steps at which the robot was lost
+  bool checks_landmarks = false;      ///< set before the first step to have `check` filled
+  LandmarkCheck check;                ///< whether landmarks were moved too far
 };
 
 }  // namespace outrider

@@ -1,0 +1,68 @@
+#include "path_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+constexpr double most_odometry_chi2 = 16.27;  // of 3 degrees of freedom: exceeded once in a thousand steps
+constexpr double least_shared = 1.0 / 3.0;    // share of the points
+
+/// Returns the squared error of a step by the map in standard deviations of the odometry.
+double chi2_of(const Pose2& by_map, const Keyframe& key) {
+  const double off_m = distance(by_map.position, key.odometry.position);
+  const double off_rad = wrap_angle(by_map.heading_rad - key.odometry.heading_rad);
+  const double position = off_m / key.odometry_noise.position_m;
+  const double heading = off_rad / key.odometry_noise.heading_rad;
+  return position * position + heading * heading;
+}
+
+}  // namespace
+
+double share_on(const Surface& a, const Pose2& b_T_a, const Surface& b) {
+  constexpr double close_m = 0.15;
+  constexpr double least_cosine = 0.5;  // cosine between normals of one surface
+  Surface sorted;
+  std::ranges::copy_if(b, std::back_inserter(sorted),
+                       [](const SurfacePoint& p) { return p.normal != Vec2{}; });
+  const auto x_of = [](const SurfacePoint& p) { return p.position.x; };
+  std::ranges::stable_sort(sorted, {}, x_of);
+  std::size_t counted = 0, on = 0;
+  for (const SurfacePoint& p : a) {
+    if (p.normal == Vec2{}) continue;
+    ++counted;
+    const Vec2 place = b_T_a * p.position, normal = rotated(b_T_a.heading_rad, p.normal);
+    const auto first = std::ranges::lower_bound(sorted, place.x - close_m, {}, x_of);
+    const auto end = std::ranges::upper_bound(sorted, place.x + close_m, {}, x_of);
+    const bool is_on = std::any_of(first, end, [&](const SurfacePoint& q) {
+      return distance(q.position, place) <= close_m && dot(q.normal, normal) >= least_cosine;
+    });
+    on += is_on ? 1 : 0;
+  }
+  return counted == 0 ? 0.0 : static_cast<double>(on) / static_cast<double>(counted);
+}
+
+double shared_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t a,
+                      std::uint32_t b) {
+  const Pose2 a_T_b = relative_pose(graph.keyframes[a].pose, graph.keyframes[b].pose);
+  const Surface &of_a = surfaces.of(graph, a), &of_b = surfaces.of(graph, b);
+  return std::max(share_on(of_b, a_T_b, of_a), share_on(of_a, relative_pose(a_T_b, {}), of_b));
+}
+
+std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfaces) {
+  std::vector<Jump> jumps;
+  for (std::uint32_t i = 1; i < graph.keyframes.size(); ++i) {
+    const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
+    const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
+    if (chi2_of(by_map, key) <= most_odometry_chi2) continue;
+    const bool has_both = before.has_scan() && key.has_scan();
+    const double shared = has_both ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
+    if (shared < least_shared) jumps.push_back({i - 1, i, by_map, key.odometry, shared});
+  }
+  return jumps;
+}
+
+}  // namespace outrider

@@ -1,0 +1,88 @@
+// A gap, which odometry alone spans, is bridged where the scans after it show the place of those before it.
+#include "laser_loops.hpp"
+
+#include <gtest/gtest.h>
+
+#include "laser_room.hpp"
+#include "outrider/core/units.hpp"
+
+namespace outrider {
+namespace {
+
+/// A room that looks different after any turn.
+std::vector<testing::Wall> oblique_room() {
+  const std::vector<Vec2> corners{{0, 0}, {6, 0.8}, {4.6, 4.2}, {1.5, 4.0}, {0, 2.6}};
+  std::vector<testing::Wall> walls;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    walls.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  return walls;
+}
+
+/// A robot drove around in a room. Between keyframes `gap` - 1 and `gap` its odometry was off by `off`.
+struct BrokenDrive {
+  static constexpr std::uint32_t gap = 16, count = 22;
+
+  std::vector<Pose2> truth;
+  KeyframeGraph graph;
+  KeyframeSurfaces surfaces{{}, 30.0};
+  LoopSearch search;
+
+  BrokenDrive(const std::vector<testing::Wall>& before, const std::vector<testing::Wall>& after,
+              const Pose2& off) {
+    Rng rng(1);
+    testing::Finder finder;
+    finder.most_m = 10.0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double angle = 0.3 * i;
+      const Pose2 pose{Vec2{2.4, 2.0} + 0.5 * direction(angle), wrap_angle(angle + 0.5 * pi)};
+      const Pose2 believed = i < gap ? pose : compose(off, pose);
+      truth.push_back(pose);
+      graph.keyframes.push_back({believed, Eigen::Matrix3d::Zero(), 0.15 * i,
+                                 testing::scan_from(i < gap ? before : after, pose, finder, rng)});
+      const double information = i == gap ? 1.0 : 1e4;
+      if (i > 0) graph.add_constraint(i - 1, i, believed, information * Eigen::Matrix3d::Identity());
+    }
+  }
+
+  [[nodiscard]] double worst_error_m() const {
+    double worst_m = 0.0;
+    for (std::uint32_t i = 0; i < count; ++i)
+      worst_m = std::max(worst_m, distance(graph.keyframes[i].pose.position, truth[i].position));
+    return worst_m;
+  }
+};
+
+TEST(LaserLoops, AGapIsBridgedWhateverOdometryTurned) {
+  for (const Pose2& off : {Pose2{{0.3, 0.2}, 0.1}, Pose2{{1.0, -0.5}, 0.5 * pi}, Pose2{{4.5, 3.0}, -3.0}}) {
+    BrokenDrive drive(oblique_room(), oblique_room(), off);
+    ASSERT_GT(drive.worst_error_m(), 0.2);
+    ASSERT_FALSE(drive.search.spans(BrokenDrive::gap));
+    ASSERT_TRUE(drive.search.bridge(drive.graph, drive.surfaces, BrokenDrive::gap)) << off.heading_rad;
+    EXPECT_LT(drive.worst_error_m(), 0.05);
+    EXPECT_TRUE(drive.search.spans(BrokenDrive::gap));
+    EXPECT_FALSE(drive.search.spans(BrokenDrive::gap - 1));
+  }
+}
+
+void expect_stays_open(BrokenDrive& drive) {
+  const std::vector<Pose2> before = drive.graph.poses();
+  EXPECT_FALSE(drive.search.bridge(drive.graph, drive.surfaces, BrokenDrive::gap));
+  EXPECT_FALSE(drive.search.spans(BrokenDrive::gap));
+  EXPECT_EQ(drive.graph.poses(), before);
+}
+
+TEST(LaserLoops, AGapToAnotherRoomStaysOpen) {
+  const std::vector<testing::Wall> corner{{{-4, 6}, {8, -3}}, {{-3, -2}, {4, 8}}};
+  BrokenDrive drive(oblique_room(), corner, {{0.3, 0.2}, 0.1});
+  expect_stays_open(drive);
+}
+
+/// A room that looks the same after half a turn does not tell which of two poses is right.
+TEST(LaserLoops, AGapInASymmetricRoomStaysOpen) {
+  BrokenDrive drive(testing::box_walls({0, 0}, {4.8, 4}), testing::box_walls({0, 0}, {4.8, 4}),
+                    {{0.3, 0.2}, 0.1});
+  expect_stays_open(drive);
+}
+
+}  // namespace
+}  // namespace outrider
