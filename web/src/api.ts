@@ -138,6 +138,7 @@ export interface RunRow {
   seed: number | null;
   progress: { step: number; steps: number; name: string; part: number } | null;
   error: string;
+  where: string;
 }
 
 const base = "api/v1/";

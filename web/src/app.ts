@@ -2,18 +2,19 @@
 import "./base/style.css";
 import "./base/app.css";
 import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
-import { emblem, title, tools } from "./banner";
+import { emblem, nameOf, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
 import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
+import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
 import { home } from "./home";
 import type { Source } from "./log/source";
 import { editorOf } from "./plan/editors";
 import type { Opened } from "./plan/plan_page";
 
-interface View { element: HTMLElement; close?: () => void }
+interface View { element: HTMLElement; title?: string; close?: () => void }
 
 const main = h("main");
 const links = ([["Files", ""], ["Plan", "draw"], ["Live", "live"]] as const).map(([name, view]) => h("a", { href: `#${view}`, "data-view": view }, name));
@@ -29,7 +30,7 @@ async function watchFile(file: Blob | Source, query: Record<string, string>): Pr
   const log = await openLog(file);
   const watch = new Watch(log, query);
   const head = h("div", { class: "run-head" }, ...title(log));
-  return { element: h("div", { class: "live-page" }, head, watch.element), close: () => watch.close() };
+  return { element: h("div", { class: "live-page" }, head, watch.element), title: nameOf(log), close: () => watch.close() };
 }
 
 async function planView(map: MapAnswer, query: Record<string, string>, path = "", opened: Opened | null = null): Promise<View> {
@@ -53,6 +54,7 @@ const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs:
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
   if (view === "watch") return watchFile(await fileAt(filePath(path)), query);
+  if (view === "plan" && !path) return refusalView("A map that was dropped here is not kept when the page is loaded again; drop its file once more.");
   if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
   if (view === "change") return scenarioView(path, query);
   if (view === "draw") return planView(await send<MapAnswer>("POST", "maps", { grid: blank }), query);
@@ -83,6 +85,8 @@ async function show(make: () => Promise<View>): Promise<void> {
   present?.close?.();
   present = view;
   main.replaceChildren(view.element);
+  const { path } = parseAddress(location.hash);
+  entitle(view.title ?? (view.element.querySelector("h1")?.textContent || path.split("/").at(-1)));
 }
 
 function route(): void {
@@ -97,6 +101,8 @@ async function openFiles(files: File[]): Promise<void> {
   const [first] = files;
   if (!first) return;
   await show(async () => {
+    const maps = files.filter(({ name }) => /\.(map|txt|ya?ml|sdf|world|mcap|json)$/i.test(name)).map(({ name }) => name);
+    if (maps.length > 1) throw new Error(`${maps.length} files that are shown alone were dropped, ${maps.join(" and ")}; drop one of them, with its images where it has some.`);
     if (files.length === 1 && /\.(mcap|json)$/.test(first.name)) return watchFile(first, {});
     const map = await postMap(files);
     history.replaceState(null, "", "#plan");
@@ -106,12 +112,18 @@ async function openFiles(files: File[]): Promise<void> {
 
 function listen(): void {
   addEventListener("hashchange", route);
-  addEventListener("dragover", (event) => event.preventDefault());
+  const highlight = (on: boolean): void => { document.body.classList.toggle("drop-here", on); };
+  addEventListener("dragover", (event) => {
+    event.preventDefault();
+    highlight(event.dataTransfer?.types.includes("Files") ?? false);
+  });
+  addEventListener("dragleave", (event) => { if (!event.relatedTarget) highlight(false); });
   addEventListener("drop", (event) => {
     event.preventDefault();
+    highlight(false);
     void openFiles([...(event.dataTransfer?.files ?? [])]);
   });
-  addEventListener("keydown", (event) => keys.handle(event));
+  keys.listen();
   keys.set("Page", [
     { key: "?", words: "this help", act: showHelp },
     { key: "d", words: "light or dark", act: toggleTheme },

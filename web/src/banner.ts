@@ -18,8 +18,13 @@ export function tools(): HTMLElement {
 
 export function heading(log: RunLog): HTMLHeadingElement {
   const info = log.latest<RunInfo>(topic.run);
-  return h("h1", {}, h("span", { class: "job" }, info?.job || log.summary?.job || ""), info?.world || log.summary?.world || "no name");
+  return h("h1", {}, h("span", { class: "job" }, info?.job || log.summary?.job || ""), worldOf(log));
 }
+
+const worldOf = (log: RunLog): string => log.latest<RunInfo>(topic.run)?.world || log.summary?.world || "no name";
+
+/** What the run is called, with its verdict. */
+export const nameOf = (log: RunLog): string => `${worldOf(log)}, ${verdictOf(log).word.toLowerCase()}`;
 
 /** Whether the run was done, in a word and a sentence. */
 function verdictOf({ summary, cut, count, end }: RunLog): { word: string; sentence: string } {

@@ -16,7 +16,7 @@ keys.set("Page", [
   { key: "?", words: "this help", act: showHelp },
   { key: "d", words: "light or dark", act: toggleTheme },
 ]);
-document.addEventListener("keydown", (event) => keys.handle(event));
+keys.listen();
 
 async function show(): Promise<void> {
   const element = document.getElementById("log")!;

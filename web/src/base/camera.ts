@@ -45,6 +45,7 @@ export class Camera {
   }
 
   private resize(): void {
+    if (this.canvas.clientWidth === 0 && this.canvas.width > 1) return;  // hidden: it keeps its view until it is shown again
     this.width = Math.max(1, this.canvas.clientWidth);
     this.height = Math.max(1, this.canvas.clientHeight);
     this.dpr = Math.min(3, window.devicePixelRatio || 1);

@@ -39,6 +39,14 @@ export class Keys {
     return [...this.groups].map(([group, { keys }]) => [group, keys]);
   }
 
+  /** From now on handles keys. A button that was clicked lets go of the keyboard, so that the space key is no click on it. */
+  listen(): void {
+    addEventListener("keydown", (event) => this.handle(event));
+    addEventListener("click", (event) => {
+      if (event.detail > 0 && event.target instanceof Element) event.target.closest<HTMLElement>("button, summary")?.blur();
+    });
+  }
+
   /** Handles a key event; returns true if the key is known. Ignores keys typed into a field. */
   handle(event: KeyboardEvent): boolean {
     if (event.altKey) return false;

@@ -1,7 +1,8 @@
 // The live view: shows one mission while it runs with the same views as afterwards. Its log comes as it is written.
 import { getJson, send, type RunRow } from "../api";
-import { heading, title } from "../banner";
+import { heading, nameOf, title } from "../banner";
 import { h } from "../base/dom";
+import { entitle } from "../base/title";
 import { formatAddress } from "../base/url";
 import { topic } from "../log/topics";
 import { Watch } from "../watch/watch";
@@ -12,6 +13,8 @@ import { Socket, type Message } from "./socket";
 const rest_ms = 200;
 const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
 const isFile = (scenario: string): boolean => /\.ya?ml$/.test(scenario);
+/** Why a run ended, and where that is. */
+const reasonOf = ({ where, error }: RunRow): string => (where && error ? `${where}: ${error}` : error);
 const stateWords: Record<string, string> = {
   queued: "Waiting for its turn", running: "Running", done: "Done", not_done: "Not done", refused: "Refused", cancelled: "Cancelled", failed: "Failed",
 };
@@ -112,6 +115,7 @@ export class LivePage {
     this.element.dataset.samples = String((log.channels.get(topic.pose) ?? log.channels.get(topic.belief))?.count ?? 0);
     if (complete) this.head.replaceChildren(...title(log));
     else this.name.replaceWith(this.name = heading(log));
+    entitle(complete ? nameOf(log) : `${this.name.lastChild?.textContent ?? ""}, ${(stateWords[this.present] ?? this.present).toLowerCase()}`);
     if (this.watch) {
       this.watch.renew(log, goesOn);
       return;
@@ -126,15 +130,26 @@ export class LivePage {
     this.cancel.disabled = false;
   }
 
+  /** A run that left no log: which one, and why, with the ways on. */
+  private tellWhy(run: RunRow): void {
+    this.words.textContent = "";
+    this.name.textContent = run.scenario;
+    entitle(`${run.scenario}, ${(stateWords[run.state] ?? run.state).toLowerCase()}`);
+    const change = isFile(run.scenario) ? [h("a", { href: formatAddress({ view: "change", path: run.scenario, query: {} }) }, "Change the scenario"), " or "] : [];
+    this.element.append(h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, reasonOf(run) || "It ended before it had anything to show."),
+      h("p", { class: "hint" }, ...change, h("a", { href: formatAddress({ view: "live", path: "", query: isFile(run.scenario) ? { scenario: run.scenario } : {} }) }, "run another mission"))));
+  }
+
   /** The run is over. Paths of planners are shown by the page that plans. */
   private end(run: RunRow): void {
     this.ended = run;
     this.show(run.state);
-    this.words.textContent = run.error || run.scenario;
+    this.words.textContent = reasonOf(run) || run.scenario;
     const { channels } = this.live.log;
     const answersQuestion = [...channels.keys()].some((name) => name.startsWith(topic.planOf));
     if (answersQuestion && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
       location.replace(formatAddress({ view: "change", path: run.scenario, query: {} }));
     } else if (channels.size > 0) this.grow();
+    else this.tellWhy(run);
   }
 }

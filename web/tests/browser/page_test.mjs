@@ -10,6 +10,7 @@ import { onScreen } from "./drag.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
 import { truthCases } from "./truth_cases.mjs";
+import { wayCases } from "./way_cases.mjs";
 import { makeFolder, makeViewer, serve, tool, useBuiltPage } from "./server.mjs";
 
 const [output, ...only] = process.argv.slice(2);
@@ -428,6 +429,7 @@ const cases = {
 
   ...liveCases({ open, text, server, folder }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
+  ...wayCases({ open, text, frames, cell, folder }),
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
     const log = readFileSync(join(folder, "runs/yard/run.mcap"));
