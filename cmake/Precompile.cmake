@@ -4,7 +4,7 @@
 #
 # The first target of a group sets the flags; HEADERS and LINKS are further headers and libraries of the
 # group. outrider_join(target) compiles its files eight at a time, which a target of many short files with
-# large headers needs most (about half of the time of a build from scratch).
+# large headers gains most from.
 #
 # The code does not depend on either: each file includes what it uses, which builds with clang++ check, as they check shadowed names. Files
 # that are joined see each other's unnamed namespaces, so a name there stands for one thing in the target.

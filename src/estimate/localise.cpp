@@ -14,8 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double gate_of_three = 16.27;  // 99.9 % quantile of chi-squared with three degrees of freedom
-
 /// x, y and heading with their covariance.
 struct Place {
   Vector3d mean;
@@ -119,7 +117,7 @@ Candidate on_floor(const TagPose& solution, const Tag& tag, const Pose3& robot_T
 std::vector<Candidate> candidates_of(std::span<const TagSighting> sightings, const TagMap& map,
                                      const Pose3& robot_T_camera, const std::optional<PoseBelief>& prior,
                                      const LocaliseOptions& options, std::vector<TagVerdict>& verdicts) {
-  const double gate = options.gate * gate_of_three;
+  const double gate = options.gate * most_plausible_distance;
   std::vector<Candidate> fitting;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const Tag* tag = map.find(sightings[i].id);
@@ -221,7 +219,7 @@ TagFix localise(std::span<const TagSighting> sightings, const TagMap& map, const
   const auto all = candidates_of(sightings, map, robot_camera.robot_T_camera, prior, options, fix.verdicts);
   if (all.empty()) return fix;
 
-  const double gate = options.gate * gate_of_three;
+  const double gate = options.gate * most_plausible_distance;
   std::vector<Agreement> agreements;
   for (std::size_t i = 0; i < all.size(); ++i) {
     agreements.push_back(agreement_with(i, all, sightings.size(), gate));

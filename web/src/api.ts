@@ -157,6 +157,10 @@ const encoded = (path: string): string => path.split("/").map(encodeURIComponent
 export const filePath = (path: string): string => `files/${encoded(path)}`;
 export const scenarioPath = (path: string): string => `scenarios/${encoded(path)}`;
 
+/** A fault in one sentence, with where it is. */
+export const faultText = ({ where, error }: { where: string; error: string }): string =>
+  (where && error && !error.includes(where) ? `${where}: ${error}` : error);
+
 async function answer(path: string, init: RequestInit = {}): Promise<Response> {
   const headers = new Headers(init.headers);
   if (token()) headers.set("Authorization", `Bearer ${token()}`);
@@ -165,8 +169,7 @@ async function answer(path: string, init: RequestInit = {}): Promise<Response> {
   });
   if (response.ok) return response;
   const fault = await response.json().catch(() => null) as { error?: string; where?: string } | null;
-  const sentence = fault?.error ?? `the server answered with status ${response.status}`;
-  throw new Error(fault?.where && !sentence.includes(fault.where) ? `${fault.where}: ${sentence}` : sentence);
+  throw new Error(faultText({ where: fault?.where ?? "", error: fault?.error ?? `the server answered with status ${response.status}` }));
 }
 
 export async function getJson<T>(path: string): Promise<T> {

@@ -72,4 +72,8 @@ PoseBelief fuse(const PoseBelief& a, const PoseBelief& b);
 /// freedom if both are of the same pose.
 double squared_mahalanobis(const PoseBelief& a, const PoseBelief& b);
 
+/// 99.9 % quantile of chi-squared with 3 degrees of freedom: beliefs that are farther apart are not of one
+/// pose.
+inline constexpr double most_plausible_distance = 16.27;
+
 }  // namespace outrider

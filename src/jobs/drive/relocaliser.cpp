@@ -1,11 +1,6 @@
 #include "outrider/jobs/drive/relocaliser.hpp"
 
 namespace outrider {
-namespace {
-
-constexpr double same_pose = 16.27;  ///< 99.9 % quantile of chi-squared with three degrees of freedom
-
-}  // namespace
 
 void Relocaliser::add(std::span<const TagSighting> sightings, const TagMap& map, const RobotCamera& camera,
                       const LocaliseOptions& options) {
@@ -14,7 +9,7 @@ void Relocaliser::add(std::span<const TagSighting> sightings, const TagMap& map,
     *this = {};
     return;
   }
-  if (pose && squared_mahalanobis(*pose, *fix.belief) > same_pose) *this = {};
+  if (pose && squared_mahalanobis(*pose, *fix.belief) > most_plausible_distance) *this = {};
   pose = pose ? fuse(*pose, *fix.belief) : *fix.belief;
   ++images;
   for (std::size_t i = 0; i < sightings.size(); ++i) {

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include "outrider/core/units.hpp"
+#include "outrider/estimate/localise.hpp"
 #include "outrider/jobs/drive/task.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr std::size_t most_poses = 5;
-constexpr double plausible_mean = 16.27;   ///< 99.9 % quantile of chi-squared with three degrees of freedom
-constexpr double plausible_newest = 7.81;  ///< its 95 % quantile
+constexpr double plausible_newest = 7.81;  ///< 95 % quantile of chi-squared with three degrees of freedom
 /// 99.9 % quantile with eight degrees of freedom, for twice the expected noise of corners: that of far tags
 /// in rendered images is larger than expected, and even a push of 1 cm moves corners by more.
 constexpr double plausible_corners = 4.0 * 26.1;
@@ -75,7 +75,8 @@ std::string StopCheck::doubt(const PoseBelief& belief, const DriveRules& rules) 
   }
   PoseBelief mean = poses.front();
   for (std::size_t i = 1; i < poses.size(); ++i) mean = fuse(mean, poses[i]);
-  if (!is_plausible(belief, mean, plausible_mean) || !is_plausible(belief, poses.back(), plausible_newest))
+  if (!is_plausible(belief, mean, most_plausible_distance) ||
+      !is_plausible(belief, poses.back(), plausible_newest))
     return "the last images do not agree with the belief";
   if (!is_still) return "no two images show the same tag at the same place";
   return {};

@@ -7,11 +7,11 @@
 namespace outrider {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 struct Nearest {
-  double from_start_m = never;
-  double to_target_m = never;
+  double from_start_m = unbounded;
+  double to_target_m = unbounded;
 };
 
 /// Least straight-line distances to and from the cells of a region, less the errors of a drive.
@@ -54,7 +54,7 @@ double least_completion_sum(std::vector<ReleasedWork> jobs) {
     if (rests.empty()) now = std::max(now, jobs[next].release_s);
     while (next < jobs.size() && jobs[next].release_s <= now) rests.push_back(jobs[next++].work_s);
     std::sort(rests.begin(), rests.end(), std::greater<>());
-    const double until = next < jobs.size() ? jobs[next].release_s : never;
+    const double until = next < jobs.size() ? jobs[next].release_s : unbounded;
     if (now + rests.back() <= until) {
       now += rests.back();
       sum += now;

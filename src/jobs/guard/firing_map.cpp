@@ -13,7 +13,7 @@
 namespace outrider {
 namespace {
 
-constexpr double no_room = std::numeric_limits<double>::infinity();
+constexpr double too_many_bytes = std::numeric_limits<double>::infinity();
 
 ShotRules rules_of(const GuardProblem& problem, const GuardOptions& options) {
   return {problem.gun,
@@ -128,7 +128,7 @@ Outcome<GridFrame> frame_for(const GuardProblem& problem, const GuardOptions& op
   }
   const bool few = cells <= 1e9 && size.x / options.resolution_m < 1e6 && size.y / options.resolution_m < 1e6;
   const GridFrame frame = few ? covering(problem.world.bounds, options.resolution_m) : GridFrame{};
-  const double bytes = few ? bytes_needed(frame, problem.targets.size()) : no_room;
+  const double bytes = few ? bytes_needed(frame, problem.targets.size()) : too_many_bytes;
   if (bytes > cap) {
     return bad_input(fmt::format("a resolution of {:g} m makes {:.3g} places and needs more than {} MiB; "
                                  "take a coarser one or raise plan.memory_cap",

@@ -13,7 +13,7 @@ namespace outrider {
 namespace {
 
 constexpr double least_leave = 0.001;
-constexpr std::size_t most_survivors = 64;
+constexpr std::size_t most_planned_survivors = 64;
 
 struct Model {
   const GuardProblem& problem;
@@ -48,7 +48,7 @@ class Played {
     const auto group = static_cast<std::size_t>(model_.options.group);
     while (!inside_.empty()) {
       const std::size_t count = model_.policy.replan.take({inside_.size(), entered_, hits_.empty(), group});
-      if (count > 0) plan(std::min({count, inside_.size(), most_survivors}));
+      if (count > 0) plan(std::min({count, inside_.size(), most_planned_survivors}));
       if (hits_.empty()) return now_.time_s;  // nobody of them can be hit
       hit(rng);
     }

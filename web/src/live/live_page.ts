@@ -1,5 +1,5 @@
 // The live view: shows one mission while it runs with the same views as afterwards. Its log comes as it is written.
-import { getJson, send, type RunRow } from "../api";
+import { faultText, getJson, send, type RunRow } from "../api";
 import { heading, nameOf, title } from "../banner";
 import { h } from "../base/dom";
 import { entitle } from "../base/title";
@@ -13,11 +13,10 @@ import { Socket, type Message } from "./socket";
 const rest_ms = 200;
 const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
 const isFile = (scenario: string): boolean => /\.ya?ml$/.test(scenario);
-/** Why a run ended, and where that is. */
-const reasonOf = ({ where, error }: RunRow): string => (where && error ? `${where}: ${error}` : error);
 const stateWords: Record<string, string> = {
   queued: "Waiting for its turn", running: "Running", done: "Done", not_done: "Not done", refused: "Refused", cancelled: "Cancelled", failed: "Failed",
 };
+const wordsOf = (state: string): string => stateWords[state] ?? state;
 
 export class LivePage {
   readonly element = h("div", { class: "live-page" });
@@ -100,7 +99,7 @@ export class LivePage {
   private show(state: string): void {
     this.present = state;
     this.element.dataset.state = state;
-    this.state.textContent = stateWords[state] ?? state;
+    this.state.textContent = wordsOf(state);
     this.state.className = `run-state ${state}`;
     this.cancel.hidden = over.has(state);
     this.bar.hidden = over.has(state);
@@ -115,7 +114,7 @@ export class LivePage {
     this.element.dataset.samples = String((log.channels.get(topic.pose) ?? log.channels.get(topic.belief))?.count ?? 0);
     if (complete) this.head.replaceChildren(...title(log));
     else this.name.replaceWith(this.name = heading(log));
-    entitle(complete ? nameOf(log) : `${this.name.lastChild?.textContent ?? ""}, ${(stateWords[this.present] ?? this.present).toLowerCase()}`);
+    entitle(complete ? nameOf(log) : `${this.name.lastChild?.textContent ?? ""}, ${wordsOf(this.present).toLowerCase()}`);
     if (this.watch) {
       this.watch.renew(log, goesOn);
       return;
@@ -134,9 +133,9 @@ export class LivePage {
   private tellWhy(run: RunRow): void {
     this.words.textContent = "";
     this.name.textContent = run.scenario;
-    entitle(`${run.scenario}, ${(stateWords[run.state] ?? run.state).toLowerCase()}`);
+    entitle(`${run.scenario}, ${wordsOf(run.state).toLowerCase()}`);
     const change = isFile(run.scenario) ? [h("a", { href: formatAddress({ view: "change", path: run.scenario, query: {} }) }, "Change the scenario"), " or "] : [];
-    this.element.append(h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, reasonOf(run) || "It ended before it had anything to show."),
+    this.element.append(h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, faultText(run) || "It ended before it had anything to show."),
       h("p", { class: "hint" }, ...change, h("a", { href: formatAddress({ view: "live", path: "", query: isFile(run.scenario) ? { scenario: run.scenario } : {} }) }, "run another mission"))));
   }
 
@@ -144,7 +143,7 @@ export class LivePage {
   private end(run: RunRow): void {
     this.ended = run;
     this.show(run.state);
-    this.words.textContent = reasonOf(run) || run.scenario;
+    this.words.textContent = faultText(run) || run.scenario;
     const { channels } = this.live.log;
     const answersQuestion = [...channels.keys()].some((name) => name.startsWith(topic.planOf));
     if (answersQuestion && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {

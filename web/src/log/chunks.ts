@@ -115,8 +115,13 @@ export class Chunks {
   private async load(chunk: ChunkIndex): Promise<void> {
     const found = new Map<string, Stamped<unknown>[]>();
     const start = Number(chunk.chunkStartOffset);
+    const bytes = await this.source.read(start, start + Number(chunk.chunkLength)).catch(() => null);
+    if (!bytes) {
+      this.read.delete(chunk);  // the server does not answer: it is asked for again with the next frame
+      return;
+    }
     try {
-      for (const { id, time, data } of messagesOf(await this.source.read(start, start + Number(chunk.chunkLength)))) {
+      for (const { id, time, data } of messagesOf(bytes)) {
         const known = this.topics.get(id);
         if (!known) continue;
         const all = found.get(known.topic) ?? found.set(known.topic, []).get(known.topic)!;

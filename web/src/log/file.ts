@@ -103,7 +103,8 @@ function piecesOf(chunks: readonly ChunkIndex[]): { from: number; to: number; ch
 
 /** Reads the light topics piece by piece; calls `opened` and `log.changed` now and then. */
 async function readLight(source: Source, chunks: readonly ChunkIndex[], log: RunLog, light: ReadonlyMap<number, Channel>, origin: bigint, opened: () => void): Promise<void> {
-  const wanted = chunks.filter(({ messageIndexOffsets }) => [...light.keys()].some((id) => messageIndexOffsets.has(id)));
+  const ids = [...light.keys()];
+  const wanted = chunks.filter(({ messageIndexOffsets }) => ids.some((id) => messageIndexOffsets.has(id)));
   let since = performance.now();
   try {
     for (const piece of piecesOf(wanted)) {

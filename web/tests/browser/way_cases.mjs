@@ -26,6 +26,33 @@ export const wayCases = ({ open, text, frames, cell, folder }) => ({
     await page.close();
   },
 
+  async "space that follows the robot, then the plan: as large as before"() {
+    const page = await open("#watch/runs/yard/run.mcap?t=9");
+    await page.waitForSelector(".tabbed");
+    /** The view once nothing in it changes any more. */
+    const rested = async () => {
+      let [before, now] = ["", await view()];
+      while (now !== before) {
+        await page.waitForTimeout(300);
+        [before, now] = [now, await view()];
+      }
+      return now;
+    };
+    const view = () => page.evaluate(() => document.querySelector(".plan-view canvas").toDataURL());
+    const all = await rested();
+    await page.keyboard.press("f");
+    const before = await rested();
+    assert.notEqual(before, all);
+    for (const key of ["f", "0", "v"]) await page.keyboard.press(key);
+    await page.waitForSelector(".space-view canvas");
+    await page.keyboard.press("f");
+    await frames(page);
+    await page.keyboard.press("v");
+    await page.waitForSelector(".plan-view canvas:visible");
+    assert.equal(await rested() === before, true, "the plan is as it was");
+    await page.close();
+  },
+
   async "the space key plays after a button was clicked, and presses it after the keyboard came to it"() {
     const page = await open("#watch/runs/yard/run.mcap?t=9");
     await page.waitForSelector(".tabbed");

@@ -6,6 +6,7 @@
 #include "outrider/core/units.hpp"
 #include "outrider/jobs/drive/run.hpp"
 #include "support/costly_cases.hpp"
+#include "support/drive_faults.hpp"
 #include "support/logged_run.hpp"
 #include "support/random_cases.hpp"
 
@@ -21,17 +22,6 @@ DriveTask two_tags_in_view() {
                     upright_tag(3, {2.5, 0.0, 0.2}, pi)};
   task.waypoints = {{{{0.5, 0}, 0}}, {{{0.5, 0.4}, 0}}, {{{0, 0}, 0}}};
   return task;
-}
-
-DriveSimParams usual_faults() {
-  DriveSimParams params;
-  params.wheels.gains = {0.985, 1.012, 1.003, 0.989};
-  params.wheels.dead_time_s = 0.08;
-  params.wheels.lag_s = 0.08;
-  params.wheels.strafe_slip = 0.1;
-  params.wheels.noise = 0.005;
-  params.link = {1, 0.05, 0.01};
-  return params;
 }
 
 Run driven(const DriveTask& task, const DriveSimParams& params, std::uint64_t seed) {
@@ -74,7 +64,7 @@ std::size_t expect_true_claims(const Run& run) {
 TEST(DriveClaims, WithoutTagsNoStopIsReached) {
   DriveTask task = two_tags_in_view();
   task.tags = {};
-  const auto run = driven(task, usual_faults(), 1);
+  const auto run = driven(task, testing::usual_faults(), 1);
   EXPECT_EQ(run.report.status, "unconfirmed");
   EXPECT_NE(run.report.reason.find("3 of 3 stops unconfirmed"), std::string::npos) << run.report.reason;
   EXPECT_EQ(expect_true_claims(run), 0U);
@@ -84,7 +74,7 @@ TEST(DriveClaims, WithoutTagsNoStopIsReached) {
 TEST(DriveClaims, AKidnappedRobotReachesNothing) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
-    DriveSimParams params = usual_faults();
+    DriveSimParams params = testing::usual_faults();
     params.kidnapping = {rng.uniform(0.5, 10.0), 30.0, rng.uniform(-pi, pi)};
     const auto run = driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
     EXPECT_GT(norm(poses_of(run.log).back().position), 20.0) << "it was kidnapped";
@@ -96,10 +86,10 @@ TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     const auto number_of = static_cast<std::uint64_t>(seed);
     Rng rng(number_of);
-    const auto undisturbed = driven(two_tags_in_view(), usual_faults(), number_of);
+    const auto undisturbed = driven(two_tags_in_view(), testing::usual_faults(), number_of);
     ASSERT_EQ(undisturbed.report.status, "done") << undisturbed.report.reason;
     const std::size_t stop = rng.below(3);
-    DriveSimParams params = usual_faults();
+    DriveSimParams params = testing::usual_faults();
     const double nudged_s = number(undisturbed, stop, "reached_s") - rng.uniform(0.02, 0.45);
     params.kidnapping = {nudged_s, seed % 2 == 0 ? 0.2 : -0.2, 0.0};
     const auto run = driven(two_tags_in_view(), params, number_of);
@@ -111,7 +101,7 @@ TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
 }
 
 TEST(DriveClaims, TagsInSightFindAKidnappedRobotAgain) {
-  DriveSimParams params = usual_faults();
+  DriveSimParams params = testing::usual_faults();
   params.kidnapping = {4.0, 0.8, 0.0};
   const auto run = driven(two_tags_in_view(), params, 1);
   EXPECT_GT(metric(run, "belief_error_m"), 0.7) << "it was kidnapped";
@@ -123,7 +113,7 @@ TEST(DriveClaims, TagsInSightFindAKidnappedRobotAgain) {
 TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     for (const bool wheel : {true, false}) {
-      DriveSimParams params = usual_faults();
+      DriveSimParams params = testing::usual_faults();
       if (wheel) params.wheels.gains[static_cast<std::size_t>(seed) % 4] += seed % 2 == 0 ? 0.1 : -0.1;
       if (!wheel) params.wheels.strafe_slip = 0.5;
       params.sight.missed = 0.5;
@@ -142,7 +132,7 @@ TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
   task.waypoints = {{{{0, 0}, 0}}, {{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0}}};
   for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
     for (const Tag& tag : task.tags.tags) {
-      DriveSimParams params = usual_faults();
+      DriveSimParams params = testing::usual_faults();
       params.moved_tag = {tag.id, seed % 2 == 0 ? 0.1 : -0.1};
       const auto run = driven(task, params, static_cast<std::uint64_t>(seed));
       EXPECT_LT(expect_true_claims(run), 4U) << "seed " << seed << ", tag " << tag.id;
@@ -153,7 +143,7 @@ TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
 
 TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
-    DriveSimParams params = usual_faults();
+    DriveSimParams params = testing::usual_faults();
     params.sight.corner_sigma_px = 1.0;
     expect_true_claims(driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed)));
   }
@@ -163,12 +153,12 @@ TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
 TEST(DriveClaims, APassedWaypointSaysHowNear) {
   DriveTask task = two_tags_in_view();
   task.waypoints = {{{{0.5, 0}, 0}, false}, {{{0.5, 0.4}, 0}}};
-  const auto run = driven(task, usual_faults(), 1);
+  const auto run = driven(task, testing::usual_faults(), 1);
   const Table& table = table_named(run.report, "waypoints");
   EXPECT_EQ((TableRow{table, table.rows[0]}.text("outcome")), "passed");
   EXPECT_LE(number(run, 0, "nearest_m"), task.follow.pass_m + 0.05);
   task.rules.patience_s = 1.0;
-  const auto cut = driven(task, usual_faults(), 1);
+  const auto cut = driven(task, testing::usual_faults(), 1);
   const Table& early = table_named(cut.report, "waypoints");
   EXPECT_EQ((TableRow{early, early.rows[0]}.text("outcome")), "not reached");
   EXPECT_GT(number(cut, 0, "nearest_m"), 0.1);

@@ -8,6 +8,7 @@
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
 #include "support/costly_cases.hpp"
+#include "support/drive_faults.hpp"
 #include "support/logged_run.hpp"
 #include "support/random_cases.hpp"
 #include "support/run_bytes.hpp"
@@ -26,16 +27,10 @@ DriveTask waypoints() {
 }
 
 DriveSimParams faults() {
-  DriveSimParams params;
-  params.wheels.gains = {0.985, 1.012, 1.003, 0.989};
+  DriveSimParams params = testing::usual_faults();
   params.wheels.backwards = 0.985;
-  params.wheels.dead_time_s = 0.08;
-  params.wheels.lag_s = 0.08;
   params.wheels.deadband_radps = 0.05;
   params.wheels.sag_per_min = 0.006;
-  params.wheels.strafe_slip = 0.1;
-  params.wheels.noise = 0.005;
-  params.link = {1, 0.05, 0.01};
   return params;
 }
 
