@@ -128,8 +128,8 @@ tidy:  ## static analysis of the lines of the library and the tool that differ f
 # Compiles everything except the tests with clang++-19, and of the tests only the changed files.
 check-clang:
 	$(INSTALL) build test lint
-	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
-	@scripts/check-clang build src/ apps/ bench/ examples/ \
+	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
+	@scripts/check-clang build-tidy src/ apps/ bench/ examples/ \
 	  $$(scripts/changed-sources $(BASE) | grep '^tests/.*[.]cpp$$')
 
 check-format:
