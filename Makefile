@@ -125,11 +125,11 @@ tidy:  ## static analysis of the lines of the library and the tool that differ f
 	@[ -z "$$(scripts/changed-sources $(BASE))" ] || git diff -M -U0 $(or $(BASE),HEAD~1) -- src apps | \
 	  clang-tidy-diff-19.py -clang-tidy-binary clang-tidy-19 -p1 -path build-tidy -iregex '.*[.]cpp' -j $(JOBS) -quiet
 
-# Compiles everything except the tests with clang++-19, and of the tests only the changed files.
+# Checks everything except the tests with clang++-19, as the build joins it, and of the tests only the changed files.
 check-clang:
 	$(INSTALL) build test lint
-	$(CONFIGURE) tidy build-tidy -DOUTRIDER_BUILD_TESTS=ON
-	@scripts/check-clang build-tidy src/ apps/ bench/ examples/ \
+	$(CONFIGURE) release build -DOUTRIDER_BUILD_TESTS=ON
+	@scripts/check-clang build src/ apps/ bench/ examples/ \
 	  $$(scripts/changed-sources $(BASE) | grep '^tests/.*[.]cpp$$')
 
 check-format:
