@@ -17,6 +17,18 @@ std::int8_t percent(std::uint8_t cell) {
 
 }  // namespace
 
+void log_map(Log& log, const Grid<std::uint8_t>& occupancy, double yaw_rad, double time_s) {
+  nav_msgs::OccupancyGrid grid;
+  grid.header = header_of(log.time_of(time_s), "map");
+  grid.info.resolution = static_cast<float>(occupancy.frame.resolution_m);
+  grid.info.width = static_cast<std::uint32_t>(occupancy.frame.width);
+  grid.info.height = static_cast<std::uint32_t>(occupancy.frame.height);
+  grid.info.origin = pose_of(Pose2{occupancy.frame.origin, yaw_rad});
+  grid.data.resize(occupancy.cells.size());
+  std::ranges::transform(occupancy.cells, grid.data.begin(), percent);
+  log.append(topic::map, time_s, std::move(grid));
+}
+
 void MapLog::note(Log& log, const Grid<std::uint8_t>& occupancy, bool redrawn,
                   std::span<const std::size_t> changed, double time_s) {
   redrawn_ = redrawn_ || redrawn || !begun_ || logged_ != occupancy.frame;
@@ -47,15 +59,7 @@ void MapLog::log_whole(Log& log, const Grid<std::uint8_t>& occupancy, double tim
   logged_ = occupancy.frame;
   begun_ = true;
   whole_s_ = time_s;
-  nav_msgs::OccupancyGrid grid;
-  grid.header = header_of(log.time_of(time_s), "map");
-  grid.info.resolution = static_cast<float>(occupancy.frame.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(occupancy.frame.width);
-  grid.info.height = static_cast<std::uint32_t>(occupancy.frame.height);
-  grid.info.origin = pose_of(Pose2{occupancy.frame.origin, 0.0});
-  grid.data.resize(occupancy.cells.size());
-  std::ranges::transform(occupancy.cells, grid.data.begin(), percent);
-  log.append(topic::map, time_s, std::move(grid));
+  log_map(log, occupancy, 0.0, time_s);
 }
 
 void MapLog::log_update(Log& log, const Grid<std::uint8_t>& occupancy, double time_s) {

@@ -66,7 +66,6 @@ struct LaserSlam::State {
     return wrap_heading(relative_pose(graph.keyframes.back().pose, pose));
   }
   void move(const Pose2& motion);
-  [[nodiscard]] MatchWindow window() const;
   [[nodiscard]] double contradiction(const LaserScan& scan, const Pose2& at) const;
   bool bridge_gap();
   void take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step);
@@ -121,15 +120,6 @@ LaserSlam::LaserSlam(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LaserSlam::LaserSlam(LaserSlam&&) noexcept = default;
 LaserSlam& LaserSlam::operator=(LaserSlam&&) noexcept = default;
 LaserSlam::~LaserSlam() = default;
-
-/// Returns the search window: centred at the pose of the odometry, three standard deviations to each side.
-MatchWindow LaserSlam::State::window() const {
-  constexpr double sds = 3.0;
-  constexpr MotionNoise least{0.05, 0.02};
-  const MotionNoise noise = odometry_noise(unmatched, options);
-  return {pose, std::max(least.position_m, sds * noise.position_m),
-          std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
-}
 
 /// Returns the share of the points that one of the two looked through, of a scan at that pose and the one of
 /// the last keyframe; 0 if they share too few.
@@ -254,7 +244,7 @@ void LaserSlam::State::learn(const Fit& fit) {
 /// Only this part is used to match the next scans, and only odometry joins it to the part before.
 void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step) {
   if (blind && local.map() != nullptr) build_local_map();
-  const MatchWindow about = window();
+  const MatchWindow about = odometry_window(pose, unmatched, options);
   const bool begun = local.map() != nullptr;
   const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
   const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted) : std::nullopt;

@@ -25,6 +25,7 @@ struct Driven {
   double way_m = 0.0;
   double turn_rad = 0.0;
 
+  [[nodiscard]] bool is_zero() const { return way_m == 0.0 && turn_rad == 0.0; }
   Driven& operator+=(const Pose2& motion) {
     way_m += norm(motion.position);
     turn_rad += std::abs(motion.heading_rad);

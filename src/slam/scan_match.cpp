@@ -6,7 +6,6 @@
 namespace outrider {
 namespace {
 
-constexpr double recognised_score = 0.5;
 constexpr double recognised_share = 0.7;
 constexpr double most_rival = 0.85;  // maximum score at another place, relative to the best
 constexpr Separation distinct{0.8, 0.7};
@@ -26,10 +25,24 @@ MatchWindow widened(MatchWindow window, double reach_m, double turn_rad) {
   return window;
 }
 
+/// Returns false if another scan looked through too many points. The fewer points match, the fewer may be.
+bool believed(const Fit& fit, const std::function<double(const Pose2&)>& contradiction) {
+  return fit.share >= certain_share || contradiction(fit.pose) <= (fit.share >= sure_share ? 0.5 : 0.25);
+}
+
 }  // namespace
 
-std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window) {
-  const auto found = map.find(surface, window, recognised_score);
+MatchWindow odometry_window(const Pose2& pose, const Driven& since_match, const LaserSlamOptions& options) {
+  constexpr double sds = 3.0;
+  constexpr MotionNoise least{0.05, 0.02};
+  const MotionNoise noise = odometry_noise(since_match, options);
+  return {pose, std::max(least.position_m, sds * noise.position_m),
+          std::max(least.heading_rad, sds * noise.heading_rad), noise.position_m, noise.heading_rad};
+}
+
+std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                                   double least_score) {
+  const auto found = map.find(surface, window, least_score);
   if (!found) return std::nullopt;
   if (map.may_be_elsewhere(surface, window, most_rival * found->score, found->pose, distinct))
     return std::nullopt;
@@ -38,22 +51,15 @@ std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface
   return fit.share >= recognised_share ? std::optional(fit) : std::nullopt;
 }
 
-std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
-                              const std::function<double(const Pose2&)>& contradiction) {
-  const auto believed = [&](const Fit& fit) {
-    return fit.share >= certain_share || contradiction(fit.pose) <= (fit.share >= sure_share ? 0.5 : 0.25);
-  };
+std::optional<Fit> match_nearby(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                                const std::function<double(const Pose2&)>& contradiction) {
   constexpr double narrow_score = 0.1, wide_score = 0.3;
-  constexpr double wide_m = 0.6, wide_rad = 0.6, widest_m = 4.0;
+  constexpr double wide_m = 0.6, wide_rad = 0.6;
   const bool telling = surface.size() >= telling_points;
-  if (window.reach_m > most_correction_m) {
-    auto fit = telling ? recognise_place(map, surface, window) : std::nullopt;
-    return fit && believed(*fit) ? fit : std::nullopt;
-  }
   const Eigen::Matrix3d information = information_of(window);
   Fit best;
   const auto take = [&](const Fit& fit, double better) {
-    if (fit.share > best.share + better && believed(fit)) best = fit;
+    if (fit.share > best.share + better && believed(fit, contradiction)) best = fit;
     return best.share >= sure_share || !telling;
   };
   const auto found = [&] { return best.share >= least_share ? std::optional(best) : std::nullopt; };
@@ -61,13 +67,22 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
     if (take(map.refine(surface, pose->pose, {window.centre, information}), 0.0)) return found();
   }
   if (!telling) return std::nullopt;
-  if (const auto pose = map.find(surface, widened(window, wide_m, wide_rad), wide_score)) {
-    if (take(map.refine(surface, pose->pose, {pose->pose, information}), better_share)) return found();
+  if (const auto pose = map.find(surface, widened(window, wide_m, wide_rad), wide_score))
+    take(map.refine(surface, pose->pose, {pose->pose, information}), better_share);
+  return found();
+}
+
+std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                              const std::function<double(const Pose2&)>& contradiction) {
+  constexpr double widest_m = 4.0;
+  const bool is_wide = window.reach_m > most_correction_m;
+  if (!is_wide) {
+    if (auto fit = match_nearby(map, surface, window, contradiction)) return fit;
   }
-  if (best.share >= least_share) return best;
-  const MatchWindow whole{window.centre, widest_m, std::numbers::pi};
-  const auto fit = recognise_place(map, surface, whole);
-  return fit && believed(*fit) ? fit : std::nullopt;
+  if (surface.size() < telling_points) return std::nullopt;
+  const auto fit = recognise_place(map, surface,
+                                   is_wide ? window : MatchWindow{window.centre, widest_m, std::numbers::pi});
+  return fit && believed(*fit, contradiction) ? fit : std::nullopt;
 }
 
 }  // namespace outrider

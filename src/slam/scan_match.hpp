@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 
+#include "motion_noise.hpp"
 #include "surface_map.hpp"
 
 namespace outrider {
@@ -17,9 +18,17 @@ namespace outrider {
 /// A window of more than this may hold several places.
 constexpr double most_correction_m = 3.0;
 
+/// Returns the window about a pose by odometry, three standard deviations to each side.
+MatchWindow odometry_window(const Pose2& pose, const Driven& since_match, const LaserSlamOptions& options);
+
 /// Returns the pose of a surface on a map; nothing unless most points lie on surfaces of the map and no other
-/// pose in the window scores nearly as well.
-std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window);
+/// pose in the window scores nearly as well. A window with many poses is searched sooner for a high score.
+std::optional<Fit> recognise_place(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                                   double least_score = 0.5);
+
+/// Returns the pose of a surface in or close to a window, as match_scan() does before it searches wide.
+std::optional<Fit> match_nearby(const SurfaceMap& map, const Surface& surface, const MatchWindow& window,
+                                const std::function<double(const Pose2&)>& contradiction);
 
 /// Returns the pose of a surface in or around a window whose centre and deviations are those of the odometry;
 /// nothing if too few points match. `contradiction` returns the share of the points that another scan looked

@@ -14,8 +14,6 @@ namespace {
 constexpr double cell_m = 0.05;
 constexpr int splat_cells = 3;
 constexpr double splat_sd_m = 0.08;
-constexpr int levels = 6;
-constexpr int low_margin = (1 << (levels - 1)) + splat_cells + 1;  // a window of the top level is empty there
 constexpr int high_margin = splat_cells + 1;
 
 constexpr double bucket_m = 0.15;    // also the distance within which a point searches its surface
@@ -51,7 +49,7 @@ GridFrame frame_about(const Box2& box, double side_m, int low, int high) {
 
 }  // namespace
 
-SurfaceMap::SurfaceMap(std::span<const Part> parts) {
+SurfaceMap::SurfaceMap(std::span<const Part> parts, int levels) {
   std::vector<std::pair<SurfacePoint, int>> points;
   Box2 box{{1e18, 1e18}, {-1e18, -1e18}};
   for (const Part& part : parts) {
@@ -64,6 +62,7 @@ SurfaceMap::SurfaceMap(std::span<const Part> parts) {
     }
   }
   if (points.empty()) box = {{0.0, 0.0}, {0.0, 0.0}};
+  const int low_margin = (1 << (levels - 1)) + splat_cells + 1;  // a window of the top level is empty there
   levels_.emplace_back(frame_about(box, cell_m, low_margin, high_margin));
   bucket_frame_ = frame_about(box, bucket_m, 1, 1);
   first_.assign(bucket_frame_.size(), -1);
@@ -71,7 +70,7 @@ SurfaceMap::SurfaceMap(std::span<const Part> parts) {
     splat(point.position);
     add(point, group);
   }
-  build_pyramid();
+  build_pyramid(levels);
   sort_elements();
 }
 
@@ -107,7 +106,7 @@ void SurfaceMap::splat(Vec2 position) {
   }
 }
 
-void SurfaceMap::build_pyramid() {
+void SurfaceMap::build_pyramid(int levels) {
   Grid<std::uint8_t> pooled = levels_.front();
   const auto smaller = [](int n) { return (n + 1) / 2; };
   for (int level = 1; level < levels; ++level) {

@@ -5,9 +5,9 @@
 // are for the refinement: the surface around a point is the weighted mean of the lines through the map points
 // nearby that face the same way.
 //
-// find() is branch and bound. It is complete within its window at a resolution of one cell, and of the
-// rotation that moves the farthest point by one cell. It visits at most 4 million blocks of poses, about a
-// second of work, and gives up on a larger window. refine() is Gauss-Newton on the distances to the lines,
+// find() is branch and bound over place and heading. It is complete within its window at a resolution of one
+// cell, and of the rotation that moves the farthest point by one cell. It gives up on a window in
+// which it would visit too many blocks of poses. refine() is Gauss-Newton on the distances to the lines,
 // with a robust weight. Thread rule: const members may be called concurrently.
 // Sources: Olson, M3RSM: many-to-many multi-resolution scan matching, ICRA 2015, 5815-5821 (the pyramid);
 // Hess, Kohler, Rapp and Andor, Real-time loop closure in 2D LIDAR SLAM, ICRA 2016, 1271-1278 (the search);
@@ -39,6 +39,7 @@ struct MatchWindow {
   double turn_rad = 0.0;
   double position_sd_m = 1e9;  ///< of the prior: poses away from the centre score less
   double heading_sd_rad = 1e9;
+  std::int64_t most_blocks = 4'000'000;  ///< of poses to be visited; about a second of work
 };
 
 /// Two poses are distinct if they differ by more than one of these.
@@ -78,7 +79,10 @@ class SurfaceMap {
   };
   static constexpr int all_groups = -1;
 
-  explicit SurfaceMap(std::span<const Part> parts);
+  static constexpr int few_levels = 6;
+
+  /// `levels` is the height of the pyramid: a map that is searched whole needs more of them.
+  explicit SurfaceMap(std::span<const Part> parts, int levels = few_levels);
 
   /// Returns the pose with the highest score above `least`; nothing if there is none, or if the window has
   /// too many poses to search.
@@ -108,7 +112,7 @@ class SurfaceMap {
 
   void add(const SurfacePoint& point, int group);
   void splat(Vec2 position);
-  void build_pyramid();
+  void build_pyramid(int levels);
   void sort_elements();
   [[nodiscard]] std::optional<Line> line_at(Vec2 position, Vec2 normal, int group) const;
 

@@ -14,16 +14,15 @@ namespace {
 constexpr double cost_of_deviation = 0.01;
 constexpr std::size_t most_points = 180;
 constexpr double most_reach_cells = 1 << 29;
-constexpr std::int64_t most_blocks = 4'000'000;  // searched at most, from 180 cells each
 
-/// All poses of equal heading whose cells lie from `offset` on, 2^level to each side.
+/// The poses of 2^level angles from `angle` on and of 2^level offsets from `offset` on, to each side.
 struct Block {
   int angle = 0;
   Cell offset;
   double bound = 0.0;
 };
 
-/// The offsets of one angle, from the lowest block to the highest.
+/// The offsets of some angles, from the lowest block to the highest.
 struct Range {
   int low = 0;
   int high = -1;
@@ -64,39 +63,50 @@ class Search {
   /// Runs the search; returns false if the window has too many poses.
   bool run() {
     if (cells_.front().empty()) return true;
-    int level = 0;
-    while (level + 1 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
+    int level = 0;  // bounds are those of the level above
+    while (level + 2 < static_cast<int>(levels_.size()) && (2 << level) <= 2 * reach_ + 1) ++level;
     const int side = 1 << level;
     std::vector<std::pair<Range, Range>> ranges;
     std::int64_t blocks = 0;
-    for (const std::vector<Cell>& cells : cells_) {
-      const auto& [across, up] = ranges.emplace_back(meeting(cells, side));
+    for (int k = 0; k < static_cast<int>(cells_.size()); k += side) {
+      const auto& [across, up] = ranges.emplace_back(meeting(k, level));
       blocks += across.blocks(side) * up.blocks(side);
     }
-    if (blocks > most_blocks) return false;
+    if (blocks > window_.most_blocks) return false;
     std::vector<Block> roots;
-    for (int k = 0; k < static_cast<int>(cells_.size()); ++k) {
-      const auto& [across, up] = ranges[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const auto& [across, up] = ranges[i];
       for (int y = up.low; y <= up.high; y += side) {
-        for (int x = across.low; x <= across.high; x += side) add(roots, {k, {x, y}, 0.0}, level);
+        for (int x = across.low; x <= across.high; x += side)
+          add(roots, {static_cast<int>(i) * side, {x, y}, 0.0}, level);
       }
     }
     descend(roots, level);
-    return tried_ <= most_blocks;
+    return tried_ <= window_.most_blocks;
   }
 
   [[nodiscard]] std::optional<FoundPose> best() const { return found_ ? std::optional(best_) : std::nullopt; }
 
  private:
+  /// Returns by how many cells a point moves at most between the angle of cells_at() and another one of a
+  /// block: each step moves it by one cell at most.
+  [[nodiscard]] static int spread(int level) { return level == 0 ? 0 : 1 << (level - 1); }
+  /// Returns the cells of the points at the angle in the middle of a block.
+  [[nodiscard]] const std::vector<Cell>& cells_at(int angle, int level) const {
+    return cells_[std::min(static_cast<std::size_t>(angle + spread(level)), cells_.size() - 1)];
+  }
+
   /// Returns the blocks of the window in which some of the cells lie within the field; elsewhere the score is
   /// zero.
-  [[nodiscard]] std::pair<Range, Range> meeting(const std::vector<Cell>& cells, int side) const {
+  [[nodiscard]] std::pair<Range, Range> meeting(int angle, int level) const {
+    const std::vector<Cell>& cells = cells_at(angle, level);
     const GridFrame& frame = levels_.front().frame;
     const auto [left, right] = std::ranges::minmax(cells, {}, &Cell::x);
     const auto [lowest, highest] = std::ranges::minmax(cells, {}, &Cell::y);
     const auto range = [&](int least, int most, int size) {
-      const int skipped = std::max(0, reach_ - most) / side;
-      return Range{-reach_ + skipped * side, std::min(reach_, size - 1 - least)};
+      const int side = 1 << level;
+      const int skipped = std::max(0, reach_ - most - spread(level)) / side;
+      return Range{-reach_ + skipped * side, std::min(reach_, size - 1 - least + spread(level))};
     };
     return {range(left.x, right.x, frame.width), range(lowest.y, highest.y, frame.height)};
   }
@@ -106,46 +116,60 @@ class Search {
     const double x = gap(block.offset.x), y = gap(block.offset.y);
     const double side_m = levels_.front().frame.resolution_m;
     const double squared_m = (x * x + y * y) * side_m * side_m;
-    const double turn = (block.angle - turns_) * step_rad_;
+    const double turn = gap(block.angle - turns_) * step_rad_;
     return cost_of_deviation * (squared_m / (window_.position_sd_m * window_.position_sd_m) +
                                 turn * turn / (window_.heading_sd_rad * window_.heading_sd_rad));
   }
 
-  [[nodiscard]] double mean(const Block& block, int level) const {
-    const Grid<std::uint8_t>& field = levels_[static_cast<std::size_t>(level)];
-    const std::vector<Cell>& cells = cells_[static_cast<std::size_t>(block.angle)];
+  /// Returns a bound of the mean of the field over the points, exact on level 0; 0 if it is not above
+  /// `least`. The cell of a point at all poses of the block lies within a square of side 2^(level + 1).
+  [[nodiscard]] double mean(const Block& block, int level, double least) const {
+    constexpr std::size_t checked = 32;  // points between two checks
+    const int above = level == 0 ? 0 : level + 1;
+    const Grid<std::uint8_t>& field = levels_[static_cast<std::size_t>(above)];
+    const std::vector<Cell>& cells = cells_at(block.angle, level);
+    const Cell low{block.offset.x - spread(level), block.offset.y - spread(level)};
     const auto width = static_cast<unsigned>(field.frame.width);
     const auto height = static_cast<unsigned>(field.frame.height);
-    int sum = 0;
-    for (const Cell& cell : cells) {
-      const auto x = static_cast<unsigned>((cell.x + block.offset.x) >> level);
-      const auto y = static_cast<unsigned>((cell.y + block.offset.y) >> level);
-      if (x < width && y < height) sum += field.cells[std::size_t{y} * width + x];
+    const double full = 255.0 * static_cast<double>(cells.size());
+    const double missing = (1.0 - least) * full;  // what all points may lack together
+    int lacking = 0;
+    for (std::size_t i = 0; i < cells.size();) {
+      for (const std::size_t end = std::min(i + checked, cells.size()); i < end; ++i) {
+        const auto x = static_cast<unsigned>((cells[i].x + low.x) >> above);
+        const auto y = static_cast<unsigned>((cells[i].y + low.y) >> above);
+        lacking += 255 - (x < width && y < height ? field.cells[std::size_t{y} * width + x] : 0);
+      }
+      if (lacking >= missing) return 0.0;
     }
-    return sum / (255.0 * static_cast<double>(cells.size()));
+    return (full - lacking) / full;
   }
 
   void add(std::vector<Block>& blocks, Block block, int level) {
     const double most = 1.0 - cost(block, level);
-    if (most <= best_.score || ++tried_ > most_blocks) return;
-    block.bound = mean(block, level) - (1.0 - most);
+    if (most <= best_.score || ++tried_ > window_.most_blocks) return;
+    block.bound = mean(block, level, best_.score + (1.0 - most)) - (1.0 - most);
     if (block.bound > best_.score) blocks.push_back(block);
   }
 
   void descend(std::vector<Block>& blocks, int level) {
     std::sort(blocks.begin(), blocks.end(), better);
     for (const Block& block : blocks) {
-      if (block.bound <= best_.score || tried_ > most_blocks) return;
+      if (block.bound <= best_.score || tried_ > window_.most_blocks) return;
       if (level == 0) {
         take(block);
         continue;
       }
       std::vector<Block> parts;
       const int half = 1 << (level - 1);
-      for (const auto& [dx, dy] :
-           {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)}) {
-        const Cell offset{block.offset.x + dx, block.offset.y + dy};
-        if (offset.x <= reach_ && offset.y <= reach_) add(parts, {block.angle, offset, 0.0}, level - 1);
+      for (const int turn : {0, half}) {
+        if (block.angle + turn >= static_cast<int>(cells_.size())) continue;
+        for (const auto& [dx, dy] :
+             {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)}) {
+          const Cell offset{block.offset.x + dx, block.offset.y + dy};
+          if (offset.x <= reach_ && offset.y <= reach_)
+            add(parts, {block.angle + turn, offset, 0.0}, level - 1);
+        }
       }
       descend(parts, level - 1);
     }

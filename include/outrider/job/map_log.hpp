@@ -14,6 +14,9 @@
 
 namespace outrider {
 
+/// Logs a whole map, which is turned by `yaw_rad` about its origin. `occupancy` holds values of Occupancy.
+void log_map(Log& log, const Grid<std::uint8_t>& occupancy, double yaw_rad, double time_s);
+
 class MapLog {
  public:
   /// The map is logged at most once in `period_s` of the run.

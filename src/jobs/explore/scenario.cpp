@@ -55,7 +55,7 @@ std::vector<OptionGroup> describe(ExploreScenario& scenario) {
       {"steer", "how it drives there", describe(task.steer)},
       {"rules", "when it thinks, waits and gives up", describe(task.rules)},
       {"slam", "how it knows where it is", describe(task.slam)},
-      {"map", "the map that it makes", describe(task.slam.map)},
+      {"occupancy", "the map that it makes", describe(task.slam.map)},
   };
 }
 

@@ -2,11 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "laser_verdict.hpp"
 #include "outrider/io/map_server.hpp"
-#include "outrider/io/trajectory.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/sensor_log.hpp"
 #include "outrider/jobs/slam/laser_run.hpp"
@@ -17,23 +15,10 @@
 #include "recordings.hpp"
 #include "scan_map.hpp"
 #include "slam_log.hpp"
+#include "track.hpp"
 
 namespace outrider {
 namespace {
-
-/// Returns one line per scan: number, time (s), x, y (m), heading (rad). The first pose is that before all
-/// scans.
-std::string track_csv(const std::vector<double>& times_s, const std::vector<Pose2>& poses) {
-  constexpr std::size_t most_line_bytes = 130;  // pages that are not written take no memory
-  std::string text = "step,time,x,y,heading\n";
-  text.reserve(most_line_bytes * poses.size());
-  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
-    const Pose2& pose = poses[i + 1];
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, times_s[i], pose.position.x,
-                   pose.position.y, pose.heading_rad);
-  }
-  return text;
-}
 
 std::vector<double> times_of(const LaserLog& log) {
   std::vector<double> recorded_s;
@@ -159,10 +144,10 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
   const Grid<std::uint8_t> map = known_part(run.slam.map().occupancy());
   auto text = map_server_text({map, 0.0}, "map.pgm");
   if (!text) return pass_on(text);
-  std::vector<Pose2> poses = run.slam.trajectory();
-  std::vector<NamedContent> files = {{"track.csv", track_csv(recorded_s, poses)}};
-  poses.erase(poses.begin());  // before the first scan
-  files.push_back({"trajectory.tum", tum_text(trajectory_of(recorded_s, poses))});
+  const std::vector<Pose2> poses = run.slam.trajectory();
+  std::vector<TrackedPose> track;
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) track.push_back({i, recorded_s[i], poses[i + 1]});
+  std::vector<NamedContent> files = track_files(track);
   files.push_back({"map.pgm", std::move(text->image)});
   files.push_back({"map.yaml", std::move(text->yaml)});
   return files;
@@ -197,6 +182,14 @@ Status report_mapping(LaserRecorder& recorder, Run& run, const RunWatch& watch, 
 
 }  // namespace
 
+Status open_again(TopicsInput& source, const SlamScenario& scenario) {
+  if (source) return {};
+  auto opened = open_laser_topics(scenario.log, scenario.topics);
+  if (!opened) return pass_on(opened);
+  source = std::move(*opened);
+  return {};
+}
+
 Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const RunWatch& watch) {
   LaserRecorder recorder(run.log, job.scenario, times_of(log));
   return report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
@@ -205,11 +198,7 @@ Status map_laser_log(const SlamJob& job, const LaserLog& log, Run& run, const Ru
 }
 
 Status map_laser_topics(const SlamJob& job, TopicsInput source, Run& run, const RunWatch& watch) {
-  if (!source) {
-    auto opened = open_laser_topics(job.scenario.log, job.scenario.topics);
-    if (!opened) return pass_on(opened);
-    source = std::move(*opened);
-  }
+  if (auto ok = open_again(source, job.scenario); !ok) return ok;
   LaserRecorder recorder(run.log, job.scenario, {});
   auto done = report_mapping(recorder, run, watch, [&](const LaserWatch& mapping) {
     return run_laser_log(*source, job.scenario.laser, mapping, processor_s);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "laser_records.hpp"
 #include "outrider/jobs/slam/laser_mission.hpp"
 #include "outrider/jobs/slam/recording_clock.hpp"
 #include "outrider/robot/recorded_robot.hpp"
@@ -27,31 +28,6 @@ void compare(LaserRun& run, const std::vector<Pose2>& reference) {
   run.mean_error_m = sum_m / static_cast<double>(from.size());
   run.rms_error_m = rms_distance(from, onto, motion);
 }
-
-/// The observations of the robot that recorded the log. A fault ends them.
-class Records {
- public:
-  explicit Records(LaserSource& source) : source_(source) {}
-
-  std::optional<Observation> next() {
-    auto step = source_.next();
-    if (!step) fault_ = std::move(step.error());
-    if (fault_ || !*step) return std::nullopt;
-    LaserLogStep& read = **step;
-    seen_.time_s = read.scan.time_s;
-    seen_.odometry = compose(seen_.odometry, read.motion);
-    seen_.motion = read.motion;
-    seen_.scan = std::move(read.scan);
-    return seen_;
-  }
-
-  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
-
- private:
-  LaserSource& source_;
-  Observation seen_;
-  std::optional<Fault> fault_;
-};
 
 /// The mission, with the times of its steps.
 struct TimedMission {
@@ -81,7 +57,7 @@ Outcome<LaserRun> run_laser_log(LaserSource& source, const LaserSlamOptions& opt
   if (used.trust_odometry) used.draw_late = false;  // nothing is matched that settle() would draw
   auto begun = LaserSlam::begin(used, {});
   if (!begun) return pass_on(begun);
-  Records records(source);
+  LaserRecords records(source);
   RecordedRobot robot([&] { return records.next(); });
   TimedMission timed{LaserMission(std::move(*begun)), processor_s};
   LaserMission& mission = timed.mission;

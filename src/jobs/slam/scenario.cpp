@@ -28,6 +28,9 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
   std::vector<Option> top = {
       file_option("log", "ROS bag or MCAP, laser log, landmark log, g2o, TORO or PyFG graph (.gz may follow)",
                   &scenario.log),
+      file_option("map",
+                  "known map, on which the robot of a laser log is localised; without it, a map is made",
+                  &scenario.map),
       file_option("truth", "file with the true landmarks of a Freiburg log", &scenario.truth),
       file_option("resume", "state of an earlier run to continue from", &scenario.resume)};
   for (Option& option : describe(scenario.topics)) top.push_back(std::move(option));
@@ -36,7 +39,7 @@ std::vector<OptionGroup> describe(SlamScenario& scenario) {
           {"noise", "noise of logs that give none", describe(scenario.noise)},
           {"carmen", "laser logs", describe(scenario.carmen)},
           {"laser", "laser scans", describe(scenario.laser)},
-          {"map", "map of laser scans", describe(scenario.laser.map)},
+          {"occupancy", "map of laser scans", describe(scenario.laser.map)},
           {"graph", "graphs", std::move(graph)}};
 }
 

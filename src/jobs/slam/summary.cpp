@@ -23,6 +23,10 @@ std::string slam_summary(const Report& report) {
   std::string text = fmt::format("{}: {:.1f} m in {}\n\n", printable(report.world_name), value("distance_m"),
                                  duration_text(value("run_s")));
   text += line(report, "map_m2", "map", "{:.1f} m2 of free floor");
+  if (std::isfinite(value("steps_located"))) {
+    text += fmt::format("  located    at {:.0f} of {:.0f} scans, lost {:.0f} times\n", value("steps_located"),
+                        value("steps"), value("times_lost"));
+  }
   text += line(report, "landmarks", "landmarks", "{:.0f}");
   text += line(report, "loops", "loops", "{:.0f} closed");
   if (std::isfinite(value("nodes"))) {

@@ -22,6 +22,9 @@ class SlamJob final : public JobTask {
   /// Takes the pose of the laser from the log, unless an option says it.
   void take_mount(const std::optional<Pose2>& robot_T_laser);
 
+  /// Loads the known map, if there is one.
+  Outcome<Warnings> load_map();
+
   struct Input;                   ///< the log, read or opened
   std::unique_ptr<Input> input_;  ///< once loaded
 };

@@ -26,6 +26,7 @@ LaserSlamOptions laser_options_for_logs();
 /// The settings of the job.
 struct SlamScenario {
   std::string log;     ///< path of a file, or of the folder of a log
+  std::string map;     ///< path of a known map to be localised on; empty: map the log
   std::string truth;   ///< path of the true landmarks of a Freiburg log; empty: world.dat beside it, if any
   std::string resume;  ///< path of the state of an earlier run to continue from; landmark logs only
   bool measured_frame = false;  ///< errors of graph poses in the frame of the measured pose, as g2o has them

@@ -1,0 +1,35 @@
+#include "track.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "outrider/io/trajectory.hpp"
+
+namespace outrider {
+namespace {
+
+std::string track_csv(std::span<const TrackedPose> track) {
+  constexpr std::size_t most_line_bytes = 130;  // pages that are not written take no memory
+  std::string text = "step,time,x,y,heading\n";
+  text.reserve(most_line_bytes * (track.size() + 1));
+  for (const auto& [step, time_s, pose] : track) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", step, time_s, pose.position.x,
+                   pose.position.y, pose.heading_rad);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<NamedContent> track_files(std::span<const TrackedPose> track) {
+  std::vector<double> times_s;
+  std::vector<Pose2> poses;
+  for (const TrackedPose& one : track) {
+    times_s.push_back(one.time_s);
+    poses.push_back(one.pose);
+  }
+  return {{"track.csv", track_csv(track)}, {"trajectory.tum", tum_text(trajectory_of(times_s, poses))}};
+}
+
+}  // namespace outrider
