@@ -22,11 +22,12 @@ constexpr std::size_t least_points = 10;
 constexpr std::int64_t most_blocks = 40'000'000;
 constexpr double turn_m = 0.5;  // a radian turned shows as much as this way
 constexpr double first_search_m = 0.5;
-constexpr double most_between_m = 8.0;                   // the way between two searches doubles up to here
+constexpr double growth = 1.5, most_between_m = 8.0;     // of the way between two searches
 constexpr double clear_score = 0.8, least_score = 0.65;  // of places: a high one is found sooner
 
 constexpr double most_contradiction = 0.25;  // share of the beams
 constexpr double recognised_share = 0.6;     // of the beams that agree with the map
+constexpr double fitting_share = 0.5;        // of one scan
 constexpr double lost_share = 0.4;           // mean of the last scans
 constexpr double averaged_scans = 8.0;
 
@@ -109,6 +110,7 @@ void MapLocaliser::State::track(const LaserScan& scan, const Surface& surface, M
     }
   }
   const double share = step.matched ? fit_of(scan, pose).share() : 0.0;
+  step.fits = step.matched && share >= fitting_share;
   mean_share += (share - mean_share) / averaged_scans;
   if (mean_share >= lost_share) return;
   is_located = false;
@@ -137,7 +139,7 @@ void MapLocaliser::State::search(const LaserScan& scan, const Surface& surface, 
   if (!recent.add(scan, surface) || !recent.are_enough()) return;
   if (unsearched.way_m + turn_m * unsearched.turn_rad < search_m) return;
   unsearched = {};
-  search_m = std::min(2.0 * search_m, most_between_m);
+  search_m = std::min(growth * search_m, most_between_m);
   const Surface together = recent.together();
   auto fit = recognise_place(surfaces, together, everywhere, clear_score);
   if (!fit) fit = recognise_place(surfaces, together, everywhere, least_score);
@@ -146,7 +148,7 @@ void MapLocaliser::State::search(const LaserScan& scan, const Surface& surface, 
   information = fit->information;
   unmatched = {};
   mean_share = 1.0;
-  is_located = step.found = step.matched = true;
+  is_located = step.found = step.matched = step.fits = true;
   recent.clear();
 }
 

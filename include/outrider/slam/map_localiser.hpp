@@ -34,6 +34,7 @@ struct MapLocaliserStep {
   Pose2 pose;            ///< estimated world_T_robot; without meaning if not located
   bool located = false;  ///< the pose is known
   bool matched = false;  ///< the scan matched the map
+  bool fits = false;     ///< and most of its beams agree with the map
   bool found = false;    ///< the robot was recognised at this step
   bool lost = false;     ///< the robot was located before this step, and is not now
 };

@@ -42,10 +42,10 @@ Outcome<Warnings> SlamJob::load() {
 
 Outcome<Warnings> SlamJob::load_map() {
   if (scenario.map.empty()) return Warnings{};
-  if (!input_->has_topics && !std::holds_alternative<LaserLog>(input_->value))
-    return bad_input("only the robot of a laser log is localised on a map; leave it out", "map");
   auto map = load_known_map(scenario.map);
   if (!map) return pass_on(map);
+  if (!input_->has_topics && !std::holds_alternative<LaserLog>(input_->value))
+    return bad_input("only the robot of a laser log is localised on a map; leave it out", "map");
   input_->map = std::move(*map);
   return Warnings{};
 }

@@ -35,6 +35,7 @@ class LocaliseRecorder {
     const MapLocaliserStep& step = *mission.newest;
     recorded_s_.push_back(seen.time_s);
     const double time_s = std::max(log_.end_s(), seen.time_s - recorded_s_.front());
+    times_s_.push_back(time_s);
     if (step.located) {
       log_.note({time_s, step.pose, mission.localiser.pose_covariance(), seen.odometry, step.found});
     } else {
@@ -53,9 +54,14 @@ class LocaliseRecorder {
     }
   }
 
-  /// Logs the path and returns its length.
-  double settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, const Box2& map) {
-    return log_.settle(poses, reference, map);
+  void settle(const std::vector<TrackedPose>& track, const std::vector<Vec2>& reference, const Box2& map) {
+    std::vector<double> times_s;
+    std::vector<Pose2> poses;
+    for (const TrackedPose& one : track) {
+      times_s.push_back(times_s_[one.step]);
+      poses.push_back(one.pose);
+    }
+    log_.settle_at(times_s, poses, reference, map);
   }
 
   [[nodiscard]] double end_s() const { return log_.end_s(); }
@@ -65,7 +71,8 @@ class LocaliseRecorder {
 
  private:
   SlamLog log_;
-  std::vector<double> recorded_s_;  ///< of all scans
+  std::vector<double> recorded_s_;  ///< times of all scans
+  std::vector<double> times_s_;     ///< the same in the run
   std::vector<double> lost_s_;
 };
 
@@ -128,13 +135,23 @@ Metrics metrics_of(const LocaliseMission& mission, const LocaliseRecorder& recor
           {"run_s", recorder.end_s()}};
 }
 
-std::vector<NamedContent> files_of(const LocaliseMission& mission, const LocaliseRecorder& recorder) {
+std::vector<TrackedPose> track_of(const LocaliseMission& mission, const LocaliseRecorder& recorder) {
   std::vector<TrackedPose> track;
   for (std::size_t i = 0; i < mission.located.size(); ++i) {
     const std::size_t step = mission.located[i];
     track.push_back({step, recorder.recorded_s()[step], mission.poses[i]});
   }
-  return track_files(track);
+  return track;
+}
+
+/// Returns the length of the path, without the parts on which the robot was not located.
+double length_of(const std::vector<TrackedPose>& track) {
+  double way_m = 0.0;
+  for (std::size_t i = 1; i < track.size(); ++i) {
+    if (track[i].step == track[i - 1].step + 1)
+      way_m += distance(track[i - 1].pose.position, track[i].pose.position);
+  }
+  return way_m;
 }
 
 Status localise(const SlamJob& job, LaserSource& source, const KnownMap& map,
@@ -166,12 +183,13 @@ Status localise(const SlamJob& job, LaserSource& source, const KnownMap& map,
   run.report.metrics.emplace_back("mean_absolute_error_m", error.mean_m);
   run.report.metrics.emplace_back("ate_m", error.rms_m);
   run.report.metrics.emplace_back("log_s", known(clock.length_s()));
-  run.report.metrics.emplace_back(
-      "distance_m", recorder.settle(mission.poses, error.reference, map.occupancy.frame.bounds()));
+  const std::vector<TrackedPose> track = track_of(mission, recorder);
+  recorder.settle(track, error.reference, map.occupancy.frame.bounds());
+  run.report.metrics.emplace_back("distance_m", length_of(track));
   run.report.machine_times = {{"time_s", processor_s() - begin_s}};
   judge_localisation(run.report, mission, recorder.lost_s());
   if (!ended) mark_cancelled(run.report, run.log, recorder.end_s());
-  run.files = files_of(mission, recorder);
+  run.files = track_files(track);
   return {};
 }
 

@@ -18,13 +18,22 @@ std::optional<Command> LocaliseMission::step(const Observation& seen) {
   }
   newest = *advanced;
   found += newest->found ? 1 : 0;
+  keep_pose();
+  if (newest->located) check_scan(*seen.scan);
+  ++scans;
+  return Wait{};
+}
+
+/// Keeps the pose of a located robot, and withdraws those that turned out to be wrong.
+void LocaliseMission::keep_pose() {
   if (newest->located) {
     located.push_back(scans);
     poses.push_back(newest->pose);
-    check_scan(*seen.scan);
   }
-  ++scans;
-  return Wait{};
+  if (newest->fits) fitting_ = poses.size();
+  if (!newest->lost) return;
+  located.resize(fitting_);
+  poses.resize(fitting_);
 }
 
 /// Compares a scan with the map, by ranges and cells only, so that the check does not depend on the matching.

@@ -80,18 +80,22 @@ double length_of(const std::vector<Pose2>& poses) {
   return way_m;
 }
 
-double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 box) {
+double SlamLog::settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 others) {
+  const auto count = static_cast<std::ptrdiff_t>(std::min(times_s_.size(), poses.size()));
+  settle_at({times_s_.begin(), times_s_.begin() + count}, poses, reference, others);
+  return length_of(poses);
+}
+
+void SlamLog::settle_at(const std::vector<double>& times_s, const std::vector<Pose2>& poses,
+                        const std::vector<Vec2>& reference, Box2 box) {
   for (const Pose2& pose : poses) box.include(pose.position);
   for (const Vec2 place : reference) box.include(place);
-  std::vector<double> times_s(times_s_.begin(), times_s_.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                                       times_s_.size(), poses.size())));
   log_trajectory(log_, topic::trajectory, end_s(), times_s, poses);
   if (!reference.empty()) log_.append(topic::reference, end_s(), path_of(log_.time_of(end_s()), reference));
   if (!box.empty()) box = box.grown(0.5 + 0.01 * norm(box.size()));
   info_.low = point_of(box.low);
   info_.high = point_of(box.high);
   log_.append(topic::run, end_s(), info_);
-  return length_of(poses);
 }
 
 }  // namespace outrider

@@ -54,6 +54,9 @@ class SlamLog {
   /// Logs the final path, with one pose for each step noted, and a reference in the same frame, which may be
   /// empty. Logs the bounds of everything, `others` included. Returns the length of the path, m.
   double settle(const std::vector<Pose2>& poses, const std::vector<Vec2>& reference, Box2 others = {});
+  /// The same with the times of the poses, which need not be those of the steps noted.
+  void settle_at(const std::vector<double>& times_s, const std::vector<Pose2>& poses,
+                 const std::vector<Vec2>& reference, Box2 others);
 
   [[nodiscard]] double end_s() const { return end_s_; }
   [[nodiscard]] Log& log() { return log_; }

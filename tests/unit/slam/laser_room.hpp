@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/geometry/pose.hpp"
 #include "outrider/slam/laser_scan.hpp"
 
 namespace outrider::testing {

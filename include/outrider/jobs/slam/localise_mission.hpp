@@ -1,7 +1,8 @@
 // LocaliseMission: localisation on a known map, on a robot that somebody else drives.
 //
 // MapLocaliser processes each scan with the odometry since the previous scan. The mission only commands to
-// wait. It ends with the first observation without a scan, or when a scan is refused.
+// wait. It ends with the first observation without a scan, or when a scan is refused. It takes some scans to
+// notice that the robot was carried away: the poses since the last scan that fitted are then withdrawn.
 #pragma once
 
 #include <optional>
@@ -24,7 +25,7 @@ struct LocaliseMission {
   LaserSlamOptions options;
   std::optional<Pose2> odometry;           ///< odometry of the previous scan
   std::optional<MapLocaliserStep> newest;  ///< result of this step
-  std::vector<std::size_t> located;        ///< numbers of the scans at which the robot was located
+  std::vector<std::size_t> located;        ///< numbers of the scans at which the robot was located, rising
   std::vector<Pose2> poses;                ///< world_T_robot at each of these
   std::size_t scans = 0;                   ///< number of scans
   std::size_t found = 0;                   ///< times that the robot was recognised
@@ -33,8 +34,10 @@ struct LocaliseMission {
   std::optional<Fault> fault;    ///< why a scan was refused
 
  private:
+  void keep_pose();
   void check_scan(const LaserScan& scan);
 
+  std::size_t fitting_ = 0;  ///< poses up to the last scan that fitted
   std::optional<Vec2> checked_at_;
 };
 
