@@ -3,8 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "outrider/geometry/box.hpp"
 #include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
@@ -25,16 +27,17 @@ constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
 
 /// Returns the first of the last keyframes, from `first` on.
-std::size_t first_of_last(const KeyframeGraph& graph, std::size_t first) {
+std::size_t first_of_last(const KeyframeGraph& graph, std::size_t first, std::size_t most = query_keyframes) {
   const std::size_t count = graph.keyframes.size();
-  return std::max(first, count > query_keyframes ? count - query_keyframes : 0);
+  return std::max(first, count > most ? count - most : 0);
 }
 
 /// Returns the surface points of the last keyframes together, from `first` on, in the frame of the last one.
-Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::size_t first) {
+Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::size_t first,
+                     std::size_t most = query_keyframes) {
   Surface result;
   const Pose2& last = graph.keyframes.back().pose;
-  for (std::size_t i = first_of_last(graph, first); i < graph.keyframes.size(); ++i) {
+  for (std::size_t i = first_of_last(graph, first, most); i < graph.keyframes.size(); ++i) {
     const Pose2 pose = relative_pose(last, graph.keyframes[i].pose);
     for (const SurfacePoint& p : surfaces.of(graph, static_cast<std::uint32_t>(i))) {
       result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
@@ -43,14 +46,14 @@ Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std
   return result;
 }
 
-/// Returns the nearest keyframe of each earlier visit that may be at the same place; at most
-/// `most_candidates`, the nearest ones.
-std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncertain_m) {
+/// Returns the nearest keyframe of each earlier visit, from `first` on, that may be at the same place; at
+/// most `most_candidates`, the nearest ones.
+std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncertain_m, std::uint32_t first) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   const std::vector<double> known = graph.variances_from(last, near_variance);
   std::vector<std::pair<double, std::uint32_t>> nearest;
   bool open = false;
-  for (std::uint32_t i = 0; i < last; ++i) {
+  for (std::uint32_t i = first; i < last; ++i) {
     if (!graph.keyframes[i].has_scan()) continue;
     const double away_m = distance(graph.keyframes[i].pose.position, graph.keyframes[last].pose.position);
     const bool may_be_here = known[i] > near_variance && away_m <= sensed_m + uncertain_m;
@@ -79,11 +82,34 @@ Visit visit_of(const KeyframeGraph& graph, std::uint32_t scan) {
           std::min(scan + visit_keyframes + 1, last > apart ? last - apart : 0)};
 }
 
-SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit) {
+SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit,
+                  int levels = SurfaceMap::few_levels) {
   std::vector<SurfaceMap::Part> parts;
   for (std::uint32_t i = visit.first; i < visit.end; ++i)
     parts.push_back({&surfaces.of(graph, i), graph.keyframes[i].pose, 0});
-  return SurfaceMap(parts);
+  return SurfaceMap(parts, levels);
+}
+
+/// Returns the window that holds all places of a visit, in the full turn.
+MatchWindow whole_window(const KeyframeGraph& graph, const Visit& visit) {
+  constexpr double margin_m = 2.0;
+  Box2 box;
+  for (std::uint32_t i = visit.first; i < visit.end; ++i) box.include(graph.keyframes[i].pose.position);
+  const Vec2 size = box.size();
+  return {{0.5 * (box.low + box.high), 0.0}, 0.5 * std::max(size.x, size.y) + margin_m, std::numbers::pi};
+}
+
+/// Returns the keyframe of a visit that is nearest to a place, of those that have a scan.
+std::uint32_t nearest_in(const KeyframeGraph& graph, const Visit& visit, Vec2 place) {
+  std::uint32_t nearest = visit.first;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = visit.first; i < visit.end; ++i) {
+    const double away_m = distance(graph.keyframes[i].pose.position, place);
+    if (!graph.keyframes[i].has_scan() || away_m >= least_m) continue;
+    least_m = away_m;
+    nearest = i;
+  }
+  return nearest;
 }
 
 /// Returns true if the scans of the last keyframes, from `first` on, and those of a visit contradict each
@@ -91,7 +117,7 @@ SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const 
 bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const Visit& visit,
                      std::size_t first, const Pose2& there) {
   constexpr std::size_t least_points = 40;
-  constexpr double most_share = 0.25;
+  constexpr double most_share = 0.1;
   const Pose2 moved = compose(there, relative_pose(graph.keyframes.back().pose, Pose2{}));
   Agreement sum;
   for (std::size_t q = first_of_last(graph, first); q < graph.keyframes.size(); q += 2) {
@@ -130,7 +156,10 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
 
 }  // namespace
 
-bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd) {
+bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                       std::uint32_t first) {
+  constexpr std::size_t least_keyframes = 4;
+  if (first > 0 && graph.keyframes.size() - first < least_keyframes) return false;
   const Keyframe& last = graph.keyframes.back();
   if (last.way_m - tried_at_m < try_every_m) return false;
   tried_at_m = last.way_m;
@@ -140,16 +169,17 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
   const double turn_rad = heading_sd_rad > adrift_rad
                               ? std::numbers::pi
                               : std::clamp(sds * heading_sd_rad, least_turn_rad, most_turn_rad);
-  const Surface query = thinned(last_surface(graph, surfaces, 0), most_points);
+  const Surface query = thinned(last_surface(graph, surfaces, first), most_points);
   bool any = false;
-  for (const std::uint32_t scan : candidates(graph, reach_m)) {
+  for (const std::uint32_t scan : candidates(graph, reach_m, first)) {
     const Pose2 here = graph.keyframes.back().pose;  // optimisation moves it
-    const Visit visit = visit_of(graph, scan);
+    Visit visit = visit_of(graph, scan);
+    visit.first = std::max(visit.first, first);
     const auto fit =
         recognise_place(map_of(graph, surfaces, visit), query, {here, reach_m, turn_rad, reach_m, turn_rad});
     if (!fit) continue;
     if (!is_plausible(graph.keyframes.back(), fit->pose, reach_sd) ||
-        is_contradicted(graph, surfaces.robot_T_laser(), visit, 0, fit->pose) ||
+        is_contradicted(graph, surfaces.robot_T_laser(), visit, first, fit->pose) ||
         !close_loop(graph, scan, *fit)) {
       ++refused;
       continue;
@@ -171,6 +201,38 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
       !close_loop(graph, gap - 1, *fit))
     return false;
   bridged.emplace_back(gap - 1, last);
+  return true;
+}
+
+bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
+  constexpr double first_m = 2.0,
+                   growth = 1.5;  // way after the gap of the first search, and of the next ones
+  constexpr double clear_score = 0.8, least_score = 0.65;  // a high one is found sooner
+  constexpr double reach_m = 15.0;
+  constexpr int levels = 8;
+  constexpr std::size_t most_keyframes = 12;  // more than for a loop: all places of the map are possible
+  const Keyframe& last = graph.keyframes.back();
+  const double since_m = last.way_m - graph.keyframes[gap].way_m;
+  if (since_m < first_m || last.way_m < rejoin_at_m) return false;
+  rejoin_at_m = graph.keyframes[gap].way_m + growth * since_m;
+  Surface query = last_surface(graph, surfaces, gap, most_keyframes);
+  std::erase_if(query, [](const SurfacePoint& p) { return squared_norm(p.position) > reach_m * reach_m; });
+  const Visit before{0, gap};
+  const SurfaceMap map = map_of(graph, surfaces, before, levels);
+  const MatchWindow window = whole_window(graph, before);
+  query = thinned(query, most_points);
+  auto fit = recognise_place(map, query, window, clear_score);
+  if (!fit) fit = recognise_place(map, query, window, least_score);
+  if (!fit) return false;
+  const std::uint32_t nearest = nearest_in(graph, before, fit->pose.position);
+  Visit visit = visit_of(graph, nearest);
+  visit.end = std::min(visit.end, gap);
+  if (is_contradicted(graph, surfaces.robot_T_laser(), visit, gap, fit->pose) ||
+      !close_loop(graph, nearest, *fit)) {
+    ++refused;
+    return false;
+  }
+  bridged.emplace_back(nearest, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
   return true;
 }
 

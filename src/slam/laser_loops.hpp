@@ -4,7 +4,9 @@
 // allows the same place. A match is accepted if most points lie on a surface, no other pose in the window
 // scores nearly as well, the two visits agree on what is free, and the optimised graph still agrees with the
 // constraint. A gap, which odometry alone spans because a scan matched nothing, is bridged by the same rules:
-// the keyframes after it are searched among those before it, in the full turn.
+// the keyframes after it are searched among those just before it, in the full turn. If that fails, as for a
+// robot that was carried away, they are searched on the whole map before the gap, again and again while the
+// robot drives on.
 #pragma once
 
 #include <optional>
@@ -16,18 +18,23 @@
 namespace outrider {
 
 struct LoopSearch {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;  ///< keyframes: the earlier, the later
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      bridged;              ///< the last one before a gap, and one after it
-  std::size_t refused = 0;  ///< places that were recognised and not believed
-  double tried_at_m = 0.0;  ///< distance driven at the last search
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;   ///< keyframes: the earlier, the later
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged;  ///< one before a gap, and one after it
+  std::size_t refused = 0;   ///< places that were recognised and not believed
+  double tried_at_m = 0.0;   ///< distance driven at the last search
+  double rejoin_at_m = 0.0;  ///< distance driven at which the whole map is searched next
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
-  /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose.
-  bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd);
+  /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
+  /// the keyframes from `first` on only, before which is a gap: where the robot is on the map before it is not
+  /// known, and a window would leave out other places that look the same.
+  bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t first);
   /// Joins the last keyframes with those before the gap, which ends at the keyframe `gap`. Returns true if it
   /// moved the poses.
   bool bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
+  /// Searches the keyframes since the gap on the whole map before it, if the robot drove far enough since the
+  /// last such search. Returns true if it joined them, which moves the poses. Takes about a second.
+  bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
   /// Returns true if a constraint of this search spans the gap.
   [[nodiscard]] bool spans(std::uint32_t gap) const;
 };

@@ -16,7 +16,7 @@
 namespace outrider {
 namespace {
 
-constexpr double most_contradiction = 0.5;  // share of points; with more, odometry is wrong
+constexpr double most_contradiction = 0.2;  // share of points; with more, odometry is wrong
 
 bool in_the_world(const Pose2& pose) {
   constexpr double most = 1e6;
@@ -67,6 +67,7 @@ struct LaserSlam::State {
   }
   void move(const Pose2& motion);
   [[nodiscard]] double contradiction(const LaserScan& scan, const Pose2& at) const;
+  bool close_loops();
   bool bridge_gap();
   void take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step);
   void learn(const Fit& fit);
@@ -132,13 +133,22 @@ double LaserSlam::State::contradiction(const LaserScan& scan, const Pose2& at) c
   return pair.seen() >= least_points ? pair.contradiction() : 0.0;
 }
 
-/// Joins the last keyframes with those before the last gap, if that is recent and nothing spans it. Returns
-/// true if this moved the poses.
+/// Closes loops with the keyframes since the last gap that nothing spans.
+bool LaserSlam::State::close_loops() {
+  const bool is_open = !gaps.empty() && !loops.spans(gaps.back().keyframe);
+  return loops.close(graph, local.surfaces(), options.loop_reach_sd, is_open ? gaps.back().keyframe : 0);
+}
+
+/// Joins the last keyframes with those before the last gap if nothing spans it: with the last ones while the
+/// gap is recent, with any later. Returns true if this moved the poses.
 bool LaserSlam::State::bridge_gap() {
   constexpr std::size_t most_keyframes = 8;
-  if (gaps.empty() || graph.keyframes.size() - gaps.back().keyframe > most_keyframes) return false;
+  if (gaps.empty() || loops.spans(gaps.back().keyframe)) return false;
   const Gap& gap = gaps.back();
-  if (loops.spans(gap.keyframe) || !loops.bridge(graph, local.surfaces(), gap.keyframe)) return false;
+  const bool is_recent = graph.keyframes.size() - gap.keyframe <= most_keyframes;
+  if (!(is_recent ? loops.bridge(graph, local.surfaces(), gap.keyframe)
+                  : options.close_loops && loops.rejoin(graph, local.surfaces(), gap.keyframe)))
+    return false;
   part = gap.part_before;
   return true;
 }
@@ -260,7 +270,7 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
     if (fit) learn(*fit);
     add_keyframe(scan, fit, step.lost);
     step.kept = true;
-    step.closed_loop = options.close_loops && loops.close(graph, local.surfaces(), options.loop_reach_sd);
+    step.closed_loop = options.close_loops && close_loops();
     step.closed_loop = bridge_gap() || step.closed_loop;
     pose = graph.keyframes.back().pose;
     build_local_map();

@@ -12,6 +12,8 @@ constexpr Separation distinct{0.8, 0.7};
 
 constexpr std::size_t telling_points = 60;  // with fewer, a scan does not tell places apart
 constexpr double least_share = 0.25, sure_share = 0.5, certain_share = 0.9, better_share = 0.1;
+// of one scan whose pose the odometry does not suggest: two rooms are often alike in most of what it shows
+constexpr double alone_share = 0.85, most_contradiction_alone = 0.05;
 
 Eigen::Matrix3d information_of(const MatchWindow& window) {
   const double p = 1.0 / (window.position_sd_m * window.position_sd_m);
@@ -27,7 +29,9 @@ MatchWindow widened(MatchWindow window, double reach_m, double turn_rad) {
 
 /// Returns false if another scan looked through too many points. The fewer points match, the fewer may be.
 bool believed(const Fit& fit, const std::function<double(const Pose2&)>& contradiction) {
-  return fit.share >= certain_share || contradiction(fit.pose) <= (fit.share >= sure_share ? 0.5 : 0.25);
+  constexpr double most_if_sure = 0.25, most_if_not = 0.1;  // where a pose is right, it is seldom above 0.1
+  return fit.share >= certain_share ||
+         contradiction(fit.pose) <= (fit.share >= sure_share ? most_if_sure : most_if_not);
 }
 
 }  // namespace
@@ -82,7 +86,9 @@ std::optional<Fit> match_scan(const SurfaceMap& map, const Surface& surface, con
   if (surface.size() < telling_points) return std::nullopt;
   const auto fit = recognise_place(map, surface,
                                    is_wide ? window : MatchWindow{window.centre, widest_m, std::numbers::pi});
-  return fit && believed(*fit, contradiction) ? fit : std::nullopt;
+  if (!fit || fit->share < alone_share || contradiction(fit->pose) > most_contradiction_alone)
+    return std::nullopt;
+  return fit;
 }
 
 }  // namespace outrider

@@ -93,7 +93,7 @@ class SlamLaser(SlamCase):
 
     def test_odometry_that_counts_a_turn_too_many(self):
         """The turn did not happen: mapped right, or doubtful."""
-        cases = [("aces", 264), ("csail", 243)] + ([("aces", 132)] if "OUTRIDER_CASES" in os.environ else [])
+        cases = [("aces", 264), ("aces", 132)] + ([("csail", 243)] if "OUTRIDER_CASES" in os.environ else [])
         right = 0
         for name, at in cases:
             with self.subTest(f"{name} {at}"):

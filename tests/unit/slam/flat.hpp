@@ -96,4 +96,10 @@ class Wanderer {
   double way_m = 0.0;
 };
 
+/// Moves a robot to another place, at least 3 m away, without telling it.
+inline void kidnap(Wanderer& robot, const std::vector<Wall>& walls, Rng& rng) {
+  const Pose2 before = robot.pose;
+  while (distance(robot.pose.position, before.position) < 3.0) robot.pose = place_in(walls, rng);
+}
+
 }  // namespace outrider::testing

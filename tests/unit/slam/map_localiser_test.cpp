@@ -42,12 +42,6 @@ Found drive(MapLocaliser& localiser, Wanderer& robot, const std::vector<Wall>& w
   return found;
 }
 
-/// Moves a robot to another place, at least 3 m away, without telling it.
-void kidnap(Wanderer& robot, const std::vector<Wall>& walls, Rng& rng) {
-  const Pose2 before = robot.pose;
-  while (distance(robot.pose.position, before.position) < 3.0) robot.pose = testing::place_in(walls, rng);
-}
-
 TEST(MapLocaliser, FindsAKidnappedRobotAgainWithinTenMetres) {
   const int trials = testing::cases(4);
   int at_start = 0, again = 0;
@@ -59,7 +53,7 @@ TEST(MapLocaliser, FindsAKidnappedRobotAgainWithinTenMetres) {
     ASSERT_TRUE(localiser);
     Wanderer robot(walls, rng);
     const Found first = drive(*localiser, robot, walls, 10.0, rng);
-    kidnap(robot, walls, rng);
+    testing::kidnap(robot, walls, rng);
     const Found second = drive(*localiser, robot, walls, 10.0, rng);
     for (const Found& found : {first, second}) {
       EXPECT_TRUE(!found.located || found.error_m < 0.1) << trial << ": " << found.error_m;
