@@ -29,7 +29,7 @@ const std::string wall =
 
 /// A folder `inside`, which is served, beside a folder `outside`, which is not, and a witness of every file
 /// of the latter that is opened: the kernel, by inotify, which knows nothing of how we open files.
-class Confinement : public testing::Test {
+class Confinement : public ::testing::Test {
  protected:
   Confinement() : witness_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
     folder_.write("outside/model.sdf", wall);
