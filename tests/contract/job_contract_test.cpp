@@ -33,7 +33,7 @@ const std::vector<SmallScenario>& small_scenarios() {
   return rows;
 }
 
-class JobContract : public ::testing::TestWithParam<SmallScenario> {
+class JobContract : public testing::TestWithParam<SmallScenario> {
  protected:
   JobContract() {
     auto found = find_job(jobs(), GetParam().job);
@@ -53,7 +53,7 @@ class JobContract : public ::testing::TestWithParam<SmallScenario> {
   std::string scenario;
 };
 
-INSTANTIATE_TEST_SUITE_P(Jobs, JobContract, ::testing::ValuesIn(small_scenarios()),
+INSTANTIATE_TEST_SUITE_P(Jobs, JobContract, testing::ValuesIn(small_scenarios()),
                          [](const auto& row) { return row.param.job; });
 
 TEST(JobContracts, EveryJobHasASmallScenario) {

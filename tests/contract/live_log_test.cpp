@@ -43,7 +43,7 @@ struct MissionScenario {
   friend void PrintTo(const MissionScenario& row, std::ostream* out) { *out << row.name; }
 };
 
-class LiveLog : public ::testing::TestWithParam<MissionScenario> {
+class LiveLog : public testing::TestWithParam<MissionScenario> {
  protected:
   static Outcome<outrider::Run> run(const RunWatch& watch) {
     return run_job(jobs(), OUTRIDER_SOURCE_DIR "/scenarios/" + GetParam().path, GetParam().changes, watch);
@@ -69,7 +69,7 @@ TEST_P(LiveLog, IsAppendedInTheOrderOfTimeWhileTheMissionGoesOn) {
 
 INSTANTIATE_TEST_SUITE_P(
     Missions, LiveLog,
-    ::testing::Values(MissionScenario{"pursue", "pursuit/park.yaml"},
+    testing::Values(MissionScenario{"pursue", "pursuit/park.yaml"},
                     MissionScenario{"cover", "cover/cover_room.yaml"},
                     MissionScenario{
                         "guard", "yard/yard.yaml", {{"plan.resolution", "0.25"}, {"plan.iterations", "20"}}},

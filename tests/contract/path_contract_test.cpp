@@ -22,7 +22,7 @@ Problem problem_on(const Grid<std::uint8_t>& blocked, GridModel model, Cell star
   return {shared, shared->point(start), shared->point(goal)};
 }
 
-class PathContract : public ::testing::TestWithParam<std::tuple<std::size_t, GridModel>> {
+class PathContract : public testing::TestWithParam<std::tuple<std::size_t, GridModel>> {
  protected:
   const PathPlanner& row() const { return path_planners()[std::get<0>(GetParam())]; }
   GridModel model() const { return std::get<1>(GetParam()); }
@@ -45,7 +45,7 @@ class PathContract : public ::testing::TestWithParam<std::tuple<std::size_t, Gri
   Workspace workspace_;
 };
 
-std::string name_of(const ::testing::TestParamInfo<std::tuple<std::size_t, GridModel>>& info) {
+std::string name_of(const testing::TestParamInfo<std::tuple<std::size_t, GridModel>>& info) {
   return std::string(path_planners()[std::get<0>(info.param)].name) + "_" +
          std::string(to_string(std::get<1>(info.param)));
 }
@@ -59,7 +59,7 @@ std::vector<std::tuple<std::size_t, GridModel>> rows_and_models() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, PathContract, ::testing::ValuesIn(rows_and_models()), name_of);
+INSTANTIATE_TEST_SUITE_P(Rows, PathContract, testing::ValuesIn(rows_and_models()), name_of);
 
 TEST_P(PathContract, StartIsGoal) {
   const Problem problem = problem_on(drawn({"...", "...", "..."}), model(), {1, 1}, {1, 1});

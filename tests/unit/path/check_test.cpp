@@ -27,8 +27,8 @@ Plan along(const Problem& problem, const std::vector<Cell>& vertices) {
   return plan;
 }
 
-class JudgeOfBothModels : public ::testing::TestWithParam<GridModel> {};
-INSTANTIATE_TEST_SUITE_P(Models, JudgeOfBothModels, ::testing::Values(GridModel::cells, GridModel::corners),
+class JudgeOfBothModels : public testing::TestWithParam<GridModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, JudgeOfBothModels, testing::Values(GridModel::cells, GridModel::corners),
                          [](const auto& model) { return std::string(to_string(model.param)); });
 
 /// Every single leg between two places, legal or not, against the definition.

@@ -21,8 +21,8 @@ std::vector<Cell> places(const GridMap& ground) {
   return all;
 }
 
-class BothModels : public ::testing::TestWithParam<GridModel> {};
-INSTANTIATE_TEST_SUITE_P(Models, BothModels, ::testing::Values(GridModel::cells, GridModel::corners),
+class BothModels : public testing::TestWithParam<GridModel> {};
+INSTANTIATE_TEST_SUITE_P(Models, BothModels, testing::Values(GridModel::cells, GridModel::corners),
                          [](const auto& model) { return std::string(to_string(model.param)); });
 
 TEST_P(BothModels, PlacesPinchesMovesAndSightAreThoseOfTheDefinition) {

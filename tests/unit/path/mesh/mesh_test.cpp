@@ -10,7 +10,7 @@ namespace {
 
 using oracle::Blocked;
 
-class MeshOfRandomGrids : public ::testing::Test {
+class MeshOfRandomGrids : public testing::Test {
  protected:
   template <class Check>
   void each(int count, int most_side, Check check) {
