@@ -26,8 +26,8 @@ struct LoopSearch {
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
-  /// the keyframes from `first` on only, before which is a gap: where the robot is on the map before it is not
-  /// known, and a window would leave out other places that look the same.
+  /// the keyframes from `first` on only, before which is a gap: where the robot is on the map before it is
+  /// not known, and a window would leave out other places that look the same.
   bool close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t first);
   /// Joins the last keyframes with those before the gap, which ends at the keyframe `gap`. Returns true if it
   /// moved the poses.

@@ -18,6 +18,9 @@ inline std::filesystem::path data_folder() {
   return (source / ".." / "shared" / "data").lexically_normal();
 }
 
+/// The folder of the published scenarios.
+inline const std::string scenarios = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/";
+
 #define OUTRIDER_NEEDS_DATA(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << (path).string() << " is absent; set OUTRIDER_DATA"
 

@@ -8,7 +8,7 @@
 namespace outrider {
 namespace {
 
-const std::string head = "ahead_mps,left_mps,turn_dps,time_s,x_m,y_m,heading_deg\n";
+const std::string runs_head = "ahead_mps,left_mps,turn_dps,time_s,x_m,y_m,heading_deg\n";
 
 TEST(CalibrationRuns, ReadsColumnsInAnyOrder) {
   const auto runs = calibration_runs_from_text(
@@ -46,14 +46,14 @@ TEST(CalibrationRuns, RefusesWithTheLine) {
     EXPECT_NE(to_string(runs.error()).find(says), std::string::npos) << to_string(runs.error());
   };
   refused("", "runs.csv: there are no runs");
-  refused(head, "there are no runs");
+  refused(runs_head, "there are no runs");
   refused("time_s\n", "runs.csv:1: the column 'ahead_mps' is missing");
-  refused("speed," + head, "'speed' is no column");
-  refused("time_s," + head, "is given twice");
-  refused(head + "1,2\n", "runs.csv:2: 2 values for 7 columns");
-  refused(head + "1,0,0,fast,0,0,0\n", "runs.csv:2: 'fast' is not valid for time_s");
-  refused(head + "1,0,0,nan,0,0,0\n", "not valid for time_s");
-  refused(head + "1e9,0,0,1,0,0,0\n", "not valid for ahead_mps");
+  refused("speed," + runs_head, "'speed' is no column");
+  refused("time_s," + runs_head, "is given twice");
+  refused(runs_head + "1,2\n", "runs.csv:2: 2 values for 7 columns");
+  refused(runs_head + "1,0,0,fast,0,0,0\n", "runs.csv:2: 'fast' is not valid for time_s");
+  refused(runs_head + "1,0,0,nan,0,0,0\n", "not valid for time_s");
+  refused(runs_head + "1e9,0,0,1,0,0,0\n", "not valid for ahead_mps");
 }
 
 }  // namespace

@@ -10,10 +10,12 @@
 #include <functional>
 
 #include "outrider/io/files.hpp"
+#include "outrider/io/map.hpp"
 #include "outrider/io/map_server.hpp"
+#include "outrider/io/scenario.hpp"
 #include "outrider/io/sdf.hpp"
-#include "outrider/job/run_job.hpp"
-#include "outrider/jobs/guard/job.hpp"
+#include "outrider/io/targets.hpp"
+#include "outrider/io/world_file.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -27,7 +29,7 @@ const std::string wall =
 
 /// A folder `inside`, which is served, beside a folder `outside`, which is not, and a witness of every file
 /// of the latter that is opened: the kernel, by inotify, which knows nothing of how we open files.
-class Confinement : public testing::Test {
+class Confinement : public ::testing::Test {
  protected:
   Confinement() : witness_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
     folder_.write("outside/model.sdf", wall);
@@ -175,27 +177,29 @@ TEST_F(Confinement, NoModelConfigLeadsOut) {
   }
 }
 
+/// The readers of what scenarios name. tests/fuzz/confinement_fuzz.cpp goes through scenarios of every job.
 TEST_F(Confinement, NoScenarioAndNoMapLeadsOut) {
   folder_.write("inside/yard.yaml", including("<uri>../outside/model.sdf</uri>"));  // SDF by another name
-  folder_.write("inside/s.yaml", "job: guard\nworld: yard.yaml\ntargets: ../outside/secret.txt\n");
   folder_.write(
       "inside/map.yaml",
       "image: ../outside/map.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\n"
       "free_thresh: 0.2\n");
-  const Seen scenario = confined([] {
-    GuardJob guard;
-    if (auto ok = read_scenario(guard, "s.yaml"); !ok) return to_string(ok.error());
-    const auto loaded = guard.load();
-    return loaded ? "loaded" : to_string(loaded.error());
-  });
-  EXPECT_FALSE(scenario.opened_outside);
-  EXPECT_NE(scenario.said.find("outside the folder"), std::string::npos) << scenario.said;
-  const Seen map = confined([] {
-    const auto loaded = load_map_server("map.yaml");
-    return loaded ? "loaded" : to_string(loaded.error());
-  });
-  EXPECT_FALSE(map.opened_outside);
-  EXPECT_NE(map.said.find("outside the folder"), std::string::npos) << map.said;
+  const auto told = [](const auto& loaded) { return loaded ? "loaded" : to_string(loaded.error()); };
+  const std::string targets = outside("secret.txt");
+  const std::vector<std::pair<const char*, std::function<std::string()>>> readers = {
+      {"world", [&] { return told(load_sdf("yard.yaml")); }},
+      {"map of a world", [&] { return told(load_map("yard.yaml")); }},
+      {"world of any kind", [&] { return told(load_world("yard.yaml")); }},
+      {"scenario", [&] { return told(scenario_job("../outside/secret.txt")); }},
+      {"targets", [&] { return told(load_targets("../outside/secret.txt")); }},
+      {"targets by an absolute name", [&] { return told(load_targets(targets)); }},
+      {"map", [&] { return told(load_map_server("map.yaml")); }},
+      {"map of any kind", [&] { return told(load_map("map.yaml")); }}};
+  for (const auto& [what, read] : readers) {
+    const Seen seen = confined(read);
+    EXPECT_FALSE(seen.opened_outside) << what;
+    EXPECT_NE(seen.said.find("outside the folder"), std::string::npos) << what << ": " << seen.said;
+  }
 }
 
 TEST_F(Confinement, ASuppliedFileIsReadInPlaceOfTheOneOnTheDisk) {

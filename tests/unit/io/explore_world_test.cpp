@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-std::string fault_of(const ExploreWorldFiles& files) {
+std::string files_fault(const ExploreWorldFiles& files) {
   const auto loaded = load_explore_world(files);
   return loaded ? "none" : loaded.error().sentence;
 }
@@ -75,19 +75,19 @@ TEST(ExploreWorld, SlicesAndWallsStandInIt) {
 
 TEST(ExploreWorld, WhatIsNoWorldIsRefused) {
   const test::Folder folder;
-  EXPECT_EQ(fault_of({}), "missing; give the file of the world to explore");
-  EXPECT_EQ(fault_of({.world = folder.write("m.txt", "x")}),
+  EXPECT_EQ(files_fault({}), "missing; give the file of the world to explore");
+  EXPECT_EQ(files_fault({.world = folder.write("m.txt", "x")}),
             "the name does not tell what kind of world it is; worlds end in .sdf, .world, .yaml, .yml, .pgm, "
             ".png or .csv (.gz may follow)");
-  EXPECT_EQ(fault_of({.world = folder.write("m.pgm", "P2 2 1 255\n0 205\n")}),
+  EXPECT_EQ(files_fault({.world = folder.write("m.pgm", "P2 2 1 255\n0 205\n")}),
             "the map has no free cell; check its thresholds and whether it is negated");
-  EXPECT_EQ(fault_of({.world = folder.write("e.csv", "# nothing\n")}),
+  EXPECT_EQ(files_fault({.world = folder.write("e.csv", "# nothing\n")}),
             "nothing stands in this world; there is nothing to explore");
   const std::string good = folder.write("s.csv", "0,0,4,0\n");
-  EXPECT_EQ(fault_of({.world = good, .walls = "1,1,1,1"}),
+  EXPECT_EQ(files_fault({.world = good, .walls = "1,1,1,1"}),
             "the wall 1,1,1,1 has no length; give its two ends");
-  EXPECT_NE(fault_of({.world = good, .walls = "1,1,2"}), "none");
-  EXPECT_NE(fault_of({.world = good, .slices = (folder.path / "absent.csv").string()}), "none");
+  EXPECT_NE(files_fault({.world = good, .walls = "1,1,2"}), "none");
+  EXPECT_NE(files_fault({.world = good, .slices = (folder.path / "absent.csv").string()}), "none");
 }
 
 }  // namespace

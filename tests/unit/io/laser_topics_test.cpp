@@ -59,7 +59,7 @@ struct Mapped {
   std::string fault;
 };
 
-class LaserTopicsFile : public testing::Test {
+class LaserTopicsFile : public ::testing::Test {
  protected:
   Mapped read(const std::string& bytes, const LaserTopicsOptions& options = {}) const {
     Mapped mapped;

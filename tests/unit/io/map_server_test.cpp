@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "outrider/io/files.hpp"
+#include "replaced.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
@@ -32,10 +33,6 @@ std::vector<std::uint8_t> cells(const std::string& yaml, const std::string& imag
   const auto map = files.load(yaml, image);
   EXPECT_TRUE(map) << to_string(map.error());
   return map ? map->occupancy.cells : std::vector<std::uint8_t>{};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 std::string png_of(int width, int height, const std::vector<std::uint8_t>& values, png_uint_32 format) {
@@ -63,7 +60,7 @@ TEST(MapServer, ThresholdsAndRowOrder) {
 }
 
 TEST(MapServer, NegateAndModes) {
-  const auto negated = cells(replaced(good_yaml, "negate: 0", "negate: 1"), text_pgm);
+  const auto negated = cells(test::replaced(good_yaml, "negate: 0", "negate: 1"), text_pgm);
   EXPECT_EQ(negated, (std::vector<std::uint8_t>{occupied_cell, unknown_cell, free_cell, free_cell,
                                                 occupied_cell, occupied_cell}));
   const auto raw = cells(good_yaml + "mode: raw\n", "P2 3 2 255 0 100 255 50 101 10");
@@ -97,7 +94,7 @@ TEST(MapServer, FaultsNameFileLineAndRemedy) {
     const auto map = files.load(yaml, image);
     return map ? "none" : to_string(map.error()).substr(files.folder.path.string().size() + 1);
   };
-  EXPECT_EQ(fault(replaced(good_yaml, "0.5", "nan"), text_pgm),
+  EXPECT_EQ(fault(test::replaced(good_yaml, "0.5", "nan"), text_pgm),
             "m.yaml:2: 'resolution' is not valid; expected the side of a pixel in m, from 1e-4 to 1e3");
   EXPECT_EQ(fault("image: m.pgm\nresolution: 1\n", text_pgm),
             "m.yaml: the key 'origin' is missing; expected [x, y, yaw], numbers from -1e6 to 1e6");
@@ -114,11 +111,11 @@ TEST(MapServer, FaultsNameFileLineAndRemedy) {
                                                         {"negate: 0", "mode: best"},
                                                         {"negate: 0", "resolution: 1"},
                                                         {"resolution: 0.5", ": :"}}) {
-    EXPECT_TRUE(fault(replaced(good_yaml, from, to), text_pgm).starts_with("m.yaml:"))
-        << to << " -> " << fault(replaced(good_yaml, from, to), text_pgm);
+    EXPECT_TRUE(fault(test::replaced(good_yaml, from, to), text_pgm).starts_with("m.yaml:"))
+        << to << " -> " << fault(test::replaced(good_yaml, from, to), text_pgm);
   }
-  EXPECT_TRUE(
-      fault(replaced(good_yaml, "m.pgm", "no.pgm"), text_pgm).starts_with("no.pgm: there is no such file"));
+  EXPECT_TRUE(fault(test::replaced(good_yaml, "m.pgm", "no.pgm"), text_pgm)
+                  .starts_with("no.pgm: there is no such file"));
   for (const std::string& image :
        {std::string("P5 3 2 255\n12345"), std::string("P5 100000 100000 255\n"), std::string("P5 0 2 255\n"),
         std::string("P5 3 2 70000\n"), std::string("P2 3 2 9 1 2 3 4 5 10"),

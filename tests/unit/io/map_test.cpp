@@ -10,7 +10,6 @@
 namespace outrider {
 namespace {
 
-const std::string scenarios = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/";
 const std::string pgm = "P2\n3 2\n255\n254 0 254\n254 254 254\n";
 const std::string yaml =
     "# a map\nimage: m.pgm\nresolution: 0.5\norigin: [10, 20, 0.5]\nnegate: 0\noccupied_thresh: 0.65\n"
@@ -43,7 +42,7 @@ class MapTest : public ::testing::Test {
   /// The content of each kind under the ending of its name.
   std::vector<std::tuple<std::string, std::string, MapKind>> kinds() {
     write("m.pgm", pgm);
-    const std::string world = *read_file(scenarios + "yard/yard.sdf");
+    const std::string world = *read_file(test::scenarios + "yard/yard.sdf");
     return {{".yaml", yaml, MapKind::map_server},
             {".pgm", pgm, MapKind::image},
             {".map", octile, MapKind::movingai},
@@ -93,7 +92,7 @@ TEST_F(MapTest, EachKindIsWhatTheFileSays) {
   ASSERT_EQ(shape.queries.size(), 1U);
   EXPECT_EQ(shape.queries.front().goal, (Vec2{7, 1}));
 
-  const auto world = load_map(scenarios + "yard/yard.sdf");
+  const auto world = load_map(test::scenarios + "yard/yard.sdf");
   EXPECT_FALSE(std::get<World>(world->shape).solids.empty());
 }
 

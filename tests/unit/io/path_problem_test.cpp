@@ -6,11 +6,10 @@
 
 #include "outrider/io/files.hpp"
 #include "outrider/path/catalog.hpp"
+#include "support/data.hpp"
 
 namespace outrider {
 namespace {
-
-const std::string scenarios = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/";
 
 std::string written(const std::string& name, const std::string& text) {
   const std::string path = (std::filesystem::path(::testing::TempDir()) / name).string();
@@ -20,8 +19,8 @@ std::string written(const std::string& name, const std::string& text) {
 
 TEST(PathProblem, AnyMapFileIsPlannedOn) {
   const std::string room = written("room.txt", "(0,0) (8,0) (8,6) (0,6)\n---\n(3,0) (4,0) (4,2) (3,2)\n");
-  const auto grid = load_path_problem(scenarios + "maps/gallery.map", {3.5, 13.5}, {28.5, 2.5});
-  const auto world = load_path_problem(scenarios + "yard/yard.sdf", {0, -6}, {4, 4});
+  const auto grid = load_path_problem(test::scenarios + "maps/gallery.map", {3.5, 13.5}, {28.5, 2.5});
+  const auto world = load_path_problem(test::scenarios + "yard/yard.sdf", {0, -6}, {4, 4});
   const auto polygons = load_path_problem(room, {1, 1}, {7, 1});
   for (const auto* problem : {&grid, &world, &polygons}) {
     ASSERT_TRUE(problem->has_value()) << to_string(problem->error());

@@ -6,26 +6,23 @@
 
 #include <sstream>
 
+#include "replaced.hpp"
 #include "support/data.hpp"
 
 namespace outrider {
 namespace {
 
-const std::string small_map = "N\n3,2\nC\n100\nR\n1,2\nT\n3 , 1\n2,1\nM\n1.0000,25.0\n 50, 0\n 7.00 ,100\n";
+const std::string small_pursuit =
+    "N\n3,2\nC\n100\nR\n1,2\nT\n3 , 1\n2,1\nM\n1.0000,25.0\n 50, 0\n 7.00 ,100\n";
 
 std::string fault(const std::string& text) {
   const auto problem = pursuit_map_from_text(text, "m");
   return problem ? "none" : to_string(problem.error());
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 TEST(PursuitMap, RowsAreColumnsAndCellsCountFromOne) {
-  for (const std::string& text : {small_map, replaced(small_map, "3,2", "3.0 , 2"), small_map + "\n \n"}) {
+  for (const std::string& text :
+       {small_pursuit, test::replaced(small_pursuit, "3,2", "3.0 , 2"), small_pursuit + "\n \n"}) {
     const auto problem = pursuit_map_from_text(text, "m");
     ASSERT_TRUE(problem) << to_string(problem.error());
     EXPECT_EQ(problem->costs->frame, (GridFrame{{0, 0}, 1.0, 3, 2}));
@@ -39,18 +36,18 @@ TEST(PursuitMap, RowsAreColumnsAndCellsCountFromOne) {
 
 TEST(PursuitMap, WholeNumbersInAnyForm) {
   for (const char* form : {"25", "25.", "25.000", "2.5e1", "+25", " 25 ", "\t25.0\t", "0025", "250e-1"}) {
-    const auto problem = pursuit_map_from_text(replaced(small_map, "25.0", form), "m");
+    const auto problem = pursuit_map_from_text(test::replaced(small_pursuit, "25.0", form), "m");
     ASSERT_TRUE(problem) << form << to_string(problem.error());
     EXPECT_EQ(problem->costs->cells[3], 25U) << form;
   }
   std::string dos;
-  for (const char c : small_map) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const char c : small_pursuit) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_TRUE(pursuit_map_from_text(dos, "m"));
 }
 
 TEST(PursuitMap, FaultsNameTheLineAndTheRemedy) {
   const auto with = [](const std::string& from, const std::string& to) {
-    return fault(replaced(small_map, from, to));
+    return fault(test::replaced(small_pursuit, from, to));
   };
   EXPECT_EQ(with("1.0000,25.0", "1"), "m:11: row 1 of the costs has 1 values; the size says 2");
   EXPECT_EQ(with("1.0000,25.0", "1,2,3"), "m:11: row 1 of the costs has 3 values; the size says 2");
@@ -77,9 +74,11 @@ TEST(PursuitMap, FaultsNameTheLineAndTheRemedy) {
 }
 
 TEST(PursuitMap, SizesAreCheckedBeforeMemoryIsTaken) {
-  EXPECT_TRUE(fault(replaced(small_map, "3,2", "100000,100000")).find("the most") != std::string::npos);
-  EXPECT_TRUE(fault(replaced(small_map, "3,2", "10000,10000")).find("cut short") != std::string::npos);
-  EXPECT_TRUE(fault(replaced(small_map, "3,2", "100001,1")).starts_with("m:2: "));
+  EXPECT_TRUE(fault(test::replaced(small_pursuit, "3,2", "100000,100000")).find("the most") !=
+              std::string::npos);
+  EXPECT_TRUE(fault(test::replaced(small_pursuit, "3,2", "10000,10000")).find("cut short") !=
+              std::string::npos);
+  EXPECT_TRUE(fault(test::replaced(small_pursuit, "3,2", "100001,1")).starts_with("m:2: "));
 }
 
 TEST(PursuitMap, GzipAndTruncatedGzip) {
@@ -158,7 +157,7 @@ TEST(PursuitMap, PublishedFilesAsASlowTwinReadsThem) {
 TEST(PursuitMap, SurvivesDamage) {
   Rng rng(2);
   for (int i = 0; i < 20'000; ++i) {
-    const auto problem = pursuit_map_from_text(test::damaged(small_map, rng), "m");
+    const auto problem = pursuit_map_from_text(test::damaged(small_pursuit, rng), "m");
     if (!problem) {
       EXPECT_FALSE(problem.error().where.empty());
       continue;

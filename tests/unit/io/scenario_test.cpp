@@ -32,7 +32,7 @@ struct Settings {
   }
 };
 
-std::string fault_of(const std::string& text) {
+std::string scenario_fault(const std::string& text) {
   Settings settings;
   const auto status = scenario_from_text(text, "s.yaml", settings.groups());
   return status ? "none" : to_string(status.error());
@@ -54,12 +54,13 @@ TEST(Scenario, AssignsByGroupAndKeepsTheRest) {
 }
 
 TEST(Scenario, FaultsNameLineKeyAndRemedy) {
-  EXPECT_EQ(fault_of("seed: 1\nsed: 2\n"), "s.yaml:2: 'sed' is no known key; did you mean 'seed'?");
-  EXPECT_EQ(fault_of("robo:\n  radius: 1\n"), "s.yaml:1: 'robo' is no known key; did you mean 'robot'?");
-  EXPECT_EQ(fault_of("robot:\n  radios: 1\n"),
+  EXPECT_EQ(scenario_fault("seed: 1\nsed: 2\n"), "s.yaml:2: 'sed' is no known key; did you mean 'seed'?");
+  EXPECT_EQ(scenario_fault("robo:\n  radius: 1\n"),
+            "s.yaml:1: 'robo' is no known key; did you mean 'robot'?");
+  EXPECT_EQ(scenario_fault("robot:\n  radios: 1\n"),
             "s.yaml:2: 'robot.radios' is no known key; did you mean 'radius'?");
-  EXPECT_EQ(fault_of("seed: 1\nseed: 2\n"), "s.yaml:2: the key 'seed' is given twice; leave one");
-  EXPECT_EQ(fault_of("robot:\n  radius: 11\n"),
+  EXPECT_EQ(scenario_fault("seed: 1\nseed: 2\n"), "s.yaml:2: the key 'seed' is given twice; leave one");
+  EXPECT_EQ(scenario_fault("robot:\n  radius: 11\n"),
             "s.yaml:2: robot.radius: '11' is not valid; expected a number from 0.01 to 10 m");
 }
 
@@ -88,10 +89,10 @@ TEST(Scenario, RefusesWrongTypesAndValues) {
                           "? [a]\n: 1\n",
                           "seed: 1\n---\nseed: 2\n",
                           "robot: &a\n  radius: *a\n"}) {
-    EXPECT_TRUE(fault_of(bad).starts_with("s.yaml")) << bad << " -> " << fault_of(bad);
+    EXPECT_TRUE(scenario_fault(bad).starts_with("s.yaml")) << bad << " -> " << scenario_fault(bad);
   }
-  EXPECT_NE(fault_of(std::string(2'000'000, '#')).find("1 MiB"), std::string::npos);
-  EXPECT_NE(fault_of("seed: " + std::string(100'000, '[')), "none");
+  EXPECT_NE(scenario_fault(std::string(2'000'000, '#')).find("1 MiB"), std::string::npos);
+  EXPECT_NE(scenario_fault("seed: " + std::string(100'000, '[')), "none");
 }
 
 TEST(Scenario, FaultLeavesEveryOptionAsItWas) {

@@ -18,7 +18,7 @@ namespace {
 const std::string ball = "<geometry><sphere><radius>0.5</radius></sphere></geometry>";
 const std::string link = "<link name='l'><collision name='c'>" + ball + "</collision></link>";
 
-std::string world_of(const std::string& content, const std::string& version = "1.9") {
+std::string world_with_floor(const std::string& content, const std::string& version = "1.9") {
   return "<sdf version='" + version +
          "'><world name='w'>\n<model name='floor'><link name='l'><collision name='c'>" +
          "<geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>\n" + content +
@@ -88,10 +88,10 @@ std::string described(const sdf::Root& root) {
 }
 
 std::string read_whole(const std::string& text) {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   sdf::Root root;
   const sdf::Errors errors = root.LoadSdfString(text);
-  (void)testing::internal::GetCapturedStderr();
+  (void)::testing::internal::GetCapturedStderr();
   if (errors.empty()) return described(root);
   const auto line = errors.front().LineNumber();
   return "w.sdf" + (line ? ":" + std::to_string(*line) : std::string()) +
@@ -126,9 +126,10 @@ TEST(SdfParse, EveryShapeAndVersionIsReadAsBefore) {
     shapes += shape_model("m", shape);
   }
   for (const char* version : {"1.4", "1.5", "1.6", "1.7", "1.8", "1.9"}) {
-    expect_same(world_of(shapes, version));
-    expect_same(world_of("<physics type='ode'><gravity>0 0 -3</gravity></physics>" + nested(1), version));
-    expect_same(world_of("<gravity>0 0 -4</gravity>" + nested(2), version));
+    expect_same(world_with_floor(shapes, version));
+    expect_same(
+        world_with_floor("<physics type='ode'><gravity>0 0 -3</gravity></physics>" + nested(1), version));
+    expect_same(world_with_floor("<gravity>0 0 -4</gravity>" + nested(2), version));
   }
 }
 
@@ -145,14 +146,14 @@ TEST(SdfParse, FramesAndModelsThatReferToEachOtherAreReadAsBefore) {
       "<joint name='j' type='revolute'><pose>0 0 2 0 0 "
       "0</pose><parent>l</parent><child>k2</child><axis><xyz>0 0 1</xyz>"
       "<limit><lower>0</lower></limit></axis></joint><link name='k2'/></model>";
-  expect_same(world_of(frames));
-  expect_same(world_of(frames, "1.7"));
-  expect_same(world_of(
+  expect_same(world_with_floor(frames));
+  expect_same(world_with_floor(frames, "1.7"));
+  expect_same(world_with_floor(
       "<model name='a'>" + link + "<link name='k'><pose frame='l'>1 2 3 0 0 0</pose></link></model>", "1.6"));
-  expect_same(world_of("<model name='o'>" + link +
-                       "<frame name='f' attached_to='i::l'/><model name='i' placement_frame='l'>" +
-                       "<pose relative_to='l'>1 2 3 0 0 0</pose>" + link + "</model></model>"));
-  for (int levels = 1; levels <= 6; ++levels) expect_same(world_of(nested(levels)));
+  expect_same(world_with_floor("<model name='o'>" + link +
+                               "<frame name='f' attached_to='i::l'/><model name='i' placement_frame='l'>" +
+                               "<pose relative_to='l'>1 2 3 0 0 0</pose>" + link + "</model></model>"));
+  for (int levels = 1; levels <= 6; ++levels) expect_same(world_with_floor(nested(levels)));
 }
 
 TEST(SdfParse, FaultsAreTheSameWithTheirLines) {
@@ -168,7 +169,7 @@ TEST(SdfParse, FaultsAreTheSameWithTheirLines) {
         "\n\n" + shape_model("a", "<cylinder><radius>1</radius></cylinder>"), shape_model("a", "<sphere/>"),
         shape_model("a", "<box><size>a b c</size></box>"),
         shape_model("__a__", "<box><size>1 1 1</size></box>"), "<frame name='world'/>" + nested(1)}) {
-    expect_same(world_of(content));
+    expect_same(world_with_floor(content));
   }
 }
 
@@ -186,7 +187,7 @@ TEST(SdfParse, EveryWorldOfOursAndThePublishedAreReadAsBefore) {
 }
 
 TEST(SdfParse, AModelCostsFewDescriptions) {
-  const std::string text = world_of(shape_model("m", "<box><size>1 1 1</size></box>"));
+  const std::string text = world_with_floor(shape_model("m", "<box><size>1 1 1</size></box>"));
   const auto root = parse_sdf(repaired(text, "w.sdf"), "w.sdf");
   ASSERT_TRUE(root);
   EXPECT_LE(descriptions(*root->WorldByIndex(0)->ModelByIndex(1)->Element()), 30U);
@@ -194,7 +195,7 @@ TEST(SdfParse, AModelCostsFewDescriptions) {
 
 TEST(SdfParse, WhatIsBeyondItsBoundsIsRefusedBeforeItIsRead) {
   const auto fault_of = [](const std::string& content) {
-    const auto loaded = sdf_from_text(world_of(content), "w.sdf");
+    const auto loaded = sdf_from_text(world_with_floor(content), "w.sdf");
     return loaded ? "none" : to_string(loaded.error());
   };
   std::string links;
@@ -219,7 +220,7 @@ TEST(SdfParse, WhatIsBeyondItsBoundsIsRefusedBeforeItIsRead) {
 TEST(SdfParse, ThousandsOfEqualNamesAreNumberedQuickly) {
   std::string models;
   for (int i = 0; i < 6000; ++i) models += shape_model("m", "<sphere><radius>1</radius></sphere>");
-  const auto loaded = sdf_from_text(world_of(models), "w.sdf");
+  const auto loaded = sdf_from_text(world_with_floor(models), "w.sdf");
   ASSERT_TRUE(loaded);
   EXPECT_EQ(loaded->world.solids.back().name, "m_6000");
 }

@@ -37,7 +37,7 @@ LoadedWorld load(const std::string& text, const SdfOptions& options = {}) {
   return loaded ? *loaded : LoadedWorld{};
 }
 
-std::string fault_of(const std::string& text) {
+std::string sdf_fault(const std::string& text) {
   const auto loaded = sdf_from_text(text, "w.sdf");
   return loaded ? "none" : to_string(loaded.error());
 }
@@ -281,10 +281,10 @@ TEST(Sdf, FloorIsTheHighestUprightHalfSpaceOrASlab) {
   EXPECT_DOUBLE_EQ(load(world_of(slab + table)).world.floor_z_m, 0.0);
   EXPECT_DOUBLE_EQ(load(world_of(slab + table + lawn)).world.floor_z_m, 0.1);
   EXPECT_DOUBLE_EQ(load(world_of(slab + table + roof)).world.floor_z_m, 0.0);
-  EXPECT_NE(fault_of(world_of(model("leg", "0 0 0.5 0 0 0", unit_box) + table)).find("no floor"),
+  EXPECT_NE(sdf_fault(world_of(model("leg", "0 0 0.5 0 0 0", unit_box) + table)).find("no floor"),
             std::string::npos);
   EXPECT_EQ(
-      fault_of(world_of(model("a", "0 0 1 0 0 0", unit_box))),
+      sdf_fault(world_of(model("a", "0 0 1 0 0 0", unit_box))),
       "w.sdf: the world has no floor; add a model with a <plane> collision, or a flat box under everything");
 }
 
@@ -313,16 +313,16 @@ TEST(Sdf, NamesSayWhatDistinguishesAndAreUnique) {
 
 TEST(Sdf, RefusesWhatIsWrong) {
   EXPECT_EQ(load_sdf("/no/such.sdf").error().where, "/no/such.sdf");
-  EXPECT_TRUE(fault_of(world_of(ground + "<model name='a'>")).starts_with("w.sdf:")) << fault_of("<sdf");
-  EXPECT_EQ(fault_of("<robot/>"), "w.sdf: its root element is <robot>, not <sdf>");
-  EXPECT_EQ(fault_of(world_of(ground + model("a", "0 nan 0 0 0 0", unit_box))),
+  EXPECT_TRUE(sdf_fault(world_of(ground + "<model name='a'>")).starts_with("w.sdf:")) << sdf_fault("<sdf");
+  EXPECT_EQ(sdf_fault("<robot/>"), "w.sdf: its root element is <robot>, not <sdf>");
+  EXPECT_EQ(sdf_fault(world_of(ground + model("a", "0 nan 0 0 0 0", unit_box))),
             "w.sdf:4: 'nan' in a <pose> is no finite number");
-  EXPECT_EQ(fault_of(world_of(ground + model("a", "0 0 0 0", unit_box))),
+  EXPECT_EQ(sdf_fault(world_of(ground + model("a", "0 0 0 0", unit_box))),
             "w.sdf:4: a <pose> has 4 numbers; expected x y z roll pitch yaw");
-  EXPECT_EQ(fault_of(world_of(ground + model("a", "0 2e6 0 0 0 0", unit_box))),
+  EXPECT_EQ(sdf_fault(world_of(ground + model("a", "0 2e6 0 0 0 0", unit_box))),
             "w.sdf: collision 'a' stands beyond 1e6 m, or nowhere; correct its <pose>");
   for (const char* size : {"1 1 0", "1 -1 1", "1 1 1e7"}) {
-    EXPECT_EQ(fault_of(world_of(
+    EXPECT_EQ(sdf_fault(world_of(
                   ground + model("a", "0 0 1 0 0 0", "<box><size>" + std::string(size) + "</size></box>"))),
               "w.sdf: collision 'a': its size is not above 0 and at most 1e6 m; correct it");
   }
@@ -342,18 +342,18 @@ TEST(Sdf, RefusesWhatIsWrong) {
                  unit_box + "</geometry></collision></link></model>"),
         std::string(), std::string("<sdf version='1.7'/>"),
         std::string("<sdf version='1.7'><world name='w'/></sdf>")}) {
-    EXPECT_TRUE(fault_of(text).starts_with("w.sdf")) << text << " -> " << fault_of(text);
+    EXPECT_TRUE(sdf_fault(text).starts_with("w.sdf")) << text << " -> " << sdf_fault(text);
   }
 }
 
 TEST(Sdf, NothingIsPrinted) {
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  (void)fault_of(world_of(ground + model("a", "0 0 1 0 0 0", "<box><size>a b c</size></box>")));
-  (void)fault_of("<sdf version='1.7'><model/></sdf>");
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
+  (void)sdf_fault(world_of(ground + model("a", "0 0 1 0 0 0", "<box><size>a b c</size></box>")));
+  (void)sdf_fault("<sdf version='1.7'><model/></sdf>");
   (void)load(world_of(ground));
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
 }
 
 TEST(Sdf, SurvivesDamage) {
@@ -366,7 +366,7 @@ TEST(Sdf, SurvivesDamage) {
                "</geometry></collision></link>"
                "</model><state world_name='w'><sim_time>0</sim_time><model name='m'><pose>1 0 0 0 0 "
                "0</pose></model></state>");
-  ASSERT_EQ(fault_of(good), "none");
+  ASSERT_EQ(sdf_fault(good), "none");
   int loaded_count = 0;
   for (int i = 0; i < 2000 && loaded_count < 12; ++i) {
     const auto loaded = sdf_from_text(test::damaged(good, rng), "w.sdf");

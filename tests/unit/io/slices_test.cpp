@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-std::string fault_of(const std::string& text) {
+std::string slices_fault(const std::string& text) {
   const auto slices = slices_from_text(text, "s.csv");
   return slices ? "none" : to_string(slices.error());
 }
@@ -26,22 +26,22 @@ TEST(Slices, BothFormsAreRead) {
 }
 
 TEST(Slices, BrokenLinesAreNamed) {
-  EXPECT_EQ(fault_of("# a\n0,0,1\n"),
+  EXPECT_EQ(slices_fault("# a\n0,0,1\n"),
             "s.csv:2: the line has 3 numbers; expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
-  EXPECT_EQ(fault_of("a,b,0,0,1,0,1\n").substr(0, 8), "s.csv:1:");
+  EXPECT_EQ(slices_fault("a,b,0,0,1,0,1\n").substr(0, 8), "s.csv:1:");
   EXPECT_EQ(
-      fault_of("a,b,0,0,1,x\n"),
+      slices_fault("a,b,0,0,1,x\n"),
       "s.csv:1: '1,x' is no place within 1e6 m; expected x0,y0,x1,y1 or model,link,x0,y0,x1,y1,... in m");
-  EXPECT_EQ(fault_of("0,0,1,nan\n").substr(0, 16), "s.csv:1: '1,nan'");
-  EXPECT_EQ(fault_of("0,0,1,2e6\n").substr(0, 16), "s.csv:1: '1,2e6'");
-  EXPECT_EQ(fault_of("0,0,1,0\n1,1,1,1\n"),
+  EXPECT_EQ(slices_fault("0,0,1,nan\n").substr(0, 16), "s.csv:1: '1,nan'");
+  EXPECT_EQ(slices_fault("0,0,1,2e6\n").substr(0, 16), "s.csv:1: '1,2e6'");
+  EXPECT_EQ(slices_fault("0,0,1,0\n1,1,1,1\n"),
             "s.csv:2: a wall whose two ends are one has no length; take the line away");
-  EXPECT_EQ(fault_of("a,b,0,0,1,0,2,0\n"),
+  EXPECT_EQ(slices_fault("a,b,0,0,1,0,2,0\n"),
             "s.csv:1: its corners lie on one line; give a wall by its two ends");
-  EXPECT_EQ(fault_of("a,b,0,0,4,0,1,1,0,4\n"),
+  EXPECT_EQ(slices_fault("a,b,0,0,4,0,1,1,0,4\n"),
             "s.csv:1: the polygon is not convex: its corner 1,1 lies 1 m inside; cut it in convex parts");
-  EXPECT_EQ(fault_of("x\n").substr(0, 8), "s.csv:1:");
-  EXPECT_EQ(fault_of(",,,\n").substr(0, 8), "s.csv:1:");
+  EXPECT_EQ(slices_fault("x\n").substr(0, 8), "s.csv:1:");
+  EXPECT_EQ(slices_fault(",,,\n").substr(0, 8), "s.csv:1:");
 }
 
 /// What a plane cuts of the solid is the slice again.

@@ -9,7 +9,7 @@
 namespace outrider {
 namespace {
 
-std::string fault_of(std::string_view text) {
+std::string targets_fault(std::string_view text) {
   const auto targets = targets_from_text(text, "cats.txt");
   return targets ? "none" : to_string(targets.error());
 }
@@ -37,25 +37,25 @@ TEST(Targets, ReadsKeysInAnyOrderWithCommentsAndBlankLines) {
 }
 
 TEST(Targets, FaultsNameTheLineTheTextAndTheRemedy) {
-  EXPECT_EQ(fault_of("type=1 x=1 y=1\ntype=1 x=1\n"), "cats.txt:2: y is missing; write y=<metres>");
-  EXPECT_EQ(fault_of("typ=1 x=1 y=1"), "cats.txt:1: 'typ' is no key of a target; did you mean 'type'?");
-  EXPECT_EQ(fault_of("type=7 x=1 y=1"), "cats.txt:1: type=7 is unknown; types are 1 to 4");
-  EXPECT_EQ(fault_of("type=1 x=1 y=nan"),
+  EXPECT_EQ(targets_fault("type=1 x=1 y=1\ntype=1 x=1\n"), "cats.txt:2: y is missing; write y=<metres>");
+  EXPECT_EQ(targets_fault("typ=1 x=1 y=1"), "cats.txt:1: 'typ' is no key of a target; did you mean 'type'?");
+  EXPECT_EQ(targets_fault("type=7 x=1 y=1"), "cats.txt:1: type=7 is unknown; types are 1 to 4");
+  EXPECT_EQ(targets_fault("type=1 x=1 y=nan"),
             "cats.txt:1: y=nan is not valid; expected a number from -1e6 to 1e6");
   for (const char* bad : {"type=1 x=1 y=inf", "type=1 x=1 y=1e7", "type=1 x=1 y=2 y=2", "type=1 x=1 y=2 3",
                           "x=1 y=1", "size=1,1 x=1 y=1", "size=1,1,0 x=1 y=1", "size=1,1,1,1 x=1 y=1",
                           "size=1,1,1e9 x=1 y=1", "type=1.5 x=1 y=1", "type= x=1 y=1", "type=1 x=1 y=1 name=",
                           "type=1 x=1 y=1 name=a\xff", "type=1 x=0x10 y=1", "type=1 x=+-1 y=1"}) {
-    EXPECT_TRUE(fault_of(bad).starts_with("cats.txt:1: ")) << bad << " -> " << fault_of(bad);
+    EXPECT_TRUE(targets_fault(bad).starts_with("cats.txt:1: ")) << bad << " -> " << targets_fault(bad);
   }
-  EXPECT_TRUE(fault_of("# nothing\n").starts_with("cats.txt: it holds no target"));
-  EXPECT_TRUE(fault_of("type=1 x=1 y=1 name=a\ntype=1 x=1 y=1 name=a").starts_with("cats.txt:2: "));
+  EXPECT_TRUE(targets_fault("# nothing\n").starts_with("cats.txt: it holds no target"));
+  EXPECT_TRUE(targets_fault("type=1 x=1 y=1 name=a\ntype=1 x=1 y=1 name=a").starts_with("cats.txt:2: "));
 }
 
 TEST(Targets, CountIsBounded) {
   std::string text;
   for (int i = 0; i <= 100'000; ++i) text += "type=1 x=1 y=1\n";
-  EXPECT_NE(fault_of(text).find("100000"), std::string::npos);
+  EXPECT_NE(targets_fault(text).find("100000"), std::string::npos);
 }
 
 TEST(Targets, PublishedListHas24) {

@@ -14,7 +14,8 @@
 namespace outrider {
 namespace {
 
-const std::string head = "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 2\nNODATA_value -9999\n";
+const std::string grid_head =
+    "ncols 3\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 2\nNODATA_value -9999\n";
 
 std::string grid_fault(const std::string& text) {
   const auto field = terrain_from_grid(text, "g.asc");
@@ -38,7 +39,7 @@ std::string png_of(int width, int height, const std::vector<Number>& pixels) {
 }
 
 TEST(TerrainGrid, TheFirstRowIsTheHighestAndCellsArePosts) {
-  const auto field = terrain_from_grid(head + "1 2 3\n4 5 6.5\n", "g.asc");
+  const auto field = terrain_from_grid(grid_head + "1 2 3\n4 5 6.5\n", "g.asc");
   ASSERT_TRUE(field);
   EXPECT_EQ(field->columns(), 3);
   EXPECT_EQ(field->rows(), 2);
@@ -56,15 +57,15 @@ TEST(TerrainGrid, CentresAndCaseAndLinesAreFree) {
 }
 
 TEST(TerrainGrid, SaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(grid_fault(head + "1 2 3\n4 x 6\n"),
+  EXPECT_EQ(grid_fault(grid_head + "1 2 3\n4 x 6\n"),
             "g.asc:8: 'x' in column 2 of row 2 is no height; every cell takes one, in m");
-  EXPECT_EQ(grid_fault(head + "1 2 -9999\n4 5 6\n"),
+  EXPECT_EQ(grid_fault(grid_head + "1 2 -9999\n4 5 6\n"),
             "g.asc:7: '-9999' in column 3 of row 1 is no height; every cell takes one, in m");
-  EXPECT_EQ(grid_fault(head + "1 nan 3\n4 5 6\n"),
+  EXPECT_EQ(grid_fault(grid_head + "1 nan 3\n4 5 6\n"),
             "g.asc:7: 'nan' in column 2 of row 1 is no height; every cell takes one, in m");
-  EXPECT_EQ(grid_fault(head + "1 2 3\n4 5\n"), "g.asc: it ends after 5 heights; its header says 3 x 2");
-  EXPECT_EQ(grid_fault(head), "g.asc: it ends after 0 heights; its header says 3 x 2");
-  EXPECT_EQ(grid_fault(head + "1 2 3\n4 5 6 7\n"), "g.asc:8: more than the 3 x 2 heights of the header");
+  EXPECT_EQ(grid_fault(grid_head + "1 2 3\n4 5\n"), "g.asc: it ends after 5 heights; its header says 3 x 2");
+  EXPECT_EQ(grid_fault(grid_head), "g.asc: it ends after 0 heights; its header says 3 x 2");
+  EXPECT_EQ(grid_fault(grid_head + "1 2 3\n4 5 6 7\n"), "g.asc:8: more than the 3 x 2 heights of the header");
   EXPECT_EQ(grid_fault("ncols 3\n1 2 3\n"),
             "g.asc: its header is incomplete; expected ncols, nrows, xllcorner, yllcorner and cellsize");
   EXPECT_EQ(grid_fault("ncols three\n"), "g.asc:1: 'ncols' takes one number, such as ncols 100");
@@ -125,7 +126,7 @@ class TerrainFiles : public ::testing::Test {
 };
 
 TEST_F(TerrainFiles, AnImageNeedsASizeAndAGridHasOne) {
-  const std::string grid = write("g.asc", head + "1 2 3\n4 5 6\n");
+  const std::string grid = write("g.asc", grid_head + "1 2 3\n4 5 6\n");
   const std::string image = write("h.png", png_of<std::uint8_t>(2, 2, {0, 0, 0, 255}));
   EXPECT_TRUE(load_terrain(grid, "", ""));
   EXPECT_EQ(load_terrain(grid, "1,1,1", "").error().where, "terrain_size");
@@ -160,7 +161,7 @@ TEST_F(TerrainFiles, AHeightmapIsTheTerrainOfAWorld) {
 }
 
 TEST(TargetsOnTerrain, StandOnTheGroundUnlessTheySayWhere) {
-  const auto field = terrain_from_grid(head + "1 1 1\n1 1 1\n", "g.asc");
+  const auto field = terrain_from_grid(grid_head + "1 1 1\n1 1 1\n", "g.asc");
   const auto targets = targets_from_text("type=1 x=12 y=22\ntype=1 x=12 y=22 z=0.25\n", "t", &*field);
   ASSERT_TRUE(targets);
   EXPECT_EQ((*targets)[0].base.z, 1.0);

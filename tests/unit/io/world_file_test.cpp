@@ -7,8 +7,6 @@
 namespace outrider {
 namespace {
 
-const std::string scenarios = std::string(OUTRIDER_SOURCE_DIR) + "/scenarios/";
-
 TEST(WorldFile, ContentTellsTheKindWhateverTheName) {
   const test::Folder folder;
   folder.write("m.pgm", "P2 3 1 255\n254 0 254\n");
@@ -20,7 +18,7 @@ TEST(WorldFile, ContentTellsTheKindWhateverTheName) {
     return loaded ? loaded->world.solids.size() : 0;
   };
   const std::vector<std::tuple<std::string, std::string>> kinds = {
-      {".sdf", test::bytes_of(scenarios + "yard/yard.sdf")},
+      {".sdf", test::bytes_of(test::scenarios + "yard/yard.sdf")},
       {".yaml", yaml},
       {".pgm", test::bytes_of(folder.path / "m.pgm")},
       {".csv", slices}};

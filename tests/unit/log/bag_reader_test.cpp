@@ -15,7 +15,7 @@ using test::BagWriter;
 using test::ReadLog;
 using test::ReadMessage;
 
-const std::vector<std::string> topics = {"/scan", "/odom", "/tf"};
+const std::vector<std::string> bag_topics = {"/scan", "/odom", "/tf"};
 
 BagWriter writer_of(const std::string& compression) {
   BagWriter writer;
@@ -26,7 +26,7 @@ BagWriter writer_of(const std::string& compression) {
   return writer;
 }
 
-ReadLog read(const std::string& bag, const LogSelection& selection = {}) {
+ReadLog read_bag(const std::string& bag, const LogSelection& selection = {}) {
   return test::read_all(open_bag(memory_source(bag, "run.bag"), selection));
 }
 
@@ -44,7 +44,7 @@ struct RandomBag {
         const std::int64_t time =
             1'600'000'000'000'000'000 + 30 * chunk + static_cast<int>(rng.uniform(0, 99));
         written.push_back({connection, time, std::to_string(chunk) + ":" + std::to_string(i)});
-        messages.push_back({topics[connection], time, written.back().data});
+        messages.push_back({bag_topics[connection], time, written.back().data});
       }
       writer.add_chunk(written);
     }
@@ -58,7 +58,7 @@ TEST(BagReader, ReturnsTheMessagesOfOverlappingChunksInTheOrderOfTime) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const RandomBag bag(compression, seed);
       for (const bool with_index : {true, false}) {
-        const ReadLog log = read(bag.writer.bytes(with_index));
+        const ReadLog log = read_bag(bag.writer.bytes(with_index));
         EXPECT_EQ(log.fault, "");
         EXPECT_EQ(log.messages, bag.messages) << compression << " " << seed;
         EXPECT_EQ(log.cut_short.empty(), with_index) << log.cut_short;
@@ -72,12 +72,13 @@ TEST(BagReader, ASelectionIsAFilterOfAllMessages) {
   const RandomBag bag("lz4", 3);
   for (int i = 0; i < 200; ++i) {
     LogSelection selection;
-    for (const std::string& topic : topics) {
+    for (const std::string& topic : bag_topics) {
       if (rng.uniform(0, 1) < 0.5) selection.topics.push_back(topic);
     }
     selection.from_ns = 1'600'000'000'000'000'000 + static_cast<int>(rng.uniform(-50, 450));
     if (i % 3 > 0) selection.to_ns = selection.from_ns + static_cast<int>(rng.uniform(0, 200));
-    EXPECT_EQ(read(bag.writer.bytes(i % 2 == 0), selection).messages, test::filter(bag.messages, selection));
+    EXPECT_EQ(read_bag(bag.writer.bytes(i % 2 == 0), selection).messages,
+              test::filter(bag.messages, selection));
   }
 }
 
@@ -105,10 +106,10 @@ TEST(BagReader, ChunksWithoutSelectedMessagesAreNotRead) {
   writer.add_packed("damaged", 100, {{1, 10, "odom"}});
   writer.add_packed("damaged", 100, {{0, 20, "scan"}});
   const LogSelection selection{.topics = {"/scan"}, .to_ns = 15};
-  const ReadLog log = read(writer.bytes(), selection);
+  const ReadLog log = read_bag(writer.bytes(), selection);
   EXPECT_EQ(log.fault, "");
   EXPECT_EQ(log.messages.size(), 1U);
-  const ReadLog all = read(writer.bytes());
+  const ReadLog all = read_bag(writer.bytes());
   EXPECT_NE(all.fault.find("run.bag, byte "), std::string::npos) << all.fault;
   EXPECT_NE(all.fault.find("bz2 data are damaged"), std::string::npos) << all.fault;
 }
@@ -126,7 +127,7 @@ TEST(BagReader, ABagCutAnywhereIsReadUpToItsLastCompleteChunk) {
   }
   const std::string bag = writer.bytes();
   for (std::size_t length = 0; length < bag.size(); ++length) {
-    const ReadLog log = read(bag.substr(0, length));
+    const ReadLog log = read_bag(bag.substr(0, length));
     if (length < BagWriter::first_chunk) {
       EXPECT_NE(log.fault, "") << length;
       continue;
@@ -142,7 +143,7 @@ TEST(BagReader, ABagCutAnywhereIsReadUpToItsLastCompleteChunk) {
       EXPECT_EQ(log.messages.size(), 6U) << length;
     }
   }
-  EXPECT_EQ(read(bag).cut_short, "");
+  EXPECT_EQ(read_bag(bag).cut_short, "");
 }
 
 TEST(BagReader, AFlippedBitIsNoCrashAndNoDisorder) {
@@ -154,7 +155,7 @@ TEST(BagReader, AFlippedBitIsNoCrashAndNoDisorder) {
     for (std::size_t bit = 0; bit < bag.size() * 8; ++bit) {
       std::string flipped = bag;
       flipped[bit / 8] = static_cast<char>(static_cast<unsigned char>(flipped[bit / 8]) ^ (1U << (bit % 8)));
-      const ReadLog log = read(flipped);
+      const ReadLog log = read_bag(flipped);
       EXPECT_TRUE(std::is_sorted(log.messages.begin(), log.messages.end(), [](const auto& a, const auto& b) {
         return a.time_ns < b.time_ns;
       })) << bit;
@@ -168,35 +169,35 @@ TEST(BagReader, AChunkHasTheSizeThatItStates) {
   for (const std::string compression : {"bz2", "lz4"}) {
     BagWriter bomb = writer_of(compression);
     bomb.add_packed(compression == "bz2" ? test::pack_bz2(zeros) : test::pack_lz4(zeros), 1000, {{0, 1, ""}});
-    EXPECT_NE(read(bomb.bytes()).fault.find("longer than the stated 1000 bytes"), std::string::npos);
+    EXPECT_NE(read_bag(bomb.bytes()).fault.find("longer than the stated 1000 bytes"), std::string::npos);
     BagWriter boast = writer_of(compression);
     boast.add_packed(compression == "bz2" ? test::pack_bz2("ab") : test::pack_lz4("ab"), 200U << 20,
                      {{0, 1, ""}});
-    EXPECT_NE(read(boast.bytes()).fault.find("not the stated 209715200"), std::string::npos);
+    EXPECT_NE(read_bag(boast.bytes()).fault.find("not the stated 209715200"), std::string::npos);
     BagWriter huge = writer_of(compression);
     huge.add_packed("", 0xffffffffU, {{0, 1, ""}});
-    EXPECT_NE(read(huge.bytes()).fault.find("268435456 are the most"), std::string::npos);
+    EXPECT_NE(read_bag(huge.bytes()).fault.find("268435456 are the most"), std::string::npos);
   }
 }
 
 TEST(BagReader, RefusesWithASentence) {
   BagWriter encrypted = writer_of("none");
   encrypted.header_extra = {{"encryptor", "rosbag/AesCbcEncryptor"}};
-  EXPECT_NE(read(encrypted.bytes()).fault.find("encrypted by rosbag/AesCbcEncryptor"), std::string::npos);
+  EXPECT_NE(read_bag(encrypted.bytes()).fault.find("encrypted by rosbag/AesCbcEncryptor"), std::string::npos);
 
   BagWriter unknown = writer_of("none");
   unknown.add_chunk({{0, 1, "a"}, {9, 1, "b"}});
-  EXPECT_NE(read(unknown.bytes()).fault.find("connection 9 is unknown"), std::string::npos);
+  EXPECT_NE(read_bag(unknown.bytes()).fault.find("connection 9 is unknown"), std::string::npos);
 
   BagWriter liar = writer_of("none");
   const std::string message =
       test::bag_record(2, {{"conn", test::little(0, 4)}, {"time", test::bag_time(5)}}, "");
   liar.add_packed(message, message.size(), {{0, 7, ""}});
-  EXPECT_NE(read(liar.bytes()).fault.find("not among those that the index states"), std::string::npos);
+  EXPECT_NE(read_bag(liar.bytes()).fault.find("not among those that the index states"), std::string::npos);
 
   BagWriter zip = writer_of("zip");
   zip.add_chunk({{0, 1, "a"}});
-  EXPECT_NE(read(zip.bytes()).fault.find("compressed as 'zip'"), std::string::npos);
+  EXPECT_NE(read_bag(zip.bytes()).fault.find("compressed as 'zip'"), std::string::npos);
 }
 
 TEST(BagReader, AChunkThatWasNeverFinishedEndsTheBag) {
@@ -205,7 +206,7 @@ TEST(BagReader, AChunkThatWasNeverFinishedEndsTheBag) {
   std::string bag = writer.bytes(false);
   bag += test::bag_record(5, {{"compression", "none"}, {"size", test::little(0, 4)}}, "");
   bag += test::bag_record(2, {{"conn", test::little(0, 4)}, {"time", test::bag_time(2)}}, "b");
-  const ReadLog log = read(bag);
+  const ReadLog log = read_bag(bag);
   EXPECT_EQ(log.messages.size(), 1U);
   EXPECT_NE(log.cut_short.find("stopped while it wrote a chunk"), std::string::npos) << log.cut_short;
 }

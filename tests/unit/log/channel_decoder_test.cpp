@@ -36,13 +36,13 @@ Channel ros1_channel(std::string schema) {
   return {"/scan", "sensor_msgs/msg/LaserScan", "ros1", "ros1msg", std::move(schema)};
 }
 
-std::string fault_of(const Channel& channel) {
+std::string decoder_fault(const Channel& channel) {
   const auto decoder = ChannelDecoder<LaserScan>::of(channel);
   return decoder ? "it was read" : to_string(decoder.error());
 }
 
 void expect_fault(const Channel& channel, const char* part) {
-  EXPECT_NE(fault_of(channel).find(part), std::string::npos) << fault_of(channel);
+  EXPECT_NE(decoder_fault(channel).find(part), std::string::npos) << decoder_fault(channel);
 }
 
 std::string replaced(std::string text, const std::string& old, const std::string& with) {

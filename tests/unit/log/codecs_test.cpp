@@ -20,13 +20,13 @@ std::string bytes(std::initializer_list<int> values) {
   return text;
 }
 
-sensor_msgs::LaserScan scan() {
-  sensor_msgs::LaserScan scan;
-  scan.header = {{12, 345}, "laser"};
-  scan.angle_min = -1.5F;
-  scan.range_max = 30.0F;
-  scan.ranges = {1.0F, 2.5F, 4.0F};
-  return scan;
+sensor_msgs::LaserScan sample_scan() {
+  sensor_msgs::LaserScan sample_scan;
+  sample_scan.header = {{12, 345}, "laser"};
+  sample_scan.angle_min = -1.5F;
+  sample_scan.range_max = 30.0F;
+  sample_scan.ranges = {1.0F, 2.5F, 4.0F};
+  return sample_scan;
 }
 
 tf2_msgs::TFMessage frames() {
@@ -69,7 +69,7 @@ void expect_round_trip(const Message& message) {
 }
 
 TEST(Codecs, MessagesComeBackAndCutOnesAreRefused) {
-  expect_round_trip(scan());
+  expect_round_trip(sample_scan());
   expect_round_trip(frames());
   expect_round_trip(nav_msgs::Odometry{{{1, 0}, "odom"}, "base_link", {}, {}});
   expect_round_trip(nav_msgs::Path{{}, std::vector<geometry_msgs::PoseStamped>(3)});
@@ -86,7 +86,7 @@ TEST(Codecs, MessagesComeBackAndCutOnesAreRefused) {
 
 TEST(Codecs, DecodedFieldsAreThoseEncoded) {
   const auto back =
-      decode<sensor_msgs::LaserScan>(MessageEncoding::cdr, encode(MessageEncoding::cdr, scan()));
+      decode<sensor_msgs::LaserScan>(MessageEncoding::cdr, encode(MessageEncoding::cdr, sample_scan()));
   ASSERT_TRUE(back);
   EXPECT_EQ(back->header.stamp.sec, 12);
   EXPECT_EQ(back->header.stamp.nanosec, 345U);

@@ -14,9 +14,9 @@ using test::Db3Writer;
 using test::ReadLog;
 using test::ReadMessage;
 
-const std::vector<std::string> topics = {"/scan", "/odom", "/tf"};
+const std::vector<std::string> db3_topics = {"/scan", "/odom", "/tf"};
 
-ReadLog read(const std::string& bag, const LogSelection& selection = {}) {
+ReadLog read_db3(const std::string& bag, const LogSelection& selection = {}) {
   return test::read_all(open_db3_bytes("run.db3", bag, selection));
 }
 
@@ -29,14 +29,14 @@ struct RandomDb3 {
     Db3Writer writer;
     writer.make_tables(false, with_index);
     for (int i = 0; i < 3; ++i)
-      writer.add_topic(i + 1, topics[static_cast<std::size_t>(i)], "a/msg/B", false);
+      writer.add_topic(i + 1, db3_topics[static_cast<std::size_t>(i)], "a/msg/B", false);
     writer.run("BEGIN");
     for (int i = 0; i < count; ++i) {
       const auto topic = static_cast<std::size_t>(rng.uniform(0.0, 2.999));
       const auto time = static_cast<std::int64_t>(rng.uniform(-100.0, 1000.0));
       std::string data(static_cast<std::size_t>(rng.uniform(0, 5000)), static_cast<char>(i));
       writer.add_message(static_cast<std::int64_t>(topic) + 1, time, data);
-      messages.push_back({topics[topic], time, std::move(data)});
+      messages.push_back({db3_topics[topic], time, std::move(data)});
     }
     writer.run("COMMIT");
     bytes = writer.bytes();
@@ -48,7 +48,7 @@ struct RandomDb3 {
 TEST(Db3Reader, ReturnsTheMessagesInTheOrderOfTimeWithAndWithoutAnIndex) {
   for (const bool with_index : {true, false}) {
     const RandomDb3 bag(1, 500, with_index);
-    const ReadLog log = read(bag.bytes);
+    const ReadLog log = read_db3(bag.bytes);
     EXPECT_EQ(log.fault, "");
     EXPECT_EQ(log.messages, bag.messages);
   }
@@ -59,12 +59,12 @@ TEST(Db3Reader, ASelectionIsAFilterOfAllMessages) {
   const RandomDb3 bag(2, 200, true);
   for (int i = 0; i < 100; ++i) {
     LogSelection selection;
-    for (const std::string& topic : topics) {
+    for (const std::string& topic : db3_topics) {
       if (rng.uniform(0, 1) < 0.5) selection.topics.push_back(topic);
     }
     selection.from_ns = static_cast<std::int64_t>(rng.uniform(-200, 1000));
     if (i % 3 > 0) selection.to_ns = selection.from_ns + static_cast<std::int64_t>(rng.uniform(0, 500));
-    EXPECT_EQ(read(bag.bytes, selection).messages, test::filter(bag.messages, selection));
+    EXPECT_EQ(read_db3(bag.bytes, selection).messages, test::filter(bag.messages, selection));
   }
 }
 
@@ -95,37 +95,37 @@ TEST(Db3Reader, ATopicIsAChannelWithTheDefinitionOfItsType) {
 TEST(Db3Reader, RefusesWithASentence) {
   Db3Writer empty;
   empty.run("CREATE TABLE topics(id INTEGER)");
-  EXPECT_NE(read(empty.bytes()).fault.find("without a table 'messages'"), std::string::npos);
+  EXPECT_NE(read_db3(empty.bytes()).fault.find("without a table 'messages'"), std::string::npos);
 
   Db3Writer columns;
   columns.run("CREATE TABLE topics(id INTEGER); CREATE TABLE messages(id INTEGER)");
-  EXPECT_NE(read(columns.bytes()).fault.find("no such column"), std::string::npos);
+  EXPECT_NE(read_db3(columns.bytes()).fault.find("no such column"), std::string::npos);
 
   Db3Writer view;
   view.run("CREATE TABLE topics(id INTEGER); CREATE VIEW messages AS SELECT 1 AS timestamp");
-  EXPECT_NE(read(view.bytes()).fault.find("without a table 'messages'"), std::string::npos);
+  EXPECT_NE(read_db3(view.bytes()).fault.find("without a table 'messages'"), std::string::npos);
 
   Db3Writer format;
   format.make_tables(false);
   format.add_topic(1, "/scan", "a/msg/B", false);
   format.add_topic(2, "/odd", "a/msg/B", false, "protobuf");
   format.add_message(1, 5, "a");
-  EXPECT_NE(read(format.bytes()).fault.find("messages of /odd are in the format 'protobuf'"),
+  EXPECT_NE(read_db3(format.bytes()).fault.find("messages of /odd are in the format 'protobuf'"),
             std::string::npos);
-  EXPECT_EQ(read(format.bytes(), {.topics = {"/scan"}}).messages.size(), 1U);
+  EXPECT_EQ(read_db3(format.bytes(), {.topics = {"/scan"}}).messages.size(), 1U);
 
   format.add_message(9, 5, "a");
-  EXPECT_NE(read(format.bytes(), {.topics = {"/scan"}}).fault.find("topic that is not in the file"),
+  EXPECT_NE(read_db3(format.bytes(), {.topics = {"/scan"}}).fault.find("topic that is not in the file"),
             std::string::npos);
-  EXPECT_NE(read("SQLite format 3").fault, "");
+  EXPECT_NE(read_db3("SQLite format 3").fault, "");
 }
 
 TEST(Db3Reader, ACutDatabaseIsRefusedAndSaysHowLongItWas) {
   const std::string bytes = RandomDb3(3, 20, true).bytes;
   for (std::size_t length = 0; length < bytes.size(); length += 97) {
-    EXPECT_NE(read(bytes.substr(0, length)).fault, "") << length;
+    EXPECT_NE(read_db3(bytes.substr(0, length)).fault, "") << length;
   }
-  EXPECT_NE(read(bytes.substr(0, 5000)).fault.find("its end is missing"), std::string::npos);
+  EXPECT_NE(read_db3(bytes.substr(0, 5000)).fault.find("its end is missing"), std::string::npos);
 }
 
 TEST(Db3Reader, AFlippedBitIsNoCrashAndNoDisorder) {
@@ -136,7 +136,7 @@ TEST(Db3Reader, AFlippedBitIsNoCrashAndNoDisorder) {
     const std::size_t most = i % 2 == 0 ? 4096 : flipped.size();
     const auto at = static_cast<std::size_t>(rng.uniform(0, static_cast<double>(most)));
     flipped[at] = static_cast<char>(rng.uniform(-128, 127));
-    const ReadLog log = read(flipped);
+    const ReadLog log = read_db3(flipped);
     EXPECT_TRUE(std::is_sorted(log.messages.begin(), log.messages.end(),
                                [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; }));
   }

@@ -11,13 +11,13 @@ namespace outrider {
 namespace {
 
 template <class Message>
-Outcome<Message> read(std::string_view text) {
+Outcome<Message> from_json(std::string_view text) {
   return decode<Message>(MessageEncoding::json, text);
 }
 
 template <class Message>
-std::string fault_of(std::string_view text) {
-  const auto message = read<Message>(text);
+std::string json_fault(std::string_view text) {
+  const auto message = from_json<Message>(text);
   return message ? "it was read" : message.error().sentence;
 }
 
@@ -25,7 +25,7 @@ TEST(JsonCodec, AMessageIsItsFieldsUnderTheirNames) {
   const std_msgs::Header header{{1, 2}, "la\"ser"};
   const std::string text = R"({"stamp":{"sec":1,"nanosec":2},"frame_id":"la\"ser"})";
   EXPECT_EQ(encode(MessageEncoding::json, header), text);
-  const auto back = read<std_msgs::Header>(text);
+  const auto back = from_json<std_msgs::Header>(text);
   ASSERT_TRUE(back) << back.error().sentence;
   EXPECT_EQ(back->stamp.nanosec, 2U);
   EXPECT_EQ(back->frame_id, "la\"ser");
@@ -39,8 +39,8 @@ TEST(JsonCodec, NumbersComeBackBitByBit) {
   sensor_msgs::CameraInfo camera;
   camera.k[4] = std::nextafter(1.0, 2.0);
   camera.d = {1e300, -5e-324};
-  const auto scan_back = read<sensor_msgs::LaserScan>(encode(MessageEncoding::json, scan));
-  const auto camera_back = read<sensor_msgs::CameraInfo>(encode(MessageEncoding::json, camera));
+  const auto scan_back = from_json<sensor_msgs::LaserScan>(encode(MessageEncoding::json, scan));
+  const auto camera_back = from_json<sensor_msgs::CameraInfo>(encode(MessageEncoding::json, camera));
   ASSERT_TRUE(scan_back && camera_back);
   EXPECT_EQ(encode(MessageEncoding::cdr, *scan_back), encode(MessageEncoding::cdr, scan));
   EXPECT_EQ(encode(MessageEncoding::cdr, *camera_back), encode(MessageEncoding::cdr, camera));
@@ -48,20 +48,20 @@ TEST(JsonCodec, NumbersComeBackBitByBit) {
 
 TEST(JsonCodec, TheNamesOfRos1AreRead) {
   const auto header =
-      read<std_msgs::Header>(R"({"seq": 7, "stamp": {"secs": 1, "nsecs": 2}, "frame_id": "laser"})");
+      from_json<std_msgs::Header>(R"({"seq": 7, "stamp": {"secs": 1, "nsecs": 2}, "frame_id": "laser"})");
   ASSERT_TRUE(header) << header.error().sentence;
   EXPECT_EQ(header->stamp.sec, 1);
   sensor_msgs::CameraInfo camera;
   camera.d = {0.5};
   std::string text = encode(MessageEncoding::json, camera);
   for (const char* name : {"\"d\"", "\"k\"", "\"r\"", "\"p\""}) text[text.find(name) + 1] -= 'a' - 'A';
-  const auto back = read<sensor_msgs::CameraInfo>(text);
+  const auto back = from_json<sensor_msgs::CameraInfo>(text);
   ASSERT_TRUE(back) << back.error().sentence;
   EXPECT_EQ(back->d, std::vector<double>{0.5});
 }
 
 TEST(JsonCodec, NullIsNoNumber) {
-  const auto point = read<geometry_msgs::Point>(R"({"x": null, "y": "Infinity", "z": 3})");
+  const auto point = from_json<geometry_msgs::Point>(R"({"x": null, "y": "Infinity", "z": 3})");
   ASSERT_TRUE(point) << point.error().sentence;
   EXPECT_TRUE(std::isnan(point->x));
   EXPECT_EQ(point->y, std::numeric_limits<double>::infinity());
@@ -74,23 +74,24 @@ TEST(JsonCodec, WhatIsWrongIsNamed) {
   const auto has = [](const std::string& text, const char* part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  has(fault_of<Time>(R"({"sec": 1})"), "it has no field 'nanosec'");
-  has(fault_of<Time>(R"({"sec": 1, "nanosec": -1})"), "'nanosec' is a negative number that does not fit");
-  has(fault_of<Time>(R"({"sec": 1.5, "nanosec": 1})"), "'sec' is a number that does not fit");
-  has(fault_of<Time>(R"({"sec": 3000000000, "nanosec": 1})"), "'sec' is a number that does not fit");
-  has(fault_of<Time>(R"({"sec": null, "nanosec": 1})"), "'sec' is null");
-  has(fault_of<Time>(R"({"sec": 1, "nanosec": 1, "more": 1})"), "the field 'more', which");
-  has(fault_of<Time>(R"({"sec": 1, "sec": 1, "nanosec": 1})"), "'sec' is there twice");
-  has(fault_of<Time>(R"({"sec": [1], "nanosec": 1})"), "'sec' is a list");
-  has(fault_of<Time>("[1, 2]"), "it is no JSON object");
-  has(fault_of<Time>("7"), "it is no JSON object");
-  has(fault_of<Time>(R"({"sec": 1,)"), "it is not JSON from byte");
-  has(fault_of<Time>(R"({"sec": 1, "nanosec": 1} tail)"), "it is not JSON from byte");
-  has(fault_of<Header>(R"({"stamp": 1, "frame_id": ""})"), "'stamp' is a number");
-  has(fault_of<Header>(R"({"stamp": {"sec": "x", "nanosec": 1}, "frame_id": ""})"), "'stamp.sec' is a text");
-  has(fault_of<Header>(R"({"seq": {}, "frame_id": ""})"), "'seq' of a header is no number");
-  has(fault_of<sensor_msgs::JointState>(R"({"name": ["a", 1]})"), "'name[1]' is a number");
-  has(fault_of<tf2_msgs::TFMessage>(R"({"transforms": [{}]})"), "it has no field 'header'");
+  has(json_fault<Time>(R"({"sec": 1})"), "it has no field 'nanosec'");
+  has(json_fault<Time>(R"({"sec": 1, "nanosec": -1})"), "'nanosec' is a negative number that does not fit");
+  has(json_fault<Time>(R"({"sec": 1.5, "nanosec": 1})"), "'sec' is a number that does not fit");
+  has(json_fault<Time>(R"({"sec": 3000000000, "nanosec": 1})"), "'sec' is a number that does not fit");
+  has(json_fault<Time>(R"({"sec": null, "nanosec": 1})"), "'sec' is null");
+  has(json_fault<Time>(R"({"sec": 1, "nanosec": 1, "more": 1})"), "the field 'more', which");
+  has(json_fault<Time>(R"({"sec": 1, "sec": 1, "nanosec": 1})"), "'sec' is there twice");
+  has(json_fault<Time>(R"({"sec": [1], "nanosec": 1})"), "'sec' is a list");
+  has(json_fault<Time>("[1, 2]"), "it is no JSON object");
+  has(json_fault<Time>("7"), "it is no JSON object");
+  has(json_fault<Time>(R"({"sec": 1,)"), "it is not JSON from byte");
+  has(json_fault<Time>(R"({"sec": 1, "nanosec": 1} tail)"), "it is not JSON from byte");
+  has(json_fault<Header>(R"({"stamp": 1, "frame_id": ""})"), "'stamp' is a number");
+  has(json_fault<Header>(R"({"stamp": {"sec": "x", "nanosec": 1}, "frame_id": ""})"),
+      "'stamp.sec' is a text");
+  has(json_fault<Header>(R"({"seq": {}, "frame_id": ""})"), "'seq' of a header is no number");
+  has(json_fault<sensor_msgs::JointState>(R"({"name": ["a", 1]})"), "'name[1]' is a number");
+  has(json_fault<tf2_msgs::TFMessage>(R"({"transforms": [{}]})"), "it has no field 'header'");
 }
 
 TEST(JsonCodec, AnArrayHasItsLength) {
@@ -98,8 +99,8 @@ TEST(JsonCodec, AnArrayHasItsLength) {
   std::string text = encode(MessageEncoding::json, camera);
   const std::size_t k = text.find("\"k\":[") + 5;
   const auto with = [&](const std::string& more) { return std::string(text).insert(k, more); };
-  EXPECT_NE(fault_of<sensor_msgs::CameraInfo>(with("1,")).find("more than 9"), std::string::npos);
-  EXPECT_NE(fault_of<sensor_msgs::CameraInfo>(std::string(text).erase(k, 2)).find("a list of 8, where 9"),
+  EXPECT_NE(json_fault<sensor_msgs::CameraInfo>(with("1,")).find("more than 9"), std::string::npos);
+  EXPECT_NE(json_fault<sensor_msgs::CameraInfo>(std::string(text).erase(k, 2)).find("a list of 8, where 9"),
             std::string::npos);
 }
 

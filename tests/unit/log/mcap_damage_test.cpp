@@ -12,8 +12,6 @@
 namespace outrider::testing {
 namespace {
 
-constexpr Codec compressions[] = {Codec::none, Codec::lz4, Codec::zstd};
-
 /// A header, then whatever the test appends.
 std::string beginning() {
   std::string bytes(mcap::magic);
@@ -54,7 +52,7 @@ std::string without_summary(const std::string& bytes) {
 TEST(McapDamage, ACutLogOpensUpToItsLastCompleteChunk) {
   Rng rng(1);
   const OwnMessages messages = random_messages(rng, 60);
-  for (const Codec compression : compressions) {
+  for (const Codec compression : testing::compressions) {
     const std::string bytes = mcap_of(messages, {.compression = compression, .chunk_bytes = 300});
     std::size_t before = 0;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -139,7 +137,7 @@ TEST(McapDamage, AfterAFullDiskEveryCallIsRefusedAndTheLogOpens) {
 TEST(McapDamage, AFlippedBitIsNoticedOrHarmless) {
   Rng rng(2);
   const OwnMessages messages = random_messages(rng, 30, 30);
-  for (const Codec compression : compressions) {
+  for (const Codec compression : testing::compressions) {
     const std::string whole = mcap_of(messages, {.compression = compression, .chunk_bytes = 400});
     for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
       std::string bytes = whole;

@@ -20,6 +20,9 @@ using test::ReadLog;
 using OwnMessage = test::ReadMessage;
 using OwnMessages = std::vector<OwnMessage>;
 
+/// The ways to store a chunk.
+constexpr Codec compressions[] = {Codec::none, Codec::lz4, Codec::zstd};
+
 inline Channel channel_named(const std::string& topic, const std::string& type = "std_msgs/msg/String") {
   return {topic, type, "cdr", "ros2msg", "string data\n", {{"qos", "reliable"}}};
 }

@@ -9,11 +9,9 @@
 namespace outrider::testing {
 namespace {
 
-constexpr Codec compressions[] = {Codec::none, Codec::lz4, Codec::zstd};
-
 TEST(Mcap, WhatIsWrittenIsRead) {
   Rng rng(1);
-  for (const Codec compression : compressions) {
+  for (const Codec compression : testing::compressions) {
     for (const std::size_t chunk_bytes : {1U, 200U, 5000U, 1U << 20U}) {
       const OwnMessages messages = random_messages(rng, 300);
       const ReadLog read =
@@ -140,7 +138,7 @@ TEST(Mcap, ChannelsComeBackWholeAndSchemasAreStoredOnce) {
 TEST(Mcap, SameCallsSameBytes) {
   Rng rng(4);
   const OwnMessages messages = random_messages(rng, 300, 50);
-  for (const Codec compression : compressions) {
+  for (const Codec compression : testing::compressions) {
     const McapOptions options{.compression = compression, .chunk_bytes = 1000};
     EXPECT_EQ(mcap_of(messages, options), mcap_of(messages, options));
   }

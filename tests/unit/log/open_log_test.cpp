@@ -16,7 +16,7 @@ using test::Db3Writer;
 using test::ReadLog;
 using test::ReadMessage;
 
-class OpenLog : public testing::Test {
+class OpenLog : public ::testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path / name).string(); }
   void write(const std::string& name, const std::string& bytes) const { folder_.write(name, bytes); }

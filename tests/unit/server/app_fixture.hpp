@@ -14,7 +14,7 @@
 
 namespace outrider::server {
 
-class AppTest : public testing::Test {
+class AppTest : public ::testing::Test {
  protected:
   AppTest() : home_(std::move(*TemporaryFolder::make())) {}
 

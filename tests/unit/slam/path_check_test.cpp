@@ -62,7 +62,7 @@ TEST(PathCheck, TheTwoFacesOfAWallAreNotOneSurface) {
 }
 
 /// A drive along the room with odometry that is right.
-KeyframeGraph drive_along(Rng& rng) {
+KeyframeGraph drive_past_walls(Rng& rng) {
   KeyframeGraph graph;
   for (int i = 0; i < 8; ++i) {
     const Pose2 pose{{1.0 + 0.25 * i, 1.7}, 0.05 * i};
@@ -75,7 +75,7 @@ KeyframeGraph drive_along(Rng& rng) {
 
 TEST(PathCheck, OdometryThatIsWrongIsNoJumpWhereTheScansOverlap) {
   Rng rng(2);
-  KeyframeGraph graph = drive_along(rng);
+  KeyframeGraph graph = drive_past_walls(rng);
   KeyframeSurfaces surfaces({}, 30.0);
   EXPECT_TRUE(find_jumps(graph, surfaces).empty());
   graph.keyframes[4].odometry.heading_rad += 0.5 * pi;
@@ -85,7 +85,7 @@ TEST(PathCheck, OdometryThatIsWrongIsNoJumpWhereTheScansOverlap) {
 
 TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   Rng rng(3);
-  KeyframeGraph graph = drive_along(rng);
+  KeyframeGraph graph = drive_past_walls(rng);
   Keyframe& carried = graph.keyframes[7];
   carried.pose = {{1.0, 2.5}, pi};
   carried.scan = half_turn_scan(carried.pose, rng);
@@ -103,7 +103,7 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
 
 TEST(PathCheck, OfAReleasedScanTheShareOfItsTimeCounts) {
   Rng rng(4);
-  KeyframeGraph graph = drive_along(rng);
+  KeyframeGraph graph = drive_past_walls(rng);
   graph.keyframes[4].odometry = {{2.0, 0.0}, 1.0};
   graph.keyframes[3].release_scan();
   KeyframeSurfaces surfaces({}, 30.0);

@@ -24,7 +24,7 @@ DriveTask two_tags_in_view() {
   return task;
 }
 
-Run driven(const DriveTask& task, const DriveSimParams& params, std::uint64_t seed) {
+Run driven_unseen(const DriveTask& task, const DriveSimParams& params, std::uint64_t seed) {
   auto run = testing::logged_run(
       {}, [&](Log& log) -> Outcome<Report> { return run_drive(task, params, false, seed, log); });
   return std::move(run.value());
@@ -64,7 +64,7 @@ std::size_t expect_true_claims(const Run& run) {
 TEST(DriveClaims, WithoutTagsNoStopIsReached) {
   DriveTask task = two_tags_in_view();
   task.tags = {};
-  const auto run = driven(task, testing::usual_faults(), 1);
+  const auto run = driven_unseen(task, testing::usual_faults(), 1);
   EXPECT_EQ(run.report.status, "unconfirmed");
   EXPECT_NE(run.report.reason.find("3 of 3 stops unconfirmed"), std::string::npos) << run.report.reason;
   EXPECT_EQ(expect_true_claims(run), 0U);
@@ -76,7 +76,7 @@ TEST(DriveClaims, AKidnappedRobotReachesNothing) {
     Rng rng(static_cast<std::uint64_t>(seed));
     DriveSimParams params = testing::usual_faults();
     params.kidnapping = {rng.uniform(0.5, 10.0), 30.0, rng.uniform(-pi, pi)};
-    const auto run = driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
+    const auto run = driven_unseen(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
     EXPECT_GT(norm(poses_of(run.log).back().position), 20.0) << "it was kidnapped";
     EXPECT_LT(expect_true_claims(run), 3U);
   }
@@ -86,13 +86,13 @@ TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     const auto number_of = static_cast<std::uint64_t>(seed);
     Rng rng(number_of);
-    const auto undisturbed = driven(two_tags_in_view(), testing::usual_faults(), number_of);
+    const auto undisturbed = driven_unseen(two_tags_in_view(), testing::usual_faults(), number_of);
     ASSERT_EQ(undisturbed.report.status, "done") << undisturbed.report.reason;
     const std::size_t stop = rng.below(3);
     DriveSimParams params = testing::usual_faults();
     const double nudged_s = number(undisturbed, stop, "reached_s") - rng.uniform(0.02, 0.45);
     params.kidnapping = {nudged_s, seed % 2 == 0 ? 0.2 : -0.2, 0.0};
-    const auto run = driven(two_tags_in_view(), params, number_of);
+    const auto run = driven_unseen(two_tags_in_view(), params, number_of);
     EXPECT_EQ(expect_true_claims(run), 3U) << run.report.reason;
     EXPECT_EQ(run.report.status, "done");
     EXPECT_EQ(events_named(run, "relocalised"), 1U);
@@ -103,7 +103,7 @@ TEST(DriveClaims, ARobotThatIsMovedWhileItSettlesComesBackFirst) {
 TEST(DriveClaims, TagsInSightFindAKidnappedRobotAgain) {
   DriveSimParams params = testing::usual_faults();
   params.kidnapping = {4.0, 0.8, 0.0};
-  const auto run = driven(two_tags_in_view(), params, 1);
+  const auto run = driven_unseen(two_tags_in_view(), params, 1);
   EXPECT_GT(metric(run, "belief_error_m"), 0.7) << "it was kidnapped";
   EXPECT_EQ(run.report.status, "done") << run.report.reason;
   EXPECT_EQ(expect_true_claims(run), 3U);
@@ -117,7 +117,7 @@ TEST(DriveClaims, TheBeliefCoversTheErrorsOfWheelsAndSlip) {
       if (wheel) params.wheels.gains[static_cast<std::size_t>(seed) % 4] += seed % 2 == 0 ? 0.1 : -0.1;
       if (!wheel) params.wheels.strafe_slip = 0.5;
       params.sight.missed = 0.5;
-      const auto run = driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
+      const auto run = driven_unseen(two_tags_in_view(), params, static_cast<std::uint64_t>(seed));
       expect_true_claims(run);
       EXPECT_LE(metric(run, "belief_error_ratio"), 6.0) << seed;
     }
@@ -134,7 +134,7 @@ TEST(DriveClaims, ATagThatHangsElsewhereConfirmsNoWrongStop) {
     for (const Tag& tag : task.tags.tags) {
       DriveSimParams params = testing::usual_faults();
       params.moved_tag = {tag.id, seed % 2 == 0 ? 0.1 : -0.1};
-      const auto run = driven(task, params, static_cast<std::uint64_t>(seed));
+      const auto run = driven_unseen(task, params, static_cast<std::uint64_t>(seed));
       EXPECT_LT(expect_true_claims(run), 4U) << "seed " << seed << ", tag " << tag.id;
       EXPECT_GE(events_named(run, "relocalised"), 1U) << "the tag contradicts the belief";
     }
@@ -145,7 +145,7 @@ TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
   for (int seed = 1; seed <= testing::costly_cases(20); ++seed) {
     DriveSimParams params = testing::usual_faults();
     params.sight.corner_sigma_px = 1.0;
-    expect_true_claims(driven(two_tags_in_view(), params, static_cast<std::uint64_t>(seed)));
+    expect_true_claims(driven_unseen(two_tags_in_view(), params, static_cast<std::uint64_t>(seed)));
   }
 }
 
@@ -153,12 +153,12 @@ TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
 TEST(DriveClaims, APassedWaypointSaysHowNear) {
   DriveTask task = two_tags_in_view();
   task.waypoints = {{{{0.5, 0}, 0}, false}, {{{0.5, 0.4}, 0}}};
-  const auto run = driven(task, testing::usual_faults(), 1);
+  const auto run = driven_unseen(task, testing::usual_faults(), 1);
   const Table& table = table_named(run.report, "waypoints");
   EXPECT_EQ((TableRow{table, table.rows[0]}.text("outcome")), "passed");
   EXPECT_LE(number(run, 0, "nearest_m"), task.follow.pass_m + 0.05);
   task.rules.patience_s = 1.0;
-  const auto cut = driven(task, testing::usual_faults(), 1);
+  const auto cut = driven_unseen(task, testing::usual_faults(), 1);
   const Table& early = table_named(cut.report, "waypoints");
   EXPECT_EQ((TableRow{early, early.rows[0]}.text("outcome")), "not reached");
   EXPECT_GT(number(cut, 0, "nearest_m"), 0.1);

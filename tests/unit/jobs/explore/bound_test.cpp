@@ -12,7 +12,7 @@
 namespace outrider {
 namespace {
 
-constexpr RobotModel robot{.radius_m = 0.1, .speed_mps = 0.25};
+constexpr RobotModel slow_robot{.radius_m = 0.1, .speed_mps = 0.25};
 
 Grid<std::uint8_t> corridor(double length_m) {
   GridFrame frame;
@@ -28,8 +28,8 @@ Grid<std::uint8_t> corridor(double length_m) {
 
 TEST(ExploreBound, IsTheWayToWhereTheEndComesIntoView) {
   const Grid<std::uint8_t> solid = corridor(20.0);
-  const auto there = explore_bound(solid, {0.4, 0.4}, 3.0, robot, {.return_home = false});
-  const auto back = explore_bound(solid, {0.4, 0.4}, 3.0, robot, {.return_home = true});
+  const auto there = explore_bound(solid, {0.4, 0.4}, 3.0, slow_robot, {.return_home = false});
+  const auto back = explore_bound(solid, {0.4, 0.4}, 3.0, slow_robot, {.return_home = true});
   ASSERT_TRUE(there && back);
   const double way_m = 20.15 - 0.1 - 3.0 - 0.4;  // to where the last place of the robot is in view
   EXPECT_LE(there->least_m, way_m);
@@ -40,16 +40,16 @@ TEST(ExploreBound, IsTheWayToWhereTheEndComesIntoView) {
 }
 
 TEST(ExploreBound, IsNothingWhereAllIsInView) {
-  const auto bound = explore_bound(corridor(2.0), {1.0, 0.4}, 3.5, robot);
+  const auto bound = explore_bound(corridor(2.0), {1.0, 0.4}, 3.5, slow_robot);
   ASSERT_TRUE(bound);
   EXPECT_EQ(bound->least_m, 0.0);
 }
 
 TEST(ExploreBound, RefusesABadStart) {
-  const auto wall = explore_bound(corridor(2.0), {0.02, 0.02}, 3.5, robot);
+  const auto wall = explore_bound(corridor(2.0), {0.02, 0.02}, 3.5, slow_robot);
   ASSERT_FALSE(wall);
   EXPECT_EQ(wall.error().code, FaultCode::start_blocked);
-  const auto outside = explore_bound(corridor(2.0), {-5.0, 0.0}, 3.5, robot);
+  const auto outside = explore_bound(corridor(2.0), {-5.0, 0.0}, 3.5, slow_robot);
   ASSERT_FALSE(outside);
   EXPECT_EQ(outside.error().code, FaultCode::outside_map);
 }
@@ -82,10 +82,10 @@ TEST(ExploreBound, RoundsAreBestAmongAllOrders) {
 /// A walk from cell to cell, with the whole grid in view along rays of its own, until every cell that the
 /// robot reaches was seen: greedy, and therefore no shorter than the best.
 double greedy_walk_m(const Grid<std::uint8_t>& solid, Vec2 start, double range_m) {
-  testing::GridExplorer eye{.truth = solid, .robot = robot, .pose = {start, 0.0}};
+  testing::GridExplorer eye{.truth = solid, .robot = slow_robot, .pose = {start, 0.0}};
   const auto free = [&](Cell c) {
     eye.pose.position = solid.frame.centre(c);
-    return solid.contains(c) && eye.clearance_m() >= robot.radius_m;
+    return solid.contains(c) && eye.clearance_m() >= slow_robot.radius_m;
   };
   Grid<std::uint8_t> seen(solid.frame, 0);
   std::vector<Cell> reached{solid.frame.cell_at(start)};
@@ -142,7 +142,7 @@ TEST(ExploreBound, NoWalkThatSeesAllIsShorter) {
     Rng rng(static_cast<std::uint64_t>(n));
     const auto rooms = testing::random_rooms(rng, 3, 0.1);
     const auto bound =
-        explore_bound(rooms.solid, rooms.start, 1.5, robot, {.witnesses = 8, .return_home = false});
+        explore_bound(rooms.solid, rooms.start, 1.5, slow_robot, {.witnesses = 8, .return_home = false});
     ASSERT_TRUE(bound) << bound.error().sentence;
     EXPECT_LE(bound->least_m, greedy_walk_m(rooms.solid, rooms.start, 1.5)) << n;
   }

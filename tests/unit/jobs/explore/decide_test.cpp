@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr RobotModel robot{.radius_m = 0.105, .speed_mps = 0.22, .turn_rate_radps = 2.84};
+constexpr RobotModel round_robot{.radius_m = 0.105, .speed_mps = 0.22, .turn_rate_radps = 2.84};
 
 /// A map drawn by hand, the top row first: '.' free, '#' occupied, else unknown; cells of 0.1 m. The robot
 /// stands at 'R' and its home is there.
@@ -41,7 +41,7 @@ struct Drawn {
     return outrider::decide(state(before), options, workspace);
   }
   [[nodiscard]] ExploreState state(ExploreChoice before = {}) {
-    return {frontiers, blacklist, robot, 3.5, pose, pose, 0.0, before};
+    return {frontiers, blacklist, round_robot, 3.5, pose, pose, 0.0, before};
   }
 };
 

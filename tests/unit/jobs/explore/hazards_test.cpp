@@ -4,25 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_solid.hpp"
 #include "outrider/jobs/explore/run.hpp"
 #include "support/costly_cases.hpp"
 
 namespace outrider {
 namespace {
 
-Solid box(const std::string& name, Vec2 low, Vec2 high, double height_m = 0.5) {
-  const Vec2 middle = 0.5 * (low + high), half = 0.5 * (high - low);
-  return {name, {{middle.x, middle.y, 0.5 * height_m}, {}}, BoxShape{{half.x, half.y, 0.5 * height_m}}};
-}
-
 /// Two rooms of 2 m x 2 m, with a wall of 1 m between them that has a corridor of that width, with its middle
 /// at y.
 World rooms(double corridor_m, double y) {
   World world;
   const double low = y - 0.5 * corridor_m, high = y + 0.5 * corridor_m;
-  world.solids = {box("south", {-0.1, -0.1}, {5.1, 0.0}), box("north", {-0.1, 2.0}, {5.1, 2.1}),
-                  box("west", {-0.1, 0.0}, {0.0, 2.0}),   box("east", {5.0, 0.0}, {5.1, 2.0}),
-                  box("below", {2.0, 0.0}, {3.0, low}),   box("above", {2.0, high}, {3.0, 2.0})};
+  world.solids = {
+      testing::box("south", {-0.1, -0.1}, {5.1, 0.0}), testing::box("north", {-0.1, 2.0}, {5.1, 2.1}),
+      testing::box("west", {-0.1, 0.0}, {0.0, 2.0}),   testing::box("east", {5.0, 0.0}, {5.1, 2.0}),
+      testing::box("below", {2.0, 0.0}, {3.0, low}),   testing::box("above", {2.0, high}, {3.0, 2.0})};
   world.bounds = {{-0.1, -0.1}, {5.1, 2.1}};
   return world;
 }
@@ -117,8 +114,8 @@ TEST(ExploreHazards, NeverSaysCompleteWhereTheRobotCouldHaveSeenMore) {
 /// A pane in a corridor that the robot cannot turn in once it has touched it: it gets wedged.
 TEST(ExploreHazards, ARobotThatIsWedgedAtAGlassPaneEndsAndSaysSo) {
   World world = rooms(0.9, 1.0);
-  world.solids.push_back(box("glass", {2.4, 0.5}, {2.43, 1.5}, 0.16));  // the laser is at 0.18 m
-  world.solids.push_back(box("screen", {4.0, 0.0}, {4.1, 1.5}));
+  world.solids.push_back(testing::box("glass", {2.4, 0.5}, {2.43, 1.5}, 0.16));  // the laser is at 0.18 m
+  world.solids.push_back(testing::box("screen", {4.0, 0.0}, {4.1, 1.5}));
   ASSERT_FALSE(reaches(world, burger().radius_m, {4.5, 1.0}));
   const auto run = explored(world, burger().radius_m, 1);
   ASSERT_TRUE(run);
@@ -131,8 +128,8 @@ TEST(ExploreHazards, ARobotThatIsWedgedAtAGlassPaneEndsAndSaysSo) {
 
 TEST(ExploreHazards, DrivesAroundATableBelowItsLaserAndIsDone) {
   World world = rooms(1.8, 1.0);
-  world.solids.push_back(box("table", {1.3, 0.8}, {1.6, 1.2}, 0.15));
-  world.solids.push_back(box("screen", {4.0, 0.0}, {4.1, 1.4}));
+  world.solids.push_back(testing::box("table", {1.3, 0.8}, {1.6, 1.2}, 0.15));
+  world.solids.push_back(testing::box("screen", {4.0, 0.0}, {4.1, 1.4}));
   const auto run = explored(world, burger().radius_m, 2);
   ASSERT_TRUE(run);
   EXPECT_EQ(run->report.status, "done") << run->report.reason;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "box_solid.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/log/motion_messages.hpp"
 #include "outrider/log/ros_sensor_messages.hpp"
@@ -13,18 +14,14 @@
 namespace outrider {
 namespace {
 
-Solid box(const std::string& name, Vec2 low, Vec2 high) {
-  const Vec2 middle = 0.5 * (low + high), half = 0.5 * (high - low);
-  return {name, {{middle.x, middle.y, 0.25}, {}}, BoxShape{{half.x, half.y, 0.25}}};
-}
-
 /// A room of 3 m x 2 m with a screen in it.
-World room() {
+World room_with_screen() {
   World world;
   world.name = "room";
-  world.solids = {box("south", {-0.1, -0.1}, {3.1, 0.0}), box("north", {-0.1, 2.0}, {3.1, 2.1}),
-                  box("west", {-0.1, 0.0}, {0.0, 2.0}), box("east", {3.0, 0.0}, {3.1, 2.0}),
-                  box("screen", {1.5, 0.0}, {1.6, 1.3})};
+  world.solids = {testing::box("south", {-0.1, -0.1}, {3.1, 0.0}),
+                  testing::box("north", {-0.1, 2.0}, {3.1, 2.1}),
+                  testing::box("west", {-0.1, 0.0}, {0.0, 2.0}), testing::box("east", {3.0, 0.0}, {3.1, 2.0}),
+                  testing::box("screen", {1.5, 0.0}, {1.6, 1.3})};
   world.bounds = {{-0.1, -0.1}, {3.1, 2.1}};
   return world;
 }
@@ -37,7 +34,7 @@ ExploreTask task_at(Pose2 start) {
 
 TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
   Log log;
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
+  const auto run = run_explore(room_with_screen(), task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
   ASSERT_TRUE(run) << run.error().sentence;
   EXPECT_EQ(run->report.status, "done") << run->report.reason;
   EXPECT_EQ(run->stop_reason, "complete");
@@ -58,7 +55,7 @@ TEST(ExploreRun, MapsARoomWithItsOwnIdeaOfWhereItIs) {
 
 TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   Log log, watched;
-  const auto one = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log);
+  const auto one = run_explore(room_with_screen(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log);
   int scans = 0;
   double part = 0.0;
   RunWatch watch;
@@ -66,7 +63,7 @@ TEST(ExploreRun, SaysTheSameTwiceWhoeverLooksOn) {
   test::LogRecorder recorder;
   watched.add_sink(recorder);
   const auto two =
-      run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
+      run_explore(room_with_screen(), task_at({{0.5, 0.5}, 1.0}), {}, 4, watched, watch,
                   [&](const Observation&, const ExploreMission&, const SimulatedRobot&) { ++scans; });
   ASSERT_TRUE(one && two);
   watched.remove_sink(recorder);
@@ -84,7 +81,7 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
   watch.stop = source.get_token();
   int scans = 0;
   Log log;
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log, watch,
+  const auto run = run_explore(room_with_screen(), task_at({{0.5, 0.5}, 1.0}), {}, 4, log, watch,
                                [&](const Observation&, const ExploreMission&, const SimulatedRobot&) {
                                  if (++scans == 20) source.request_stop();
                                });
@@ -96,8 +93,8 @@ TEST(ExploreRun, StopsWhenToldAndKeepsWhatItHas) {
 }
 
 TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
-  World open = room();
-  open.solids[3] = box("east", {3.0, 0.0}, {3.1, 1.0});  // of the wall to 2.0
+  World open = room_with_screen();
+  open.solids[3] = testing::box("east", {3.0, 0.0}, {3.1, 1.0});  // of the wall to 2.0
   Log log;
   const auto run = run_explore(open, task_at({{0.5, 0.5}, 1.0}), {}, 3, log);
   ASSERT_TRUE(run) << run.error().sentence;
@@ -110,7 +107,7 @@ TEST(ExploreRun, TurnsBackSoonWhereTheWorldHasNoEndAndNamesTheGap) {
 
 TEST(ExploreRun, TellsTheTimesOfThinking) {
   Log log;
-  const auto run = run_explore(room(), task_at({{0.5, 0.5}, 1.0}), {}, 5, log);
+  const auto run = run_explore(room_with_screen(), task_at({{0.5, 0.5}, 1.0}), {}, 5, log);
   ASSERT_TRUE(run);
   EXPECT_GT(metric(run->report, "max_decision_s"), 0.0);
   EXPECT_GE(metric(run->report, "max_step_s"), metric(run->report, "max_decision_s"));
@@ -118,7 +115,7 @@ TEST(ExploreRun, TellsTheTimesOfThinking) {
 
 TEST(ExploreRun, RefusesAStartInsideAWall) {
   Log log;
-  const auto run = run_explore(room(), task_at({{1.55, 0.5}, 0.0}), {}, 1, log);
+  const auto run = run_explore(room_with_screen(), task_at({{1.55, 0.5}, 0.0}), {}, 1, log);
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, FaultCode::start_blocked);
 }

@@ -1,0 +1,16 @@
+// A text with one part replaced, which it must have.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace outrider::test {
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace outrider::test
