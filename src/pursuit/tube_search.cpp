@@ -5,7 +5,9 @@
 namespace outrider {
 namespace {
 
-constexpr int first_radius = 4;
+constexpr int first_radius = 4;        // cells
+constexpr std::uint64_t much = 200;    // a gain of 1/200 of the cost is worth another tube of that radius
+constexpr int row_overhead = 64;       // cells swept in the time that a row takes in addition
 constexpr std::uint64_t most_cells = std::uint64_t{1} << 24U;  // in memory
 
 }  // namespace
@@ -22,7 +24,7 @@ bool TubeSearch::open(std::span<const Cell> path) {
     const Cell axis = s < path.size() ? path[s] : field_->cell(field_->target[s]);
     const CellBox box = common(boxes_[s], CellBox{axis, axis}.grown(radius_));
     if (box.empty()) break;
-    cells += box.area();
+    cells += static_cast<std::uint64_t>(box.height()) * static_cast<std::uint64_t>(box.width() + row_overhead);
     tube.push_back(box);
   }
   if (cells > most_cells || cells > most_work_ || tube.size() < static_cast<std::size_t>(field_->start_s) + 2)
@@ -43,8 +45,9 @@ std::optional<TimedWay> TubeSearch::next_better(BudgetMeter& meter, std::span<co
       if (!sweep_->advance(meter, cost)) return std::nullopt;
     }
     const auto swept = std::exchange(sweep_, nullptr);
-    if (swept->to_go(field_->start) < cost) return swept->way_from(field_->start);
-    radius_ *= 2;
+    const std::uint64_t found = swept->to_go(field_->start);
+    if (found >= cost || cost - found < cost / much) radius_ *= 2;
+    if (found < cost) return swept->way_from(field_->start);
   }
   return std::nullopt;
 }

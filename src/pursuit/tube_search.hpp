@@ -1,8 +1,8 @@
 // TubeSearch: improves a path by sweeps over the cells near it, in each second.
 //
 // The tube of a radius holds the cells at most so far from where the path is at each second, and then from
-// the target. The cheapest path in it replaces the path, and is the axis of the next tube; when nothing is
-// cheaper, the radius is doubled. Each tube takes a small part of the time of a sweep of all cells, so a good
+// the target. The cheapest path in it replaces the path, and is the axis of the next tube; when it is
+// not much cheaper, the radius is doubled. Each tube takes a small part of the time of a sweep of all cells, so a good
 // path is known soon. Ends after a stated number of cells.
 #pragma once
 
