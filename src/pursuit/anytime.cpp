@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "detour.hpp"
 #include "label_search.hpp"
 #include "outrider/pursuit/miss.hpp"
 #include "price_search.hpp"
@@ -18,16 +19,17 @@ constexpr std::uint64_t label_work_per_cell = 8;  // after this work the sweep t
 // The work of the sweep is known beforehand, in cells. All else is limited by it, so that the sum is never
 // much more than the sweep alone.
 constexpr std::uint64_t cells_per_expansion = 128;  // swept in the time of one expansion
+constexpr std::uint64_t cells_per_label_work = 64;   // and in that of one unit of the search of labels
 constexpr std::uint64_t sweep_at_once = 8;  // so many relaxations: what is swept sooner is swept without any
-constexpr std::uint64_t search_share = 8;   // an eighth of the work for relaxations, and one for labels
-constexpr std::uint64_t tube_share = 16;
+constexpr std::uint64_t search_share = 16;  // 1/16 of the work for relaxations, and as much for labels
+constexpr std::uint64_t tube_share = 32;
 constexpr std::uint64_t least_for_tubes = std::uint64_t{1} << 23U;  // cells swept in a few milliseconds
 constexpr std::uint64_t way_share = 8;  // ways are extracted after eight times the work of extracting one
 
 }  // namespace
 
 struct AnytimePursuit::Search {
-  enum class Stage { unasked, reach, prices, tubes, labels, bound, sweep, proven };
+  enum class Stage { unasked, reach, prices, bound, tubes, labels, sweep, proven };
 
   explicit Search(PursuitProblem asked) : problem(std::move(asked)) {}
 
@@ -160,7 +162,11 @@ bool AnytimePursuit::Search::relax(BudgetMeter& meter) {
   const bool enough = moved_on || (prices->count() + 1) * relaxation_work() > sweep_work / search_share;
   const bool finished = prices->finished() || enough;
   if (finished) prices->keep_best(kept_relaxations);
-  if (finished || prices->count() == 1) begin_tubes(finished ? Stage::labels : Stage::prices);
+  if (finished) {
+    begin_bound();
+  } else if (prices->count() == 1) {
+    begin_tubes(Stage::prices);
+  }
   return true;
 }
 
@@ -184,9 +190,9 @@ bool AnytimePursuit::Search::refine(BudgetMeter& meter) {
 
 void AnytimePursuit::Search::begin_labels() {
   stage = Stage::labels;
-  const std::uint64_t most = sweep_work / search_share / cells_per_expansion;
+  const std::uint64_t most = sweep_work / search_share / cells_per_label_work;
   labels = std::make_unique<LabelSearch>(*field, prices->relaxations(), best->cost - paid,
-                                         std::min(8 * most, label_work_per_cell * reach->size()));
+                                         std::min(most, label_work_per_cell * reach->size()));
 }
 
 /// Switches to the sweep if there are too many labels.
@@ -197,26 +203,28 @@ bool AnytimePursuit::Search::search_labels(BudgetMeter& meter) {
   if (way) offer(*way);
   raise(paid + labels->lower_bound());
   if (!labels->gave_up()) return way || labels->exhausted();
-  begin_bound();
+  begin_sweep();
   return true;
 }
 
 void AnytimePursuit::Search::begin_bound() {
   stage = Stage::bound;
-  labels.reset();
   forward = std::make_unique<ForwardBound>(*field, reach->cells, field->start, field->start_s, paid,
-                                           prices->best_price());
-  prices.reset();
+                                           prices->best().price());
 }
 
+/// Bounds the way to each cell, which also shows where it is best to wait.
 bool AnytimePursuit::Search::bound_from_start(BudgetMeter& meter) {
   if (!forward->run(meter)) return false;
-  begin_sweep();
+  if (const auto way = best_detour(*field, *forward, prices->best())) offer(*way);
+  begin_tubes(Stage::labels);
   return true;
 }
 
 void AnytimePursuit::Search::begin_sweep() {
   stage = Stage::sweep;
+  labels.reset();
+  prices.reset();
   sweep = full_sweep(*map, boxes, forward.get());
 }
 
@@ -255,7 +263,8 @@ bool AnytimePursuit::Search::keep_to(int second) {
   field->start_s = start_s;
   field->start = field->index(best->path[static_cast<std::size_t>(start_s)]);
   if (stage == Stage::tubes) begin_tubes(after_tubes);
-  if (stage == Stage::labels) begin_bound();
+  if (stage == Stage::bound) begin_bound();
+  if (stage == Stage::labels) begin_sweep();
   return true;
 }
 

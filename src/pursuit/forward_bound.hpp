@@ -27,6 +27,17 @@ class ForwardBound {
   /// Continues the flood. Returns false if the budget ended first.
   bool run(BudgetMeter& meter);
 
+  [[nodiscard]] bool reached(CellIndex cell) const { return bound_[cell] != unreachable; }
+  /// Returns the number of steps of the way to a reached cell.
+  [[nodiscard]] int steps(CellIndex cell) const { return steps_[cell]; }
+  /// Returns the cost of these steps.
+  [[nodiscard]] std::uint64_t cost(CellIndex cell) const {
+    const std::int64_t parts = static_cast<std::int64_t>(bound_[cell] - bound_[from_]) + price_ * steps_[cell];
+    return static_cast<std::uint64_t>(parts / price_parts);
+  }
+  /// Returns the cell before a reached one on its way; it must not be the first.
+  [[nodiscard]] CellIndex before(CellIndex cell) const { return before_[cell]; }
+
   /// Returns true if a catch of less than `best` may lead through the cell at that second, for `to_go`
   /// from there on.
   [[nodiscard]] bool allows(CellIndex cell, int second, std::uint64_t to_go, std::uint64_t best) const {
@@ -38,10 +49,13 @@ class ForwardBound {
 
  private:
   const PursuitField* field_;
+  CellIndex from_;
   int from_s_;
   std::int64_t price_;
   CellSet open_;                      // reached by the robot, and not yet by the flood
   std::vector<std::uint64_t> bound_;  // in parts, at second from_s_
+  std::vector<int> steps_;
+  std::vector<CellIndex> before_;
   RadixQueue<Ties::oldest_first> queue_;  // cells by what is paid on leaving them
 };
 

@@ -67,11 +67,11 @@ void PriceSearch::keep_best(std::size_t most) {
   if (relaxations_.size() > most) relaxations_.resize(most);
 }
 
-std::int64_t PriceSearch::best_price() const {
+const Relaxation& PriceSearch::best() const {
   const auto best = std::max_element(relaxations_.begin(), relaxations_.end(), [&](const auto& a, const auto& b) {
     return a->bound(field_->start, field_->start_s) < b->bound(field_->start, field_->start_s);
   });
-  return (*best)->price();
+  return **best;
 }
 
 }  // namespace outrider

@@ -37,8 +37,8 @@ class PriceSearch {
   /// bounds, up to that number.
   void keep_best(std::size_t most);
   [[nodiscard]] Relaxations relaxations() const { return relaxations_; }
-  /// Returns the price with the best bound so far.
-  [[nodiscard]] std::int64_t best_price() const;
+  /// Returns the relaxation with the best bound so far.
+  [[nodiscard]] const Relaxation& best() const;
 
  private:
   /// The relaxed cost of a path as a linear function of the price of a second that it has left (or lacks).

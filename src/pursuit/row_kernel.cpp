@@ -40,7 +40,7 @@ template <int bytes, class Cost>
     a = a < b ? a : b;
     a = a < c ? a : c;
     a += paid;
-    a = a < most ? a : most;
+    a = most < a ? most : a;
     std::memcpy(to_go + x, &a, sizeof a);
   }
 }

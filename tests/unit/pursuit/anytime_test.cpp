@@ -119,10 +119,8 @@ TEST(AnytimePursuit, ARobotThatGoesOnMeanwhileStillGetsTheCheapestRest) {
 
 TEST(AnytimePursuit, OnASmoothMapTheCatchGetsCheaperStepByStep) {
   testing::SmoothPursuit of;
-  of.side = 400;
-  of.seconds = 1500;
-  of.least = 40;
-  of.walk = testing::Walk::round;
+  of.side = 500;
+  of.seconds = 800;
   AnytimePursuit search(testing::smooth_pursuit(of));
   std::vector<std::uint64_t> costs;
   while (!search.proven()) {
