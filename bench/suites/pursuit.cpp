@@ -181,7 +181,8 @@ std::string table_text(const std::vector<PursuitRow>& rows) {
 
 Outcome<BenchResult> measure_pursuit(const PursuitRequest& request, const BenchObserver& observer) {
   if (request.smooth) return measure_smooth_pursuit(observer);
-  if (request.data.empty()) return bad_input("missing; give a folder with pursuit maps, or --smooth", "--data");
+  if (request.data.empty())
+    return bad_input("missing; give a folder with pursuit maps, or --smooth", "--data");
   auto maps = find_maps(request);
   if (!maps) return pass_on(maps);
   auto planners = chosen_planners(request);

@@ -46,7 +46,9 @@ std::vector<SmoothPursuit> smooth_maps() {
 }
 
 std::string name_of(const SmoothPursuit& map) {
-  const std::string_view walk = map.walk == Walk::wander ? "wander" : map.walk == Walk::round ? "round" : "late";
+  const std::string_view walk = map.walk == Walk::wander  ? "wander"
+                                : map.walk == Walk::round ? "round"
+                                                          : "late";
   return fmt::format("{} {}, {} s", walk, map.side, map.seconds);
 }
 
@@ -97,8 +99,9 @@ nlohmann::ordered_json row_json(const SmoothRow& row) {
 }
 
 std::string table_text(const std::vector<SmoothRow>& rows) {
-  std::string text = fmt::format("  {:<22} {:>12} {:>9} {:>6} {:>10} {:>10} {:>8} {:>12}\n", "map", "programme ms",
-                                 "proof ms", "ratio", "first", "least", "catches", "expansions");
+  std::string text =
+      fmt::format("  {:<22} {:>12} {:>9} {:>6} {:>10} {:>10} {:>8} {:>12}\n", "map", "programme ms",
+                  "proof ms", "ratio", "first", "least", "catches", "expansions");
   for (const SmoothRow& row : rows) {
     if (row.catches.empty()) continue;
     text += fmt::format("  {:<22} {:>12.1f} {:>9.1f} {:>6.2f} {:>10} {:>10} {:>8} {:>12}\n", row.map,

@@ -19,11 +19,11 @@ constexpr std::uint64_t label_work_per_cell = 8;  // after this work the sweep t
 // The work of the sweep is known beforehand, in cells. All else is limited by it, so that the sum is never
 // much more than the sweep alone.
 constexpr std::uint64_t cells_per_expansion = 128;  // swept in the time of one expansion
-constexpr std::uint64_t cells_per_label_work = 64;   // and in that of one unit of the search of labels
+constexpr std::uint64_t cells_per_label_work = 64;  // and in that of one unit of the search of labels
 constexpr std::uint64_t sweep_at_once = 8;  // so many relaxations: what is swept sooner is swept without any
 constexpr std::uint64_t search_share = 16;  // 1/16 of the work for relaxations, and as much for labels
 constexpr std::uint64_t tube_share = 32;
-constexpr std::uint64_t least_for_tubes = std::uint64_t{1} << 23U;  // cells swept in a few milliseconds
+constexpr std::uint64_t least_for_tubes = std::uint64_t{1} << 27U;  // cells swept in some 40 ms
 constexpr std::uint64_t way_share = 8;  // ways are extracted after eight times the work of extracting one
 
 }  // namespace
@@ -109,7 +109,8 @@ void AnytimePursuit::Search::offer(const TimedWay& way) {
 /// Returns the cost of the best catch from that second on, which it reaches.
 std::uint64_t AnytimePursuit::Search::cost_ahead(std::size_t second) const {
   std::uint64_t cost = 0;
-  for (std::size_t s = second; s + 1 < best->path.size(); ++s) cost += field->costs[field->index(best->path[s])];
+  for (std::size_t s = second; s + 1 < best->path.size(); ++s)
+    cost += field->costs[field->index(best->path[s])];
   return cost;
 }
 
@@ -259,7 +260,8 @@ bool AnytimePursuit::Search::keep_to(int second) {
   if (!best || static_cast<std::size_t>(start_s) + 1 >= best->path.size()) return false;
   if (start_s <= field->start_s) return true;
   moved_on = true;
-  paid += cost_ahead(static_cast<std::size_t>(field->start_s)) - cost_ahead(static_cast<std::size_t>(start_s));
+  paid +=
+      cost_ahead(static_cast<std::size_t>(field->start_s)) - cost_ahead(static_cast<std::size_t>(start_s));
   field->start_s = start_s;
   field->start = field->index(best->path[static_cast<std::size_t>(start_s)]);
   if (stage == Stage::tubes) begin_tubes(after_tubes);

@@ -113,21 +113,23 @@ class FullSweep final : public BackwardSweep {
   int distance_;  // of kept layers
   int last_;      // second of the first layer kept
   int second_;
-  int group_ = 0;            // seconds that are swept next
-  std::uint64_t owed_ = 0;   // expansions to pay for them
-  std::uint64_t work_ = 0;   // cells swept
+  int group_ = 0;           // seconds that are swept next
+  std::uint64_t owed_ = 0;  // expansions to pay for them
+  std::uint64_t work_ = 0;  // cells swept
   std::vector<Cost, AlignedAllocator<Cost>> to_go_;
   std::vector<RowWindow<Cost>> windows_;
-  std::vector<BlockSpan> cut_;    // of the present layer
-  std::vector<BlockSpan> spans_;  // of the group
-  CellBox rows_;                  // from the lowest row with a span to the highest
+  std::vector<BlockSpan> cut_;           // of the present layer
+  std::vector<BlockSpan> spans_;         // of the group
+  CellBox rows_;                         // from the lowest row with a span to the highest
   std::vector<StoredLayer<Cost>> kept_;  // of last_, last_ - distance_, ...
 };
 
 template <class Cost>
 void FullSweep<Cost>::prepare_group() {
   group_ = 0;
-  while (group_ < seconds_at_once && group_ < second_ - map_->field->start_s && !box(second_ - group_ - 1).empty()) ++group_;
+  while (group_ < seconds_at_once && group_ < second_ - map_->field->start_s &&
+         !box(second_ - group_ - 1).empty())
+    ++group_;
   const CellBox map = map_->field->box();
   for (int s = second_ - group_; s < second_; ++s) {
     const auto goal = map_->goal(s);
@@ -137,10 +139,12 @@ void FullSweep<Cost>::prepare_group() {
   for (int y = low; y <= high; ++y) {
     BlockSpan span;
     for (int k = y - group_; k <= y + group_; ++k) span = around(span, cut_[at(k)]);
-    if (!span.empty()) span = {std::max(0, span.low - growth<Cost>), std::min(map_->blocks - 1, span.high + growth<Cost>)};
+    if (!span.empty())
+      span = {std::max(0, span.low - growth<Cost>), std::min(map_->blocks - 1, span.high + growth<Cost>)};
     spans_[at(y)] = span;
     if (!span.empty()) owed_ += static_cast<std::uint64_t>(group_);
-    work_ += static_cast<std::uint64_t>(span.high - span.low + 1) * row_block<Cost> * static_cast<std::uint64_t>(group_);
+    work_ += static_cast<std::uint64_t>(span.high - span.low + 1) * row_block<Cost> *
+             static_cast<std::uint64_t>(group_);
   }
   rows_.low.y = low;
   rows_.high.y = high;
@@ -187,7 +191,8 @@ bool FullSweep<Cost>::matters(int block, int y, std::uint64_t best) const {
     if (to_go == no_catch<Cost>) continue;
     const auto rest = static_cast<std::uint64_t>(to_go);
     const std::uint64_t before = std::uint64_t{map_->field->cheapest} * static_cast<std::uint64_t>(second_);
-    if (bound_ == nullptr ? rest + before < best : bound_->allows(map_->field->index({x, y}), second_, rest, best))
+    if (bound_ == nullptr ? rest + before < best
+                          : bound_->allows(map_->field->index({x, y}), second_, rest, best))
       return true;
   }
   return false;
@@ -252,11 +257,15 @@ template <class Cost>
 class StoredSweep final : public BackwardSweep {
  public:
   StoredSweep(const SweepMap<Cost>& map, std::vector<CellBox> boxes)
-      : map_(&map), boxes_(std::move(boxes)), layers_(boxes_.size()), second_(static_cast<int>(boxes_.size())) {
+      : map_(&map),
+        boxes_(std::move(boxes)),
+        layers_(boxes_.size()),
+        second_(static_cast<int>(boxes_.size())) {
     settle();
   }
   bool advance(BudgetMeter& meter, std::uint64_t) override {
-    if (owed_ == 0) owed_ = static_cast<std::uint64_t>(boxes_[static_cast<std::size_t>(second_ - 1)].height());
+    if (owed_ == 0)
+      owed_ = static_cast<std::uint64_t>(boxes_[static_cast<std::size_t>(second_ - 1)].height());
     if (!pay(owed_, meter)) return false;
     settle();
     return true;

@@ -3,7 +3,8 @@
 // The least cost to go from a cell at second t is 0 where the target is, and otherwise the cost of the cell
 // plus the least over the cell and its neighbours at t + 1. When the sweep has come to second t, it knows the
 // cheapest end of every path from t on, wherever the robot is: a known path can be improved from t on, and a
-// robot that goes on meanwhile loses nothing of what is known. O(sum of the boxes), 32 bytes of a row at once.
+// robot that goes on meanwhile loses nothing of what is known. O(sum of the boxes), 32 bytes of a row at
+// once.
 #pragma once
 
 #include <memory>

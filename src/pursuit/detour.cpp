@@ -46,7 +46,8 @@ std::optional<TimedWay> best_detour(const PursuitField& field, const ForwardBoun
     const Rest& rest = find_rest(field, backward, i, rests);
     const int waits = rest.second - field.start_s - forward.steps(i) - rest.steps;
     if (waits < 0) continue;
-    const std::uint64_t cost = forward.cost(i) + rest.cost + static_cast<std::uint64_t>(waits) * field.costs[i];
+    const std::uint64_t cost =
+        forward.cost(i) + rest.cost + static_cast<std::uint64_t>(waits) * field.costs[i];
     best = std::min(best, {cost, i});
   }
   if (best.first == unreachable) return std::nullopt;

@@ -29,9 +29,7 @@ struct CellBox {
   [[nodiscard]] bool has(Cell c) const {
     return c.x >= low.x && c.y >= low.y && c.x <= high.x && c.y <= high.y;
   }
-  [[nodiscard]] CellBox grown(int by) const {
-    return {{low.x - by, low.y - by}, {high.x + by, high.y + by}};
-  }
+  [[nodiscard]] CellBox grown(int by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
 };
 
 inline constexpr std::uint64_t unreachable = std::numeric_limits<std::uint64_t>::max();

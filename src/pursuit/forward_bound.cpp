@@ -14,7 +14,8 @@ ForwardBound::ForwardBound(const PursuitField& field, const CellSet& reached, Ce
       before_(field.size(), 0) {
   open_.remove(from);
   bound_[from] = static_cast<std::uint64_t>(price_parts) * paid;
-  queue_.push(bound_[from] + static_cast<std::uint64_t>(price_parts * std::int64_t{field.costs[from]} - price), from);
+  queue_.push(
+      bound_[from] + static_cast<std::uint64_t>(price_parts * std::int64_t{field.costs[from]} - price), from);
 }
 
 bool ForwardBound::run(BudgetMeter& meter) {
@@ -26,7 +27,8 @@ bool ForwardBound::run(BudgetMeter& meter) {
       bound_[n] = left;
       steps_[n] = steps_[cell] + 1;
       before_[n] = cell;
-      queue_.push(left + static_cast<std::uint64_t>(price_parts * std::int64_t{field_->costs[n]} - price_), n);
+      queue_.push(left + static_cast<std::uint64_t>(price_parts * std::int64_t{field_->costs[n]} - price_),
+                  n);
     });
   }
   return true;

@@ -32,7 +32,8 @@ class ForwardBound {
   [[nodiscard]] int steps(CellIndex cell) const { return steps_[cell]; }
   /// Returns the cost of these steps.
   [[nodiscard]] std::uint64_t cost(CellIndex cell) const {
-    const std::int64_t parts = static_cast<std::int64_t>(bound_[cell] - bound_[from_]) + price_ * steps_[cell];
+    const std::int64_t parts =
+        static_cast<std::int64_t>(bound_[cell] - bound_[from_]) + price_ * steps_[cell];
     return static_cast<std::uint64_t>(parts / price_parts);
   }
   /// Returns the cell before a reached one on its way; it must not be the first.

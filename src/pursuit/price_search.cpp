@@ -68,9 +68,10 @@ void PriceSearch::keep_best(std::size_t most) {
 }
 
 const Relaxation& PriceSearch::best() const {
-  const auto best = std::max_element(relaxations_.begin(), relaxations_.end(), [&](const auto& a, const auto& b) {
-    return a->bound(field_->start, field_->start_s) < b->bound(field_->start, field_->start_s);
-  });
+  const auto best =
+      std::max_element(relaxations_.begin(), relaxations_.end(), [&](const auto& a, const auto& b) {
+        return a->bound(field_->start, field_->start_s) < b->bound(field_->start, field_->start_s);
+      });
   return **best;
 }
 

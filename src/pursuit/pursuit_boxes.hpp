@@ -23,13 +23,14 @@ inline CellBox common(const CellBox& a, const CellBox& b) {
 /// Returns the smallest box around both; `a` may be empty.
 inline CellBox around(const CellBox& a, Cell c) {
   if (a.empty()) return {c, c};
-  return {{std::min(a.low.x, c.x), std::min(a.low.y, c.y)}, {std::max(a.high.x, c.x), std::max(a.high.y, c.y)}};
+  return {{std::min(a.low.x, c.x), std::min(a.low.y, c.y)},
+          {std::max(a.high.x, c.x), std::max(a.high.y, c.y)}};
 }
 
 /// Returns the box of each second from 0 to the last of `catches`, which are the seconds of possible catches
 /// in order. The robot is in cell `from` at second `from_s`; boxes of earlier seconds are empty.
-inline std::vector<CellBox> pursuit_boxes(const PursuitField& field, std::span<const int> catches, CellIndex from,
-                                          int from_s) {
+inline std::vector<CellBox> pursuit_boxes(const PursuitField& field, std::span<const int> catches,
+                                          CellIndex from, int from_s) {
   const CellBox map = field.box();
   const Cell start = field.cell(from);
   std::vector<CellBox> boxes(static_cast<std::size_t>(catches.back()) + 1);

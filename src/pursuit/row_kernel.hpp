@@ -2,8 +2,8 @@
 //
 // The least cost to go from a cell at second t is its own cost plus the least over the cell and its
 // neighbours at second t + 1. The minimum of nine is taken as a minimum of three in x, then of three in y.
-// Each loop is compiled twice: for any processor, 16 bytes at once, and for those with AVX2, 32 bytes at once.
-// Both compute the same integers.
+// Each loop is compiled twice: for any processor, 16 bytes at once, and for those with AVX2, 32 bytes at
+// once. Both compute the same integers.
 #pragma once
 
 #include <cstddef>

@@ -5,9 +5,9 @@
 namespace outrider {
 namespace {
 
-constexpr int first_radius = 4;        // cells
-constexpr std::uint64_t much = 200;    // a gain of 1/200 of the cost is worth another tube of that radius
-constexpr int row_overhead = 64;       // cells swept in the time that a row takes in addition
+constexpr int first_radius = 4;      // cells
+constexpr std::uint64_t much = 200;  // a gain of 1/200 of the cost is worth another tube of that radius
+constexpr int row_overhead = 64;     // cells swept in the time that a row takes in addition
 constexpr std::uint64_t most_cells = std::uint64_t{1} << 24U;  // in memory
 
 }  // namespace
@@ -24,7 +24,8 @@ bool TubeSearch::open(std::span<const Cell> path) {
     const Cell axis = s < path.size() ? path[s] : field_->cell(field_->target[s]);
     const CellBox box = common(boxes_[s], CellBox{axis, axis}.grown(radius_));
     if (box.empty()) break;
-    cells += static_cast<std::uint64_t>(box.height()) * static_cast<std::uint64_t>(box.width() + row_overhead);
+    cells +=
+        static_cast<std::uint64_t>(box.height()) * static_cast<std::uint64_t>(box.width() + row_overhead);
     tube.push_back(box);
   }
   if (cells > most_cells || cells > most_work_ || tube.size() < static_cast<std::size_t>(field_->start_s) + 2)

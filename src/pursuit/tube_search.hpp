@@ -2,8 +2,8 @@
 //
 // The tube of a radius holds the cells at most so far from where the path is at each second, and then from
 // the target. The cheapest path in it replaces the path, and is the axis of the next tube; when it is
-// not much cheaper, the radius is doubled. Each tube takes a small part of the time of a sweep of all cells, so a good
-// path is known soon. Ends after a stated number of cells.
+// not much cheaper, the radius is doubled. Each tube takes a small part of the time of a sweep of all cells,
+// so a good path is known soon. Ends after a stated number of cells.
 #pragma once
 
 #include <memory>
@@ -22,8 +22,8 @@ class TubeSearch {
              std::uint64_t most_work);
 
   /// Continues to a way from the start for less than `cost`, which is the cost of `path` from there. `path`
-  /// has a cell for each second, and is that of the last way found. Returns nothing if the search is exhausted
-  /// or the budget ended.
+  /// has a cell for each second, and is that of the last way found. Returns nothing if the search is
+  /// exhausted or the budget ended.
   std::optional<TimedWay> next_better(BudgetMeter& meter, std::span<const Cell> path, std::uint64_t cost);
 
   [[nodiscard]] bool exhausted() const { return exhausted_; }

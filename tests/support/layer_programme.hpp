@@ -111,7 +111,9 @@ class LayerProgramme {
   void pass_second(const Box& box) {
     if (box.right < box.left || box.high < box.low) return;
     const int width = box.right - box.left + 1;
-    const auto row = [&](int y) { return rows_.data() + static_cast<std::size_t>(1 + (y + 3) % 3) * stride_; };
+    const auto row = [&](int y) {
+      return rows_.data() + static_cast<std::size_t>(1 + (y + 3) % 3) * stride_;
+    };
     const auto take = [&](int y) {
       const std::size_t first = index({box.left - 1, y});
       programme_row(paid_.data() + first, cost_.data() + first, rows_.data(), row(y), width, most);

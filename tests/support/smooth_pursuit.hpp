@@ -40,8 +40,9 @@ inline CostGrid smooth_costs(const SmoothPursuit& of, Rng& rng) {
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const Cell c = frame.cell(i);
       const int x = c.x / wide, y = c.y / wide, right = c.x % wide, up = c.y % wide;
-      sums[i] += share * ((value(x, y) * (wide - right) + value(x + 1, y) * right) * (wide - up) +
-                          (value(x, y + 1) * (wide - right) + value(x + 1, y + 1) * right) * up) /
+      sums[i] += share *
+                 ((value(x, y) * (wide - right) + value(x + 1, y) * right) * (wide - up) +
+                  (value(x, y + 1) * (wide - right) + value(x + 1, y + 1) * right) * up) /
                  (wide * wide);
     }
     share = 1;

@@ -11,8 +11,8 @@
 // decreases. With budgets of expansions alone, the same calls give the same answers. The first catch is the
 // earliest one; it takes one flood of the cells that are as near. Methods and memory are those of
 // optimal.hpp. Limits of wall time hold except while the map is prepared and while the path of the last step
-// is extracted. keep_to() is for a robot that goes on meanwhile. To plan from a place elsewhere, construct a new
-// search from the problem with that cell and that second.
+// is extracted. keep_to() is for a robot that goes on meanwhile. To plan from a place elsewhere, construct a
+// new search from the problem with that cell and that second.
 #pragma once
 
 #include <memory>

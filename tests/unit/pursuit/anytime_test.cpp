@@ -120,7 +120,8 @@ TEST(AnytimePursuit, ARobotThatGoesOnMeanwhileStillGetsTheCheapestRest) {
 TEST(AnytimePursuit, OnASmoothMapTheCatchGetsCheaperStepByStep) {
   testing::SmoothPursuit of;
   of.side = 500;
-  of.seconds = 800;
+  of.seconds = 1500;
+  of.seed = 2;
   AnytimePursuit search(testing::smooth_pursuit(of));
   std::vector<std::uint64_t> costs;
   while (!search.proven()) {

@@ -14,7 +14,8 @@ template <class Cost>
 std::vector<Cost> random_row(Rng& rng, int count) {
   std::vector<Cost> row(static_cast<std::size_t>(count + 2 + 2 * row_block<Cost>));
   for (Cost& cost : row)
-    cost = rng.below(4) == 0 ? no_catch<Cost> : static_cast<Cost>(rng.below(static_cast<std::uint64_t>(no_catch<Cost>)));
+    cost = rng.below(4) == 0 ? no_catch<Cost>
+                             : static_cast<Cost>(rng.below(static_cast<std::uint64_t>(no_catch<Cost>)));
   return row;
 }
 
@@ -30,7 +31,8 @@ void expect_right(Processor processor) {
     kernel.settle(row.data(), other.data(), third.data(), cost.data(), to_go.data(), count);
     for (std::size_t x = 0; x < static_cast<std::size_t>(count); ++x) {
       EXPECT_EQ(least[x], std::min({row[x], row[x + 1], row[x + 2]}));
-      EXPECT_EQ(to_go[x], std::min(no_catch<Cost>, static_cast<Cost>(cost[x] + std::min({row[x], other[x], third[x]}))));
+      EXPECT_EQ(to_go[x], std::min(no_catch<Cost>,
+                                   static_cast<Cost>(cost[x] + std::min({row[x], other[x], third[x]}))));
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "outrider/sim/simulated_team.hpp"
 #include "support/pursuit_oracle.hpp"
+#include "support/smooth_pursuit.hpp"
 
 namespace outrider {
 namespace {
@@ -51,6 +52,27 @@ TEST(PursuitMission, TheRobotWaitsWhileItsFirstAnswerIsThoughtOf) {
   EXPECT_EQ(cells[1], (Cell{0, 0}));
   EXPECT_TRUE(mission.run.state.caught);
   EXPECT_EQ(mission.run.state.time_s, static_cast<int>(cells.size()));
+}
+
+TEST(PursuitMission, TheSearchIsKeptFromCallToCallWhileTheRobotGoesOn) {
+  testing::SmoothPursuit of;
+  of.side = 60;
+  of.seconds = 400;
+  of.least = 40;
+  const PursuitProblem problem = testing::smooth_pursuit(of);
+  AnytimePursuit whole(problem);
+  while (!whole.proven()) ASSERT_TRUE(whole.improve(Budget{}));
+
+  PursuitRules rules;
+  rules.clock = PursuitClock::wall;
+  rules.budget.expansions = 1000;  // of each improvement; a call ends with the first that finds nothing
+  SteadyWatch watch;
+  watch.each_s = 1.6;
+  PursuitMission mission(problem, problem.target.size(), rules, watch);
+  (void)commanded(mission, problem);
+  EXPECT_TRUE(mission.run.state.caught);
+  ASSERT_GT(mission.run.calls, 5) << "it is no test if one call is enough";
+  EXPECT_LE(mission.run.expansions, whole.counters().expansions) << "it began again";
 }
 
 TEST(PursuitMission, AFaultOfTheFirstCallEndsItWithoutACommand) {
