@@ -55,24 +55,28 @@ TEST(PursuitMission, TheRobotWaitsWhileItsFirstAnswerIsThoughtOf) {
 }
 
 TEST(PursuitMission, TheSearchIsKeptFromCallToCallWhileTheRobotGoesOn) {
-  testing::SmoothPursuit of;
-  of.side = 60;
-  of.seconds = 400;
-  of.least = 40;
-  const PursuitProblem problem = testing::smooth_pursuit(of);
-  AnytimePursuit whole(problem);
-  while (!whole.proven()) ASSERT_TRUE(whole.improve(Budget{}));
+  int most_calls = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    testing::SmoothPursuit of;
+    of.side = 100;
+    of.seconds = 600;
+    of.seed = seed;
+    const PursuitProblem problem = testing::smooth_pursuit(of);
+    AnytimePursuit whole(problem);
+    while (!whole.proven()) ASSERT_TRUE(whole.improve(Budget{}));
 
-  PursuitRules rules;
-  rules.clock = PursuitClock::wall;
-  rules.budget.expansions = 1000;  // of each improvement; a call ends with the first that finds nothing
-  SteadyWatch watch;
-  watch.each_s = 1.6;
-  PursuitMission mission(problem, problem.target.size(), rules, watch);
-  (void)commanded(mission, problem);
-  EXPECT_TRUE(mission.run.state.caught);
-  ASSERT_GT(mission.run.calls, 5) << "it is no test if one call is enough";
-  EXPECT_LE(mission.run.expansions, whole.counters().expansions) << "it began again";
+    PursuitRules rules;
+    rules.clock = PursuitClock::wall;
+    rules.budget.expansions = 11'000;  // of each call: enough for a first catch
+    SteadyWatch watch;
+    watch.each_s = 1.6;
+    PursuitMission mission(problem, problem.target.size(), rules, watch);
+    (void)commanded(mission, problem);
+    EXPECT_TRUE(mission.run.state.caught);
+    most_calls = std::max(most_calls, mission.run.calls);
+    EXPECT_LE(mission.run.expansions, whole.counters().expansions * 3 / 2) << "it began again";
+  }
+  EXPECT_GT(most_calls, 3) << "it is no test if one call is enough";
 }
 
 TEST(PursuitMission, AFaultOfTheFirstCallEndsItWithoutACommand) {
