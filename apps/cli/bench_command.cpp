@@ -91,9 +91,9 @@ void add_pursuit_suite(Command& bench) {
   Command& pursuit = bench.add("pursuit", "pursuit planners: cost, time to the first catch, time to proof");
   auto asked = std::make_shared<Asked<bench::PursuitRequest>>();
   bench::PursuitRequest& request = asked->request;
-  pursuit.option("--data", &request.data, "folder with pursuit maps, searched to its depths")
-      .required()
-      .type("DIR");
+  pursuit.option("--data", &request.data, "folder with pursuit maps, searched to its depths").type("DIR");
+  pursuit.flag("--smooth", &request.smooth,
+               "instead: smooth maps of 500 to 1500 cells a side, beside a plain programme over layers");
   add_names(pursuit, "--maps", request.maps, "names of maps, such as map3,map1s; all unless given");
   add_names(pursuit, "--planners", request.planners);
   pursuit.option("--limit", &request.limit_s, "time of each planner on each map [60]")

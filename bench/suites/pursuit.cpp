@@ -12,6 +12,7 @@
 #include "outrider/pursuit/anytime.hpp"
 #include "outrider/pursuit/catalog.hpp"
 #include "outrider/pursuit/check.hpp"
+#include "pursuit_smooth.hpp"
 #include "rows.hpp"
 #include "stopwatch.hpp"
 
@@ -179,6 +180,9 @@ std::string table_text(const std::vector<PursuitRow>& rows) {
 }  // namespace
 
 Outcome<BenchResult> measure_pursuit(const PursuitRequest& request, const BenchObserver& observer) {
+  if (request.smooth) return measure_smooth_pursuit(observer);
+  if (request.data.empty())
+    return bad_input("missing; give a folder with pursuit maps, or --smooth", "--data");
   auto maps = find_maps(request);
   if (!maps) return pass_on(maps);
   auto planners = chosen_planners(request);

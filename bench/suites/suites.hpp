@@ -44,9 +44,10 @@ struct PathRequest {
 Outcome<BenchResult> measure_path(const PathRequest& request, const BenchObserver& observer);
 
 /// Requests a benchmark of pursuit planners on every map of a folder: cost, time to the first catch, time to
-/// proof.
+/// proof. With `smooth`, measures the optimal one on maps made from seeds, beside a plain programme instead.
 struct PursuitRequest {
   std::string data;
+  bool smooth = false;
   std::vector<std::string> maps;
   std::vector<std::string> planners;
   double limit_s = 60.0;  ///< time limit of each planner on each map

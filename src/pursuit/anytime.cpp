@@ -3,78 +3,60 @@
 #include <algorithm>
 #include <utility>
 
+#include "detour.hpp"
 #include "label_search.hpp"
-#include "layered_search.hpp"
 #include "outrider/pursuit/miss.hpp"
+#include "price_search.hpp"
 #include "reach.hpp"
-#include "relaxation.hpp"
+#include "tube_search.hpp"
 
 namespace outrider {
 namespace {
 
-/// Returns the plan along a path. It waits in the first of its cheapest cells, and ends where it meets the
-/// target, even if that is earlier than intended.
-PursuitPlan plan_of(const PursuitProblem& problem, const PursuitField& field,
-                    const std::vector<CellIndex>& cells, int second) {
-  const auto cheapest = std::min_element(
-      cells.begin(), cells.end(), [&](CellIndex a, CellIndex b) { return field.costs[a] < field.costs[b]; });
-  const std::size_t waits = static_cast<std::size_t>(second) + 1 - cells.size();
-  PursuitPlan plan;
-  const auto stay = [&](CellIndex i) {
-    const std::size_t now = plan.path.size();
-    if (now > 1 && field.target[now - 1] == field.index(plan.path.back())) return;  // caught
-    if (now > 0) plan.cost += field.costs[field.index(plan.path.back())];
-    plan.path.push_back(field.cell(i));
-  };
-  for (auto i = cells.begin(); i != cells.end(); ++i) {
-    stay(*i);
-    for (std::size_t k = 0; i == cheapest && k < waits; ++k) stay(*i);
-  }
-  plan.catch_time_s = problem.start_s + static_cast<int>(plan.path.size()) - 1;
-  return plan;
-}
-
-constexpr std::size_t most_relaxations = 12;  // maximum number tried
 constexpr std::size_t kept_relaxations = 4;
-constexpr std::uint64_t label_work_per_cell = 8;             // after this work the layered search takes over
-constexpr std::int64_t most_total = std::int64_t{1} << 61U;  // prices with larger totals are not used
+constexpr std::uint64_t label_work_per_cell = 8;  // after this work the sweep takes over
 
-/// The relaxed cost of a path as a linear function of the price of a second that it has left (or lacks).
-struct Line {
-  std::int64_t cost = 0;
-  std::int64_t slack_s = 0;
-  [[nodiscard]] std::int64_t at(std::int64_t price) const { return cost + price * slack_s; }
-};
-
-/// Returns the price, rounded down, at which the rising line meets the falling one.
-std::int64_t crossing(const Line& rising, const Line& falling) {
-  const std::int64_t apart = rising.cost - falling.cost, run = rising.slack_s - falling.slack_s;
-  return -(apart / run) - (apart % run > 0 ? 1 : 0);
-}
+// The work of the sweep is known beforehand, in cells. All else is limited by it, so that the sum is never
+// much more than the sweep alone.
+constexpr std::uint64_t cells_per_expansion = 128;  // swept in the time of one expansion
+constexpr std::uint64_t cells_per_label_work = 64;  // and in that of one unit of the search of labels
+constexpr std::uint64_t sweep_at_once = 8;  // so many relaxations: what is swept sooner is swept without any
+constexpr std::uint64_t search_share = 16;  // 1/16 of the work for relaxations, and as much for labels
+constexpr std::uint64_t tube_share = 32;
+constexpr std::uint64_t least_for_tubes = std::uint64_t{1} << 27U;  // cells swept in some 40 ms
+constexpr std::uint64_t way_share = 8;  // ways are extracted after eight times the work of extracting one
 
 }  // namespace
 
 struct AnytimePursuit::Search {
-  enum class Stage { unasked, reach, prices, labels, layers, proven };
+  enum class Stage { unasked, reach, prices, bound, tubes, labels, sweep, proven };
 
   explicit Search(PursuitProblem asked) : problem(std::move(asked)) {}
 
   Status begin();
   Status improve(BudgetMeter& meter);
+  bool keep_to(int second);
 
   /// Does a part of the work of the present stage, or of each stage. Returns false if the budget ended first.
   bool work(BudgetMeter& meter);
   bool flood(BudgetMeter& meter);
   bool relax(BudgetMeter& meter);
+  bool refine(BudgetMeter& meter);
   bool search_labels(BudgetMeter& meter);
-  bool search_layers(BudgetMeter& meter);
+  bool bound_from_start(BudgetMeter& meter);
+  bool sweep_layers(BudgetMeter& meter);
 
-  void offer(const std::vector<CellIndex>& cells, int second);
+  void offer(const TimedWay& way);
   void raise(std::uint64_t bound) { lower_bound = std::min(std::max(lower_bound, bound), best->cost); }
-  void raise_parts(std::int64_t parts);
-  [[nodiscard]] Line line_of(const std::vector<CellIndex>& cells, int second) const;
-  void relax_at(std::int64_t price);
-  void search_in_time();
+  void begin_search();
+  void begin_tubes(Stage next);
+  void begin_labels();
+  void begin_bound();
+  void begin_sweep();
+  void extract_way();
+  [[nodiscard]] std::uint64_t cost_ahead(std::size_t second) const;
+  [[nodiscard]] TimedWay best_way() const;
+  [[nodiscard]] std::uint64_t relaxation_work() const { return cells_per_expansion * reach->size(); }
 
   PursuitProblem problem;
   Stage stage = Stage::unasked;
@@ -84,29 +66,59 @@ struct AnytimePursuit::Search {
   PursuitCounters counters;
 
   std::unique_ptr<PursuitField> field;
+  std::uint64_t paid = 0;  // from the beginning to the start of the field
+  bool moved_on = false;   // the start is no longer the first cell
   std::unique_ptr<Reach> reach;
-  std::unique_ptr<Relaxation> running;
-  std::vector<std::unique_ptr<Relaxation>> relaxations;  // relaxations that have run
-  Line in_time, too_late;                                // the latest relaxed ways of either kind
+  std::vector<CellBox> boxes;
+  std::uint64_t sweep_work = 0;
+  std::optional<AnySweepMap> map;
+  std::unique_ptr<PriceSearch> prices;
+  std::unique_ptr<TubeSearch> tubes;
+  Stage after_tubes = Stage::sweep;
   std::unique_ptr<LabelSearch> labels;
-  std::unique_ptr<LayeredSearch> layers;
+  std::unique_ptr<ForwardBound> forward;
+  std::unique_ptr<BackwardSweep> sweep;
+  std::uint64_t extracted_at = 0;  // work of the sweep when a way was last extracted
 };
 
-void AnytimePursuit::Search::offer(const std::vector<CellIndex>& cells, int second) {
-  PursuitPlan plan = plan_of(problem, *field, cells, second);
+/// Takes the plan along a way if it is cheaper. It waits in the first of the cheapest cells of the way, and
+/// ends where it meets the target, even if that is earlier than intended.
+void AnytimePursuit::Search::offer(const TimedWay& way) {
+  const auto cheapest = std::min_element(way.cells.begin(), way.cells.end(), [&](CellIndex a, CellIndex b) {
+    return field->costs[a] < field->costs[b];
+  });
+  const std::size_t waits = static_cast<std::size_t>(way.second - field->start_s) + 1 - way.cells.size();
+  PursuitPlan plan;
+  plan.cost = paid;
+  if (field->start_s > 0) plan.path.assign(best->path.begin(), best->path.begin() + field->start_s);
+  const auto begun = plan.path.size();
+  const auto stay = [&](CellIndex i) {
+    const std::size_t now = plan.path.size();
+    if (now > begun + 1 && field->target[now - 1] == field->index(plan.path.back())) return;  // caught
+    if (now > begun) plan.cost += field->costs[field->index(plan.path.back())];
+    plan.path.push_back(field->cell(i));
+  };
+  for (auto i = way.cells.begin(); i != way.cells.end(); ++i) {
+    stay(*i);
+    for (std::size_t k = 0; i == cheapest && k < waits; ++k) stay(*i);
+  }
+  plan.catch_time_s = problem.start_s + static_cast<int>(plan.path.size()) - 1;
   if (!best || plan.cost < best->cost) best = std::move(plan);
 }
 
-void AnytimePursuit::Search::raise_parts(std::int64_t parts) {
-  raise(static_cast<std::uint64_t>(std::max<std::int64_t>(0, parts + price_parts - 1) / price_parts));
+/// Returns the cost of the best catch from that second on, which it reaches.
+std::uint64_t AnytimePursuit::Search::cost_ahead(std::size_t second) const {
+  std::uint64_t cost = 0;
+  for (std::size_t s = second; s + 1 < best->path.size(); ++s)
+    cost += field->costs[field->index(best->path[s])];
+  return cost;
 }
 
-Line AnytimePursuit::Search::line_of(const std::vector<CellIndex>& cells, int second) const {
-  Line line;
-  for (std::size_t i = 0; i + 1 < cells.size(); ++i)
-    line.cost += price_parts * std::int64_t{field->costs[cells[i]]};
-  line.slack_s = second - static_cast<std::int64_t>(cells.size() - 1);
-  return line;
+TimedWay AnytimePursuit::Search::best_way() const {
+  TimedWay way{{}, static_cast<int>(best->path.size()) - 1};
+  for (auto at = best->path.begin() + field->start_s; at != best->path.end(); ++at)
+    way.cells.push_back(field->index(*at));
+  return way;
 }
 
 /// Finds the earliest catch, then all other seconds in which a catch may be cheaper.
@@ -118,9 +130,7 @@ bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
   };
   if (!best) {
     const int second = reach->catches.front();
-    const std::vector<CellIndex> way = reach->path_to(field->target[static_cast<std::size_t>(second)]);
-    offer(way, second);
-    in_time = line_of(way, second);
+    offer({reach->path_to(field->target[static_cast<std::size_t>(second)]), second});
     earliest_s = problem.start_s + second;
     raise(least_cost(second, field->cheapest));
     return true;
@@ -130,76 +140,143 @@ bool AnytimePursuit::Search::flood(BudgetMeter& meter) {
   while (reach->catches.size() > 1 && least_cost(reach->catches.back(), reach->cheapest) >= best->cost) {
     reach->catches.pop_back();
   }
-  relax_at(price_parts * std::int64_t{reach->cheapest});
+  begin_search();
   return true;
 }
 
-/// Maximises the concave, piecewise linear dual function: evaluates it at the price where the lines of the
-/// best path in time and of the best late path meet, until neither improves.
-bool AnytimePursuit::Search::relax(BudgetMeter& meter) {
-  if (!running->run(meter)) return false;
-  const std::int64_t parts = running->bound(field->start, 0);
-  const TimedWay way = running->way();
-  const Line line = line_of(way.cells, way.second);
-  const bool first = relaxations.empty();
-  const bool tight = !first && std::min(in_time.at(running->price()), too_late.at(running->price())) <= parts;
-  raise_parts(parts);
-  relaxations.push_back(std::move(running));
-  if (line.slack_s >= 0) offer(way.cells, way.second);
-  (line.slack_s >= 0 ? in_time : too_late) = line;
-  if (tight || (first && line.slack_s >= 0) || relaxations.size() == most_relaxations) {
-    search_in_time();
-  } else {
-    relax_at(std::min(crossing(in_time, too_late), relaxations.front()->price()));
-  }
-  return true;
-}
-
-void AnytimePursuit::Search::relax_at(std::int64_t price) {
+void AnytimePursuit::Search::begin_search() {
+  boxes = pursuit_boxes(*field, reach->catches, field->start, field->start_s);
+  for (const CellBox& box : boxes) sweep_work += box.area();
+  map = sweep_map(*field, best->cost, fastest_processor());
+  if (sweep_work <= sweep_at_once * relaxation_work()) return begin_tubes(Stage::sweep);
+  prices = std::make_unique<PriceSearch>(*field, reach->cells, reach->catches,
+                                         price_parts * std::int64_t{reach->cheapest}, best_way());
   stage = Stage::prices;
-  price = std::max(price, -most_total / (4 * std::int64_t{field->last_s} + 4));
-  running = std::make_unique<Relaxation>(*field, reach->cells, reach->catches, price);
 }
 
-/// Keeps the relaxation that is exact if time does not matter, and those with the best bounds.
-void AnytimePursuit::Search::search_in_time() {
-  stage = Stage::labels;
-  std::sort(relaxations.begin() + 1, relaxations.end(), [&](const auto& a, const auto& b) {
-    const std::int64_t bound_a = a->bound(field->start, 0), bound_b = b->bound(field->start, 0);
-    return bound_a != bound_b ? bound_a > bound_b : a->price() > b->price();
-  });
-  if (relaxations.size() > kept_relaxations) relaxations.resize(kept_relaxations);
-  labels =
-      std::make_unique<LabelSearch>(*field, relaxations, best->cost, label_work_per_cell * reach->size());
-}
-
-/// Switches to the layered search if there are too many labels.
-bool AnytimePursuit::Search::search_labels(BudgetMeter& meter) {
-  const std::optional<TimedWay> way = labels->next_better(meter);
-  counters.labels = labels->labels();
-  if (way) offer(way->cells, way->second);
-  raise(labels->lower_bound());
-  if (labels->gave_up()) {
-    labels.reset();
-    stage = Stage::layers;
-    layers = std::make_unique<LayeredSearch>(*field, relaxations, best->cost);
-    return true;
+/// Runs one relaxation. The first is followed by tubes, so that the best catch is soon a good one.
+bool AnytimePursuit::Search::relax(BudgetMeter& meter) {
+  if (!prices->run(meter)) return false;
+  const std::int64_t parts = std::max<std::int64_t>(0, prices->bound() + price_parts - 1);
+  raise(paid + static_cast<std::uint64_t>(parts / price_parts));
+  if (const auto way = prices->take_way()) offer(*way);
+  const bool enough = moved_on || (prices->count() + 1) * relaxation_work() > sweep_work / search_share;
+  const bool finished = prices->finished() || enough;
+  if (finished) prices->keep_best(kept_relaxations);
+  if (finished) {
+    begin_bound();
+  } else if (prices->count() == 1) {
+    begin_tubes(Stage::prices);
   }
-  return way || labels->exhausted();
+  return true;
 }
 
-bool AnytimePursuit::Search::search_layers(BudgetMeter& meter) {
-  const std::optional<TimedWay> way = layers->next_better(meter);
-  if (way) offer(way->cells, way->second);
-  raise(layers->lower_bound());
-  return way || layers->exhausted();
+void AnytimePursuit::Search::begin_tubes(Stage next) {
+  stage = Stage::tubes;
+  after_tubes = next;
+  const std::uint64_t most = sweep_work < least_for_tubes ? 0 : sweep_work / tube_share;
+  tubes = std::make_unique<TubeSearch>(*map, *field, boxes, std::min(most, relaxation_work()));
+}
+
+bool AnytimePursuit::Search::refine(BudgetMeter& meter) {
+  const std::optional<TimedWay> way = tubes->next_better(meter, best->path, best->cost - paid);
+  if (way) offer(*way);
+  if (!tubes->exhausted()) return way.has_value();
+  tubes.reset();
+  stage = after_tubes;
+  if (stage == Stage::labels) begin_labels();
+  if (stage == Stage::sweep) begin_sweep();
+  return true;
+}
+
+void AnytimePursuit::Search::begin_labels() {
+  stage = Stage::labels;
+  const std::uint64_t most = sweep_work / search_share / cells_per_label_work;
+  labels = std::make_unique<LabelSearch>(*field, prices->relaxations(), best->cost - paid,
+                                         std::min(most, label_work_per_cell * reach->size()));
+}
+
+/// Switches to the sweep if there are too many labels.
+bool AnytimePursuit::Search::search_labels(BudgetMeter& meter) {
+  const std::uint64_t before = labels->labels();
+  const std::optional<TimedWay> way = labels->next_better(meter);
+  counters.labels += labels->labels() - before;
+  if (way) offer(*way);
+  raise(paid + labels->lower_bound());
+  if (!labels->gave_up()) return way || labels->exhausted();
+  begin_sweep();
+  return true;
+}
+
+void AnytimePursuit::Search::begin_bound() {
+  stage = Stage::bound;
+  forward = std::make_unique<ForwardBound>(*field, reach->cells, field->start, field->start_s, paid,
+                                           prices->best().price());
+}
+
+/// Bounds the way to each cell, which also shows where it is best to wait.
+bool AnytimePursuit::Search::bound_from_start(BudgetMeter& meter) {
+  if (!forward->run(meter)) return false;
+  if (const auto way = best_detour(*field, *forward, prices->best())) offer(*way);
+  begin_tubes(Stage::labels);
+  return true;
+}
+
+void AnytimePursuit::Search::begin_sweep() {
+  stage = Stage::sweep;
+  labels.reset();
+  prices.reset();
+  sweep = full_sweep(*map, boxes, forward.get());
+}
+
+/// Improves the end of the best catch from time to time, and all of it when the sweep has come to the start.
+bool AnytimePursuit::Search::sweep_layers(BudgetMeter& meter) {
+  if (sweep->second() > field->start_s && !sweep->advance(meter, best->cost)) return false;
+  const bool done = sweep->second() <= field->start_s;
+  if (done || sweep->work() - extracted_at >= way_share * sweep->way_work()) extract_way();
+  if (done) raise(best->cost);
+  return true;
+}
+
+/// Continues the best catch from the second of the sweep as cheaply as can be.
+void AnytimePursuit::Search::extract_way() {
+  const auto second = static_cast<std::size_t>(std::max(sweep->second(), field->start_s));
+  if (second + 1 >= best->path.size()) return;
+  const CellIndex from = field->index(best->path[second]);
+  if (sweep->to_go(from) >= cost_ahead(second)) return;
+  const TimedWay end = sweep->way_from(from);
+  TimedWay way = best_way();
+  way.cells.resize(second - static_cast<std::size_t>(field->start_s));
+  way.cells.insert(way.cells.end(), end.cells.begin(), end.cells.end());
+  way.second = end.second;
+  offer(way);
+  extracted_at = sweep->work();
+}
+
+/// The stages that know what can be reached, and from where the target can be, go on; those that search from
+/// the start end or begin again.
+bool AnytimePursuit::Search::keep_to(int second) {
+  const int start_s = second - problem.start_s;
+  if (!best || static_cast<std::size_t>(start_s) + 1 >= best->path.size()) return false;
+  if (start_s <= field->start_s) return true;
+  moved_on = true;
+  paid +=
+      cost_ahead(static_cast<std::size_t>(field->start_s)) - cost_ahead(static_cast<std::size_t>(start_s));
+  field->start_s = start_s;
+  field->start = field->index(best->path[static_cast<std::size_t>(start_s)]);
+  if (stage == Stage::tubes) begin_tubes(after_tubes);
+  if (stage == Stage::bound) begin_bound();
+  if (stage == Stage::labels) begin_sweep();
+  return true;
 }
 
 bool AnytimePursuit::Search::work(BudgetMeter& meter) {
   if (stage == Stage::reach) return flood(meter);
   if (stage == Stage::prices) return relax(meter);
+  if (stage == Stage::tubes) return refine(meter);
   if (stage == Stage::labels) return search_labels(meter);
-  return search_layers(meter);
+  if (stage == Stage::bound) return bound_from_start(meter);
+  return sweep_layers(meter);
 }
 
 Status AnytimePursuit::Search::begin() {
@@ -249,6 +326,7 @@ const std::optional<PursuitPlan>& AnytimePursuit::best() const { return search_-
 std::uint64_t AnytimePursuit::lower_bound() const { return search_->lower_bound; }
 std::optional<int> AnytimePursuit::earliest_catch_s() const { return search_->earliest_s; }
 bool AnytimePursuit::proven() const { return search_->stage == Search::Stage::proven; }
+bool AnytimePursuit::keep_to(int second) { return search_->keep_to(second); }
 const PursuitCounters& AnytimePursuit::counters() const { return search_->counters; }
 
 std::vector<Option> describe(AnytimePursuitOptions&) { return {}; }

@@ -18,13 +18,12 @@ Status check_steps(const PursuitPlan& plan, const PursuitProblem& problem) {
     const Cell c = plan.path[k];
     if (!problem.costs->contains(c)) return refused(fmt::format("at second {} it is off the map", second));
     if (problem.wall(c))
-      return refused(fmt::format("at second {} it is in the wall ({}, {})", second, c.x, c.y));
+      return refused(fmt::format("at second {} it is in the wall {}", second, cell_text(c)));
     if (k == 0) continue;
     const Cell before = plan.path[k - 1];
     if (std::abs(c.x - before.x) > 1 || std::abs(c.y - before.y) > 1) {
-      return refused(
-          fmt::format("before second {} it goes from ({}, {}) to ({}, {}), which are no neighbours", second,
-                      before.x, before.y, c.x, c.y));
+      return refused(fmt::format("before second {} it goes from {} to {}, which are no neighbours", second,
+                                 cell_text(before), cell_text(c)));
     }
     paid += (*problem.costs)[before];
     const bool meets = c == problem.target[second], last = k + 1 == plan.path.size();

@@ -16,6 +16,22 @@ namespace outrider {
 
 using CellIndex = std::uint32_t;
 
+/// All cells from low to high; empty if high is below low.
+struct CellBox {
+  Cell low{0, 0}, high{-1, -1};
+
+  [[nodiscard]] bool empty() const { return high.x < low.x || high.y < low.y; }
+  [[nodiscard]] int width() const { return high.x - low.x + 1; }
+  [[nodiscard]] int height() const { return high.y - low.y + 1; }
+  [[nodiscard]] std::uint64_t area() const {
+    return empty() ? 0 : static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height());
+  }
+  [[nodiscard]] bool has(Cell c) const {
+    return c.x >= low.x && c.y >= low.y && c.x <= high.x && c.y <= high.y;
+  }
+  [[nodiscard]] CellBox grown(int by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
+};
+
 inline constexpr std::uint64_t unreachable = std::numeric_limits<std::uint64_t>::max();
 
 /// A set of cells with one bit per cell; a run of three neighbours is read at once.
@@ -39,7 +55,8 @@ struct PursuitField {
   explicit PursuitField(const PursuitProblem& problem);
 
   CellIndex stride = 0;
-  CellIndex start = 0;
+  CellIndex start = 0;               ///< where the robot is at start_s
+  int start_s = 0;                   ///< second from which on its path is open
   int last_s = 0;                    ///< last second of the target, from the start
   std::uint32_t cheapest = 0;        ///< cost of the cheapest free cell
   std::vector<std::uint32_t> costs;  ///< costs of free cells; border and walls are not read
@@ -54,6 +71,10 @@ struct PursuitField {
     return {static_cast<int>(i % stride) - 1, static_cast<int>(i / stride) - 1};
   }
   [[nodiscard]] std::size_t size() const { return costs.size(); }
+  /// Returns the box of the whole map.
+  [[nodiscard]] CellBox box() const {
+    return {{0, 0}, {static_cast<int>(stride) - 3, static_cast<int>(size() / stride) - 3}};
+  }
   /// Returns the first second from `second` on, except 0, in which the target is there; -1 if there is none.
   [[nodiscard]] int next_visit(CellIndex i, int second) const;
   /// Returns the index offsets of the eight steps, in the order of CellSet windows.

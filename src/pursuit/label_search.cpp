@@ -11,7 +11,9 @@ LabelSearch::LabelSearch(const PursuitField& field, Relaxations relaxations, std
       best_(best),
       most_work_(most_work),
       first_(field.size(), none) {
-  add({0, 0, field.costs[field.start], field.start, none, none, false}, 0);
+  add({0, static_cast<std::uint32_t>(field.start_s), field.costs[field.start], field.start, none, none,
+       false},
+      0);
 }
 
 bool LabelSearch::dominated(const PursuitLabel& label) {

@@ -27,8 +27,8 @@ namespace outrider {
 
 class LabelSearch {
  public:
-  /// `relaxations` must have run and must outlive the search; catches that cost `best` or more are ignored.
-  /// One unit of work is one comparison of labels; expanding a label counts as eight.
+  /// `relaxations` must have run and must outlive the search; catches that cost `best` or more, from the
+  /// start on, are ignored. One unit of work is one comparison of labels; expanding a label counts as eight.
   LabelSearch(const PursuitField& field, Relaxations relaxations, std::uint64_t best,
               std::uint64_t most_work);
 

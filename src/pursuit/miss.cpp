@@ -118,9 +118,9 @@ std::string sentence_of(const Miss& miss, const PursuitProblem& problem) {
     case MissReason::too_late: break;
   }
   return fmt::format(
-      "the target cannot be caught: the robot is at least {} s late, in cell ({}, {}) where the target is at "
+      "the target cannot be caught: the robot is at least {} s late, in cell {} where the target is at "
       "second {}; {}",
-      *miss.late_by_s, miss.late_at.x, miss.late_at.y, miss.late_for_s, nearest);
+      *miss.late_by_s, cell_text(miss.late_at), miss.late_for_s, nearest);
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 namespace outrider {
 namespace {
 
-std::string place(Cell c) { return fmt::format("({}, {})", c.x, c.y); }
-
 Status check_map(const PursuitProblem& problem) {
   if (!problem.costs) return bad_input("the problem has no map; give it a grid of costs");
   const GridFrame& frame = problem.costs->frame;
@@ -21,6 +19,8 @@ Status check_map(const PursuitProblem& problem) {
 
 }  // namespace
 
+std::string cell_text(Cell cell) { return fmt::format("({}, {})", cell.x + 1, cell.y + 1); }
+
 Status check(const PursuitProblem& problem) {
   if (Status good = check_map(problem); !good) return good;
   const GridFrame& frame = problem.costs->frame;
@@ -33,7 +33,7 @@ Status check(const PursuitProblem& problem) {
     if (frame.contains(problem.target[s])) continue;
     return bad_input(
         fmt::format("at second {} the target is in cell {}, which is off the map of {} x {} cells", s,
-                    place(problem.target[s]), frame.width, frame.height));
+                    cell_text(problem.target[s]), frame.width, frame.height));
   }
   if (problem.start_s < 0 || static_cast<std::size_t>(problem.start_s) >= seconds) {
     return bad_input(
@@ -42,12 +42,12 @@ Status check(const PursuitProblem& problem) {
   if (!frame.contains(problem.start)) {
     return fault(FaultCode::outside_map,
                  fmt::format("the robot starts in cell {}, which is off the map of {} x {} cells",
-                             place(problem.start), frame.width, frame.height));
+                             cell_text(problem.start), frame.width, frame.height));
   }
   if (problem.wall(problem.start)) {
     return fault(FaultCode::start_blocked,
                  fmt::format("the robot starts in cell {}, a wall: its cost {} is not below the threshold {}",
-                             place(problem.start), (*problem.costs)[problem.start], problem.threshold));
+                             cell_text(problem.start), (*problem.costs)[problem.start], problem.threshold));
   }
   return {};
 }

@@ -61,12 +61,9 @@ bool Relaxation::run(BudgetMeter& meter) {
 }
 
 TimedWay Relaxation::way() const {
-  const std::array<CellIndex, 8> steps = field_->steps();
   TimedWay way{{field_->start}, 0};
-  while (step_[way.cells.back()] != 0) {
-    way.cells.push_back(way.cells.back() + steps[step_[way.cells.back()] - 1U]);
-  }
-  way.second = source_at(way.cells.back())->second;
+  while (next(way.cells.back()) != way.cells.back()) way.cells.push_back(next(way.cells.back()));
+  way.second = catch_at(way.cells.back());
   return way;
 }
 

@@ -50,6 +50,12 @@ class Relaxation {
   [[nodiscard]] std::int64_t bound(CellIndex i, int second) const {
     return static_cast<std::int64_t>(bound_[i]) - price_ * (std::int64_t{second} - zero_s_);
   }
+  /// Returns the next cell of the relaxed path from a reached cell, or the cell itself where it ends.
+  [[nodiscard]] CellIndex next(CellIndex i) const {
+    return step_[i] == 0 ? i : i + field_->steps()[step_[i] - 1U];
+  }
+  /// Returns the second of the catch at a cell where a path ends.
+  [[nodiscard]] int catch_at(CellIndex i) const { return source_at(i)->second; }
   /// Returns the path from the start with the least relaxed cost.
   [[nodiscard]] TimedWay way() const;
 

@@ -117,7 +117,7 @@ class Pursue(ToolTest):
         self.refused("pursue", "small.txt", "--forecast", "stays", says=["did you mean 'stay'?"])
         self.refused("pursue", "small.txt", "--pursuers", "3", "--starts", "2,1", says=["starts", "give 2"])
         self.write("wall.txt", SMALL.replace("1.0\n5.0", "9\n5.0"))
-        self.refused("pursue", "wall.txt", says=["a wall"])
+        self.refused("pursue", "wall.txt", says=["cell (1, 1), a wall"])
 
     def test_bench(self):
         (self.folder / "maps").mkdir()
@@ -132,6 +132,7 @@ class Pursue(ToolTest):
             self.assertEqual(row["mismatch"], "")
         result = self.run_tool("bench", "pursuit", "--data", "nowhere")
         self.assertEqual(result.returncode, 2)
+        self.refused("bench", "pursuit", says=["--data", "--smooth"])
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@
 // decreases. With budgets of expansions alone, the same calls give the same answers. The first catch is the
 // earliest one; it takes one flood of the cells that are as near. Methods and memory are those of
 // optimal.hpp. Limits of wall time hold except while the map is prepared and while the path of the last step
-// is extracted. To plan from a later place of the robot, construct a new search from the problem with that
-// cell and that second.
+// is extracted. keep_to() is for a robot that goes on meanwhile. To plan from a place elsewhere, construct a
+// new search from the problem with that cell and that second.
 #pragma once
 
 #include <memory>
@@ -39,6 +39,12 @@ class AnytimePursuit {
   Status improve(const Budget& budget);
   /// The same with a meter that counts over several calls.
   Status improve(BudgetMeter& meter);
+
+  /// Fixes the path of best() up to that second of the problem, for a robot that goes on along it while the
+  /// search works. All later answers begin with that part, and lower_bound() and proven() are about such
+  /// catches. What the search knows is kept. Returns false, and does nothing, if there is no best() or it has
+  /// caught the target by then.
+  bool keep_to(int second);
 
   /// Returns the cheapest catch so far with the current bound.
   [[nodiscard]] const std::optional<PursuitPlan>& best() const;

@@ -1,21 +1,27 @@
 // The catch of least total cost, with a proof (lower_bound = cost), and the earliest possible catch.
 //
-// Complete and optimal, in integers. The search has four stages and stops as soon as the proof is complete:
-//   1. A flood of steps from the robot finds the earliest catch, a first path, and the cells that matter.
+// Complete and optimal, in integers. The search stops as soon as the proof is complete:
+//   1. A flood of steps from the robot finds the earliest catch, a first path, and the cells that matter. Now
+//      the work of stage 5 is known; if it is little, stage 5 follows at once.
 //   2. Dijkstra floods from the target ignore the clock but put a price on each second. Each yields a lower
 //      bound of the cost of any catch from any cell and second, and a candidate path. The price of a second
 //      is the Lagrange multiplier of the constraint that a path has no more steps than seconds; it is chosen
 //      to maximise the bound.
-//   3. A* expands labels (cost, seconds, cheapest cell so far). Labels contain no waiting, because all
+//   3. One such flood from the robot bounds the way to each cell. Together they show the best path that waits
+//      in one cell. Sweeps over the cells near the best path in each second improve it.
+//   4. A* expands labels (cost, seconds, cheapest cell so far). Labels contain no waiting, because all
 //      waiting can be done in the cheapest cell of a path. A label dominates a later one if it is no dearer
 //      after waiting until then and its cheapest cell is no dearer.
-//   4. If there are too many labels, a search second by second covers the cells that the bounds leave.
-// Stages 1 and 2 take O(cells log(largest cost)) per flood, with at most 13 floods; stage 4 never takes more
-// than the sweep of every cell in every second. Memory: 13 bytes per cell for each of 13 bounds at worst, 20
-// more per cell, 40 per label, and about sqrt(seconds) layers of stage 4.
-// Sources: Handler and Zang, A dual algorithm for the constrained shortest path problem (1980); Desrochers
-// and Soumis, A generalized permanent labelling algorithm for the shortest path problem with time windows
-// (1988).
+//   5. Dynamic programming sweeps the cells that the bounds leave, from the last second back to the first.
+//   Its
+//      rows are computed 16 or 32 bytes at once, with the same results on every processor. On the way it
+//      improves the end of the best path.
+// The work of stages 2 to 4 is limited to a part of that of stage 5, so the whole takes hardly longer than
+// the plain dynamic programme. A flood takes O(cells log(largest cost)), stage 5 O(cells seconds). Memory: 13
+// bytes per cell for each of 13 bounds at worst, 50 more per cell, 40 per label, and about (cells
+// seconds^3)^(1/4) cells of stage 5. Sources: Handler and Zang, A dual algorithm for the constrained shortest
+// path problem (1980); Desrochers and Soumis, A generalized permanent labelling algorithm for the shortest
+// path problem with time windows (1988).
 #pragma once
 
 #include "outrider/core/budget.hpp"

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
@@ -34,6 +35,9 @@ struct PursuitProblem {
   /// Returns the last second in which the target can be caught.
   [[nodiscard]] int last_s() const { return static_cast<int>(target.size()) - 1; }
 };
+
+/// Returns a cell as the files and all messages of a pursuit write it: the first is (1, 1).
+std::string cell_text(Cell cell);
 
 /// Largest numbers of cells and seconds of a problem.
 inline constexpr std::size_t most_pursuit_cells = std::size_t{1} << 28U;

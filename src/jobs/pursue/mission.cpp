@@ -203,6 +203,21 @@ void PursuitMission::splice_answers() {
   }
 }
 
+/// Lets the search of the only robot go on while the robot follows its best path, up to the second in which
+/// an answer of a call as long as the last one arrives. Returns false if the robot goes elsewhere.
+bool PursuitMission::keep_on() {
+  Session& session = sessions_.front();
+  if (sessions_.size() > 1 || !session.search || !session.answer) return false;
+  const PursuitState& state = run.state;
+  const std::vector<Cell>& path = session.answer->path;
+  const auto passed = static_cast<std::size_t>(state.time_s - session.problem.start_s);
+  if (passed >= path.size() || path[passed] != state.robots[session.robot]) return false;
+  if (!std::equal(path.begin() + static_cast<std::ptrdiff_t>(passed) + 1, path.end(), state.ahead.begin(),
+                  state.ahead.end()))
+    return false;
+  return session.search->keep_to(state.time_s + seconds_charged(planning_s_) - 1);
+}
+
 /// Decides whether to plan on, and from how far ahead.
 void PursuitMission::settle() {
   const bool done = std::ranges::all_of(sessions_, [](const Session& s) { return s.done; });
@@ -210,7 +225,7 @@ void PursuitMission::settle() {
   settled_ = done && (on_the_way || taken_ || (all_failed() && !belief_.is_certain()));
   if (settled_) return;
   const bool passed = sessions_.front().problem.start_s < run.state.time_s;
-  if (!done && !passed) return;  // the same question, further
+  if (!done && (!passed || keep_on())) return;  // the same question, further
   sessions_.clear();
   lead_s_ = std::max(2 * lead_s_, seconds_charged(planning_s_));
   lead_s_ = std::min(lead_s_, std::max(0, static_cast<int>(seconds_) - 1 - run.state.time_s));

@@ -5,6 +5,7 @@
 #include "outrider/pursuit/check.hpp"
 #include "support/pursuit_oracle.hpp"
 #include "support/random_cases.hpp"
+#include "support/smooth_pursuit.hpp"
 
 namespace outrider {
 namespace {
@@ -78,6 +79,58 @@ TEST(AnytimePursuit, PlanningOnFromAnOptimalPathKeepsItsCost) {
     ASSERT_TRUE(rest);
     EXPECT_EQ(paid + rest->cost, plan->cost) << "case " << k;
   }
+}
+
+TEST(AnytimePursuit, ARobotThatGoesOnMeanwhileStillGetsTheCheapestRest) {
+  Rng rng(53);
+  int moved = 0;
+  for (int k = 0; k < testing::cases(1500) && !::testing::Test::HasFailure(); ++k) {
+    SCOPED_TRACE("case " + std::to_string(k));
+    PursuitProblem problem = random_pursuit(rng, 8, 30);
+    if (k % 3 == 0) {  // so long that not all is swept at once
+      const std::vector<Cell> few = problem.target;
+      while (problem.target.size() < 1500) problem.target.push_back(few[problem.target.size() % few.size()]);
+    }
+    AnytimePursuit search(problem);
+    int robot_s = problem.start_s;
+    std::vector<Cell> gone;
+    while (!search.proven()) {
+      if (!search.improve(expansions(1 + rng.below(200)))) break;
+      if (!search.best()) continue;
+      const std::vector<Cell>& path = search.best()->path;
+      ASSERT_TRUE(std::equal(gone.begin(), gone.end(), path.begin())) << "it left the path that it was on";
+      if (!search.keep_to(robot_s + 1)) continue;
+      ++robot_s;
+      gone.assign(path.begin(), path.begin() + robot_s - problem.start_s + 1);
+    }
+    if (!search.best()) continue;
+    const Status good = check(*search.best(), problem);
+    ASSERT_TRUE(good) << to_string(good.error());
+    if (gone.empty()) continue;
+    ++moved;
+    std::uint64_t paid = 0;
+    for (std::size_t i = 0; i + 1 < gone.size(); ++i) paid += (*problem.costs)[gone[i]];
+    problem.start = gone.back();
+    problem.start_s = robot_s;
+    EXPECT_EQ(search.best()->cost, paid + slow_catch(problem)->cost);
+  }
+  EXPECT_GT(moved, testing::cases(1500) / 10);
+}
+
+TEST(AnytimePursuit, OnASmoothMapTheCatchGetsCheaperStepByStep) {
+  testing::SmoothPursuit of;
+  of.side = 500;
+  of.seconds = 1500;
+  of.seed = 2;
+  AnytimePursuit search(testing::smooth_pursuit(of));
+  std::vector<std::uint64_t> costs;
+  while (!search.proven()) {
+    ASSERT_TRUE(search.improve(expansions(20'000)));
+    if (search.best()) costs.push_back(search.best()->cost);
+  }
+  ASSERT_TRUE(std::is_sorted(costs.rbegin(), costs.rend()));
+  costs.erase(std::unique(costs.begin(), costs.end()), costs.end());
+  EXPECT_GE(costs.size(), 5U);
 }
 
 PursuitProblem open_field(int side) {

@@ -50,9 +50,9 @@ TEST(CheckPursuit, RefusesEveryLie) {
   plan.path = {{1, 0}, {1, 0}, {2, 0}};
   expect_refused(plan, "begin with the robot");
   plan.path = {{0, 0}, {0, 0}, {2, 0}};
-  expect_refused(plan, "no neighbours");
+  expect_refused(plan, "from (1, 1) to (3, 1), which are no neighbours");
   plan.path = {{0, 0}, {1, 1}, {2, 0}};
-  expect_refused(plan, "in the wall (1, 1)");
+  expect_refused(plan, "in the wall (2, 2)");
   plan.path = {{0, 0}, {0, -1}, {2, 0}};
   expect_refused(plan, "off the map");
   plan.path = {{0, 0}, {1, 0}, {1, 0}};

@@ -53,7 +53,7 @@ TEST(Miss, TheRobotIsTooLate) {
   EXPECT_EQ(miss->short_at_s, 1);
   EXPECT_EQ(
       miss->sentence,
-      "the target cannot be caught: the robot is at least 4 s late, in cell (5, 0) where the target is at "
+      "the target cannot be caught: the robot is at least 4 s late, in cell (6, 1) where the target is at "
       "second 1; the robot comes no nearer than 4 cells to it, at second 1");
 }
 

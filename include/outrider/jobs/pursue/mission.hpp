@@ -3,8 +3,9 @@
 //
 // On the virtual clock planning is free. On the wall clock each planning call costs the time that it takes
 // (jobs/pursue/state.hpp); the robot follows the best known path meanwhile. The anytime search works in calls
-// of `call_s`. After a call without a proof it continues from a place further along the path, twice as far
-// ahead each time. Other planners are called once, far enough ahead that their answer is in time.
+// of `call_s`, and keeps what it knows from call to call as long as the robot follows its best path. If an
+// answer came too late, or with several robots, it begins again from a place further along the path, twice as
+// far ahead each time. Other planners are called once, far enough ahead that their answer is in time.
 //
 // If only `known_s` seconds of the future are known, the forecast predicts the rest. A second that differs
 // from the prediction causes a new forecast and a new plan. A target that the robot can never reach by the
@@ -123,6 +124,7 @@ class PursuitMission {
   void note();
   bool first_answer();
   void splice_answers();
+  bool keep_on();
   void settle();
 
   const PursuitRules& rules_;

@@ -4,6 +4,7 @@
 
 #include "outrider/sim/simulated_team.hpp"
 #include "support/pursuit_oracle.hpp"
+#include "support/smooth_pursuit.hpp"
 
 namespace outrider {
 namespace {
@@ -51,6 +52,31 @@ TEST(PursuitMission, TheRobotWaitsWhileItsFirstAnswerIsThoughtOf) {
   EXPECT_EQ(cells[1], (Cell{0, 0}));
   EXPECT_TRUE(mission.run.state.caught);
   EXPECT_EQ(mission.run.state.time_s, static_cast<int>(cells.size()));
+}
+
+TEST(PursuitMission, TheSearchIsKeptFromCallToCallWhileTheRobotGoesOn) {
+  int most_calls = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    testing::SmoothPursuit of;
+    of.side = 50;
+    of.seconds = 900;
+    of.seed = seed;
+    const PursuitProblem problem = testing::smooth_pursuit(of);
+    AnytimePursuit whole(problem);
+    while (!whole.proven()) ASSERT_TRUE(whole.improve(Budget{}));
+
+    PursuitRules rules;
+    rules.clock = PursuitClock::wall;
+    rules.budget.expansions = 2'800;  // of each call: enough for a first catch
+    SteadyWatch watch;
+    watch.each_s = 1.6;
+    PursuitMission mission(problem, problem.target.size(), rules, watch);
+    (void)commanded(mission, problem);
+    EXPECT_TRUE(mission.run.state.caught);
+    most_calls = std::max(most_calls, mission.run.calls);
+    EXPECT_LE(mission.run.expansions, whole.counters().expansions * 3 / 2) << "it began again";
+  }
+  EXPECT_GT(most_calls, 2) << "it is no test if one call is enough";
 }
 
 TEST(PursuitMission, AFaultOfTheFirstCallEndsItWithoutACommand) {
