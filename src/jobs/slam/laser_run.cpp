@@ -6,27 +6,22 @@
 #include "outrider/jobs/slam/laser_mission.hpp"
 #include "outrider/jobs/slam/recording_clock.hpp"
 #include "outrider/robot/recorded_robot.hpp"
-#include "outrider/slam/map_error.hpp"
+#include "track.hpp"
 
 namespace outrider {
 namespace {
 
 void compare(LaserRun& run, const std::vector<Pose2>& reference) {
-  if (reference.empty()) return;
-  std::vector<Vec2> onto, from;
+  std::vector<Vec2> path, known;
   const std::vector<Pose2> poses = run.slam.trajectory();
   for (std::size_t i = 0; i < std::min(reference.size(), run.steps); ++i) {
-    onto.push_back(poses[i + 1].position);
-    from.push_back(reference[i].position);
+    path.push_back(poses[i + 1].position);
+    known.push_back(reference[i].position);
   }
-  const Pose2 motion = rigid_alignment(from, onto);
-  double sum_m = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    run.reference.push_back(motion * from[i]);
-    sum_m += distance(run.reference.back(), onto[i]);
-  }
-  run.mean_error_m = sum_m / static_cast<double>(from.size());
-  run.rms_error_m = rms_distance(from, onto, motion);
+  PathError error = path_error(path, known);
+  run.reference = std::move(error.reference);
+  run.mean_error_m = error.mean_m;
+  run.rms_error_m = error.rms_m;
 }
 
 /// The mission, with the times of its steps.

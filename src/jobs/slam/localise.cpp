@@ -14,7 +14,6 @@
 #include "outrider/jobs/slam/recording_clock.hpp"
 #include "outrider/log/append.hpp"
 #include "outrider/robot/recorded_robot.hpp"
-#include "outrider/slam/map_error.hpp"
 #include "recordings.hpp"
 #include "slam_log.hpp"
 #include "track.hpp"
@@ -97,31 +96,14 @@ void judge_localisation(Report& report, const LocaliseMission& mission, const st
   }
 }
 
-/// The difference from the reference of a log, once that is laid over the path.
-struct ReferenceError {
-  std::vector<Vec2> reference;  ///< at the scans at which the robot was located
-  double mean_m = known({});
-  double rms_m = known({});
-};
-
-ReferenceError compare(const LocaliseMission& mission, const std::vector<Pose2>& reference) {
-  ReferenceError result;
-  std::vector<Vec2> onto, from;
+PathError compare(const LocaliseMission& mission, const std::vector<Pose2>& reference) {
+  std::vector<Vec2> path, known_path;
   for (std::size_t i = 0; i < mission.located.size(); ++i) {
     if (mission.located[i] >= reference.size()) break;
-    onto.push_back(mission.poses[i].position);
-    from.push_back(reference[mission.located[i]].position);
+    path.push_back(mission.poses[i].position);
+    known_path.push_back(reference[mission.located[i]].position);
   }
-  if (onto.empty()) return result;
-  const Pose2 motion = rigid_alignment(from, onto);
-  double sum_m = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    result.reference.push_back(motion * from[i]);
-    sum_m += distance(result.reference.back(), onto[i]);
-  }
-  result.mean_m = sum_m / static_cast<double>(from.size());
-  result.rms_m = known(rms_distance(from, onto, motion));
-  return result;
+  return path_error(path, known_path);
 }
 
 Metrics metrics_of(const LocaliseMission& mission, const LocaliseRecorder& recorder) {
@@ -178,10 +160,10 @@ Status localise(const SlamJob& job, LaserSource& source, const KnownMap& map,
   if (mission.fault) return tl::unexpected<Fault>(std::move(*mission.fault));
   if (mission.scans == 0) return bad_input("the log has no scan", job.scenario.log);
 
-  const ReferenceError error = compare(mission, reference);
+  const PathError error = compare(mission, reference);
   run.report.metrics = metrics_of(mission, recorder);
-  run.report.metrics.emplace_back("mean_absolute_error_m", error.mean_m);
-  run.report.metrics.emplace_back("ate_m", error.rms_m);
+  run.report.metrics.emplace_back("mean_absolute_error_m", known(error.mean_m));
+  run.report.metrics.emplace_back("ate_m", known(error.rms_m));
   run.report.metrics.emplace_back("log_s", known(clock.length_s()));
   const std::vector<TrackedPose> track = track_of(mission, recorder);
   recorder.settle(track, error.reference, map.occupancy.frame.bounds());

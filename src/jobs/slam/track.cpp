@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "outrider/io/trajectory.hpp"
+#include "outrider/slam/map_error.hpp"
 
 namespace outrider {
 namespace {
@@ -30,6 +31,20 @@ std::vector<NamedContent> track_files(std::span<const TrackedPose> track) {
     poses.push_back(one.pose);
   }
   return {{"track.csv", track_csv(track)}, {"trajectory.tum", tum_text(trajectory_of(times_s, poses))}};
+}
+
+PathError path_error(const std::vector<Vec2>& path, const std::vector<Vec2>& reference) {
+  if (path.empty()) return {};
+  const Pose2 motion = rigid_alignment(reference, path);
+  PathError error;
+  double sum_m = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    error.reference.push_back(motion * reference[i]);
+    sum_m += distance(error.reference.back(), path[i]);
+  }
+  error.mean_m = sum_m / static_cast<double>(path.size());
+  error.rms_m = rms_distance(reference, path, motion);
+  return error;
 }
 
 }  // namespace outrider

@@ -1,6 +1,7 @@
-// The files of the path that a laser log gives.
+// The path that a laser log gives: its files, and its error.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,5 +19,16 @@ struct TrackedPose {
 
 /// Returns track.csv, one line per pose: step, time (s), x, y (m), heading (rad); and trajectory.tum.
 std::vector<NamedContent> track_files(std::span<const TrackedPose> track);
+
+/// The distances of a path from a reference that was laid over it by a rigid motion of least squares. Nothing
+/// if there is no reference.
+struct PathError {
+  std::vector<Vec2> reference;  ///< laid over the path
+  std::optional<double> mean_m;
+  std::optional<double> rms_m;
+};
+
+/// Compares positions, paired by index.
+PathError path_error(const std::vector<Vec2>& path, const std::vector<Vec2>& reference);
 
 }  // namespace outrider
