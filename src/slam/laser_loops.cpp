@@ -90,6 +90,17 @@ SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const 
   return SurfaceMap(parts, levels);
 }
 
+/// Returns true if the last keyframe is the first one after another half of the way since the gap, from 2 m
+/// on.
+bool is_search_due(const KeyframeGraph& graph, std::uint32_t gap) {
+  constexpr double first_m = 2.0, growth = 1.5;
+  const std::size_t last = graph.keyframes.size() - 1;
+  const auto since_m = [&](std::size_t i) { return graph.keyframes[i].way_m - graph.keyframes[gap].way_m; };
+  double at_m = first_m;
+  while (at_m <= since_m(last - 1)) at_m *= growth;
+  return last > gap && at_m <= since_m(last);
+}
+
 /// Returns the window that holds all places of a visit, in the full turn.
 MatchWindow whole_window(const KeyframeGraph& graph, const Visit& visit) {
   constexpr double margin_m = 2.0;
@@ -205,21 +216,16 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
 }
 
 bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
-  constexpr double first_m = 2.0,
-                   growth = 1.5;  // way after the gap of the first search, and of the next ones
   constexpr double clear_score = 0.8, least_score = 0.65;  // a high one is found sooner
-  constexpr double reach_m = 15.0;
+  constexpr double reach_m = 15.0, widest_m = 250.0;
   constexpr int levels = 8;
   constexpr std::size_t most_keyframes = 12;  // more than for a loop: all places of the map are possible
-  const Keyframe& last = graph.keyframes.back();
-  const double since_m = last.way_m - graph.keyframes[gap].way_m;
-  if (since_m < first_m || last.way_m < rejoin_at_m) return false;
-  rejoin_at_m = graph.keyframes[gap].way_m + growth * since_m;
+  const Visit before{0, gap};
+  const MatchWindow window = whole_window(graph, before);
+  if (!is_search_due(graph, gap) || window.reach_m > widest_m) return false;
   Surface query = last_surface(graph, surfaces, gap, most_keyframes);
   std::erase_if(query, [](const SurfacePoint& p) { return squared_norm(p.position) > reach_m * reach_m; });
-  const Visit before{0, gap};
   const SurfaceMap map = map_of(graph, surfaces, before, levels);
-  const MatchWindow window = whole_window(graph, before);
   query = thinned(query, most_points);
   auto fit = recognise_place(map, query, window, clear_score);
   if (!fit) fit = recognise_place(map, query, window, least_score);

@@ -20,9 +20,8 @@ namespace outrider {
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;   ///< keyframes: the earlier, the later
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged;  ///< one before a gap, and one after it
-  std::size_t refused = 0;   ///< places that were recognised and not believed
-  double tried_at_m = 0.0;   ///< distance driven at the last search
-  double rejoin_at_m = 0.0;  ///< distance driven at which the whole map is searched next
+  std::size_t refused = 0;  ///< places that were recognised and not believed
+  double tried_at_m = 0.0;  ///< distance driven at the last search
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
@@ -32,8 +31,9 @@ struct LoopSearch {
   /// Joins the last keyframes with those before the gap, which ends at the keyframe `gap`. Returns true if it
   /// moved the poses.
   bool bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
-  /// Searches the keyframes since the gap on the whole map before it, if the robot drove far enough since the
-  /// last such search. Returns true if it joined them, which moves the poses. Takes about a second.
+  /// Searches the keyframes since the gap on the whole map before it, each time the robot has driven another
+  /// half of the way since the gap. Returns true if it joined them, which moves the poses. Takes about a
+  /// second, and is not done on a map of more than 500 m by 500 m.
   bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
   /// Returns true if a constraint of this search spans the gap.
   [[nodiscard]] bool spans(std::uint32_t gap) const;

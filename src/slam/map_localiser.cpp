@@ -1,13 +1,16 @@
 #include "outrider/slam/map_localiser.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "grid_surface.hpp"
+#include "outrider/geometry/box.hpp"
 #include "outrider/slam/map_fit.hpp"
 #include "outrider/world/known_extent.hpp"
 #include "recent_scans.hpp"
@@ -16,6 +19,7 @@
 namespace outrider {
 namespace {
 
+constexpr double most_side_m = 500.0;    // of a map: its surfaces take a byte for each 5 cm by 5 cm
 constexpr int levels = 8;                // of the pyramid: the widest blocks are 3.2 m
 constexpr double search_reach_m = 15.0;  // farther readings are not used to search the whole map
 constexpr std::size_t least_points = 10;
@@ -89,6 +93,14 @@ Outcome<MapLocaliser> MapLocaliser::begin(KnownMap map, const LaserSlamOptions& 
   if (auto begun = LaserSlam::begin(options, {}); !begun) return pass_on(begun);  // checks the options
   Surface surface = surface_of(map.occupancy);
   if (surface.empty()) return bad_input("the map has no occupied cell beside a free one", "map");
+  Box2 box;
+  for (const SurfacePoint& point : surface) box.include(point.position);
+  if (box.size().x > most_side_m || box.size().y > most_side_m) {
+    return bad_input(
+        fmt::format("the map is {:.0f} m by {:.0f} m; a robot is localised on at most {:.0f} m by {:.0f} m",
+                    box.size().x, box.size().y, most_side_m, most_side_m),
+        "map");
+  }
   return MapLocaliser(std::make_unique<State>(std::move(map), std::move(surface), options));
 }
 

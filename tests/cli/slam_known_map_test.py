@@ -93,6 +93,9 @@ class SlamKnownMapTest(SlamCase):
                                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
         self.write("empty.pgm", "P2 2 2 255 254 254 254 254\n")
         self.refused("slam", "whole.log", "--map", "empty.yaml", says=["empty.yaml: ", "no occupied cell beside a free one"])
+        self.write("wide.yaml", (self.folder / "empty.yaml").read_text().replace("empty", "wide").replace("0.05", "10"))
+        self.write("wide.pgm", "P2 60 1 255 0 " + "254 " * 58 + "0")
+        self.refused("slam", "whole.log", "--map", "wide.yaml", says=["wide.yaml: ", "590 m by 0 m", "at most 500 m by 500 m"])
 
 
 if __name__ == "__main__":

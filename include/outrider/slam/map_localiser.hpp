@@ -42,7 +42,7 @@ struct MapLocaliserStep {
 class MapLocaliser {
  public:
   /// Begins anywhere. Of the options it uses `reach_m`, `robot_T_laser` and those of the odometry. Faults:
-  /// bad_input for options out of range, and for a map without a surface.
+  /// bad_input for options out of range, and for a map without a surface or of more than 500 m by 500 m.
   static Outcome<MapLocaliser> begin(KnownMap map, const LaserSlamOptions& options);
 
   MapLocaliser(MapLocaliser&&) noexcept;

@@ -121,6 +121,9 @@ TEST(MapLocaliser, HeedsTheTurnOfTheMap) {
 
 TEST(MapLocaliser, RefusesInASentence) {
   EXPECT_FALSE(MapLocaliser::begin({}, {}));
+  Grid<std::uint8_t> wide(GridFrame{{}, 1.0, 600, 4}, free_cell);
+  wide[{0, 0}] = wide[{599, 0}] = occupied_cell;
+  EXPECT_FALSE(MapLocaliser::begin({wide, 0.0}, {})) << "as many metres would take gigabytes";
   Rng rng(6);
   const std::vector<Wall> walls = testing::furnished_room();
   OccupancyMap drawn({});
