@@ -15,7 +15,10 @@
 // Lost: after a long way without a match, or a jump, three standard deviations of the odometry exceed 3 m,
 // and the scan may fit several places. Then it must be recognised in exactly one, by the rules of loop
 // closing. If it is not, or if the window holds more than a second's work, the step says `lost`: the pose is
-// that of the odometry, the covariance grows by its error, and mapping goes on from there.
+// that of the odometry, the covariance grows by its error, and mapping goes on from there. So it does if a
+// scan matches nothing and contradicts the one before, as for a robot that was carried away. The new part is
+// searched on the whole map before, again and again while the robot drives on, and joined where its last
+// scans together are recognised; no loop is closed between the two before.
 //
 // Frames: world_T_robot; the first pose is exact. Same input, same bytes. Thread rule: one at a time.
 // Complexity: a step, the points of a scan and the window, at most about two seconds; a keyframe, also the
