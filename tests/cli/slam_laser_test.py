@@ -93,7 +93,8 @@ class SlamLaser(SlamCase):
 
     def test_odometry_that_counts_a_turn_too_many(self):
         """The turn did not happen: mapped right, or doubtful."""
-        cases = [("aces", 264), ("aces", 132)] + ([("csail", 243)] if "OUTRIDER_CASES" in os.environ else [])
+        costly = "OUTRIDER_CASES" in os.environ
+        cases = [("aces", 264), ("csail", 243)] + ([("aces", 132)] if costly else [])
         right = 0
         for name, at in cases:
             with self.subTest(f"{name} {at}"):
@@ -102,7 +103,7 @@ class SlamLaser(SlamCase):
                 self.assertTrue(is_right or found["status"] == "doubtful", found["mean_absolute_error_m"])
                 right += is_right
         self.assertGreater(right, 0)
-        self.assertLess(right, len(cases), "one is so wrong that only its status saves it")
+        self.assertEqual(right < len(cases), costly, "the costly one is so wrong that only its status saves it")
 
     def check_jump(self, found, is_right):
         self.assertFalse(is_right, "only the status saves it")
