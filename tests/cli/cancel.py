@@ -105,7 +105,7 @@ def stop_at(words, moment_s):
             if not select.select([ended], [], [], moment_s)[0]:
                 before_s = processor_s(process.pid)
                 sent_s = time.monotonic()
-                process.send_signal(signal.SIGINT)
+                os.kill(process.pid, signal.SIGINT)  # send_signal() would take away what has just ended
                 select.select([ended], [], [], MOST_S)
                 latency_s = time.monotonic() - sent_s
             os.close(ended)
