@@ -220,9 +220,10 @@ bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
   constexpr double reach_m = 15.0, widest_m = 250.0;
   constexpr int levels = 8;
   constexpr std::size_t most_keyframes = 12;  // more than for a loop: all places of the map are possible
+  if (!is_search_due(graph, gap)) return false;
   const Visit before{0, gap};
   const MatchWindow window = whole_window(graph, before);
-  if (!is_search_due(graph, gap) || window.reach_m > widest_m) return false;
+  if (window.reach_m > widest_m) return false;
   Surface query = last_surface(graph, surfaces, gap, most_keyframes);
   std::erase_if(query, [](const SurfacePoint& p) { return squared_norm(p.position) > reach_m * reach_m; });
   const SurfaceMap map = map_of(graph, surfaces, before, levels);

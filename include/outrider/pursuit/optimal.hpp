@@ -12,10 +12,9 @@
 //   4. A* expands labels (cost, seconds, cheapest cell so far). Labels contain no waiting, because all
 //      waiting can be done in the cheapest cell of a path. A label dominates a later one if it is no dearer
 //      after waiting until then and its cheapest cell is no dearer.
-//   5. Dynamic programming sweeps the cells that the bounds leave, from the last second back to the first.
-//   Its
-//      rows are computed 16 or 32 bytes at once, with the same results on every processor. On the way it
-//      improves the end of the best path.
+//   5. Dynamic programming sweeps the cells that the bounds leave, from the last second back to the first,
+//      16 or 32 bytes of a row at once, with the same results on every processor. On the way it improves the
+//      end of the best path.
 // The work of stages 2 to 4 is limited to a part of that of stage 5, so the whole takes hardly longer than
 // the plain dynamic programme. A flood takes O(cells log(largest cost)), stage 5 O(cells seconds). Memory: 13
 // bytes per cell for each of 13 bounds at worst, 50 more per cell, 40 per label, and about (cells

@@ -1,12 +1,12 @@
 // MapLocaliser: localisation with a range finder on a known occupancy map, from anywhere.
 //
-// Not located: scans are matched with each other, and every 0.5 m or 0.7 rad the last of them together are
-// searched on the whole map, over the full turn. They are recognised where most of their points lie on
-// surfaces, no other pose scores nearly as well, and few beams pass through a surface. A robot in a building
-// of equal rooms is not located until it has seen what tells them apart.
+// Not located: scans are matched with each other, and the last of them together are searched on the whole
+// map, over the full turn: after 0.5 m, then after ways half as long again, at most 8 m. They are recognised
+// where most of their points lie on surfaces, no other pose scores nearly as well, and few beams pass through
+// a surface. A robot in a building of equal rooms is not located until it has seen what tells them apart.
 //
 // Located: each scan is matched with the map in a window about the odometry. How well the scans fit is
-// averaged over the last ones. Where they stop to fit, as for a robot that was carried away, the robot is
+// averaged over the last ones. Where they no longer fit, as for a robot that was carried away, the robot is
 // lost, and is searched everywhere again. Nothing is assumed about where it went.
 //
 // Frames: world_T_robot, where the world is that of the map. Same input, same bytes. Thread rule: one at a
