@@ -34,30 +34,33 @@ function copyOf(map: MapNow): MapNow {
 
 /** Puts values into a rectangle of the map, row by row: scrubbing does it for millions of cells. */
 function put(map: MapNow, x: number, y: number, width: number, data: ArrayLike<number>): void {
-  const { columns, rows, cells, extent: { low, high } } = map;
-  const [first, last] = [Math.max(0, -x), Math.min(width, columns - x)];
+  const { columns, rows, cells } = map;
+  const first = Math.max(0, -x);
+  const last = Math.min(width, columns - x);
+  let known = 0;
   for (let from = 0, row = y; from < data.length; from += width, ++row) {
     if (row < 0 || row >= rows) continue;
     const end = Math.min(last, data.length - from);
-    const start = row * columns + x;
-    let [left, right] = [Infinity, -Infinity];
-    for (let i = first; i < end; ++i) {
-      const value = data[from + i]!;
-      const at = start + i;
-      if (cells[at]! >= 0) map.known -= 1;
+    for (let i = from + first, at = row * columns + x + first; i < from + end; ++i, ++at) {
+      const value = data[i]!;
+      known += (value >> 31) - (cells[at]! >> 31);  // -1 for what is unknown
       cells[at] = value;
-      if (value < 0) continue;
-      map.known += 1;
-      if (left === Infinity) left = x + i;
-      right = x + i;
     }
-    if (left === Infinity) continue;
-    low[0] = Math.min(low[0], left);
-    low[1] = Math.min(low[1], row);
-    high[0] = Math.max(high[0], right);
-    high[1] = Math.max(high[1], row);
+    widen(map, row, x - from, data, from + first, from + end - 1);
   }
+  map.known += known;
   map.version = ++versions;
+}
+
+/** Makes the extent hold what is known among data[left] to data[right], which lies at those columns after `x`. */
+function widen({ extent: { low, high } }: MapNow, row: number, x: number, data: ArrayLike<number>, left: number, right: number): void {
+  while (left <= right && data[left]! < 0) ++left;
+  while (left < right && data[right]! < 0) --right;
+  if (left > right) return;
+  low[0] = Math.min(low[0], x + left);
+  low[1] = Math.min(low[1], row);
+  high[0] = Math.max(high[0], x + right);
+  high[1] = Math.max(high[1], row);
 }
 
 function mapOfWhole({ info, data }: OccupancyGrid): MapNow {

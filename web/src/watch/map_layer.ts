@@ -22,10 +22,17 @@ function pixelOf(colour: string): number {
   return known.get(colour)!;
 }
 
+/** Pixels of the values 0 to 127, and from 128 of -128 to -1. */
+function palette(): Uint32Array {
+  const [free, wall] = [pixelOf(theme.yard), pixelOf(theme["solid-high"])];
+  return Uint32Array.from({ length: 256 }, (_, value) => (value > 127 ? 0 : value >= occupied ? wall : free));
+}
+
 /** A picture of a map, of one pixel a cell, painted anew where something is known when the map or the colours have changed. */
 export class MapPicture {
   readonly canvas = document.createElement("canvas");
   private painted = "";
+  private place = "";  // which cells it shows
   private image: ImageData | null = null;
 
   /** Returns true if it was painted. */
@@ -34,21 +41,19 @@ export class MapPicture {
     if (asked === this.painted) return false;
     this.painted = asked;
     const { columns, rows, cells, extent: { low, high } } = map;
-    this.canvas.width = Math.max(1, columns);  // this clears it, too
-    this.canvas.height = Math.max(1, rows);
     const [wide, tall] = [high[0] - low[0] + 1, high[1] - low[1] + 1];
+    const { canvas } = this;
+    const place = `${low} ${high} ${columns} ${rows}`;
+    if (place !== this.place) [this.place, canvas.width, canvas.height] = [place, Math.max(1, columns), Math.max(1, rows)];  // this clears it, too
     if (!(wide > 0 && tall > 0)) return true;
     if (this.image?.width !== wide || this.image.height !== tall) this.image = new ImageData(wide, tall);
     const pixels = new Uint32Array(this.image.data.buffer);
-    const [free, wall] = [pixelOf(theme.yard), pixelOf(theme["solid-high"])];
+    const colours = palette();
     for (let row = high[1], at = 0; row >= low[1]; --row) {
       let i = row * columns + low[0];
-      for (const end = at + wide; at < end; ++i, ++at) {
-        const value = cells[i]!;
-        pixels[at] = value < 0 ? 0 : value >= occupied ? wall : free;
-      }
+      for (const end = at + wide; at < end; ++i, ++at) pixels[at] = colours[cells[i]! & 255]!;
     }
-    this.canvas.getContext("2d")!.putImageData(this.image, low[0], rows - 1 - high[1]);
+    canvas.getContext("2d")!.putImageData(this.image, low[0], rows - 1 - high[1]);
     return true;
   }
 }
