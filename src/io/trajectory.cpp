@@ -48,28 +48,27 @@ Outcome<std::int64_t> time_of(std::string_view word) {
 
 }  // namespace
 
-Trajectory trajectory_of(const std::vector<double>& times_s, const std::vector<Pose2>& poses) {
-  Trajectory trajectory;
-  trajectory.reserve(poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const double whole_s = std::floor(times_s[i]);  // apart from the rest, which then keeps all of its digits
-    const std::int64_t time_ns =
-        static_cast<std::int64_t>(whole_s) * 1'000'000'000 + nanoseconds(times_s[i] - whole_s);
-    trajectory.push_back({time_ns, pose_of(poses[i])});
-  }
-  return trajectory;
+Stamped<geometry_msgs::Pose> stamped_pose(double time_s, const Pose2& pose) {
+  const double whole_s = std::floor(time_s);  // apart from the rest, which then keeps all of its digits
+  return {static_cast<std::int64_t>(whole_s) * 1'000'000'000 + nanoseconds(time_s - whole_s), pose_of(pose)};
 }
 
-std::string tum_text(const Trajectory& trajectory) {
+std::string tum_text_of(std::size_t count,
+                        const std::function<Stamped<geometry_msgs::Pose>(std::size_t)>& pose_at) {
   constexpr std::size_t most_line_bytes = 200;  // pages that are not written take no memory
   std::string text = "# time x y z qx qy qz qw\n";
-  text.reserve(most_line_bytes * (trajectory.size() + 1));
-  for (const auto& [time_ns, pose] : trajectory) {
+  text.reserve(most_line_bytes * (count + 1));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [time_ns, pose] = pose_at(i);
     const auto& [at, q] = pose;
     fmt::format_to(std::back_inserter(text), "{}.{:09} {} {} {} {} {} {} {}\n", time_ns / 1'000'000'000,
                    time_ns % 1'000'000'000, at.x, at.y, at.z, q.x, q.y, q.z, q.w);
   }
   return text;
+}
+
+std::string tum_text(const Trajectory& trajectory) {
+  return tum_text_of(trajectory.size(), [&](std::size_t i) { return trajectory[i]; });
 }
 
 Outcome<Trajectory> trajectory_from_tum(std::string_view text, const std::string& name) {

@@ -31,7 +31,10 @@ class Killed(ToolTest):
                 continue  # its mission had not begun
             self.assertEqual(whole[:log.stat().st_size], log.read_bytes(), "a part of the whole log")
             replay = self.run_tool("replay", f"k{i}")
-            if replay.returncode == 0:
+            if log.stat().st_size == len(whole):
+                self.assertEqual(replay.returncode, 0, "killed when its log was complete")
+                self.assertNotIn("cut short", replay.stdout)
+            elif replay.returncode == 0:
                 replayed += 1
                 self.assertIn("cut short", replay.stdout)
                 self.assertIn("log ends early", replay.stderr)

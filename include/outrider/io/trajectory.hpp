@@ -8,6 +8,7 @@
 // Faults of reading: bad_input with file:line. Bounds: those of read_file(), and 2,000,000 lines.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,10 +22,12 @@ namespace outrider {
 
 using Trajectory = std::vector<Stamped<geometry_msgs::Pose>>;
 
-/// Returns the poses with their times, which are as many.
-Trajectory trajectory_of(const std::vector<double>& times_s, const std::vector<Pose2>& poses);
+Stamped<geometry_msgs::Pose> stamped_pose(double time_s, const Pose2& pose);
 
 std::string tum_text(const Trajectory& trajectory);
+/// The same of `count` poses that are made one by one; holds none of them.
+std::string tum_text_of(std::size_t count,
+                        const std::function<Stamped<geometry_msgs::Pose>(std::size_t)>& pose_at);
 /// Times never decrease, and a quaternion has about the length 1.
 Outcome<Trajectory> trajectory_from_tum(std::string_view text, const std::string& name);
 

@@ -24,13 +24,9 @@ std::string track_csv(std::span<const TrackedPose> track) {
 }  // namespace
 
 std::vector<NamedContent> track_files(std::span<const TrackedPose> track) {
-  std::vector<double> times_s;
-  std::vector<Pose2> poses;
-  for (const TrackedPose& one : track) {
-    times_s.push_back(one.time_s);
-    poses.push_back(one.pose);
-  }
-  return {{"track.csv", track_csv(track)}, {"trajectory.tum", tum_text(trajectory_of(times_s, poses))}};
+  return {{"track.csv", track_csv(track)}, {"trajectory.tum", tum_text_of(track.size(), [&](std::size_t i) {
+                                              return stamped_pose(track[i].time_s, track[i].pose);
+                                            })}};
 }
 
 PathError path_error(const std::vector<Vec2>& path, const std::vector<Vec2>& reference) {

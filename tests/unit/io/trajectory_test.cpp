@@ -49,7 +49,7 @@ TEST(Trajectory, KittiComesBackWithTheSamePoses) {
 }
 
 TEST(Trajectory, TheFormatsAreThoseOfTheBenchmarks) {
-  const Trajectory quarter = trajectory_of({1.5}, {{{1.0, 2.0}, 0.5 * pi}});
+  const Trajectory quarter = {stamped_pose(1.5, {{1.0, 2.0}, 0.5 * pi})};
   const auto tum = tum_text({{1'500'000'000, {{1, 2, 3}, {0, 0, 0, 1}}}});
   EXPECT_EQ(tum, "# time x y z qx qy qz qw\n1.500000000 1 2 3 0 0 0 1\n");
   EXPECT_EQ(kitti_text({{0, {{1, 2, 3}, {0, 0, 0, 1}}}}), "1 0 0 1 0 1 0 2 0 0 1 3\n");
