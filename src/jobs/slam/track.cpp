@@ -24,9 +24,11 @@ std::string track_csv(std::span<const TrackedPose> track) {
 }  // namespace
 
 std::vector<NamedContent> track_files(std::span<const TrackedPose> track) {
-  return {{"track.csv", track_csv(track)}, {"trajectory.tum", tum_text_of(track.size(), [&](std::size_t i) {
-                                              return stamped_pose(track[i].time_s, track[i].pose);
-                                            })}};
+  const auto pose_at = [&](std::size_t i) { return stamped_pose(track[i].time_s, track[i].pose); };
+  std::vector<NamedContent> files;  // a list of initial values would be copied
+  files.push_back({"track.csv", track_csv(track)});
+  files.push_back({"trajectory.tum", tum_text_of(track.size(), pose_at)});
+  return files;
 }
 
 PathError path_error(const std::vector<Vec2>& path, const std::vector<Vec2>& reference) {
