@@ -1,7 +1,7 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
-import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type ScenarioAnswer } from "./api";
+import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type RunRow, type ScenarioAnswer } from "./api";
 import { emblem, nameOf, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -9,7 +9,9 @@ import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
-import { home } from "./home";
+import { openExample } from "./front/example";
+import { FrontPage } from "./front/front_page";
+import type { RunLog } from "./log/run_log";
 import type { Source } from "./log/source";
 import { editorOf } from "./plan/editors";
 import type { Opened } from "./plan/plan_page";
@@ -17,17 +19,21 @@ import type { Opened } from "./plan/plan_page";
 interface View { element: HTMLElement; title?: string; close?: () => void }
 
 const main = h("main");
-const links = ([["Files", ""], ["Plan", "draw"], ["Live", "live"]] as const).map(([name, view]) => h("a", { href: `#${view}`, "data-view": view }, name));
+const links = ([["Missions", ""], ["Plan", "draw"], ["Runs", "live"]] as const).map(([name, view]) => h("a", { href: `#${view}`, "data-view": view }, name));
 let present: View | null = null;
 let visit = 0;
 
 function refusalView(sentence: string): View {
-  return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the files"))) };
+  return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the missions and files"))) };
 }
 
 async function watchFile(file: Blob | Source, query: Record<string, string>): Promise<View> {
-  const [{ openLog }, { Watch }] = await Promise.all([import("./log/file"), import("./watch/watch")]);
-  const log = await openLog(file);
+  const { openLog } = await import("./log/file");
+  return watchLog(await openLog(file), query);
+}
+
+async function watchLog(log: RunLog, query: Record<string, string>): Promise<View> {
+  const { Watch } = await import("./watch/watch");
   const watch = new Watch(log, query);
   const head = h("div", { class: "run-head" }, ...title(log));
   return { element: h("div", { class: "live-page" }, head, watch.element), title: nameOf(log), close: () => watch.close() };
@@ -54,6 +60,7 @@ const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs:
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
   if (view === "watch") return watchFile(await fileAt(filePath(path)), query);
+  if (view === "example") return watchLog(await openExample(), query);
   if (view === "plan" && !path) return refusalView("A map that was dropped here is not kept when the page is loaded again; drop its file once more.");
   if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
   if (view === "change") return scenarioView(path, query);
@@ -67,7 +74,8 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
     const { RunsPage } = await import("./live/runs_page");
     return new RunsPage(files.filter((file) => editorOf(file) !== "question"), query.scenario ?? "");
   }
-  return { element: home(folder, files, (dropped) => void openFiles(dropped)) };
+  const { runs } = await getJson<{ runs: RunRow[] }>("runs");
+  return new FrontPage(folder, files, runs, (dropped) => void openFiles(dropped));
 }
 
 async function show(make: () => Promise<View>): Promise<void> {
@@ -91,7 +99,7 @@ async function show(make: () => Promise<View>): Promise<void> {
 
 function route(): void {
   const address = parseAddress(location.hash);
-  const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" ? "" : address.view;
+  const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" || address.view === "example" ? "" : address.view;
   for (const link of links) link.toggleAttribute("aria-current", link.dataset.view === at);
   void show(() => viewOf(address));
 }
@@ -127,9 +135,9 @@ function listen(): void {
   keys.set("Page", [
     { key: "?", words: "this help", act: showHelp },
     { key: "d", words: "light or dark", act: toggleTheme },
-    { key: "F", words: "files", act: () => { location.hash = ""; } },
+    { key: "F", words: "missions and files", act: () => { location.hash = ""; } },
     { key: "P", words: "plan on a map of your own", act: () => { location.hash = "draw"; } },
-    { key: "L", words: "missions", act: () => { location.hash = "live"; } },
+    { key: "L", words: "runs", act: () => { location.hash = "live"; } },
   ]);
 }
 

@@ -1,5 +1,5 @@
 // The runs page: lists the missions of this server, newest first, with a form that starts another.
-import { getJson, send, type FileRow, type RunRow } from "../api";
+import { getJson, startRun, type FileRow, type RunRow } from "../api";
 import { h } from "../base/dom";
 import { formatAddress } from "../base/url";
 import { Socket } from "./socket";
@@ -34,12 +34,7 @@ export class RunsPage {
 
   private async start(scenario: string, seed: string): Promise<void> {
     this.refusal.textContent = "";
-    try {
-      const run = await send<RunRow>("POST", "runs", seed === "" ? { scenario } : { scenario, seed: Number(seed) });
-      location.hash = formatAddress({ view: "live", path: run.id, query: {} });
-    } catch (error) {
-      this.refusal.textContent = error instanceof Error ? error.message : String(error);
-    }
+    await startRun(scenario, seed === "" ? null : Number(seed)).catch((error: Error) => { this.refusal.textContent = error.message; });
   }
 
   private show(runs: RunRow[]): void {

@@ -1,12 +1,11 @@
 // The yard page: moves and turns the robot, targets and things of a yard by hand, saves them as a scenario, and runs
 // the mission.
-import { send, type RunRow } from "../api";
+import { startRun } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
 import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { saveCanvas } from "../base/save";
-import { formatAddress } from "../base/url";
 import { PolygonGround } from "./ground";
 import { onKnob } from "./handle";
 import { suggestedName } from "./names";
@@ -68,8 +67,7 @@ export class YardPage {
     const path = await this.saving.save();
     if (!path) return;
     try {
-      const { id } = await send<RunRow>("POST", "runs", { scenario: path });
-      location.hash = formatAddress({ view: "live", path: id, query: {} });
+      await startRun(path);
     } catch (error) {
       this.saving.print(error instanceof Error ? error.message : String(error), true);
     }

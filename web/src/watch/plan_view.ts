@@ -28,9 +28,11 @@ import { way } from "./way_layer";
 /** Each makes a layer where the log has its messages; the first lies lowest. */
 const makers: LayerOf[] = [ground, pursuit, cover, map, mapping, way, scan, flights, tags, stations, targets, robot, believed];
 
-function layersOf(run: Run, area: Box): Layer[] {
-  return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
+function layersOf(run: Run, area: Box, bare: boolean): Layer[] {
+  return [...makers.map((make) => make(run)).filter((one) => one !== null), ...(bare ? [] : [scales(area, run)])];
 }
+
+const bareMargin = { left: 10, right: 10, top: 10, bottom: 10 };
 
 export interface Choices {
   redraw: () => void;
@@ -52,10 +54,11 @@ export class PlanView {
   private area: Box;
   private off: () => void;
 
-  constructor(private run: Run, private choices: Choices) {
+  /** `bare`: a picture without scales and buttons, whose view does not move. */
+  constructor(private run: Run, private choices: Choices, private bare = false) {
     this.area = areaOf(run);
     this.element = h("div", { class: "view plan-view" }, this.canvas, this.tip,
-      h("div", { class: "camera", role: "group", "aria-label": "View" },
+      !bare && h("div", { class: "camera", role: "group", "aria-label": "View" },
         iconButton("in", "Zoom in", () => this.camera.zoom(1.5), "+"),
         iconButton("out", "Zoom out", () => this.camera.zoom(1 / 1.5), "-"),
         iconButton("fit", "Show everything", () => this.reset(), "0")));
@@ -63,7 +66,8 @@ export class PlanView {
       redraw: () => choices.redraw(),
       click: (at) => this.click(at),
       hover: (at) => this.hover(at),
-    });
+    }, bare ? bareMargin : undefined);
+    if (bare) this.canvas.removeAttribute("tabindex");
     this.off = onTheme(() => { this.stillVersion = ""; choices.redraw(); });
   }
 
@@ -78,7 +82,7 @@ export class PlanView {
   private bringUpToDate(): void {
     this.drawn = this.run;
     const area = areaOf(this.run);
-    this.layers = layersOf(this.run, area);
+    this.layers = layersOf(this.run, area, this.bare);
     this.stillVersion = "";
     if (area.every((value, i) => value === this.area[i])) return;
     this.area = this.camera.box = area;

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { compareShot, executable, launch, saved, until } from "./browser.mjs";
 import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
+import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
 import { truthCases } from "./truth_cases.mjs";
@@ -70,12 +71,7 @@ async function svgIsAsTheView(page) {
 }
 
 const cases = {
-  async "the files of the folder, before other cases add theirs"() {
-    const page = await open();
-    await page.waitForSelector(".groups");
-    await compareShot(page, "files", output);
-    await page.close();
-  },
+  ...frontCases({ open, text, frames, server, folder, output }),
 
   async "a run: scrub to a shot, step, switch to space, reload at its address"() {
     const page = await open("#watch/runs/yard/run.mcap?t=0");
