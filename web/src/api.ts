@@ -134,16 +134,23 @@ export type ScenarioRequest =
   | { guard: YardRequest };
 export interface RunRow {
   id: string;
-  state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed";
+  state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed" | "cut_short";
   scenario: string;
   job: string;
   seed: number | null;
+  /** Unix time at which it was asked for, s. */
+  began_s: number;
+  /** From then until its end, s. */
+  took_s: number | null;
   progress: { step: number; steps: number; name: string; part: number } | null;
   error: string;
   where: string;
   /** It has ended and left a log. */
   has_log: boolean;
+  summary: { reason?: string } | null;
 }
+/** The newest run first; the notice says why runs are not kept. */
+export interface RunsAnswer { runs: RunRow[]; notice: string }
 
 const base = "api/v1/";
 

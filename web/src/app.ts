@@ -1,7 +1,7 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
-import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type RunRow, type ScenarioAnswer } from "./api";
+import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type RunsAnswer, type ScenarioAnswer } from "./api";
 import { emblem, nameOf, title, tools } from "./banner";
 import { h } from "./base/dom";
 import { showHelp } from "./base/help";
@@ -74,7 +74,7 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
     const { RunsPage } = await import("./live/runs_page");
     return new RunsPage(files.filter((file) => editorOf(file) !== "question"), query.scenario ?? "");
   }
-  const { runs } = await getJson<{ runs: RunRow[] }>("runs");
+  const { runs } = await getJson<RunsAnswer>("runs");
   return new FrontPage(folder, files, runs, (dropped) => void openFiles(dropped));
 }
 

@@ -10,6 +10,7 @@ import { onScreen } from "./drag.mjs";
 import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
+import { runsCases } from "./runs_cases.mjs";
 import { truthCases } from "./truth_cases.mjs";
 import { wayCases } from "./way_cases.mjs";
 import { makeFolder, makeViewer, serve, tool, useBuiltPage } from "./server.mjs";
@@ -25,7 +26,7 @@ const server = await serve(folder);
 const browser = await launch();
 const faults = [];
 
-async function open(hash = "", options = {}) {
+async function open(hash = "", { at = server.url, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", colorScheme: "light", ...options });
   await useBuiltPage(page);
   page.setDefaultTimeout(100_000);  // a machine that is busy with other tests may hold a browser up
@@ -33,7 +34,7 @@ async function open(hash = "", options = {}) {
   page.on("request", (request) => {
     if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${hash}: the page asked for ${request.url()}`);
   });
-  await page.goto(hash.startsWith("file:") ? hash : server.url + hash);
+  await page.goto(hash.startsWith("file:") ? hash : at + hash);
   return page;
 }
 
@@ -424,6 +425,7 @@ const cases = {
   },
 
   ...liveCases({ open, text, server, folder }),
+  ...runsCases({ open, text }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
   ...wayCases({ open, text, frames, cell, folder }),
 
