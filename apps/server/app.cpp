@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "compression.hpp"
 #include "foxglove.hpp"
 #include "gunzip.hpp"
 #include "outrider/core/base64.hpp"
@@ -191,12 +192,13 @@ Response App::answer(const Request& request) {
   const bool api = request.path == "/api" || request.path.starts_with("/api/");
   try {
     response = api ? dispatch(request) : page_file(request);
+    apply_range(request, response);
+    compress(request, response, shared_.answers);
   } catch (const std::bad_alloc&) {
     response = error_response(503, "too_large", "there is not enough memory for that; ask for less");
   } catch (const std::exception& broken) {
     response = error_response(500, "internal", std::string("this is a bug: ") + broken.what());
   }
-  apply_range(request, response);
   if (api || response.status != 200) add_headers(response, data_policy, "no-store");
   return response;
 }
@@ -377,7 +379,7 @@ Response App::page_file(const Request& request) {
                                   [&](const page::File& file) { return file.path == path; });
   if (found == settings_.files.end()) return not_found("the page has no such file", path.substr(0, 200));
   Response response{200, std::string(found->type), {}, {}};
-  if (request.header("accept-encoding").find("gzip") != std::string::npos) {
+  if (accepts_gzip(request.header("accept-encoding"))) {
     response.body = found->gzip;
     response.headers.emplace_back("Content-Encoding", "gzip");
   } else {

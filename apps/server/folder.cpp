@@ -59,6 +59,7 @@ std::string type_of(const fs::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".json" || extension == ".geojson") return "application/json";
   if (extension == ".png") return "image/png";
+  if (extension == ".pgm") return "image/x-portable-graymap";
   if (extension == ".jpg" || extension == ".jpeg") return "image/jpeg";
   for (const char* text :
        {".yaml", ".yml", ".txt", ".csv", ".map", ".sdf", ".world", ".md", ".svg", ".obj"}) {

@@ -1,6 +1,8 @@
 """`outrider serve` from outside: its files and its missions."""
+import gzip
 import pathlib
 import time
+import urllib.request
 
 from serve_case import COURT, Serve
 from server_client import Server, WebSocket
@@ -31,6 +33,27 @@ class Interface(Serve):
             self.assertEqual(server.json("GET", "/api/v1/files/absent.yaml", status=404)["code"], "not_found")
             self.assertEqual(server.json("POST", "/api/v1/version", "", status=405)["error"], "expected GET")
             self.assertEqual(server.request("HEAD", "/api/v1/version")[2], b"")
+
+    def test_long_answers_are_compressed(self):
+        self.write("large.sdf", (self.folder / "yard.sdf").read_text() + "<!-- " + "fence " * 1000 + "-->")
+        def fetched(path, **headers):
+            asked = urllib.request.Request(f"http://127.0.0.1:{server.port}/{path}", headers={name.replace("_", "-"): value for name, value in headers.items()})
+            with urllib.request.urlopen(asked, timeout=20) as answer:
+                return answer.status, answer.headers, answer.read()
+        with Server(self.folder) as server:
+            for path in ("api/v1/catalogue", "api/v1/files/large.sdf"):
+                _, plain_headers, plain = fetched(path, Accept_Encoding="identity")
+                self.assertEqual((plain_headers["Content-Encoding"], plain_headers["Vary"]), (None, "Accept-Encoding"), path)
+                _, headers, packed = fetched(path, Accept_Encoding="gzip, deflate")
+                self.assertEqual((headers["Content-Encoding"], headers["Vary"], int(headers["Content-Length"])), ("gzip", "Accept-Encoding", len(packed)), path)
+                self.assertEqual(gzip.decompress(packed), plain, path)
+                self.assertLess(2 * len(packed), len(plain), path)
+                head = server.request("HEAD", "/" + path, Accept_Encoding="gzip")[1]
+                self.assertEqual((head["content-encoding"], head["content-length"]), ("gzip", str(len(packed))), path)
+            whole = (self.folder / "large.sdf").read_bytes()
+            status, headers, part = fetched("api/v1/files/large.sdf", Accept_Encoding="gzip", Range="bytes=100-3099")
+            self.assertEqual((status, headers["Content-Encoding"], headers["Content-Range"], part), (206, None, f"bytes 100-3099/{len(whole)}", whole[100:3100]))
+            self.assertEqual(fetched("api/v1/version", Accept_Encoding="gzip")[1]["Content-Encoding"], None, "it is short")
 
     def test_nothing_outside_the_folder(self):
         with self.subTest("links"):
