@@ -11,12 +11,15 @@ import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
 import { openExample } from "./front/example";
 import { FrontPage } from "./front/front_page";
+import { mayLeave, watchLeaving, type Work } from "./leaving";
 import type { RunLog } from "./log/run_log";
 import type { Source } from "./log/source";
+import { hideNotice, showNotice } from "./notice";
 import { editorOf } from "./plan/editors";
+import { groundOf } from "./plan/ground";
 import type { Opened } from "./plan/plan_page";
 
-interface View { element: HTMLElement; title?: string; close?: () => void }
+interface View extends Work { element: HTMLElement; title?: string; close?: () => void }
 
 const main = h("main");
 const links = ([["Missions", ""], ["Plan", "draw"], ["Runs", "live"]] as const).map(([name, view]) => h("a", { href: `#${view}`, "data-view": view }, name));
@@ -92,30 +95,53 @@ async function show(make: () => Promise<View>): Promise<void> {
   }
   present?.close?.();
   present = view;
+  hideNotice();
   main.replaceChildren(view.element);
   const { path } = parseAddress(location.hash);
   entitle(view.title ?? (view.element.querySelector("h1")?.textContent || path.split("/").at(-1)));
 }
 
-function route(): void {
+/** Shows the view of the address, unless one stays with work that is not saved. */
+function route(event?: HashChangeEvent): void {
+  if (event && !mayLeave(present)) {
+    history.pushState(history.state, "", event.oldURL);
+    return;
+  }
   const address = parseAddress(location.hash);
   const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" || address.view === "example" ? "" : address.view;
   for (const link of links) link.toggleAttribute("aria-current", link.dataset.view === at);
   void show(() => viewOf(address));
 }
 
-/** Opens dropped files: shows the log of a run, or sends anything else to the server as a map. */
-async function openFiles(files: File[]): Promise<void> {
+/** Reads dropped files: the log of a run, or anything else, which the server reads, as a map. Returns what shows it; throws a sentence. */
+async function readDropped(files: File[]): Promise<() => Promise<View>> {
+  const maps = files.filter(({ name }) => /\.(map|txt|ya?ml|sdf|world|mcap|json)$/i.test(name)).map(({ name }) => name);
+  if (maps.length > 1) throw new Error(`${maps.length} files that are shown alone were dropped, ${maps.join(" and ")}; drop one of them, with its images where it has some.`);
   const [first] = files;
-  if (!first) return;
-  await show(async () => {
-    const maps = files.filter(({ name }) => /\.(map|txt|ya?ml|sdf|world|mcap|json)$/i.test(name)).map(({ name }) => name);
-    if (maps.length > 1) throw new Error(`${maps.length} files that are shown alone were dropped, ${maps.join(" and ")}; drop one of them, with its images where it has some.`);
-    if (files.length === 1 && /\.(mcap|json)$/.test(first.name)) return watchFile(first, {});
-    const map = await postMap(files);
+  if (files.length === 1 && /\.(mcap|json)$/.test(first!.name)) {
+    const { openLog } = await import("./log/file");
+    const log = await openLog(first!);
+    return () => watchLog(log, {});
+  }
+  const map = await postMap(files);
+  const ground = groundOf(map);
+  if (typeof ground === "string") throw new Error(ground);
+  return () => {
     history.replaceState(null, "", "#plan");
     return planView(map, {});
-  });
+  };
+}
+
+/** Shows dropped files. What cannot be shown is said over the view that is there. */
+async function openFiles(files: File[]): Promise<void> {
+  if (files.length === 0) return;
+  const before = visit;
+  try {
+    const make = await readDropped(files);
+    if (before === visit && mayLeave(present)) await show(make);
+  } catch (error) {
+    showNotice(error instanceof Error ? error.message : String(error));
+  }
 }
 
 function listen(): void {
@@ -141,6 +167,7 @@ function listen(): void {
   ]);
 }
 
+watchLeaving(() => present);
 startTheme(parseAddress(location.hash).query.theme ?? null);
 document.body.append(h("header", { class: "top" }, h("a", { href: "#", class: "home" }, emblem(), "Outrider"), h("nav", {}, ...links), tools()), main);
 listen();

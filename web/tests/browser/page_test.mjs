@@ -427,7 +427,7 @@ const cases = {
   ...liveCases({ open, text, server, folder }),
   ...runsCases({ open, text }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
-  ...wayCases({ open, text, frames, cell, folder }),
+  ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
     const log = readFileSync(join(folder, "runs/yard/run.mcap"));
@@ -442,8 +442,8 @@ const cases = {
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict.cut"), /^Cut short The log is cut short at t = [\d.]+ s/);
     await drop(Buffer.from('{"outrider_report": 1}'), "guard.json");
-    await page.waitForSelector(".refusal");
-    assert.match(await text(page, ".refusal"), /older version; run the job again with --out DIR/);
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /older version; run the job again with --out DIR/);
     await page.close();
   },
 
@@ -456,10 +456,8 @@ const cases = {
       dropped.items.add(new File(["type octile\nheight 2\nwidth 3\nmap\n..\n"], "broken.map"));
       dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, cancelable: true }));
     });
-    await page.waitForSelector("[role=alert]");
-    assert.match(await text(page, "[role=alert]"), /broken\.map.*(line|row|width|cells)/);
-    await page.click(".hint a");
-    await page.waitForSelector(".groups");
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /broken\.map.*(line|row|width|cells)/);
     await page.setInputFiles("input[type=file]", join(folder, "good.map"));
     await page.waitForSelector(".result");
     assert.equal(await cell(page, "answer"), "path found");
