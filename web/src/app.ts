@@ -9,14 +9,11 @@ import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
-import { openExample } from "./front/example";
-import { FrontPage } from "./front/front_page";
 import { mayLeave, watchLeaving, type Work } from "./leaving";
 import type { RunLog } from "./log/run_log";
 import type { Source } from "./log/source";
 import { hideNotice, showNotice } from "./notice";
 import { editorOf } from "./plan/editors";
-import { groundOf } from "./plan/ground";
 import type { Opened } from "./plan/plan_page";
 
 interface View extends Work { element: HTMLElement; title?: string; close?: () => void }
@@ -63,7 +60,7 @@ const blank = { origin: [0, 0], resolution_m: 0.25, width: 64, height: 44, runs:
 
 async function viewOf({ view, path, query }: Address): Promise<View> {
   if (view === "watch") return watchFile(await fileAt(filePath(path)), query);
-  if (view === "example") return watchLog(await openExample(), query);
+  if (view === "example") return watchLog(await (await import("./front/example")).openExample(), query);
   if (view === "plan" && !path) return refusalView("A map that was dropped here is not kept when the page is loaded again; drop its file once more.");
   if (view === "plan") return planView(await send<MapAnswer>("POST", "maps", { path }), query, path);
   if (view === "change") return scenarioView(path, query);
@@ -72,12 +69,12 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
     const { LivePage } = await import("./live/live_page");
     return new LivePage(path, query);
   }
-  const { folder, files } = await getJson<{ folder: string; files: FileRow[] }>("files");
+  const listed = getJson<{ folder: string; files: FileRow[] }>("files");
   if (view === "live") {
-    const { RunsPage } = await import("./live/runs_page");
+    const [{ files }, { RunsPage }] = await Promise.all([listed, import("./live/runs_page")]);
     return new RunsPage(files.filter((file) => editorOf(file) !== "question"), query.scenario ?? "");
   }
-  const { runs } = await getJson<RunsAnswer>("runs");
+  const [{ folder, files }, { runs }, { FrontPage }] = await Promise.all([listed, getJson<RunsAnswer>("runs"), import("./front/front_page")]);
   return new FrontPage(folder, files, runs, (dropped) => void openFiles(dropped));
 }
 
@@ -124,6 +121,7 @@ async function readDropped(files: File[]): Promise<() => Promise<View>> {
     return () => watchLog(log, {});
   }
   const map = await postMap(files);
+  const { groundOf } = await import("./plan/ground");
   const ground = groundOf(map);
   if (typeof ground === "string") throw new Error(ground);
   return () => {

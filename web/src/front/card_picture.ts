@@ -3,7 +3,7 @@ import { emblem } from "../banner";
 import { h } from "../base/dom";
 import { onTheme } from "../base/theme";
 import { drawScene } from "./scene_picture";
-import { sceneOf } from "./scenes";
+import { sceneOf } from "../scenes";
 
 /** How far below the window a picture is made already. */
 const ahead = "300px";

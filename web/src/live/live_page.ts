@@ -1,11 +1,12 @@
 // The live view: shows one mission while it runs with the same views as afterwards. Its log comes as it is written.
-import { faultText, fileAt, getJson, send, type RunRow } from "../api";
+import { faultText, fileAt, getJson, send, type RunRow, type SceneAnswer } from "../api";
 import { heading, nameOf, title } from "../banner";
 import { h } from "../base/dom";
 import { entitle } from "../base/title";
 import { formatAddress } from "../base/url";
 import type { RunLog } from "../log/run_log";
 import { topic } from "../log/topics";
+import { sceneOf } from "../scenes";
 import { Watch } from "../watch/watch";
 import { LiveLog } from "./live_log";
 import { isOver, stateWords } from "./states";
@@ -24,6 +25,7 @@ export class LivePage {
   private cancel = h("button", { type: "button", class: "button", onclick: () => void this.stop() }, "Cancel");
   private head = h("div", { class: "run-head" }, this.name, this.state, this.words, this.bar, this.cancel);
   private live = new LiveLog();
+  private scene: SceneAnswer | null = null;
   /** The log of a run that had ended before. */
   private kept: RunLog | null = null;
   private socket: Socket | null = null;
@@ -56,6 +58,12 @@ export class LivePage {
     if (isOver(run.state) && run.has_log) {
       await this.openKept(run).catch((error: Error) => this.notFound(error.message));
       return;
+    }
+    if (isFile(run.scenario)) {
+      void sceneOf(run.scenario).then((scene) => {
+        this.scene = scene;
+        if (scene) this.watch?.expect(scene);
+      });
     }
     this.socket = new Socket({
       opened: () => {
@@ -134,6 +142,7 @@ export class LivePage {
       return;
     }
     this.watch = new Watch(log, this.query, goesOn);
+    if (this.scene) this.watch.expect(this.scene);
     this.element.append(this.watch.element);
   }
 

@@ -1,6 +1,6 @@
 // Scenes: what the ground of a scenario looks like, asked for once each and one after the other, since the server reads
 // files for each.
-import { getJson, scenePath, type SceneAnswer } from "../api";
+import { getJson, scenePath, type SceneAnswer } from "./api";
 
 const kept = new Map<string, Promise<SceneAnswer | null>>();
 const most = 200;
