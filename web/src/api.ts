@@ -147,7 +147,7 @@ export interface RunRow {
   where: string;
   /** It has ended and left a log. */
   has_log: boolean;
-  summary: { reason?: string } | null;
+  summary: { reason?: string; metrics?: Record<string, number | null> } | null;
 }
 /** The newest run first; the notice says why runs are not kept. */
 export interface RunsAnswer { runs: RunRow[]; notice: string }

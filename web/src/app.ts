@@ -69,6 +69,10 @@ async function viewOf({ view, path, query }: Address): Promise<View> {
     const { LivePage } = await import("./live/live_page");
     return new LivePage(path, query);
   }
+  if (view === "compare") {
+    const { ComparePage } = await import("./compare/compare_page");
+    return ComparePage.open((query.runs ?? "").split(",").filter(Boolean).slice(0, 2), query);
+  }
   const listed = getJson<{ folder: string; files: FileRow[] }>("files");
   if (view === "live") {
     const [{ files }, { RunsPage }] = await Promise.all([listed, import("./live/runs_page")]);
@@ -105,7 +109,7 @@ function route(event?: HashChangeEvent): void {
     return;
   }
   const address = parseAddress(location.hash);
-  const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" || address.view === "example" ? "" : address.view;
+  const at = address.view === "plan" || address.view === "change" ? "draw" : address.view === "watch" || address.view === "example" ? "" : address.view === "compare" ? "live" : address.view;
   for (const link of links) link.toggleAttribute("aria-current", link.dataset.view === at);
   void show(() => viewOf(address));
 }

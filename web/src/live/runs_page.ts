@@ -1,6 +1,7 @@
 // The runs page: lists the missions of this server, newest first, with a form that starts another.
 import { getJson, startRun, type FileRow, type RunsAnswer } from "../api";
 import { h } from "../base/dom";
+import { formatAddress } from "../base/url";
 import { runList } from "./run_list";
 import { Socket } from "./socket";
 
@@ -14,6 +15,8 @@ export class RunsPage {
   private answer: RunsAnswer = { runs: [], notice: "" };
   private timer = window.setInterval(() => this.show(this.answer), renewed_ms);
   private refusal = h("p", { class: "refused", role: "alert" });
+  private chosen = new Set<string>();
+  private compare = h("button", { type: "button", class: "button", onclick: () => this.showCompared() }, "Compare");
   private socket: Socket;
 
   constructor(files: FileRow[], chosen: string) {
@@ -29,7 +32,7 @@ export class RunsPage {
       event.preventDefault();
       void this.start(select.value, seed.value === "" ? null : Number(seed.value));
     });
-    this.element = h("div", { class: "page" }, h("h1", {}, "Run a mission"), form, h("h2", {}, "Runs"), this.notice, this.list);
+    this.element = h("div", { class: "page" }, h("h1", {}, "Run a mission"), form, h("div", { class: "page-head" }, h("h2", {}, "Runs"), this.compare), this.notice, this.list);
     this.socket = new Socket({ opened: () => [{ type: "runs" }], receive: (message) => {
       if (message.type === "runs") this.show(message as unknown as RunsAnswer);
     } });
@@ -46,12 +49,32 @@ export class RunsPage {
     await startRun(scenario, seed).catch((error: Error) => { this.refusal.textContent = error.message; });
   }
 
+  /** Two are compared: a third takes the place of the first. */
+  private choose(id: string, on: boolean): void {
+    if (on) this.chosen.add(id);
+    else this.chosen.delete(id);
+    if (this.chosen.size > 2) this.chosen.delete([...this.chosen][0]!);
+    this.show(this.answer);
+  }
+
+  private showChoice(): void {
+    this.compare.disabled = this.chosen.size !== 2;
+    this.compare.title = this.compare.disabled ? "Choose two runs that left a log" : "Show both beside each other, and where their numbers differ";
+  }
+
+  /** The older one comes first. */
+  private showCompared(): void {
+    const ids = this.answer.runs.map(({ id }) => id).filter((id) => this.chosen.has(id)).reverse();
+    location.hash = formatAddress({ view: "compare", path: "", query: { runs: ids.join(",") } });
+  }
+
   private show(answer: RunsAnswer): void {
     this.answer = answer;
     this.notice.textContent = answer.notice ? `${answer.notice[0]!.toUpperCase()}${answer.notice.slice(1)}.` : "";
     const held = document.activeElement?.closest<HTMLElement>("[data-run]")?.dataset.run;
     const tag = document.activeElement?.tagName.toLowerCase();
-    this.list.replaceChildren(...runList(answer.runs, Date.now() / 1000, (run) => void this.start(run.scenario, run.seed)));
+    this.list.replaceChildren(...runList(answer.runs, Date.now() / 1000, { again: (run) => void this.start(run.scenario, run.seed), chosen: this.chosen, choose: (run, on) => this.choose(run.id, on) }));
+    this.showChoice();
     if (held) this.list.querySelector<HTMLElement>(`[data-run="${held}"] ${tag}`)?.focus();
   }
 }

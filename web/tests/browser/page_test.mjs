@@ -425,7 +425,7 @@ const cases = {
   },
 
   ...liveCases({ open, text, server, folder }),
-  ...runsCases({ open, text }),
+  ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
   ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
 

@@ -2,9 +2,11 @@
 import { describe, expect, it } from "vitest";
 import type { RunRow } from "../../src/api";
 import { ageText, tookText } from "../../src/base/ages";
-import { runList } from "../../src/live/run_list";
+import { runList, type ListActs } from "../../src/live/run_list";
 
 const run = (more: Partial<RunRow>): RunRow => ({ id: "a-1", state: "done", scenario: "yard.yaml", job: "guard", seed: 7, began_s: 1000, took_s: 9.44, progress: null, error: "", where: "", has_log: true, summary: null, ...more });
+
+const acts = (again: (run: RunRow) => void = () => undefined): ListActs => ({ again, chosen: new Set(["a-1"]), choose: () => undefined });
 
 describe("times for people", () => {
   it("of how long something took", () => {
@@ -19,7 +21,7 @@ describe("times for people", () => {
 });
 
 describe("the list of runs", () => {
-  const texts = (one: Partial<RunRow>): string => runList([run(one)], 1061, () => undefined)[0]!.textContent!;
+  const texts = (one: Partial<RunRow>): string => runList([run(one)], 1061, acts())[0]!.textContent!;
 
   it("tells scenario, seed, verdict, duration, age and reason", () => {
     expect(texts({ summary: { reason: "23 of 24 targets reached" } })).toBe("yard.yamlguardDoneseed 7 \u00b7 9.4 s1 minute ago23 of 24 targets reachedRun again");
@@ -29,10 +31,10 @@ describe("the list of runs", () => {
 
   it("runs a scenario again with its seed; a text that is no file cannot be", () => {
     const asked: RunRow[] = [];
-    const [row] = runList([run({})], 1000, (one) => asked.push(one));
+    const [row] = runList([run({})], 1000, acts((one) => asked.push(one)));
     row!.querySelector("button")!.click();
     expect(asked[0]).toMatchObject({ scenario: "yard.yaml", seed: 7 });
-    expect(runList([run({ scenario: "unsaved" })], 1000, () => undefined)[0]!.querySelector("button")).toBeNull();
-    expect(runList([], 1000, () => undefined)[0]!.textContent).toBe("None yet.");
+    expect(runList([run({ scenario: "unsaved" })], 1000, acts())[0]!.querySelector("button")).toBeNull();
+    expect(runList([], 1000, acts())[0]!.textContent).toBe("None yet.");
   });
 });
