@@ -110,6 +110,7 @@ sbom: tool-and-page  ## list what the tool is made of, with versions, in out/sbo
 
 pictures: tool-and-page  ## make the pictures of the README and docs/ anew, from the page
 	$(INSTALL) browser picture
+	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/build/example.mjs
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) node web/tests/run.mjs tests/browser/pictures.mjs
 
 lint: check-format  ## static analysis and formatting

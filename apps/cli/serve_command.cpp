@@ -13,6 +13,7 @@
 #include "output.hpp"
 #include "outrider/io/files.hpp"
 #include "reading.hpp"
+#include "temporary_folder.hpp"
 #include "terminal.hpp"
 #include "web_server.hpp"
 

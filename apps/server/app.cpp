@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "compression.hpp"
 #include "foxglove.hpp"
 #include "gunzip.hpp"
 #include "outrider/core/base64.hpp"
 #include "scenarios.hpp"
+#include "temporary_folder.hpp"
 
 namespace outrider::server {
 namespace {
@@ -119,6 +121,7 @@ std::span<const App::Endpoint> App::table() {
       {"PUT", "/api/v1/files/{path}", &App::save_file},
       {"GET", "/api/v1/scenarios/{path}", &App::read_scenario},
       {"PUT", "/api/v1/scenarios/{path}", &App::save_scenario},
+      {"GET", "/api/v1/scenes/{path}", &App::read_scene},
       {"GET", "/api/v1/catalogue", &App::catalogue},
       {"POST", "/api/v1/maps", &App::read_map},
       {"POST", "/api/v1/plan", &App::plan},
@@ -189,12 +192,13 @@ Response App::answer(const Request& request) {
   const bool api = request.path == "/api" || request.path.starts_with("/api/");
   try {
     response = api ? dispatch(request) : page_file(request);
+    apply_range(request, response);
+    compress(request, response, shared_.answers);
   } catch (const std::bad_alloc&) {
     response = error_response(503, "too_large", "there is not enough memory for that; ask for less");
   } catch (const std::exception& broken) {
     response = error_response(500, "internal", std::string("this is a bug: ") + broken.what());
   }
-  apply_range(request, response);
   if (api || response.status != 200) add_headers(response, data_policy, "no-store");
   return response;
 }
@@ -226,13 +230,17 @@ Response App::version(const Request&, const Parts&) {
   return json_response({{"name", "outrider"}, {"version", settings_.version}, {"api", 1}});
 }
 
-/// Lists the files. A scenario of an unknown job is listed as an ordinary file.
+/// Lists the files. A scenario of an unknown job is listed as an ordinary file; one without a description has
+/// that of its job.
 Response App::list_files(const Request&, const Parts&) {
   auto listed = folder_.list();
   for (auto& file : listed["files"]) {
-    const bool known = std::ranges::any_of(settings_.jobs,
-                                           [&](const Job& job) { return file.value("job", "") == job.name; });
-    if (file["kind"] == "scenario" && !known) file["kind"] = "other";
+    if (file["kind"] != "scenario") continue;
+    const auto job = std::ranges::find(settings_.jobs, file.value("job", ""), &Job::name);
+    const bool known = job != settings_.jobs.end();
+    if (!known) file["kind"] = "other";
+    if (!known) file.erase("description");
+    if (known && !file.contains("description")) file["description"] = job->sentence;
   }
   return json_response(listed);
 }
@@ -250,6 +258,14 @@ Response App::read_scenario(const Request& request, const Parts& parts) {
   auto scenario = settings_.read(folder_, {{"scenario", parts[0]}}, request.stop);
   if (scenario) scenario = with_kept_map(std::move(*scenario), shared_.planning.maps);
   return scenario ? json_response(*scenario) : error_response(scenario.error());
+}
+
+Response App::read_scene(const Request& request, const Parts& parts) {
+  if (!folder_.text(parts[0], largest_saved_bytes)) {
+    return not_found("there is no such scenario", parts[0].substr(0, 200));
+  }
+  const auto scene = settings_.read(folder_, {{"scene", parts[0]}}, request.stop);
+  return scene ? json_response(*scene) : error_response(scene.error());
 }
 
 Response App::save_scenario(const Request& request, const Parts& parts) {
@@ -363,7 +379,7 @@ Response App::page_file(const Request& request) {
                                   [&](const page::File& file) { return file.path == path; });
   if (found == settings_.files.end()) return not_found("the page has no such file", path.substr(0, 200));
   Response response{200, std::string(found->type), {}, {}};
-  if (request.header("accept-encoding").find("gzip") != std::string::npos) {
+  if (accepts_gzip(request.header("accept-encoding"))) {
     response.body = found->gzip;
     response.headers.emplace_back("Content-Encoding", "gzip");
   } else {

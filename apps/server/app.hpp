@@ -74,6 +74,7 @@ class App {
   Response dispatch(const Request& request);
   Response version(const Request& request, const Parts& parts);
   Response read_scenario(const Request& request, const Parts& parts);
+  Response read_scene(const Request& request, const Parts& parts);
   Response save_scenario(const Request& request, const Parts& parts);
   Response list_files(const Request& request, const Parts& parts);
   Response read_file(const Request& request, const Parts& parts);

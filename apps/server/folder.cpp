@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "head_comment.hpp"
 #include "outrider/core/text.hpp"
 #include "outrider/io/confinement.hpp"
 #include "outrider/io/files.hpp"
@@ -58,6 +59,7 @@ std::string type_of(const fs::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".json" || extension == ".geojson") return "application/json";
   if (extension == ".png") return "image/png";
+  if (extension == ".pgm") return "image/x-portable-graymap";
   if (extension == ".jpg" || extension == ".jpeg") return "image/jpeg";
   for (const char* text :
        {".yaml", ".yml", ".txt", ".csv", ".map", ".sdf", ".world", ".md", ".svg", ".obj"}) {
@@ -136,23 +138,23 @@ Outcome<std::string> Folder::text(std::string_view path, std::size_t most_bytes)
 
 Folder::Kind Folder::kind_of(const std::string& path) const {
   const std::string extension = lower_extension(path);
-  if (extension == ".mcap") return {"log", {}};
+  if (extension == ".mcap") return {"log"};
   if (fs::path(path).filename() == "run.json") {
     std::string job = job_of_result(first_bytes(path, 400));
     return {job.empty() ? "other" : "result", job};
   }
   if (extension == ".yaml" || extension == ".yml") {
     const std::string head = first_bytes(path, 4000);
-    if (has_key(head, "image")) return {"map", {}};
+    if (has_key(head, "image")) return {"map"};
     const auto content = text(path, largest_saved_bytes);
     const auto job = content ? scenario_job_from_text(*content, path) : Outcome<std::string>("");
-    return job && !job->empty() ? Kind{"scenario", *job} : Kind{"other", {}};
+    return job && !job->empty() ? Kind{"scenario", *job, head_comment(*content)} : Kind{"other"};
   }
   for (const char* map : {".map", ".sdf", ".world", ".png", ".pgm"}) {
-    if (extension == map) return {"map", {}};
+    if (extension == map) return {"map"};
   }
   const bool polygons = extension == ".txt" && first_bytes(path, 65536).find("---") != std::string::npos;
-  return {polygons ? "map" : "other", {}};
+  return {polygons ? "map" : "other"};
 }
 
 bool Folder::holds(const fs::path& place) const {
@@ -203,6 +205,7 @@ nlohmann::ordered_json Folder::list() const {
     const Kind kind = kind_of(name);
     nlohmann::ordered_json file = {{"path", name}, {"kind", kind.name}};
     if (!kind.job.empty()) file["job"] = kind.job;
+    if (!kind.description.empty()) file["description"] = kind.description;
     const std::uintmax_t bytes = fs::file_size(path, error);
     file["bytes"] = error ? 0 : bytes;
     files.push_back(std::move(file));

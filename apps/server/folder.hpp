@@ -49,8 +49,9 @@ class Folder {
   /// Returns true if a place on the disk lies under the folder once links are resolved.
   [[nodiscard]] bool holds(const std::filesystem::path& place) const;
 
-  /// Returns {"folder", "files": [{"path", "kind", "job", "bytes"}], "truncated"}, sorted by path. The kind
-  /// is scenario, log, result, map or other, by name and first bytes.
+  /// Returns {"folder", "files": [{"path", "kind", "job", "description", "bytes"}], "truncated"}, sorted by
+  /// path. The kind is scenario, log, result, map or other, by name and first bytes. The description is the
+  /// head comment of a scenario.
   [[nodiscard]] nlohmann::ordered_json list() const;
   /// Returns a response that streams the file: at most 64 MiB, and a log of any size.
   [[nodiscard]] Response read(std::string_view path) const;
@@ -72,7 +73,8 @@ class Folder {
 
   struct Kind {
     const char* name;
-    std::string job;
+    std::string job = {};
+    std::string description = {};
   };
   [[nodiscard]] Kind kind_of(const std::string& path) const;
 

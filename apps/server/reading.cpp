@@ -15,6 +15,7 @@
 #include "message.hpp"
 #include "outrider/core/base64.hpp"
 #include "scenarios.hpp"
+#include "scene.hpp"
 #include "yard_scenarios.hpp"
 
 namespace outrider::server {
@@ -91,12 +92,13 @@ class Turnstile {
 
 Outcome<Json> answer_reading(const Json& question, const Folder& folder) {
   Fields fields(question, "");
-  const bool map = fields.has("map"), scenario = fields.has("scenario");
-  const std::string path = fields.text(map ? "map" : scenario ? "scenario" : "save_as");
-  const Json* yard = map || scenario ? nullptr : fields.object("yard");
+  const bool map = fields.has("map"), scenario = fields.has("scenario"), scene = fields.has("scene");
+  const std::string path = fields.text(map ? "map" : scenario ? "scenario" : scene ? "scene" : "save_as");
+  const Json* yard = map || scenario || scene ? nullptr : fields.object("yard");
   if (auto ok = fields.end(); !ok) return pass_on(ok);
   if (map) return packed_map(path, folder);
   if (scenario) return shown_scenario(path, folder);
+  if (scene) return scenario_scene(path, folder);
   return changed_yard(*yard, path, folder);
 }
 

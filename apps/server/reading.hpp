@@ -5,6 +5,7 @@
 // A question and its answer are JSON. Paths in questions are relative to the folder:
 //    {"map": path}                        -> a packed map (maps.hpp)
 //    {"scenario": path}                   -> the result of shown_scenario(), its map packed
+//    {"scene": path}                      -> the result of scenario_scene()
 //    {"yard": request, "save_as": path}   -> {"files": [{"path", "base64"}, ...]} of yard_files()
 #pragma once
 

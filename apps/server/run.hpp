@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kept_runs.hpp"
 #include "runs.hpp"
 
 namespace outrider::server {
@@ -22,6 +23,9 @@ struct Runs::Run {
   std::filesystem::path out;
   std::string job;
   std::optional<std::int64_t> seed;
+  std::int64_t began_s = 0;  // Unix time at which it was asked for
+  std::chrono::steady_clock::time_point asked;
+  std::optional<double> took_s;
   std::string state = "queued";
   Fault fault{FaultCode::bad_input, {}, {}};
   Json progress;
@@ -34,6 +38,7 @@ struct Runs::Run {
   std::optional<std::size_t> newest_progress;  // its index in `messages`
   std::shared_ptr<GrowingLog> live_log;
   bool live_log_gone = false;
+  std::optional<FolderLock> lock;  // on `out`, until the run has ended
 
   [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
   [[nodiscard]] Json json() const {
@@ -42,6 +47,8 @@ struct Runs::Run {
             {"scenario", scenario},
             {"job", job},
             {"seed", seed ? Json(*seed) : Json()},
+            {"began_s", began_s},
+            {"took_s", took_s ? Json(*took_s) : Json()},
             {"progress", progress},
             {"seq", messages.size()},
             {"error", fault.sentence},
@@ -49,6 +56,10 @@ struct Runs::Run {
             {"has_log", has_log},
             {"has_result", has_result},
             {"summary", summary}};
+  }
+  /// Returns what state.json holds of a run with that state.
+  [[nodiscard]] KeptRun kept(const std::string& now) const {
+    return {id, scenario, job, seed, now, fault.sentence, fault.where, began_s, took_s, summary};
   }
 };
 

@@ -33,18 +33,15 @@ std::optional<fs::path> Runs::file_of(const RunPtr& run, const char* name) const
 
 Response Runs::log(const std::string& id) {
   fs::path file;
-  std::shared_ptr<GrowingLog> live;  // keeps its file while it is opened
   {
     const std::lock_guard lock(mutex_);
     const RunPtr run = find(id);
     if (!run) return no_such_run(id);
     if (!run->ended())
       return not_found("the log can be fetched when the run has ended; until then it is sent live", id);
-    live = run->live_log;
     file = run->out / "run.mcap";
   }
   auto opened = open_file(file);
-  if (!opened && live && live->bytes() > 0) opened = open_file(live->path());
   if (!opened) return not_found("this run left no log", id.substr(0, 64));
   return {200, "application/octet-stream", {}, {}, std::move(opened)};
 }

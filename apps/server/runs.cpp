@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "outrider/io/files.hpp"
@@ -22,6 +23,32 @@ constexpr std::size_t longest_scenario = std::size_t{1} << 20U;
 std::string moment() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   return fmt::format("{:x}", std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
+}
+
+std::int64_t unix_time_s() {
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::seconds>(since).count();
+}
+
+/// Gives a file a second name, which stays when the first is removed.
+void keep_file(const fs::path& file, const fs::path& as) {
+  std::error_code error;
+  fs::create_hard_link(file, as, error);
+  if (error) fs::copy_file(file, as, error);  // a disk without links
+}
+
+/// Returns the value of the key `seed` of a scenario; nothing if it has none that is a number.
+std::optional<std::int64_t> seed_of(const std::string& yaml) {
+  static constexpr std::string_view key = "seed:";
+  std::size_t at = yaml.starts_with(key) ? 0 : yaml.find("\nseed:");
+  if (at == std::string::npos) return std::nullopt;
+  at = yaml.find_first_not_of(" \t", yaml.find(':', at) + 1);
+  std::int64_t seed = 0;
+  if (at == std::string::npos) return std::nullopt;
+  const auto [end, error] = std::from_chars(yaml.data() + at, yaml.data() + yaml.size(), seed);
+  const bool whole =
+      end == yaml.data() + yaml.size() || std::string_view(" \t\r\n").find(*end) != std::string_view::npos;
+  return error == std::errc{} && whole && seed >= 0 ? std::optional(seed) : std::nullopt;
 }
 
 }  // namespace
@@ -46,6 +73,8 @@ Runs::Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& j
       jobs_(jobs),
       live_logs_(settings_.live_logs_bytes),
       prefix_(moment()) {
+  for (KeptRun& kept : RunsFolder::find(folder_.root())) runs_.push_back(restored(std::move(kept)));
+  forget_old();
   for (std::size_t i = 0; i < settings_.at_once; ++i) {
     workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
   }
@@ -120,14 +149,22 @@ Response Runs::start(const RunRequest& request) {
                             fmt::format("{} missions wait already; cancel one, or wait", queue_.size()));
     }
     if (!home_) {
-      auto home = TemporaryFolder::make();
+      auto home = RunsFolder::open(folder_.root());
       if (!home) return error_response(500, "internal", home.error().sentence);
-      home_ = std::move(*home);
+      home_ = std::make_unique<RunsFolder>(std::move(*home));
+      notice_ = home_->notice();
     }
     run->id = fmt::format("{}-{}", prefix_, ++number_);
     run->out = home_->path() / run->id;
   }
   if (auto refused = take_scenario(*run, request)) return *refused;
+  if (!run->seed) run->seed = seed_of(run->text);
+  run->began_s = unix_time_s();
+  run->asked = std::chrono::steady_clock::now();
+  std::error_code error;
+  fs::create_directories(run->out, error);
+  run->lock = FolderLock::take(run->out);
+  keep(run, run->state);
   {
     const std::lock_guard lock(mutex_);
     runs_.push_back(run);
@@ -140,6 +177,44 @@ Response Runs::start(const RunRequest& request) {
   return json_response(run->json(), 202);
 }
 
+/// Returns a run of an earlier server. Who watches it is told how it ended.
+Runs::RunPtr Runs::restored(KeptRun kept) const {
+  auto run = std::make_shared<Run>();
+  run->id = std::move(kept.id);
+  run->scenario = std::move(kept.scenario);
+  run->job = std::move(kept.job);
+  run->seed = kept.seed;
+  run->state = std::move(kept.state);
+  run->fault = {FaultCode::bad_input, std::move(kept.error), std::move(kept.where)};
+  run->began_s = kept.began_s;
+  run->took_s = kept.took_s;
+  run->summary = std::move(kept.summary);
+  run->out = RunsFolder::place(folder_.root(), run->id);
+  run->has_log = run->live_log_gone = file_of(run, "run.mcap").has_value();
+  run->has_result = file_of(run, "run.json").has_value();
+  Json message = {{"seq", 1}, {"type", "end"}, {"run", run->id}};
+  message.update(run->json());
+  message["seq"] = 1;
+  run->messages.push_back(std::make_shared<const std::string>(text_of(message)));
+  return run;
+}
+
+/// Writes what is known of a run to its folder. If that fails, the list of runs says so.
+void Runs::keep(const RunPtr& run, const std::string& state) {
+  KeptRun kept;
+  {
+    const std::lock_guard lock(mutex_);
+    kept = run->kept(state);
+  }
+  const Status written = write_state(run->out, kept);
+  if (written) return;
+  const std::lock_guard lock(mutex_);
+  if (notice_.empty()) {
+    notice_ = fmt::format("run {} cannot be kept ({})", run->id,
+                          without_folder(written.error(), folder_.root()).sentence);
+  }
+}
+
 Response Runs::state(const std::string& id) {
   const std::lock_guard lock(mutex_);
   const RunPtr run = find(id);
@@ -150,7 +225,7 @@ Json Runs::list() {
   const std::lock_guard lock(mutex_);
   Json list = Json::array();
   for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) list.push_back((*run)->json());
-  return {{"runs", std::move(list)}};
+  return {{"runs", std::move(list)}, {"notice", notice_}};
 }
 
 Response Runs::cancel(const std::string& id) {
@@ -218,7 +293,7 @@ void Runs::work(const std::stop_token& stop) {
 }
 
 void Runs::carry_out(const RunPtr& run) {
-  const fs::path file = run->out.string() + ".mcap";
+  const fs::path file = run->out / "live.mcap";
   auto log = std::make_shared<GrowingLog>(file, settings_.live_log_bytes, live_logs_);
   {
     const std::lock_guard lock(mutex_);
@@ -256,7 +331,9 @@ void Runs::conclude(const RunPtr& run, const ChildResult& child) {
   conclusion.fault =
       plain_fault(std::move(conclusion.fault), folder_.root(), run->unsaved ? run->scenario : "");
   if (conclusion.summary.contains("files")) conclusion.summary.erase("files");  // paths on the server
-  const bool has_log = file_of(run, "run.mcap") || run->live_log->bytes() > 0;
+  const bool killed = !file_of(run, "run.mcap") && run->live_log->bytes() > 0;
+  if (killed) keep_file(run->live_log->path(), run->out / "run.mcap");
+  const bool has_log = file_of(run, "run.mcap").has_value();
   const bool has_result = file_of(run, "run.json").has_value();
   {
     const std::lock_guard lock(mutex_);
@@ -283,9 +360,15 @@ void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
   {
     const std::lock_guard lock(mutex_);
     if (run->live_log) run->live_log->end();
-    run->state = state;
     run->text.clear();
     run->fault = std::move(fault);
+    run->took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - run->asked).count();
+  }
+  keep(run, state);
+  {
+    const std::lock_guard lock(mutex_);
+    run->state = state;
+    run->lock.reset();
     message = run->json();
   }
   message.erase("seq");

@@ -5,6 +5,8 @@
 // A viewer that comes late, reconnects or is slow continues from its position. Of the progress messages only
 // the newest is kept. The live logs of old runs make room for those of new ones.
 //
+// Each run has a folder (kept_runs.hpp), so those of earlier servers are there again.
+//
 // The text of a scenario is read once, when its run is requested, and passed to the mission; later changes to
 // the file have no effect. The mission opens other files beneath the folder only (child.hpp). Thread rule:
 // any thread may call.
@@ -29,15 +31,17 @@
 #include "folder.hpp"
 #include "growing_log.hpp"
 #include "outrider/job/job.hpp"
-#include "temporary_folder.hpp"
 
 namespace outrider::server {
+
+struct KeptRun;
+class RunsFolder;
 
 struct RunSettings {
   std::string tool;          ///< the program: `TOOL run SCENARIO --json --out FOLDER --stdin`
   std::size_t at_once = 2;   ///< missions that run at once
   std::size_t waiting = 16;  ///< missions in the queue; more are refused
-  std::size_t kept = 32;     ///< ended missions; older ones are forgotten
+  std::size_t kept = 32;     ///< ended missions; older ones are removed
   std::chrono::seconds limit{1800};
   std::size_t memory_bytes = std::size_t{4} << 30U;        ///< for one mission
   std::uint64_t live_log_bytes = std::uint64_t{1} << 30U;  ///< that are kept of the live log of a run
@@ -56,7 +60,7 @@ Outcome<RunRequest> run_request(const Json& request);
 
 class Runs {
  public:
-  /// `jobs` must outlive it.
+  /// `jobs` must outlive it. Finds the runs that earlier servers left.
   Runs(const Folder& folder, RunSettings settings, const std::vector<Job>& jobs);
   ~Runs();  ///< cancels all runs, and waits for them
   Runs(const Runs&) = delete;
@@ -64,7 +68,8 @@ class Runs {
 
   /// Queues a mission. Responds with its state and status 202; else 400, 404, or 429 if the queue is full.
   Response start(const RunRequest& request);
-  /// Responds with the state of one run; list() returns all of them, newest first.
+  /// Responds with the state of one run. list() returns {"runs": all of them, newest first, "notice": why
+  /// they are not kept, or empty}.
   Response state(const std::string& id);
   Json list();
   Response cancel(const std::string& id);
@@ -96,6 +101,8 @@ class Runs {
   using RunPtr = std::shared_ptr<Run>;
 
   std::optional<Response> take_scenario(Run& run, const RunRequest& request) const;
+  RunPtr restored(KeptRun kept) const;
+  void keep(const RunPtr& run, const std::string& state);
   void work(const std::stop_token& stop);
   void carry_out(const RunPtr& run);
   void conclude(const RunPtr& run, const ChildResult& child);
@@ -115,12 +122,13 @@ class Runs {
   const std::vector<Job>& jobs_;
   ByteBudget live_logs_;
   std::string prefix_;  // makes ids differ from those of earlier servers
-  std::optional<TemporaryFolder> home_;
+  std::unique_ptr<RunsFolder> home_;
   std::mutex mutex_;  // guards the members below, and every run
   std::condition_variable_any queued_;
   std::deque<RunPtr> queue_;
   std::vector<RunPtr> runs_;
   std::uint64_t number_ = 0;
+  std::string notice_;  // why runs are not kept; empty if they are
   std::atomic<std::uint64_t> states_{0};
   std::function<void()> on_change_;
   std::vector<std::jthread> workers_;

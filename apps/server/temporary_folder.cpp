@@ -14,19 +14,22 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "outrider-serve-";
 
-/// Returns a descriptor that holds the lock; -1 if the folder belongs to another user, is locked, or is gone.
-int locked(const fs::path& folder) {
+}  // namespace
+
+std::optional<FolderLock> FolderLock::take(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   struct stat status{};
   if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && status.st_uid == ::geteuid() &&
       ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fs::is_directory(folder)) {
-    return descriptor;
+    return FolderLock(descriptor);
   }
   if (descriptor >= 0) ::close(descriptor);
-  return -1;
+  return std::nullopt;
 }
 
-}  // namespace
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 Outcome<TemporaryFolder> TemporaryFolder::make() {
   constexpr int attempts = 10;  // another server may remove it before it is locked
@@ -34,9 +37,7 @@ Outcome<TemporaryFolder> TemporaryFolder::make() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / fmt::format("{}XXXXXX", prefix)).string();
     if (error || ::mkdtemp(name.data()) == nullptr) break;
-    if (const int descriptor = locked(name); descriptor >= 0) {
-      return TemporaryFolder(fs::canonical(name), descriptor);
-    }
+    if (auto lock = FolderLock::take(name)) return TemporaryFolder(fs::canonical(name), std::move(*lock));
   }
   return bad_input("there is no place for temporary files; set TMPDIR to a folder that can be written to",
                    "TMPDIR");
@@ -47,18 +48,15 @@ void TemporaryFolder::remove_abandoned() {
   fs::directory_iterator it(fs::temp_directory_path(error), error);
   for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
     if (!it->path().filename().string().starts_with(prefix)) continue;
-    const int descriptor = locked(it->path());
-    if (descriptor < 0) continue;
+    const auto lock = FolderLock::take(it->path());
     std::error_code ignored;
-    fs::remove_all(it->path(), ignored);
-    ::close(descriptor);
+    if (lock) fs::remove_all(it->path(), ignored);
   }
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove_all(path_, ignored);
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 }  // namespace outrider::server

@@ -2,12 +2,33 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "outrider/core/outcome.hpp"
 
 namespace outrider::server {
+
+/// Holds a lock on a folder of this user. The kernel releases it when the process ends, however it ends.
+class FolderLock {
+ public:
+  /// Returns nothing if the folder belongs to another user, is locked, is a link, or is gone.
+  static std::optional<FolderLock> take(const std::filesystem::path& folder);
+
+  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock& operator=(FolderLock&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock();
+
+ private:
+  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_;
+};
 
 /// Holds a lock on the folder while the object exists. A folder without a lock was left by a server that was
 /// killed.
@@ -19,10 +40,10 @@ class TemporaryFolder {
   static void remove_abandoned();
 
   TemporaryFolder(TemporaryFolder&& other) noexcept
-      : path_(std::exchange(other.path_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
+      : path_(std::exchange(other.path_, {})), lock_(std::move(other.lock_)) {}
   TemporaryFolder& operator=(TemporaryFolder&& other) noexcept {
     std::swap(path_, other.path_);
-    std::swap(descriptor_, other.descriptor_);
+    std::swap(lock_, other.lock_);
     return *this;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -32,10 +53,10 @@ class TemporaryFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  TemporaryFolder(std::filesystem::path path, int descriptor)
-      : path_(std::move(path)), descriptor_(descriptor) {}
+  TemporaryFolder(std::filesystem::path path, FolderLock lock)
+      : path_(std::move(path)), lock_(std::move(lock)) {}
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  FolderLock lock_;
 };
 
 }  // namespace outrider::server

@@ -142,6 +142,7 @@ class Confinement(Serve):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         left = lambda: [path.name for path in pathlib.Path(temporary.name).iterdir()]
+        self.write(".outrider", "a file, so that its runs are kept in a temporary folder")
         before = sorted(path.name for path in self.folder.iterdir())
         server = Server(self.folder, TMPDIR=temporary.name)
         run = self.started(server, {"text": LONG})

@@ -1,9 +1,11 @@
 """`outrider serve` from outside: its files and its missions."""
+import gzip
 import pathlib
 import time
+import urllib.request
 
 from serve_case import COURT, Serve
-from server_client import Server
+from server_client import Server, WebSocket
 from tool import main
 
 
@@ -12,6 +14,8 @@ class Interface(Serve):
         with Server(self.folder) as server:
             self.assertEqual(self.valid("Version", server.json("GET", "/api/v1/version"))["api"], 1)
             files = self.valid("Files", server.json("GET", "/api/v1/files"))
+            scene = self.valid("Scene", server.json("GET", "/api/v1/scenes/court.yaml"))
+            self.assertEqual((scene["start"], len(scene["targets"])), ([0, -2], 3))
             kinds = {file["path"]: file["kind"] for file in files["files"]}
             self.assertEqual(kinds, {"court.yaml": "scenario", "long.yaml": "scenario", "room.txt": "map",
                                      "small.map": "map", "targets.txt": "other", "yard.sdf": "map"})
@@ -29,6 +33,27 @@ class Interface(Serve):
             self.assertEqual(server.json("GET", "/api/v1/files/absent.yaml", status=404)["code"], "not_found")
             self.assertEqual(server.json("POST", "/api/v1/version", "", status=405)["error"], "expected GET")
             self.assertEqual(server.request("HEAD", "/api/v1/version")[2], b"")
+
+    def test_long_answers_are_compressed(self):
+        self.write("large.sdf", (self.folder / "yard.sdf").read_text() + "<!-- " + "fence " * 1000 + "-->")
+        def fetched(path, **headers):
+            asked = urllib.request.Request(f"http://127.0.0.1:{server.port}/{path}", headers={name.replace("_", "-"): value for name, value in headers.items()})
+            with urllib.request.urlopen(asked, timeout=20) as answer:
+                return answer.status, answer.headers, answer.read()
+        with Server(self.folder) as server:
+            for path in ("api/v1/catalogue", "api/v1/files/large.sdf"):
+                _, plain_headers, plain = fetched(path, Accept_Encoding="identity")
+                self.assertEqual((plain_headers["Content-Encoding"], plain_headers["Vary"]), (None, "Accept-Encoding"), path)
+                _, headers, packed = fetched(path, Accept_Encoding="gzip, deflate")
+                self.assertEqual((headers["Content-Encoding"], headers["Vary"], int(headers["Content-Length"])), ("gzip", "Accept-Encoding", len(packed)), path)
+                self.assertEqual(gzip.decompress(packed), plain, path)
+                self.assertLess(2 * len(packed), len(plain), path)
+                head = server.request("HEAD", "/" + path, Accept_Encoding="gzip")[1]
+                self.assertEqual((head["content-encoding"], head["content-length"]), ("gzip", str(len(packed))), path)
+            whole = (self.folder / "large.sdf").read_bytes()
+            status, headers, part = fetched("api/v1/files/large.sdf", Accept_Encoding="gzip", Range="bytes=100-3099")
+            self.assertEqual((status, headers["Content-Encoding"], headers["Content-Range"], part), (206, None, f"bytes 100-3099/{len(whole)}", whole[100:3100]))
+            self.assertEqual(fetched("api/v1/version", Accept_Encoding="gzip")[1]["Content-Encoding"], None, "it is short")
 
     def test_nothing_outside_the_folder(self):
         with self.subTest("links"):
@@ -64,13 +89,36 @@ class Interface(Serve):
             unsaved = server.json("POST", "/api/v1/runs", {"text": COURT.replace("seed: 4", "seed: x")}, status=202)
             refused = server.wait(unsaved["id"])
             self.assertEqual((refused["state"], refused["where"][:8]), ("refused", "scenario"), refused)
-            self.assertEqual([path.name for path in self.folder.glob(".outrider*")], [])
+            self.assertEqual([path.name for path in self.folder.glob(".outrider*")], [".outrider"])
+            self.assertEqual(sorted(path.name for path in (self.folder / ".outrider/runs").iterdir()),
+                             sorted([run["id"], unsaved["id"]]))
             self.assertEqual([run["id"] for run in self.valid("Runs", server.json("GET", "/api/v1/runs"))["runs"]],
                              [unsaved["id"], run["id"]])
             for wrong, status in [({"scenario": "absent.yaml"}, 404), ({}, 400), ({"text": "a: [", "folder": ""}, 400),
                                   ({"scenario": "court.yaml", "seed": -1}, 400)]:
                 self.valid("Error", server.json("POST", "/api/v1/runs", wrong, status=status))
             server.json("GET", "/api/v1/runs/absent", status=404)
+
+    def test_runs_are_there_again_after_a_restart(self):
+        with Server(self.folder) as server:
+            done = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml"}, status=202)["id"]
+            before = server.wait(done)
+            log = server.request("GET", f"/api/v1/runs/{done}/log")[2]
+            cut = self.started(server, {"scenario": "long.yaml"})
+            server.end(kill=True)
+        with Server(self.folder) as server:
+            runs = {run["id"]: run for run in self.valid("Runs", server.json("GET", "/api/v1/runs"))["runs"]}
+            self.assertEqual(set(runs), {done, cut})
+            self.assertEqual(runs[done] | {"seq": 0, "progress": None}, before | {"seq": 0, "progress": None})
+            self.assertEqual((runs[done]["seed"], runs[cut]["state"], runs[cut]["took_s"]), (4, "cut_short", None))
+            self.assertEqual(server.request("GET", f"/api/v1/runs/{done}/log")[2], log)
+            with WebSocket(server) as watcher:
+                watcher.send({"type": "watch", "run": cut, "from": 0})
+                end = self.valid("LiveEnd", watcher.until("end")[-1])
+                self.assertEqual(end["state"], "cut_short")
+            again = server.json("POST", "/api/v1/runs", {"scenario": "court.yaml", "seed": before["seed"]}, status=202)["id"]
+            self.assertEqual(server.wait(again)["state"], before["state"])
+            self.assertEqual(server.request("GET", f"/api/v1/runs/{again}/log")[2], log, "the same seed, the same bytes")
 
     def test_cancel_and_queue(self):
         with Server(self.folder, "--jobs", "1") as server:

@@ -10,6 +10,7 @@ const types = {
   ".js": "text/javascript; charset=utf-8",
   ".css": "text/css; charset=utf-8",
   ".svg": "image/svg+xml",
+  ".mcap": "application/octet-stream",
 };
 
 function filesBelow(folder, prefix = "") {

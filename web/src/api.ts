@@ -2,7 +2,7 @@
 import { base64Of } from "./base/base64";
 import { sourceOf, type Source } from "./log/source";
 
-export interface FileRow { path: string; kind: "scenario" | "run" | "map" | "other"; job?: string; bytes: number }
+export interface FileRow { path: string; kind: "scenario" | "log" | "result" | "map" | "other"; job?: string; description?: string; bytes: number }
 export interface OptionRow {
   name: string;
   type: "number" | "integer" | "boolean" | "string";
@@ -127,19 +127,30 @@ export interface YardRequest {
 export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, number] } & (
   | { goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
   | { heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
+/** What a scenario looks like from above: its ground, coarse where it is large and null where it names none, the start and the targets. */
+export interface SceneAnswer { map: Pick<MapAnswer, "name" | "grid" | "polygons"> | null; start: [number, number] | null; targets: [number, number][] }
 export type ScenarioRequest =
   | { plan: PlanRequest }
   | { guard: YardRequest };
 export interface RunRow {
   id: string;
-  state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed";
+  state: "queued" | "running" | "done" | "not_done" | "refused" | "cancelled" | "failed" | "cut_short";
   scenario: string;
   job: string;
   seed: number | null;
+  /** Unix time at which it was asked for, s. */
+  began_s: number;
+  /** From then until its end, s. */
+  took_s: number | null;
   progress: { step: number; steps: number; name: string; part: number } | null;
   error: string;
   where: string;
+  /** It has ended and left a log. */
+  has_log: boolean;
+  summary: { reason?: string; metrics?: Record<string, number | null> } | null;
 }
+/** The newest run first; the notice says why runs are not kept. */
+export interface RunsAnswer { runs: RunRow[]; notice: string }
 
 const base = "api/v1/";
 
@@ -156,6 +167,7 @@ export function token(): string {
 const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
 export const filePath = (path: string): string => `files/${encoded(path)}`;
 export const scenarioPath = (path: string): string => `scenarios/${encoded(path)}`;
+export const scenePath = (path: string): string => `scenes/${encoded(path)}`;
 
 /** A fault in one sentence, with where it is. */
 export const faultText = ({ where, error }: { where: string; error: string }): string =>
@@ -199,6 +211,12 @@ export async function send<T>(method: "POST" | "DELETE", path: string, body?: un
   const init: RequestInit = body === undefined ? { method }
     : { method, body: JSON.stringify(body), headers: { "Content-Type": "application/json" } };
   return await (await answer(path, init)).json() as T;
+}
+
+/** Starts a mission and goes to where it is watched. */
+export async function startRun(scenario: string, seed: number | null = null): Promise<void> {
+  const { id } = await send<RunRow>("POST", "runs", seed === null ? { scenario } : { scenario, seed });
+  location.hash = `live/${id}`;
 }
 
 /** Sends a map that was dropped on the page; maps of map_server are two files. */

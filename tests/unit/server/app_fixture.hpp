@@ -11,6 +11,7 @@
 
 #include "app.hpp"
 #include "outrider/jobs/catalog.hpp"
+#include "temporary_folder.hpp"
 
 namespace outrider::server {
 

@@ -150,12 +150,13 @@ TEST_F(AppTest, AScenarioWithoutAJobIsRefused) {
   EXPECT_EQ(unknown["error"], job_of_scenario(jobs(), path("dance.yaml")).error().sentence);
 }
 
+/// Besides its run, which is kept.
 TEST_F(AppTest, AnUnsavedScenarioLeavesNoFileInTheFolder) {
   write_tool("ls -A > listing\ncat > /dev/null\necho '{\"status\":\"done\"}'\n");
   EXPECT_EQ(ended(json("POST", "/api/v1/runs", R"({"text":"job: guard"})", 202)["id"])["state"], "done");
   std::ifstream listing(path("listing"));
   const std::string names{std::istreambuf_iterator<char>(listing), {}};
-  EXPECT_EQ(names, "listing\ntool\n");
+  EXPECT_EQ(names, ".outrider\nlisting\ntool\n");
 }
 
 TEST(TemporaryFolders, AreRemovedOnceTheirServerIsGone) {

@@ -1,22 +1,20 @@
 // The live view: shows one mission while it runs with the same views as afterwards. Its log comes as it is written.
-import { faultText, getJson, send, type RunRow } from "../api";
+import { faultText, fileAt, getJson, send, type RunRow, type SceneAnswer } from "../api";
 import { heading, nameOf, title } from "../banner";
 import { h } from "../base/dom";
 import { entitle } from "../base/title";
 import { formatAddress } from "../base/url";
+import type { RunLog } from "../log/run_log";
 import { topic } from "../log/topics";
+import { sceneOf } from "../scenes";
 import { Watch } from "../watch/watch";
 import { LiveLog } from "./live_log";
+import { isOver, stateWords } from "./states";
 import { Socket, type Message } from "./socket";
 
 /** The interval at which new data is shown. */
 const rest_ms = 200;
-const over = new Set(["done", "not_done", "refused", "cancelled", "failed"]);
 const isFile = (scenario: string): boolean => /\.ya?ml$/.test(scenario);
-const stateWords: Record<string, string> = {
-  queued: "Waiting for its turn", running: "Running", done: "Done", not_done: "Not done", refused: "Refused", cancelled: "Cancelled", failed: "Failed",
-};
-const wordsOf = (state: string): string => stateWords[state] ?? state;
 
 export class LivePage {
   readonly element = h("div", { class: "live-page" });
@@ -27,6 +25,9 @@ export class LivePage {
   private cancel = h("button", { type: "button", class: "button", onclick: () => void this.stop() }, "Cancel");
   private head = h("div", { class: "run-head" }, this.name, this.state, this.words, this.bar, this.cancel);
   private live = new LiveLog();
+  private scene: SceneAnswer | null = null;
+  /** The log of a run that had ended before. */
+  private kept: RunLog | null = null;
   private socket: Socket | null = null;
   private watch: Watch | null = null;
   private timer = 0;
@@ -46,13 +47,23 @@ export class LivePage {
     this.watch?.close();
   }
 
-  /** The server sends the log so far, then what is added to it; of a run that has ended, all of it. */
+  /** The server sends the log so far, then what is added to it. Of a run that has ended the parts of its file are read that are shown. */
   private async begin(): Promise<void> {
     const run = await getJson<RunRow>(`runs/${this.id}`).catch((error: Error) => error);
     if (this.closed) return;
     if (run instanceof Error) {
       this.notFound(run.message);
       return;
+    }
+    if (isOver(run.state) && run.has_log) {
+      await this.openKept(run).catch((error: Error) => this.notFound(error.message));
+      return;
+    }
+    if (isFile(run.scenario)) {
+      void sceneOf(run.scenario).then((scene) => {
+        this.scene = scene;
+        if (scene) this.watch?.expect(scene);
+      });
     }
     this.socket = new Socket({
       opened: () => {
@@ -66,6 +77,17 @@ export class LivePage {
         else if (!this.ended) this.state.textContent = "Connection lost, trying again";
       },
     });
+  }
+
+  private async openKept(run: RunRow): Promise<void> {
+    const { openLog } = await import("../log/file");
+    this.kept = await openLog(await fileAt(`runs/${run.id}/log`));
+    if (!this.closed) this.end(run);
+  }
+
+  /** What is there of the log, and whether it is whole. */
+  private get log(): { log: RunLog; complete: boolean } {
+    return this.kept ? { log: this.kept, complete: !this.kept.cut } : this.live;
   }
 
   private notFound(sentence: string): void {
@@ -99,27 +121,28 @@ export class LivePage {
   private show(state: string): void {
     this.present = state;
     this.element.dataset.state = state;
-    this.state.textContent = wordsOf(state);
+    this.state.textContent = stateWords(state);
     this.state.className = `run-state ${state}`;
-    this.cancel.hidden = over.has(state);
-    this.bar.hidden = over.has(state);
+    this.cancel.hidden = isOver(state);
+    this.bar.hidden = isOver(state);
   }
 
   /** Updates the view to the log received so far. */
   private grow(): void {
     clearTimeout(this.timer);
     this.timer = 0;
-    const { log, complete } = this.live;
+    const { log, complete } = this.log;
     const goesOn = !complete && !this.ended;
     this.element.dataset.samples = String((log.channels.get(topic.pose) ?? log.channels.get(topic.belief))?.count ?? 0);
     if (complete) this.head.replaceChildren(...title(log));
     else this.name.replaceWith(this.name = heading(log));
-    entitle(complete ? nameOf(log) : `${this.name.lastChild?.textContent ?? ""}, ${wordsOf(this.present).toLowerCase()}`);
+    entitle(complete ? nameOf(log) : `${this.name.lastChild?.textContent ?? ""}, ${stateWords(this.present).toLowerCase()}`);
     if (this.watch) {
       this.watch.renew(log, goesOn);
       return;
     }
     this.watch = new Watch(log, this.query, goesOn);
+    if (this.scene) this.watch.expect(this.scene);
     this.element.append(this.watch.element);
   }
 
@@ -133,7 +156,7 @@ export class LivePage {
   private tellWhy(run: RunRow): void {
     this.words.textContent = "";
     this.name.textContent = run.scenario;
-    entitle(`${run.scenario}, ${wordsOf(run.state).toLowerCase()}`);
+    entitle(`${run.scenario}, ${stateWords(run.state).toLowerCase()}`);
     const change = isFile(run.scenario) ? [h("a", { href: formatAddress({ view: "change", path: run.scenario, query: {} }) }, "Change the scenario"), " or "] : [];
     this.element.append(h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, faultText(run) || "It ended before it had anything to show."),
       h("p", { class: "hint" }, ...change, h("a", { href: formatAddress({ view: "live", path: "", query: isFile(run.scenario) ? { scenario: run.scenario } : {} }) }, "run another mission"))));
@@ -144,9 +167,9 @@ export class LivePage {
     this.ended = run;
     this.show(run.state);
     this.words.textContent = faultText(run) || run.scenario;
-    const { channels } = this.live.log;
+    const { channels } = this.log.log;
     const answersQuestion = [...channels.keys()].some((name) => name.startsWith(topic.planOf));
-    if (answersQuestion && run.state !== "cancelled" && run.state !== "failed" && isFile(run.scenario)) {
+    if (answersQuestion && (run.state === "done" || run.state === "not_done") && isFile(run.scenario)) {
       location.replace(formatAddress({ view: "change", path: run.scenario, query: {} }));
     } else if (channels.size > 0) this.grow();
     else this.tellWhy(run);

@@ -1,13 +1,22 @@
 // The runs page: lists the missions of this server, newest first, with a form that starts another.
-import { getJson, send, type FileRow, type RunRow } from "../api";
+import { getJson, startRun, type FileRow, type RunsAnswer } from "../api";
 import { h } from "../base/dom";
 import { formatAddress } from "../base/url";
+import { runList } from "./run_list";
 import { Socket } from "./socket";
+
+/** The ages of runs are told anew after so long. */
+const renewed_ms = 30_000;
 
 export class RunsPage {
   readonly element: HTMLElement;
   private list = h("ul", { class: "rows", "aria-label": "Runs" });
+  private notice = h("p", { class: "hint", role: "status" });
+  private answer: RunsAnswer = { runs: [], notice: "" };
+  private timer = window.setInterval(() => this.show(this.answer), renewed_ms);
   private refusal = h("p", { class: "refused", role: "alert" });
+  private chosen = new Set<string>();
+  private compare = h("button", { type: "button", class: "button", onclick: () => this.showCompared() }, "Compare");
   private socket: Socket;
 
   constructor(files: FileRow[], chosen: string) {
@@ -21,30 +30,51 @@ export class RunsPage {
       h("button", { type: "submit", class: "button primary", disabled: scenarios.length === 0 }, "Run"), this.refusal);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      void this.start(select.value, seed.value);
+      void this.start(select.value, seed.value === "" ? null : Number(seed.value));
     });
-    this.element = h("div", { class: "page" }, h("h1", {}, "Run a mission"), form, h("h2", {}, "Runs"), this.list);
+    this.element = h("div", { class: "page" }, h("h1", {}, "Run a mission"), form, h("div", { class: "page-head" }, h("h2", {}, "Runs"), this.compare), this.notice, this.list);
     this.socket = new Socket({ opened: () => [{ type: "runs" }], receive: (message) => {
-      if (message.type === "runs") this.show(message.runs as RunRow[]);
+      if (message.type === "runs") this.show(message as unknown as RunsAnswer);
     } });
-    void getJson<{ runs: RunRow[] }>("runs").then(({ runs }) => this.show(runs), () => undefined);
+    void getJson<RunsAnswer>("runs").then((answer) => this.show(answer), () => undefined);
   }
 
-  close(): void { this.socket.close(); }
+  close(): void {
+    clearInterval(this.timer);
+    this.socket.close();
+  }
 
-  private async start(scenario: string, seed: string): Promise<void> {
+  private async start(scenario: string, seed: number | null): Promise<void> {
     this.refusal.textContent = "";
-    try {
-      const run = await send<RunRow>("POST", "runs", seed === "" ? { scenario } : { scenario, seed: Number(seed) });
-      location.hash = formatAddress({ view: "live", path: run.id, query: {} });
-    } catch (error) {
-      this.refusal.textContent = error instanceof Error ? error.message : String(error);
-    }
+    await startRun(scenario, seed).catch((error: Error) => { this.refusal.textContent = error.message; });
   }
 
-  private show(runs: RunRow[]): void {
-    this.list.replaceChildren(...runs.map((run) => h("li", {}, h("a", { href: formatAddress({ view: "live", path: run.id, query: {} }) },
-      h("span", { class: "name" }, run.scenario || "a text"), h("span", { class: "kind" }, run.job), h("span", { class: `run-state ${run.state}` }, run.state.replace("_", " "))))));
-    if (runs.length === 0) this.list.replaceChildren(h("li", { class: "none" }, "None yet."));
+  /** Two are compared: a third takes the place of the first. */
+  private choose(id: string, on: boolean): void {
+    if (on) this.chosen.add(id);
+    else this.chosen.delete(id);
+    if (this.chosen.size > 2) this.chosen.delete([...this.chosen][0]!);
+    this.show(this.answer);
+  }
+
+  private showChoice(): void {
+    this.compare.disabled = this.chosen.size !== 2;
+    this.compare.title = this.compare.disabled ? "Choose two runs that left a log" : "Show both beside each other, and where their numbers differ";
+  }
+
+  /** The older one comes first. */
+  private showCompared(): void {
+    const ids = this.answer.runs.map(({ id }) => id).filter((id) => this.chosen.has(id)).reverse();
+    location.hash = formatAddress({ view: "compare", path: "", query: { runs: ids.join(",") } });
+  }
+
+  private show(answer: RunsAnswer): void {
+    this.answer = answer;
+    this.notice.textContent = answer.notice ? `${answer.notice[0]!.toUpperCase()}${answer.notice.slice(1)}.` : "";
+    const held = document.activeElement?.closest<HTMLElement>("[data-run]")?.dataset.run;
+    const tag = document.activeElement?.tagName.toLowerCase();
+    this.list.replaceChildren(...runList(answer.runs, Date.now() / 1000, { again: (run) => void this.start(run.scenario, run.seed), chosen: this.chosen, choose: (run, on) => this.choose(run.id, on) }));
+    this.showChoice();
+    if (held) this.list.querySelector<HTMLElement>(`[data-run="${held}"] ${tag}`)?.focus();
   }
 }

@@ -3,6 +3,7 @@ import type { Edit, Grid, MapAnswer, Polygons } from "../api";
 import type { Box } from "../base/camera";
 import { nearestOnPolygon, type Vec2 } from "../base/outline";
 import { endsIn, eroded, type OpenCells } from "./ends";
+import type { Restore } from "./history";
 
 export const free = 0;
 export const occupied = 1;
@@ -79,6 +80,20 @@ export class GridGround {
     return edits;
   }
 
+  /** Returns what takes the cells back to what they are now. */
+  snapshot(): Restore {
+    const edits = this.edits();
+    return () => {
+      this.cells.set(this.before);
+      for (const edit of edits) {
+        const [[x, y, across], value] = "free" in edit ? [edit.free, free] : "block" in edit ? [edit.block, occupied] : [[0, 0, 0], free];
+        const at = y! * this.grid.width + x!;
+        this.cells.fill(value, at, at + across!);
+      }
+      this.version += 1;
+    };
+  }
+
   /** Returns places near two opposite corners between which a disk can drive, anywhere in their cells; a point where it fits nowhere. */
   ends(radius_m: number): [Vec2, Vec2] {
     const { width, height, resolution_m: r } = this.grid;
@@ -131,6 +146,16 @@ export class PolygonGround {
     this.obstacles.push([[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]);
     this.version += 1;
     return this.obstacles.length - 1;
+  }
+
+  /** Returns what takes the obstacles back to what they are now. */
+  snapshot(): Restore {
+    const [obstacles, moved] = [[...this.obstacles], new Set(this.moved)];
+    return () => {
+      this.obstacles.splice(0, this.obstacles.length, ...obstacles);
+      this.moved = moved;
+      this.version += 1;
+    };
   }
 
   edits(): Edit[] {

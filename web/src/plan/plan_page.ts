@@ -6,11 +6,14 @@ import { keys } from "../base/keys";
 import type { Vec2 } from "../base/outline";
 import { saveCanvas, saveText } from "../base/save";
 import { keepInAddress } from "../base/url";
+import { aboutSearch } from "./about_search";
 import { Asker } from "./asker";
 import { Choice } from "./choice";
+import { History } from "./history";
 import { free, occupied, groundOf, type Ground } from "./ground";
 import { onKnob } from "./handle";
 import type { Values } from "./form";
+import { legend } from "./legend";
 import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
 import { resultTable } from "./results";
@@ -52,12 +55,22 @@ export class PlanPage {
   private bar = h("div", { class: "stage-bar" });
   private barWatcher = new ResizeObserver(() => this.makeRoom());
   private tool: Tool = "move";
-  private held: { what: "start" | "goal" | "heading" | "paint" | number; last: Vec2 } | null = null;
+  private held: { what: "start" | "goal" | "heading" | "paint" | number; last: Vec2; changed?: boolean } | null = null;
   private legend = h("ul", { class: "legend", "aria-label": "Legend" });
   private frame = 0;
   private firstStep: number | null;
   private planners: PlannerRow[];
   private saving: SaveForm;
+  private history = new History(() => {
+    const [{ start, goal }, ground] = [this.scene, this.ground.snapshot()];
+    return () => {
+      this.scene.start = start;
+      this.scene.goal = goal;
+      ground();
+    };
+  });
+  /** The changes to the map that were saved last. */
+  private kept = "[]";
 
   constructor(private map: MapAnswer, ground: Ground, planners: PlannerRow[], query: Record<string, string>, path: string, private opened: Opened | null) {
     this.ground = ground;
@@ -67,14 +80,15 @@ export class PlanPage {
     this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m, selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
-    this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }));
+    this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }), () => { this.kept = JSON.stringify(this.ground.edits()); });
     this.bar.append(this.tools, this.legend);
     this.barWatcher.observe(this.bar);
     const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
       h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results, this.saving.element));
     this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
       h("div", { class: "stage" }, this.panes, this.bar,
-        h("div", { class: "stage-tools" }, iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
+        h("div", { class: "stage-tools" }, iconButton("undo", "Undo", () => this.undo(false), "u"), iconButton("redo", "Do it again", () => this.undo(true), "U"),
+          iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
     this.steps.element, aside);
     for (const text of map.warnings) this.notice.append(h("span", {}, text));
     this.sit(query.planner ?? opened?.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
@@ -83,6 +97,11 @@ export class PlanPage {
     this.bindKeys();
     this.planSoon(true);
   }
+
+  get title(): string { return this.opened?.path.split("/").at(-1) ?? this.map.name; }
+
+  /** The map was changed since it was opened or saved; start and goal are in the address. */
+  unsaved(): boolean { return JSON.stringify(this.ground.edits()) !== this.kept; }
 
   close(): void {
     cancelAnimationFrame(this.frame);
@@ -198,21 +217,9 @@ export class PlanPage {
     }
     this.results.replaceChildren(resultTable(this.seats.map((seat) => seat.pane.answer)));
     const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
-    this.sentence.textContent = failed?.reason ?? this.aboutSearch();
+    this.sentence.textContent = failed?.reason ?? aboutSearch(this.seats.map(({ choice, pane }) => ({ ...choice.planner, answer: pane.answer, shown: pane.trace?.length ?? 0 })));
     this.sentence.classList.toggle("refused", failed !== undefined);
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
-  }
-
-  /** Explains what the steps show if a planner has no search with a queue. */
-  private aboutSearch(): string {
-    const sentences = this.seats.map(({ choice: { planner: { name, tells } }, pane }) => {
-      if (!pane.answer) return "";
-      const [shown, all] = [pane.trace?.length ?? 0, pane.answer.expansions ?? 0];
-      if (pane.answer.trace?.truncated && all > shown) return `${name}: the steps show the first ${shown.toLocaleString("en")} of ${all.toLocaleString("en")} expansions.`;
-      if (tells === "lookup" && (pane.trace?.length ?? 0) <= 1) return `${name} looks its answer up in an index: there is no search to step through.`;
-      return tells === "tree" ? `${name} draws points and has no queue: the steps show its tree as it grew.` : "";
-    });
-    return [...new Set(sentences.filter(Boolean))].join(" ");
   }
 
   /** Sends the map again, because the server keeps few maps and forgot this one. */
@@ -261,7 +268,9 @@ export class PlanPage {
       return true;
     }
     const [x0, , x1] = ground.box;
-    if (this.tool === "add") this.held = { what: ground.add(at, 0.03 * (x1 - x0)), last: at };
+    if (this.tool === "remove" && ground.at(at) < 0) return false;
+    this.history.remember();
+    if (this.tool === "add") this.held = { what: ground.add(at, 0.03 * (x1 - x0)), last: at, changed: true };
     else ground.remove(ground.at(at));
     this.planSoon(false);
     return true;
@@ -274,6 +283,8 @@ export class PlanPage {
       this.turnStart(headingTo(at, scene.start), false);
       return;
     }
+    if (!held.changed) this.history.remember();
+    held.changed = true;
     if (held.what === "start" || held.what === "goal") scene[held.what] = at;
     else if (held.what === "paint" && ground.kind === "grid") {
       const reach = Math.floor(Math.max(ground.grid.width, ground.grid.height) / 120);
@@ -302,7 +313,14 @@ export class PlanPage {
     const [x0, , x1] = ground.box;
     const stride = ground.kind === "grid" ? ground.grid.resolution_m : (x1 - x0) / 100;
     const end = scene.selected ?? "goal";
+    this.history.remember();
     scene[end] = [scene[end][0] + dx * stride, scene[end][1] + dy * stride];
+    this.keepEnds();
+    this.planSoon(true);
+  }
+
+  private undo(again: boolean): void {
+    if (this.held || !this.history.undo(again)) return;
     this.keepEnds();
     this.planSoon(true);
   }
@@ -352,6 +370,10 @@ export class PlanPage {
       { key: ",", words: "turn the start left, where a planner counts its heading", act: () => this.turnBy(1) },
       { key: ".", words: "turn the start right", act: () => this.turnBy(-1) },
       ...tools.map((tool, i) => ({ key: "qwe"[i]!, words: words[tool].toLowerCase(), act: () => this.takeUp(tool) })),
+      { key: "Ctrl+z", words: "undo", act: () => this.undo(false) },
+      { key: "u", words: "undo", act: () => this.undo(false) },
+      { key: "Ctrl+y", words: "do it again", act: () => this.undo(true) },
+      { key: "U", words: "do it again", act: () => this.undo(true) },
       { key: "c", words: "compare two planners", act: () => this.compare.click() },
       { key: "+", words: "zoom in", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1.5)) },
       { key: "-", words: "zoom out", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1 / 1.5)) },
@@ -361,14 +383,6 @@ export class PlanPage {
       { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
     ], this);
   }
-}
-
-function legend(ground: Ground, planners: PlannerRow[]): HTMLElement[] {
-  const swatch = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "swatch", style: `background:var(--${colour})` }), name);
-  const line = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "line", style: `border-color:var(--${colour})` }), name);
-  const tells = (kind: PlannerRow["tells"]): boolean => planners.some((one) => one.tells === kind);
-  const search = tells("search") ? [swatch("closed", "closed"), swatch("in the queue", "open")] : tells("tree") ? [swatch("tree", "closed")] : [];
-  return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line("visibility graph", "open")] : [])];
 }
 
 /**

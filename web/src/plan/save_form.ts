@@ -9,8 +9,8 @@ export class SaveForm {
   /** The paths that this page saved or opened, and so may replace. */
   private own = new Set<string>();
 
-  /** `opened` is the path of the scenario that the page shows; `made` returns what to save. */
-  constructor(suggested: string, opened: string, private made: () => ScenarioRequest, ...more: HTMLElement[]) {
+  /** `opened` is the path of the scenario that the page shows; `made` returns what to save; `saved` is called after that. */
+  constructor(suggested: string, opened: string, private made: () => ScenarioRequest, private saved: () => void = () => undefined, ...more: HTMLElement[]) {
     if (opened) this.own.add(opened);
     this.name = h("input", { type: "text", id: "save-name", value: suggested, "aria-label": "Name of the scenario", spellcheck: "false" });
     const form = h("form", { class: "row save" }, this.name, h("button", { type: "submit", class: "button", title: "Save as a scenario (S)" }, "Save"), ...more);
@@ -28,6 +28,7 @@ export class SaveForm {
     this.print("", false);
     try {
       const { files } = await saveScenario(path, this.made(), this.own.has(path));
+      this.saved();
       this.own.add(path);
       this.name.value = path;
       this.print(`Saved ${files.join(", ")}. Ask again with: outrider run ${path}`, false);

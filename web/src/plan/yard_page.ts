@@ -1,12 +1,11 @@
 // The yard page: moves and turns the robot, targets and things of a yard by hand, saves them as a scenario, and runs
 // the mission.
-import { send, type RunRow } from "../api";
+import { startRun } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
 import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { saveCanvas } from "../base/save";
-import { formatAddress } from "../base/url";
 import { PolygonGround } from "./ground";
 import { onKnob } from "./handle";
 import { suggestedName } from "./names";
@@ -36,6 +35,8 @@ export class YardPage {
   /** The item that the pointer holds, by a point of it or by its handle. */
   private held: { item: Item; turns: boolean; off: Vec2; moved: boolean } | null = null;
   private frame = 0;
+  /** The yard as it was opened or saved last. */
+  private kept: string;
 
   constructor(private scenario: YardScenario) {
     this.yard = new Yard(scenario);
@@ -44,7 +45,8 @@ export class YardPage {
       layer: (ctx, camera) => drawYard(ctx, camera, this.yard, this.selected) };
     this.pane = new Pane(this.scene, { redraw: () => this.invalidate(), grab: (at, reach) => this.grab(at, reach), drag: (at) => this.drag(at), drop: () => { this.held = null; } }, () => 0);
     const run = h("button", { type: "button", class: "button", title: "Save it, then run the mission (R)", onclick: () => void this.run() }, "Save and run");
-    this.saving = new SaveForm(suggestedName(scenario.path, "_changed"), scenario.path, () => ({ guard: this.yard.request }), run);
+    this.saving = new SaveForm(suggestedName(scenario.path, "_changed"), scenario.path, () => ({ guard: this.yard.request }), () => { this.kept = this.state; }, run);
+    this.kept = this.state;
     this.tools = h("div", { class: "segments", role: "group", "aria-label": "Tool" }, ...(Object.keys(words) as Tool[]).map((name) =>
       h("button", { type: "button", "data-tool": name, title: words[name], "aria-pressed": String(name === this.tool), onclick: () => this.takeUp(name) },
         name === "move" ? "Drag" : name[0]!.toUpperCase() + name.slice(1))));
@@ -57,6 +59,9 @@ export class YardPage {
     this.changed();
   }
 
+  private get state(): string { return JSON.stringify(this.yard.request); }
+  unsaved(): boolean { return this.state !== this.kept; }
+
   close(): void {
     cancelAnimationFrame(this.frame);
     this.pane.close();
@@ -68,8 +73,7 @@ export class YardPage {
     const path = await this.saving.save();
     if (!path) return;
     try {
-      const { id } = await send<RunRow>("POST", "runs", { scenario: path });
-      location.hash = formatAddress({ view: "live", path: id, query: {} });
+      await startRun(path);
     } catch (error) {
       this.saving.print(error instanceof Error ? error.message : String(error), true);
     }

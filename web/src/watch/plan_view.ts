@@ -1,4 +1,5 @@
 // The plan view: the world from above, drawn by layers on one canvas.
+import type { SceneAnswer } from "../api";
 import { Camera, type Box, type Point } from "../base/camera";
 import { h, iconButton } from "../base/dom";
 import type { Ink } from "../base/ink";
@@ -12,6 +13,7 @@ import { areaOf } from "./area";
 import { believed } from "./belief";
 import { pursuit } from "./pursuit_layer";
 import { cover } from "./cover_layer";
+import { expected } from "./expected_layer";
 import { flights } from "./flight_layer";
 import { ground } from "./ground_layer";
 import type { Found, Layer, LayerOf, Now, Pen } from "./layer";
@@ -28,9 +30,12 @@ import { way } from "./way_layer";
 /** Each makes a layer where the log has its messages; the first lies lowest. */
 const makers: LayerOf[] = [ground, pursuit, cover, map, mapping, way, scan, flights, tags, stations, targets, robot, believed];
 
-function layersOf(run: Run, area: Box): Layer[] {
-  return [...makers.map((make) => make(run)).filter((one) => one !== null), scales(area, run)];
+function layersOf(run: Run, area: Box, bare: boolean, scene: SceneAnswer | null): Layer[] {
+  const told = makers.map((make) => make(run));
+  return [...[...told, scene && expected(run, scene)].filter((one) => one !== null), ...(bare ? [] : [scales(area, run)])];
 }
+
+const bareMargin = { left: 10, right: 10, top: 10, bottom: 10 };
 
 export interface Choices {
   redraw: () => void;
@@ -50,12 +55,14 @@ export class PlanView {
   private drawn: Run | null = null;
   private now: Now = { t: 0, shot: null, target: null, speed: 0 };
   private area: Box;
+  private scene: SceneAnswer | null = null;
   private off: () => void;
 
-  constructor(private run: Run, private choices: Choices) {
+  /** `bare`: a picture without scales and buttons, whose view does not move. */
+  constructor(private run: Run, private choices: Choices, private bare = false) {
     this.area = areaOf(run);
     this.element = h("div", { class: "view plan-view" }, this.canvas, this.tip,
-      h("div", { class: "camera", role: "group", "aria-label": "View" },
+      !bare && h("div", { class: "camera", role: "group", "aria-label": "View" },
         iconButton("in", "Zoom in", () => this.camera.zoom(1.5), "+"),
         iconButton("out", "Zoom out", () => this.camera.zoom(1 / 1.5), "-"),
         iconButton("fit", "Show everything", () => this.reset(), "0")));
@@ -63,7 +70,8 @@ export class PlanView {
       redraw: () => choices.redraw(),
       click: (at) => this.click(at),
       hover: (at) => this.hover(at),
-    });
+    }, bare ? bareMargin : undefined);
+    if (bare) this.canvas.removeAttribute("tabindex");
     this.off = onTheme(() => { this.stillVersion = ""; choices.redraw(); });
   }
 
@@ -72,13 +80,19 @@ export class PlanView {
     this.camera.close();
   }
 
+  /** Until the log tells them, the start and the targets are drawn as the scenario has them. */
+  expect(scene: SceneAnswer): void {
+    this.scene = scene;
+    this.drawn = null;
+  }
+
   /** Shows another run, or more of the same one, from its next frame on; a view that somebody moved stays. */
   renew(run: Run): void { this.run = run; }
 
   private bringUpToDate(): void {
     this.drawn = this.run;
     const area = areaOf(this.run);
-    this.layers = layersOf(this.run, area);
+    this.layers = layersOf(this.run, area, this.bare, this.scene);
     this.stillVersion = "";
     if (area.every((value, i) => value === this.area[i])) return;
     this.area = this.camera.box = area;

@@ -1,4 +1,5 @@
 // The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
+import type { SceneAnswer } from "../api";
 import { h, iconButton } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import type { Flight } from "../log/flights";
@@ -48,6 +49,11 @@ export class Stage {
     this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();
+  }
+
+  expect(scene: SceneAnswer): void {
+    this.plan.expect(scene);
+    this.acts.redraw();
   }
 
   renew(run: Run): void {

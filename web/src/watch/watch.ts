@@ -1,4 +1,5 @@
 // Watch: one run from its log. One time, one selected shot and target, and the views that show them.
+import type { SceneAnswer } from "../api";
 import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
@@ -76,6 +77,9 @@ export class Watch {
     this.side.close();
     this.plots.close();
   }
+
+  /** What the scenario of a run says that its log does not tell yet. */
+  expect(scene: SceneAnswer): void { this.stage.expect(scene); }
 
   private madeTabs(): Tabs {
     return new Tabs([

@@ -55,7 +55,7 @@ async function open(hash, selector) {
   return { page, moved, first_ms: Date.now() - start };
 }
 
-for (const [name, hash, selector] of [["files", "", ".groups"], ["a run", "#watch/runs/yard/run.mcap?t=9", ".tabbed"],
+for (const [name, hash, selector] of [["the front page", "", ".groups"], ["a run", "#watch/runs/yard/run.mcap?t=9", ".tabbed"],
   ["a run in space", "#watch/runs/yard/run.mcap?t=9&view=3d", ".space-view canvas"], ["a plan", "#plan/maps/gallery.map", ".result"],
   ["10 minutes at 20 Hz", "#watch/runs/guard/run.mcap?t=9", ".tabbed"], ["two hours of exploration", "#watch/runs/building/run.mcap?t=9", ".tabbed"]]) {
   const times = [];

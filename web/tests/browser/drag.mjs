@@ -6,12 +6,12 @@ import { source } from "./server.mjs";
 
 const margin = { left: 34, right: 20, top: 50, bottom: 40 };  // as Camera has it
 
-/** Where a place in metres is on the screen while the whole box is shown. */
-export async function onScreen(page, [x0, y0, x1, y1], [x, y]) {
-  const { x: left, y: top, width, height } = await page.locator(".pane canvas").first().boundingBox();
-  const [across, tall] = [width - margin.left - margin.right, height - margin.top - margin.bottom];
+/** Where a place in metres is on the screen while the whole box is shown, below what lies over its head. */
+export async function onScreen(page, [x0, y0, x1, y1], [x, y], selector = ".pane canvas", head = margin.top) {
+  const { x: left, y: top, width, height } = await page.locator(selector).first().boundingBox();
+  const [across, tall] = [width - margin.left - margin.right, height - head - margin.bottom];
   const scale = Math.min(across / (x1 - x0), tall / (y1 - y0));
-  return [left + margin.left + across / 2 + scale * (x - (x0 + x1) / 2), top + margin.top + tall / 2 - scale * (y - (y0 + y1) / 2)];
+  return [left + margin.left + across / 2 + scale * (x - (x0 + x1) / 2), top + head + tall / 2 - scale * (y - (y0 + y1) / 2)];
 }
 
 /** What a page that was opened after this noted of its questions: when they were sent and answered, in ms. */

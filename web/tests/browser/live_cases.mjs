@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { until } from "./browser.mjs";
+import { onScreen } from "./drag.mjs";
 import { contentsOf } from "./streams.mjs";
 import { tellRun } from "./told.mjs";
 
@@ -41,6 +42,46 @@ export const liveCases = ({ open, text, server, folder }) => ({
     await page.waitForSelector(".live-page .verdict");
     assert.match(await text(page, ".verdict"), /Done/);
     assert.ok(await page.locator(".live").isHidden());
+    await page.close();
+  },
+
+  async "a yard is drawn at once, with its start and its targets, while its tour is planned"() {
+    writeFileSync(join(folder, "yard/long.yaml"), `${readFileSync(join(folder, "yard/yard.yaml"), "utf8")}plan:\n  resolution: 0.03\n  iterations: 10000000\n`);
+    const page = await open("#live?scenario=yard/long.yaml");
+    await page.waitForSelector(".start button:enabled");
+    await page.click(".start button");
+    const began = Date.now();
+    await page.waitForSelector('.live-page[data-state="running"] .plan-view canvas');
+    /** How much of the colour of a robot is where it starts, and of that of a target that waits where one stands. */
+    const inked = (colour, at) => page.evaluate(([name, x, y]) => {
+      const canvas = document.querySelector(".plan-view canvas");
+      const probe = document.createElement("canvas").getContext("2d");
+      probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue(name);
+      probe.fillRect(0, 0, 1, 1);
+      const wanted = probe.getImageData(0, 0, 1, 1).data;
+      const { data } = canvas.getContext("2d").getImageData(x - 12, y - 12, 24, 24);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) if ([0, 1, 2].every((k) => Math.abs(data[i + k] - wanted[k]) < 40)) ++count;
+      return count;
+    }, [colour, ...at]);
+    const box = [-10.06, -7.06, 10.06, 7.06];
+    const place = async (x, y) => {
+      const { x: left, y: top } = await page.locator(".plan-view canvas").boundingBox();
+      const head = await page.evaluate(() => Math.max(50, document.querySelector(".stage-bar").offsetHeight + 20));
+      const [u, v] = await onScreen(page, box, [x, y], ".plan-view canvas", head);
+      return [Math.round(u - left), Math.round(v - top)];
+    };
+    const { targets, start } = JSON.parse(await page.evaluate(async () => (await fetch("api/v1/scenes/yard/long.yaml")).text()));
+    await until("the start", async () => await inked("--robot", await place(...start)) > 20);
+    let seen = 0;
+    for (const target of targets) if (await inked("--waiting", await place(...target)) > 8) ++seen;
+    assert.ok(seen >= 20, `${seen} of ${targets.length} targets`);
+    assert.match(await text(page, ".run-words"), /surveying|planning/);
+    assert.equal(await page.locator(".live-page").getAttribute("data-samples"), "0", "nothing has moved yet");
+    assert.ok(Date.now() - began < 20_000);
+    await page.click(".run-head .button");
+    await page.waitForSelector('.live-page[data-state="cancelled"]');
+    rmSync(join(folder, "yard/long.yaml"));
     await page.close();
   },
 

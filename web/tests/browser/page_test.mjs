@@ -7,8 +7,10 @@ import { join } from "node:path";
 import { compareShot, executable, launch, saved, until } from "./browser.mjs";
 import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
+import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
+import { runsCases } from "./runs_cases.mjs";
 import { truthCases } from "./truth_cases.mjs";
 import { wayCases } from "./way_cases.mjs";
 import { makeFolder, makeViewer, serve, tool, useBuiltPage } from "./server.mjs";
@@ -24,7 +26,7 @@ const server = await serve(folder);
 const browser = await launch();
 const faults = [];
 
-async function open(hash = "", options = {}) {
+async function open(hash = "", { at = server.url, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, reducedMotion: "reduce", colorScheme: "light", ...options });
   await useBuiltPage(page);
   page.setDefaultTimeout(100_000);  // a machine that is busy with other tests may hold a browser up
@@ -32,7 +34,7 @@ async function open(hash = "", options = {}) {
   page.on("request", (request) => {
     if (!/^(http:\/\/127\.0\.0\.1|blob:|data:|file:)/.test(request.url())) faults.push(`${hash}: the page asked for ${request.url()}`);
   });
-  await page.goto(hash.startsWith("file:") ? hash : server.url + hash);
+  await page.goto(hash.startsWith("file:") ? hash : at + hash);
   return page;
 }
 
@@ -70,12 +72,7 @@ async function svgIsAsTheView(page) {
 }
 
 const cases = {
-  async "the files of the folder, before other cases add theirs"() {
-    const page = await open();
-    await page.waitForSelector(".groups");
-    await compareShot(page, "files", output);
-    await page.close();
-  },
+  ...frontCases({ open, text, frames, server, folder, output }),
 
   async "a run: scrub to a shot, step, switch to space, reload at its address"() {
     const page = await open("#watch/runs/yard/run.mcap?t=0");
@@ -428,8 +425,9 @@ const cases = {
   },
 
   ...liveCases({ open, text, server, folder }),
+  ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
-  ...wayCases({ open, text, frames, cell, folder }),
+  ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
     const log = readFileSync(join(folder, "runs/yard/run.mcap"));
@@ -444,8 +442,8 @@ const cases = {
     await page.waitForSelector(".targets tbody");
     assert.match(await text(page, ".verdict.cut"), /^Cut short The log is cut short at t = [\d.]+ s/);
     await drop(Buffer.from('{"outrider_report": 1}'), "guard.json");
-    await page.waitForSelector(".refusal");
-    assert.match(await text(page, ".refusal"), /older version; run the job again with --out DIR/);
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /older version; run the job again with --out DIR/);
     await page.close();
   },
 
@@ -458,10 +456,8 @@ const cases = {
       dropped.items.add(new File(["type octile\nheight 2\nwidth 3\nmap\n..\n"], "broken.map"));
       dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, cancelable: true }));
     });
-    await page.waitForSelector("[role=alert]");
-    assert.match(await text(page, "[role=alert]"), /broken\.map.*(line|row|width|cells)/);
-    await page.click(".hint a");
-    await page.waitForSelector(".groups");
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /broken\.map.*(line|row|width|cells)/);
     await page.setInputFiles("input[type=file]", join(folder, "good.map"));
     await page.waitForSelector(".result");
     assert.equal(await cell(page, "answer"), "path found");

@@ -1,7 +1,7 @@
 // The cases of the page about finding the way: titles, the keyboard after the mouse, files that are dropped, refusals.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { writeFileSync } from "node:fs";
+import { rmSync, writeFileSync } from "node:fs";
 import { until } from "./browser.mjs";
 
 /** Drops texts as files, or drags them over the page. */
@@ -12,7 +12,7 @@ const drag = (page, event, files) => page.evaluate(([kind, all]) => {
 }, [event, files]);
 const small = `type octile\nheight 20\nwidth 30\nmap\n${`${".".repeat(30)}\n`.repeat(20)}`;
 
-export const wayCases = ({ open, text, frames, cell, folder }) => ({
+export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) => ({
   async "the window is called what it shows"() {
     const page = await open();
     await page.waitForSelector(".groups");
@@ -76,8 +76,8 @@ export const wayCases = ({ open, text, frames, cell, folder }) => ({
     await drag(page, "dragover", [["small.map", small]]);
     assert.equal(await page.locator("body.drop-here").count(), 1);
     await drag(page, "drop", [["small.map", small], ["other.map", small]]);
-    await page.waitForSelector(".refusal");
-    assert.match(await text(page, ".refusal"), /small\.map and other\.map; drop one/);
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /small\.map and other\.map; drop one/);
     assert.equal(await page.locator("body.drop-here").count(), 0);
     await drag(page, "drop", [["small.map", small]]);
     await page.waitForSelector(".result");
@@ -85,6 +85,93 @@ export const wayCases = ({ open, text, frames, cell, folder }) => ({
     await page.reload();
     await page.waitForSelector(".refusal");
     assert.match(await text(page, ".refusal"), /not kept when the page is loaded again; drop its file once more/);
+    await page.close();
+  },
+
+  async "what was drawn is there after a bad file, is undone step by step, and is left only by those who say so"() {
+    const page = await open("#draw?planner=a_star&start=2,5.5&goal=14,5.5&radius=0");
+    await page.waitForSelector(".result");
+    const length = async () => Number.parseFloat(await cell(page, "length"));
+    const asked = [];
+    let leave = false;
+    page.on("dialog", (dialog) => {
+      asked.push(dialog.type());
+      void (leave ? dialog.accept() : dialog.dismiss());
+    });
+    const free = await length();
+    await page.keyboard.press("w");
+    const wall = async (x) => {
+      const before = await answers(page);
+      await page.mouse.move(...await onMap(page, x, 2));
+      await page.mouse.down();
+      await page.mouse.move(...await onMap(page, x, 9.5), { steps: 8 });
+      await page.mouse.up();
+      await until("an answer", async () => await answers(page) > before);
+    };
+    await wall(6);
+    await until("a longer path", async () => await length() > free + 1);
+    const [once, view] = [await length(), await page.evaluateHandle(() => document.querySelector(".plan-page"))];
+    const same = () => page.evaluate((one) => one === document.querySelector(".plan-page"), view);
+    await drag(page, "drop", [["broken.map", "type octile\nheight 2\nwidth 3\nmap\n..\n"]]);
+    await page.waitForSelector(".notice-over:not([hidden])");
+    assert.match(await text(page, ".notice-over"), /broken\.map.*(line|row|width|cells)/);
+    assert.ok(await same() && await length() === once);
+    await page.click(".notice-over button");
+    assert.ok(await page.locator(".notice-over").isHidden());
+    // Undo and redo, by key and by button.
+    await page.keyboard.press("q");
+    await page.keyboard.press("2");
+    await page.keyboard.press("k");
+    await page.keyboard.press("Control+z");
+    await until("the goal", () => page.evaluate(() => /goal=14,5\.5\b/.test(location.hash)));
+    await page.keyboard.press("u");
+    await until("the path of before", async () => await length() === free);
+    await page.click('.stage-tools button[aria-label="Do it again"]');
+    await until("the wall", async () => await length() === once);
+    // A good file, a link, Back and a reload ask first.
+    await drag(page, "drop", [["small.map", small]]);
+    await until("the question", () => asked.length === 1);
+    await page.evaluate(() => { location.hash = "live"; });
+    await until("the question", () => asked.length === 2);
+    assert.ok(await same());
+    await until("the address", () => page.evaluate(() => location.hash.startsWith("#draw")));
+    await page.reload({ timeout: 3000 }).catch(() => undefined);
+    assert.deepEqual(asked, ["confirm", "confirm", "beforeunload"]);
+    assert.ok(await same() && await length() === once);
+    await page.fill("#save-name", "kept_wall.yaml");
+    await page.click(".save button");
+    await until("the sentence", async () => /^Saved /.test(await text(page, ".saved")));
+    await page.evaluate(() => { location.hash = "live"; });
+    await page.waitForSelector(".start");
+    assert.equal(asked.length, 3, "what is saved can be left");
+    leave = true;
+    await page.evaluate(() => { location.hash = "change/kept_wall.yaml"; });
+    await page.waitForSelector(".result");
+    await page.keyboard.press("w");
+    await wall(10);
+    await drag(page, "drop", [["small.map", small]]);
+    await until("the map", async () => /^small\.map \u2013/.test(await page.title()));
+    assert.equal(asked.at(-1), "confirm");
+    for (const name of ["kept_wall.yaml", "kept_wall_map.pgm", "kept_wall_map.yaml"]) rmSync(join(folder, name));
+    await page.close();
+  },
+
+  async "a yard that was changed is left only by those who say so"() {
+    const page = await open("#change/yard/yard.yaml");
+    await page.waitForSelector(".yard-page tbody");
+    const asked = [];
+    page.on("dialog", (dialog) => {
+      asked.push(dialog.type());
+      void dialog.dismiss();
+    });
+    await page.keyboard.press("l");
+    await page.click('header a[href="#live"]');
+    await until("the question", () => asked.length === 1);
+    assert.ok(await page.locator(".yard-page").isVisible());
+    await page.keyboard.press("u");
+    await page.click('header a[href="#live"]');
+    await page.waitForSelector(".start");
+    assert.equal(asked.length, 1);
     await page.close();
   },
 

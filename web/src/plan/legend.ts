@@ -1,0 +1,12 @@
+// The legend of a map with a search.
+import type { PlannerRow } from "../api";
+import { h } from "../base/dom";
+import type { Ground } from "./ground";
+
+export function legend(ground: Ground, planners: PlannerRow[]): HTMLElement[] {
+  const swatch = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "swatch", style: `background:var(--${colour})` }), name);
+  const line = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "line", style: `border-color:var(--${colour})` }), name);
+  const tells = (kind: PlannerRow["tells"]): boolean => planners.some((one) => one.tells === kind);
+  const search = tells("search") ? [swatch("closed", "closed"), swatch("in the queue", "open")] : tells("tree") ? [swatch("tree", "closed")] : [];
+  return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line("visibility graph", "open")] : [])];
+}
