@@ -8,6 +8,7 @@
 #include "look.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/collision_map.hpp"
+#include "room.hpp"
 
 namespace outrider {
 namespace {
@@ -34,12 +35,15 @@ void arrive(DriveMission& mission, std::size_t waypoint, double time_s, std::str
   mission.stop.reset();
 }
 
-/// Returns the pose of the robot when a command that is sent now takes effect.
+/// Returns the pose of the robot when a command that is sent now takes effect. For time_optimal, the pose to
+/// which it would roll out from there: with a lag of the first order its derivative is the command itself.
 Pose2 foreseen(const DriveMission& mission) {
   const DriveTask& task = mission.task;
   Reckoning ahead = mission.reckoning;
   advance(ahead, ahead.time_s + task.reckoning.delay_s, task.reckoning, task.chassis);
-  return ahead.belief.world_T_robot;
+  const Pose2& pose = ahead.belief.world_T_robot;
+  if (task.follow.follower != "time_optimal") return pose;
+  return moved(pose, executed(task.chassis, ahead.errors.mean, ahead.twist), task.reckoning.lag_s);
 }
 
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
@@ -123,6 +127,13 @@ DriveWheels finish_at_last_stop(DriveMission& mission) {
                             fmt::join(doubts, "; ")));
 }
 
+/// Makes up for the errors of the motion that are known. The other followers leave them to their feedback.
+Twist2 made_up(const DriveMission& mission, const Twist2& wanted) {
+  const DriveTask& task = mission.task;
+  if (task.follow.follower != "time_optimal") return wanted;
+  return commanded_for(task.chassis, mission.reckoning.errors.mean, wanted);
+}
+
 DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
   const double now_s = seen.time_s;
   const DriveRules& rules = mission.task.rules;
@@ -147,8 +158,9 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     mission.follower.last = {};
     return command(mission, {}, now_s + rules.period_s);
   }
-  const FollowStep wanted = follow(mission.follower, mission.task.waypoints, foreseen(mission),
-                                   mission.task.follow, mission.task.pid, rules.period_s);
+  const FollowStep wanted =
+      follow(mission.follower, mission.task.waypoints, foreseen(mission), mission.task.follow,
+             mission.task.pid, mission.task.chassis, rules.period_s);
   if (!wanted.there) {
     mission.stop.reset();
   } else if (!mission.stop) {
@@ -157,7 +169,7 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     if (mission.follower.next + 1 == mission.task.waypoints.size()) return finish_at_last_stop(mission);
     advance_to_next(mission.follower, mission.task.waypoints);
   }
-  return command(mission, wanted.twist, now_s + rules.period_s);
+  return command(mission, made_up(mission, wanted.twist), now_s + rules.period_s);
 }
 
 double dead_time_s(const Twist2& twist, const Calibration& calibration) {
@@ -190,6 +202,7 @@ DriveWheels step_open(DriveMission& mission, const Observation& seen) {
 DriveMission begin(DriveTask given) {
   DriveMission mission;
   mission.task = std::move(given);
+  set_rooms(mission.task, CollisionMap::of(mission.task.world, mission.task.eye.height_m));
   const DriveTask& task = mission.task;
   constexpr double start_sigma_m = 0.01, start_sigma_rad = 0.01;
   mission.reckoning.belief.world_T_robot = task.start;

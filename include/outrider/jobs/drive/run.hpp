@@ -14,7 +14,8 @@ namespace outrider {
 
 /// Drives the task with a simulated robot, and logs the drive. If `rendered` is true, images are rendered and
 /// tags are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
-/// (sim/tag_model.hpp). The status is "done" if the robot reached every stop and touched nothing,
+/// (sim/tag_model.hpp). The status is "done" if the robot reached every stop, passed the other
+/// waypoints and touched nothing,
 /// "unconfirmed" if it believes so but the tags do not confirm every stop, "doubtful" if a tag often
 /// contradicted the others, and "not_done" otherwise. A pure function of its arguments. `watch` receives the
 /// fraction of the stops that are reached. Metrics:
