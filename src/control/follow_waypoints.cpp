@@ -34,7 +34,7 @@ double turn_command(Follower& follower, double error, const FollowOptions& optio
 Vec2 place_command(Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
                    const FollowOptions& options, const PidGains& gains, double period_s) {
   const Waypoint& goal = goal_of(follower, waypoints);
-  const double most = speed_towards_via(follower, waypoints, position, options);
+  const double most = speed_towards_vias(follower, waypoints, position, options);
   const PidRange range{most, goal.stop ? options.least_speed_mps : most};
   return step(follower.place, gains, goal.pose.position - position, range, period_s);
 }
@@ -60,7 +60,7 @@ FollowStep holonomic(Follower& follower, const std::vector<Waypoint>& waypoints,
       const PursuitPoint pursuit = find_pursuit_point(follower, waypoints, believed.position, options);
       const Vec2 aim = pursuit.position - believed.position;
       if (pursuit.ahead_m > options.lookahead_m && norm(aim) > 0.0) {
-        velocity = (std::min(speed_towards_via(follower, waypoints, believed.position, options),
+        velocity = (std::min(speed_towards_vias(follower, waypoints, believed.position, options),
                              regulated_speed(pursuit, 0.0, options)) /
                     norm(aim)) *
                    aim;
@@ -76,7 +76,7 @@ Twist2 along_arc(const Follower& follower, const std::vector<Waypoint>& waypoint
   const PursuitPoint pursuit = find_pursuit_point(follower, waypoints, believed.position, options);
   const Vec2 aim = believed.to_local(pursuit.position);
   const double curvature = 2.0 * aim.y / std::max(squared_norm(aim), 1e-9);
-  const double speed = std::min(speed_towards_via(follower, waypoints, believed.position, options),
+  const double speed = std::min(speed_towards_vias(follower, waypoints, believed.position, options),
                                 regulated_speed(pursuit, curvature, options));
   return {speed, 0.0, speed * curvature};
 }

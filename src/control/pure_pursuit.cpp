@@ -37,7 +37,8 @@ std::optional<Vec2> aim_point(const Follower& follower, const std::vector<Waypoi
     at = end;
   }
   for (std::size_t k = follower.next; k < i; ++k) {
-    if (distance(waypoints[k].pose.position, Segment{position, at}) > room_at(waypoints[k], options))
+    if (distance(waypoints[k].pose.position, Segment{position, at}) >
+        used_room * room_at(waypoints[k], options))
       return std::nullopt;
   }
   return at;

@@ -11,8 +11,8 @@ struct PursuitPoint {
 };
 
 /// Finds the lookahead point on the legs from follower.from through the waypoints to the next stop. It is
-/// nearer than the lookahead if the straight line to it leaves a waypoint in between farther aside than its
-/// room.
+/// nearer than the lookahead if the straight line to it leaves a waypoint in between farther aside than 0.7
+/// of its room.
 PursuitPoint find_pursuit_point(const Follower& follower, const std::vector<Waypoint>& waypoints,
                                 Vec2 position, const FollowOptions& options);
 

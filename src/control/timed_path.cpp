@@ -11,9 +11,9 @@ namespace {
 
 constexpr double spacing_m = 0.01;
 constexpr double most_points = 20'000.0;      ///< of straight parts
-constexpr double used_room = 0.7;             ///< of the room of a corner
 constexpr double sharp_rad = radians(120.0);  ///< larger corners are not rounded
-constexpr double least_room_m = 0.001;        ///< corners with less are not rounded
+constexpr double least_reach_m = 0.004;       ///< of a rounded corner along either leg
+constexpr double least_leg_m = 0.001;         ///< shorter legs are left out
 
 bool turns_in_place(const FollowOptions& options) { return options.mode == "rotate_then_go"; }
 
@@ -54,7 +54,7 @@ Legs legs_to_stop(Vec2 start, const std::vector<Waypoint>& waypoints, std::size_
   for (std::size_t i = first; i < waypoints.size(); ++i) {
     legs.stop = i;
     const Vec2 at = waypoints[i].pose.position;
-    const bool moves = distance(at, legs.corners.back()) > least_room_m;
+    const bool moves = distance(at, legs.corners.back()) > least_leg_m;
     if (moves) {
       legs.corners.push_back(at);
       legs.rooms.push_back(used_room * room_at(waypoints[i], options));
@@ -103,7 +103,7 @@ bool is_sharp(const Legs& legs, std::size_t corner) {
   const Vec2 in = legs.corners[corner] - legs.corners[corner - 1];
   const Vec2 out = legs.corners[corner + 1] - legs.corners[corner];
   const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
-  return turn > sharp_rad || (turn > 1e-6 && legs.rooms[corner] < least_room_m);
+  return turn > sharp_rad || 4.0 * legs.rooms[corner] < least_reach_m * std::sin(0.5 * turn);
 }
 
 Pose2 pose_on(const TimedPathSection& section, double time_s) {

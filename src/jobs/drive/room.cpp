@@ -1,5 +1,8 @@
 #include "room.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "outrider/control/rounded_path.hpp"
 
 namespace outrider {
@@ -27,7 +30,10 @@ double room_m(Vec2 before, Vec2 at, Vec2 after, const DriveTask& task, const Col
     return ground.segment_free({before, at}, task.radius_m + c) &&
            ground.segment_free({at, after}, task.radius_m + c);
   });
-  return largest(task.follow.pass_m, [&](double room) {
+  const Vec2 in = at - before, out = after - at;
+  const double sine = std::abs(std::sin(0.5 * std::atan2(cross(in, out), dot(in, out))));
+  const double all_m = 0.25 * sine * std::min(norm(in), norm(out));  // what a curve over a whole leg cuts
+  return largest(std::min(task.follow.pass_m, all_m), [&](double room) {
     const auto curve = rounded_corner(before, at, after, room, 1.0, 1.0);
     for (std::size_t i = 1; i < curve.size(); ++i) {
       if (!ground.segment_free({curve[i - 1], curve[i]}, task.radius_m + kept * clear_m)) return false;
