@@ -13,8 +13,9 @@
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;      ///< times closer than this are one
-constexpr double out_of_sight_s = 1.0;  ///< a robot that stands still because of tags waits so long for them
+constexpr double instant_s = 1e-9;       ///< times closer than this are one
+constexpr double clearly_noisier = 1.7;  ///< ratio of the estimated to the expected variance of corners
+constexpr double out_of_sight_s = 1.0;   ///< a robot that stands still because of tags waits so long for them
 
 /// `rests_until_s`: the robot is known not to move before.
 DriveWheels command(DriveMission& mission, const Twist2& twist, double until_s, double rests_until_s = 0.0) {
@@ -46,10 +47,22 @@ Pose2 foreseen(const DriveMission& mission) {
   return moved(pose, executed(task.chassis, ahead.errors.mean, ahead.twist), task.reckoning.lag_s);
 }
 
+/// Returns the rules, with more images at a stop if their corners are noisier than expected: as many as give
+/// a mean of the same error, within bounds.
+DriveRules rules_for_noise(const DriveMission& mission) {
+  constexpr double most = 8.0;
+  const double ratio = mission.corner_variance_px2 / std::pow(mission.task.localise.corner_sigma_px, 2);
+  DriveRules rules = mission.task.rules;
+  if (ratio > clearly_noisier)
+    rules.settle_sightings = static_cast<std::int64_t>(
+        std::ceil(static_cast<double>(rules.settle_sightings) * std::min(ratio, most)));
+  return rules;
+}
+
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
 std::string stop_doubt(const DriveMission& mission) {
   if (is_trusted(mission)) {
-    std::string doubt = mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+    std::string doubt = mission.stop->doubt(mission.reckoning.belief, rules_for_noise(mission));
     if (!doubt.empty() && !mission.suspects.empty())
       doubt += fmt::format("; tag {} contradicted other tags and does not count",
                            fmt::join(mission.suspects, ", "));
@@ -68,7 +81,8 @@ bool leaves_stop(DriveMission& mission, double now_s, bool accepted) {
   const bool settled = now_s - stop.counts_from_s >= rules.settle_s - instant_s;
   std::string doubt = stop_doubt(mission);
   const double enough_s =
-      rules.settle_s + 2.0 * static_cast<double>(rules.settle_sightings) / mission.task.eye.rate_hz;
+      rules.settle_s +
+      2.0 * static_cast<double>(rules_for_noise(mission).settle_sightings) / mission.task.eye.rate_hz;
   const bool late = now_s - stop.since_s >= std::max(rules.most_settle_s, enough_s) - instant_s;
   if (doubt.empty() && !(settled && accepted)) {
     if (!late) return false;

@@ -108,6 +108,7 @@ class Recorder {
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
     if (task_.closed_loop) note_passed(mission.follower.next, truth.position);
+    note_deviation(truth.position);
     for (; relocalisations_ < mission.relocalisations.size(); ++relocalisations_)
       note_relocalisation(time_s, mission.relocalisations[relocalisations_]);
     if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
@@ -147,6 +148,7 @@ class Recorder {
   }
 
   double clearance_m = look_around_m;
+  double deviation_m = 0.0;         ///< largest distance from the straight legs
   double belief_error_m = 0.0;      ///< largest error of the believed position
   double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
@@ -164,6 +166,17 @@ class Recorder {
   [[nodiscard]] std::string outcome(std::size_t waypoint) const {
     if (!task_.closed_loop || task_.waypoints[waypoint].stop || waypoint >= next_) return outcomes_[waypoint];
     return nearest_m_[waypoint] <= task_.follow.pass_m ? "passed" : "missed";
+  }
+
+  /// Notes how far the robot is off the straight legs before and behind the last waypoint that it left.
+  void note_deviation(Vec2 position) {
+    const std::size_t next = task_.closed_loop ? next_ : std::min(arrivals_, task_.waypoints.size() - 1);
+    double off_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = next > 0 ? next - 1 : 0; i <= next; ++i) {
+      const Vec2 from = i == 0 ? task_.start.position : task_.waypoints[i - 1].pose.position;
+      off_m = std::min(off_m, distance(position, Segment{from, task_.waypoints[i].pose.position}));
+    }
+    deviation_m = std::max(deviation_m, off_m);
   }
 
   void note_error(const PoseBelief& belief, const Pose2& truth) {
@@ -258,6 +271,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"ideal_s", ideal.time_s},
                     {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
                     {"clearance_m", recorder.clearance_m},
+                    {"deviation_m", recorder.deviation_m},
                     {"belief_error_m", recorder.belief_error_m},
                     {"belief_error_ratio", recorder.belief_error_ratio},
                     {"tolerance_m", tolerance_m(task)},
