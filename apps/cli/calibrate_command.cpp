@@ -137,7 +137,14 @@ nlohmann::ordered_json fit_json(const CalibrationFit& fit, const Chassis& chassi
                                {"gain", law.gain},
                                {"dead_time_s", law.dead_time_s}});
   }
-  return {{"status", "done"}, {"laws", laws}, {"directions", directions_list}, {"wheels", wheels}};
+  auto left_out = nlohmann::ordered_json::array();
+  for (const LeftOutRun& run : fit.left_out)
+    left_out.push_back({{"where", run.where}, {"reason", run.sentence}});
+  return {{"status", "done"},
+          {"laws", laws},
+          {"directions", directions_list},
+          {"wheels", wheels},
+          {"left_out", left_out}};
 }
 
 int execute(CalibrateCommand& command, const Command& flags) {
@@ -154,6 +161,7 @@ int execute(CalibrateCommand& command, const Command& flags) {
   if (!recorded) return print_fault(recorded.error(), json);
   const auto fit = calibrate(recorded->chassis, recorded->runs);
   if (!fit) return print_fault(fit.error(), json);
+  for (const LeftOutRun& run : fit->left_out) warn(fmt::format("{}: {}", run.where, run.sentence));
   if (flags.given("--out")) {
     if (auto ok = write_files(command, *recorded, *fit); !ok) return print_fault(ok.error(), json);
   }

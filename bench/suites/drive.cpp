@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "drive_followers.hpp"
 #include "outrider/core/rng.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/job/run_job.hpp"
@@ -125,11 +126,6 @@ void count(DriveRow& row, const DriveSetup& setup, const Report& report) {
   }
 }
 
-double quantile(std::vector<double> values, double part) {
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
-
 nlohmann::ordered_json row_json(const DriveRow& row) {
   return {{"fault", row.fault},
           {"runs", row.runs},
@@ -173,7 +169,9 @@ Outcome<DriveSetup> loaded(const std::string& path) {
 Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObserver& observer) {
   std::vector<DriveRow> rows;
   std::vector<std::string> complaints;
-  begin_steps(observer, request.scenarios.size() * drive_faults().size());
+  constexpr std::size_t followers = 3;
+  std::vector<FollowerRow> follower_rows;
+  begin_steps(observer, request.scenarios.size() * (drive_faults().size() + followers));
   for (const std::string& path : request.scenarios) {
     auto setup = loaded(path);
     if (!setup) return pass_on(setup);
@@ -196,8 +194,18 @@ Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObser
       }
       rows.push_back(std::move(row));
     }
+    for (FollowerRow& row : compare_followers(*setup, request.seeds, observer)) {
+      if (row.false_reached > 0 || row.touched > 0)
+        complaints.push_back(
+            fmt::format("{}: {} stops called reached were off by more than the tolerance, {} courses "
+                        "touched something",
+                        row.follower, row.false_reached, row.touched));
+      follower_rows.push_back(std::move(row));
+    }
   }
   BenchResult result = result_of(rows);
+  for (const FollowerRow& row : follower_rows) result.rows.push_back(row_json(row));
+  result.table += table_text(follower_rows);
   result.right = complaints.empty();
   result.complaints = std::move(complaints);
   return result;

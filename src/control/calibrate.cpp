@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "line_outliers.hpp"
 #include "normal_equations.hpp"
 #include "outrider/core/units.hpp"
+#include "student.hpp"
 
 namespace outrider {
 namespace {
@@ -64,6 +67,14 @@ Status check_run(const Chassis& chassis, const CalibrationRun& run) {
   return {};
 }
 
+/// The twist of a run times its duration. A turn by more than most_turn_rad has no arc; its chord stands for
+/// it.
+Twist2 arc_of(const CalibrationRun& run) {
+  const Pose2& end = run.start_T_end;
+  if (std::abs(end.heading_rad) >= most_turn_rad) return {end.position.x, end.position.y, end.heading_rad};
+  return twist_between({}, end, 1.0);
+}
+
 /// The distance or angle of a run. A straight counts the length of its arc, not of the chord.
 double measured(const CalibrationRun& run) {
   const Direction direction = direction_of(run.command);
@@ -116,23 +127,71 @@ Outcome<FittedLaw> fit_law(const std::vector<const CalibrationRun*>& runs) {
   return law;
 }
 
-/// Groups the runs by direction and speed and fits a law to each group.
-Outcome<std::vector<FittedLaw>> fit_laws(const std::vector<CalibrationRun>& runs) {
-  std::vector<const CalibrationRun*> sorted;
+using Group = std::vector<const CalibrationRun*>;
+
+/// Groups the runs by direction and speed.
+std::vector<Group> groups_of(const std::vector<CalibrationRun>& runs) {
+  Group sorted;
   for (const CalibrationRun& run : runs) sorted.push_back(&run);
   const auto key = [](const CalibrationRun* run) {
     return std::pair{direction_of(run->command), size_of(run->command)};
   };
   std::ranges::sort(sorted, {}, [&](const CalibrationRun* run) { return std::pair{key(run), run}; });
-  std::vector<FittedLaw> laws;
-  for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    std::vector<const CalibrationRun*> alike;
-    while (end < sorted.size() && key(sorted[end]) == key(sorted[begin])) alike.push_back(sorted[end++]);
-    auto law = fit_law(alike);
-    if (!law) return pass_on(law);
-    laws.push_back(std::move(*law));
+  std::vector<Group> groups;
+  for (const CalibrationRun* run : sorted) {
+    if (groups.empty() || key(groups.back().front()) != key(run)) groups.emplace_back();
+    groups.back().push_back(run);
   }
-  return laws;
+  return groups;
+}
+
+/// Says by how much a run is off the others.
+std::string misfit_sentence(const CalibrationRun& run, const Twist2& off, const std::array<bool, 3>& fits,
+                            std::size_t others) {
+  std::vector<std::string> parts;
+  if (!fits[0]) parts.push_back(fmt::format("{:+.3f} m ahead", off.ahead_mps));
+  if (!fits[1]) parts.push_back(fmt::format("{:+.3f} m to the left", off.left_mps));
+  if (!fits[2]) parts.push_back(fmt::format("{:+.1f} degrees", degrees(off.turn_radps)));
+  return fmt::format(
+      "the run ended {} off the law of the other {} runs {} at {:.4g}; it is left out. Is it mistyped?",
+      fmt::join(parts, " and "), others, to_string(direction_of(run.command)),
+      is_turn(run.command) ? degrees(size_of(run.command)) : size_of(run.command));
+}
+
+/// Moves the runs that do not fit the others of their group to `left_out`. With a constant twist all three
+/// components of twist * time are linear in time, whatever gains and dead time are.
+Status leave_out(Group& group, std::vector<LeftOutRun>& left_out) {
+  constexpr double exact = 1e-6;        // m or rad
+  constexpr std::size_t most_part = 5;  // at most a fifth of the runs
+  std::array<std::vector<Vec2>, 3> points;
+  for (const CalibrationRun* run : group) {
+    const Twist2 way = arc_of(*run);
+    points[0].push_back({run->time_s, way.ahead_mps});
+    points[1].push_back({run->time_s, way.left_mps});
+    points[2].push_back({run->time_s, way.turn_radps});
+  }
+  std::array<std::vector<LineFit>, 3> fits;
+  for (std::size_t part = 0; part < 3; ++part) fits[part] = fit_to_line(points[part], exact);
+  Group kept;
+  std::vector<LeftOutRun> found;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const std::array<bool, 3> fit = {fits[0][i].fits, fits[1][i].fits, fits[2][i].fits};
+    if (fit[0] && fit[1] && fit[2]) {
+      kept.push_back(group[i]);
+      continue;
+    }
+    const Twist2 off{fits[0][i].off, fits[1][i].off, fits[2][i].off};
+    found.push_back({group[i]->where, misfit_sentence(*group[i], off, fit, group.size() - 1)});
+  }
+  if (most_part * found.size() > group.size()) {
+    return bad_input(
+        fmt::format("{} of {} runs {} do not fit one law, this one first; are times and ends right?",
+                    found.size(), group.size(), to_string(direction_of(group.front()->command))),
+        found.front().where);
+  }
+  left_out.insert(left_out.end(), found.begin(), found.end());
+  group = std::move(kept);
+  return {};
 }
 
 /// Sets each direction to the mean of its laws, weighted by runs; without a law it keeps gain 1 and no dead
@@ -179,10 +238,12 @@ void add_run(NormalEquations& equations, const Chassis& chassis, const Calibrati
   equations.add(turn, seen.turn_radps - run.command.turn_radps);
 }
 
-void take_wheels(CalibrationFit& fit, const Chassis& chassis, const std::vector<CalibrationRun>& runs) {
+void take_wheels(CalibrationFit& fit, const Chassis& chassis, const std::vector<Group>& groups) {
   const std::size_t wheels = chassis.wheels.size();
   NormalEquations equations(wheels);
-  for (const CalibrationRun& run : runs) add_run(equations, chassis, fit.calibration, run);
+  for (const Group& group : groups) {
+    for (const CalibrationRun* run : group) add_run(equations, chassis, fit.calibration, *run);
+  }
   const auto [gains, deviations] = equations.solve_with_mean_zero();
   const std::size_t unknown = wheels - 1;
   const std::size_t rest = equations.rows() > unknown ? equations.rows() - unknown : 0;
@@ -202,12 +263,16 @@ Outcome<CalibrationFit> calibrate(const Chassis& chassis, const std::vector<Cali
   for (const CalibrationRun& run : runs) {
     if (auto ok = check_run(chassis, run); !ok) return pass_on(ok);
   }
-  auto laws = fit_laws(runs);
-  if (!laws) return pass_on(laws);
   CalibrationFit fit;
-  fit.laws = std::move(*laws);
+  std::vector<Group> groups = groups_of(runs);
+  for (Group& group : groups) {
+    if (auto ok = leave_out(group, fit.left_out); !ok) return pass_on(ok);
+    auto law = fit_law(group);
+    if (!law) return pass_on(law);
+    fit.laws.push_back(std::move(*law));
+  }
   take_directions(fit.calibration, fit.laws);
-  take_wheels(fit, chassis, runs);
+  take_wheels(fit, chassis, groups);
   return fit;
 }
 
@@ -222,13 +287,7 @@ double student_quantile(std::size_t degrees_of_freedom) {
   constexpr double exact[] = {12.706204736174698, 4.302652729749464};
   if (degrees_of_freedom <= 2) return exact[degrees_of_freedom == 2 ? 1 : 0];
   constexpr double z = 1.959963984540054;
-  constexpr double z2 = z * z;
-  const double n = static_cast<double>(degrees_of_freedom);
-  const double g1 = (z2 + 1.0) / 4.0;
-  const double g2 = ((5.0 * z2 + 16.0) * z2 + 3.0) / 96.0;
-  const double g3 = (((3.0 * z2 + 19.0) * z2 + 17.0) * z2 - 15.0) / 384.0;
-  const double g4 = ((((79.0 * z2 + 776.0) * z2 + 1482.0) * z2 - 1920.0) * z2 - 945.0) / 92160.0;
-  return z * (1.0 + (g1 + (g2 + (g3 + g4 / n) / n) / n) / n);
+  return student_value(z, degrees_of_freedom);
 }
 
 }  // namespace outrider

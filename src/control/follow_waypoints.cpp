@@ -5,11 +5,12 @@
 
 #include "outrider/core/units.hpp"
 #include "pure_pursuit.hpp"
+#include "time_optimal.hpp"
+#include "via.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double aimed_rad = 0.03;      ///< bearing error below which the robot drives
 constexpr double off_course_rad = 0.7;  ///< bearing error above which it stops to turn
 constexpr double half_turn_rad = 2.6;   ///< larger turns go the way the headings are written
 
@@ -17,20 +18,9 @@ const Waypoint& goal_of(const Follower& follower, const std::vector<Waypoint>& w
   return waypoints[follower.next];
 }
 
-/// Returns true if the position is near the waypoint or beyond it.
-bool is_passed(const Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
-               const FollowOptions& options) {
-  const Vec2 goal = goal_of(follower, waypoints).pose.position;
-  return distance(position, goal) <= options.pass_m ||
-         dot(position - goal, goal - follower.from.position) > 0.0;
-}
-
 /// Returns the remaining turn to a waypoint's heading, rad.
 double heading_error(const Follower& follower, const Waypoint& goal, double heading_rad) {
-  const double error = wrap_angle(goal.pose.heading_rad - heading_rad);
-  const double written = goal.pose.heading_rad - follower.from.heading_rad;
-  if (std::abs(error) < half_turn_rad || written * error >= 0.0) return error;
-  return error + std::copysign(2.0 * pi, written);
+  return remaining_turn_rad(follower.from.heading_rad, goal, heading_rad);
 }
 
 double turn_command(Follower& follower, double error, const FollowOptions& options, const PidGains& gains,
@@ -40,10 +30,13 @@ double turn_command(Follower& follower, double error, const FollowOptions& optio
       .x;
 }
 
-Vec2 place_command(Follower& follower, Vec2 error, bool stop, const FollowOptions& options,
-                   const PidGains& gains, double period_s) {
-  const double floor = stop ? options.least_speed_mps : options.speed_mps;  // a via is passed at speed
-  return step(follower.place, gains, error, {options.speed_mps, floor}, period_s);
+/// Returns the velocity towards the next waypoint, `error` away. A via is passed at the speed of its corner.
+Vec2 place_command(Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
+                   const FollowOptions& options, const PidGains& gains, double period_s) {
+  const Waypoint& goal = goal_of(follower, waypoints);
+  const double most = speed_towards_vias(follower, waypoints, position, options);
+  const PidRange range{most, goal.stop ? options.least_speed_mps : most};
+  return step(follower.place, gains, goal.pose.position - position, range, period_s);
 }
 
 /// Converts a velocity in the world to a twist of the robot.
@@ -62,13 +55,15 @@ FollowStep holonomic(Follower& follower, const std::vector<Waypoint>& waypoints,
   const double turn = facing ? 0.0 : turn_command(follower, turn_error, options, gains, period_s);
   Vec2 velocity;
   if (!at_place) {
-    velocity = place_command(follower, error, goal.stop, options, gains, period_s);
+    velocity = place_command(follower, waypoints, believed.position, options, gains, period_s);
     if (options.follower == "pure_pursuit") {
-      const PursuitPoint pursuit =
-          find_pursuit_point(follower, waypoints, believed.position, options.lookahead_m);
+      const PursuitPoint pursuit = find_pursuit_point(follower, waypoints, believed.position, options);
       const Vec2 aim = pursuit.position - believed.position;
       if (pursuit.ahead_m > options.lookahead_m && norm(aim) > 0.0) {
-        velocity = (regulated_speed(pursuit, 0.0, options) / norm(aim)) * aim;
+        velocity = (std::min(speed_towards_vias(follower, waypoints, believed.position, options),
+                             regulated_speed(pursuit, 0.0, options)) /
+                    norm(aim)) *
+                   aim;
       }
     }
   }
@@ -78,11 +73,11 @@ FollowStep holonomic(Follower& follower, const std::vector<Waypoint>& waypoints,
 /// Drives ahead on the arc of pure pursuit.
 Twist2 along_arc(const Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
                  const FollowOptions& options) {
-  const PursuitPoint pursuit =
-      find_pursuit_point(follower, waypoints, believed.position, options.lookahead_m);
+  const PursuitPoint pursuit = find_pursuit_point(follower, waypoints, believed.position, options);
   const Vec2 aim = believed.to_local(pursuit.position);
   const double curvature = 2.0 * aim.y / std::max(squared_norm(aim), 1e-9);
-  const double speed = regulated_speed(pursuit, curvature, options);
+  const double speed = std::min(speed_towards_vias(follower, waypoints, believed.position, options),
+                                regulated_speed(pursuit, curvature, options));
   return {speed, 0.0, speed * curvature};
 }
 
@@ -92,7 +87,7 @@ Twist2 going(Follower& follower, const std::vector<Waypoint>& waypoints, const P
   const Vec2 error = goal.pose.position - believed.position;
   const bool far = norm(error) > options.lookahead_m || !goal.stop;
   if (options.follower == "pure_pursuit" && far) return along_arc(follower, waypoints, believed, options);
-  const double ahead = norm(place_command(follower, error, goal.stop, options, gains, period_s));
+  const double ahead = norm(place_command(follower, waypoints, believed.position, options, gains, period_s));
   return {ahead * std::cos(bearing), 0.0, turn_command(follower, bearing, options, gains, period_s)};
 }
 
@@ -125,22 +120,11 @@ FollowStep rotate_then_go(Follower& follower, const std::vector<Waypoint>& waypo
   return {{0.0, 0.0, turn_command(follower, turn, options, gains, period_s)}, false};
 }
 
-/// Limits the change of the twist to the accelerations.
-Twist2 limit_acceleration(const Twist2& wanted, const Twist2& last, const FollowOptions& options,
-                          double period_s) {
-  Vec2 change = {wanted.ahead_mps - last.ahead_mps, wanted.left_mps - last.left_mps};
-  const double most = options.acceleration_mps2 * period_s;
-  if (norm(change) > most) change = (most / norm(change)) * change;
-  const double most_turn = options.turn_acceleration_radps2 * period_s;
-  const double turn = std::clamp(wanted.turn_radps - last.turn_radps, -most_turn, most_turn);
-  return last + Twist2{change.x, change.y, turn};
-}
-
 }  // namespace
 
 std::vector<Option> describe(FollowOptions& options) {
   return {
-      {"follower", "", 0, 0, "pid or pure_pursuit", &options.follower},
+      {"follower", "", 0, 0, "pid, pure_pursuit or time_optimal", &options.follower},
       {"mode", "", 0, 0, "holonomic or rotate_then_go", &options.mode},
       {"speed", "m/s", 0.01, 10.0, "fastest drive", &options.speed_mps},
       {"turn_rate", "rad/s", 0.01, 10.0, "fastest turn", &options.turn_rate_radps},
@@ -153,28 +137,35 @@ std::vector<Option> describe(FollowOptions& options) {
       {"within", "m", 1e-4, 1.0, "near enough to a stop", &options.within_m},
       {"within_angle", "deg", 0.01, 90.0, "near enough to its heading", &options.within_rad},
       {"pass", "m", 1e-3, 10.0, "near enough to a waypoint that is no stop", &options.pass_m},
+      {"wheel_speed", "rad/s", 0.1, 1000.0, "fastest turn of a wheel, for time_optimal",
+       &options.wheel_speed_radps},
       {"lookahead", "m", 0.01, 10.0, "how far on the way pure_pursuit aims", &options.lookahead_m},
   };
 }
 
 Status check(const FollowOptions& options) {
-  const auto refuse = [](const char* key, const std::string& value, const std::vector<std::string>& known) {
+  const auto check_name = [](const char* key, const std::string& value,
+                             const std::vector<std::string>& known) -> Status {
+    if (std::ranges::find(known, value) != known.end()) return {};
     return no_such_row(key, value, known, std::string("follow.") + key);
   };
-  if (options.follower != "pid" && options.follower != "pure_pursuit") {
-    return refuse("follower", options.follower, {"pid", "pure_pursuit"});
-  }
-  if (options.mode != "holonomic" && options.mode != "rotate_then_go") {
-    return refuse("mode", options.mode, {"holonomic", "rotate_then_go"});
-  }
-  return {};
+  if (auto ok = check_name("follower", options.follower, {"pid", "pure_pursuit", "time_optimal"}); !ok)
+    return ok;
+  return check_name("mode", options.mode, {"holonomic", "rotate_then_go"});
 }
 
 FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, const Pose2& believed,
-                  const FollowOptions& options, const PidGains& gains, double period_s) {
+                  const FollowOptions& options, const PidGains& gains, const Chassis& chassis,
+                  double period_s) {
   while (!goal_of(follower, waypoints).stop && follower.next + 1 < waypoints.size() &&
          is_passed(follower, waypoints, believed.position, options)) {
-    advance_to_next(follower, waypoints);
+    pass_by(follower, waypoints);
+  }
+  if (options.follower == "time_optimal") {
+    if (const auto twist = along_timed_path(follower, waypoints, believed, options, chassis, period_s)) {
+      follower.last = *twist;
+      return {*twist, false};
+    }
   }
   FollowStep wanted = options.mode == "holonomic"
                           ? holonomic(follower, waypoints, believed, options, gains, period_s)
@@ -186,8 +177,11 @@ FollowStep follow(Follower& follower, const std::vector<Waypoint>& waypoints, co
 }
 
 void advance_to_next(Follower& follower, const std::vector<Waypoint>& waypoints) {
-  follower = {follower.next + 1, goal_of(follower, waypoints).pose, {}, {}, Follower::Stage::aim,
-              follower.last};
+  Follower next;
+  next.next = follower.next + 1;
+  next.from = goal_of(follower, waypoints).pose;
+  next.last = follower.last;
+  follower = std::move(next);
 }
 
 }  // namespace outrider

@@ -2,33 +2,68 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "outrider/geometry/convex.hpp"
+#include "via.hpp"
 
 namespace outrider {
+namespace {
 
-PursuitPoint find_pursuit_point(const Follower& follower, const std::vector<Waypoint>& waypoints,
-                                Vec2 position, double lookahead_m) {
+/// Returns the point of the next leg that is nearest to a position.
+Vec2 progress_point(const Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position) {
   const Vec2 goal = waypoints[follower.next].pose.position;
   const Vec2 leg = goal - follower.from.position;
-  const double length = norm(leg);
-  double done = 0.0;
-  if (length > 0.0) done = std::clamp(dot(position - follower.from.position, leg) / length, 0.0, length);
-  double left = lookahead_m;
-  Vec2 at = length > 0.0 ? follower.from.position + (done / length) * leg : goal;
-  PursuitPoint pursuit{goal, 0.0};
-  bool found = false;
-  for (std::size_t i = follower.next;; ++i) {
+  const double square = squared_norm(leg);
+  if (square == 0.0) return goal;
+  return follower.from.position +
+         std::clamp(dot(position - follower.from.position, leg) / square, 0.0, 1.0) * leg;
+}
+
+/// Returns the point of the way `ahead_m` beyond `at`, which lies on the next leg; the way ends at a stop. If
+/// the straight line from `position` to it cuts a corner by more than its room, returns nothing.
+std::optional<Vec2> aim_point(const Follower& follower, const std::vector<Waypoint>& waypoints, Vec2 position,
+                              Vec2 at, double ahead_m, const FollowOptions& options) {
+  std::size_t i = follower.next;
+  for (;; ++i) {
     const Vec2 end = waypoints[i].pose.position;
     const double way = distance(at, end);
-    if (!found && way >= left) {
-      pursuit.position = way > 0.0 ? at + (left / way) * (end - at) : end;
-      found = true;
+    const bool last = waypoints[i].stop || i + 1 == waypoints.size();
+    if (way >= ahead_m || last) {
+      at = way > ahead_m ? at + (ahead_m / way) * (end - at) : end;
+      break;
     }
-    left -= way;
-    pursuit.ahead_m += way;
+    ahead_m -= way;
     at = end;
-    if (waypoints[i].stop || i + 1 == waypoints.size()) break;
   }
-  if (!found) pursuit.position = at;
+  for (std::size_t k = follower.next; k < i; ++k) {
+    if (distance(waypoints[k].pose.position, Segment{position, at}) >
+        used_room * room_at(waypoints[k], options))
+      return std::nullopt;
+  }
+  return at;
+}
+
+}  // namespace
+
+PursuitPoint find_pursuit_point(const Follower& follower, const std::vector<Waypoint>& waypoints,
+                                Vec2 position, const FollowOptions& options) {
+  constexpr int tries = 16;
+  const Vec2 start = progress_point(follower, waypoints, position);
+  PursuitPoint pursuit{waypoints[follower.next].pose.position, 0.0};
+  for (int k = tries; k > 0; --k) {
+    const double ahead_m = options.lookahead_m * k / tries;
+    const auto aim = aim_point(follower, waypoints, position, start, ahead_m, options);
+    if (!aim) continue;
+    pursuit.position = *aim;
+    break;
+  }
+  Vec2 at = start;
+  for (std::size_t i = follower.next; i < waypoints.size(); ++i) {
+    pursuit.ahead_m += distance(at, waypoints[i].pose.position);
+    at = waypoints[i].pose.position;
+    if (waypoints[i].stop) break;
+  }
   return pursuit;
 }
 

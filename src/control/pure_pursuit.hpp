@@ -10,9 +10,11 @@ struct PursuitPoint {
   double ahead_m = 0.0;  ///< distance to the next stop along the waypoints
 };
 
-/// Finds the lookahead point on the legs from follower.from through the waypoints to the next stop.
+/// Finds the lookahead point on the legs from follower.from through the waypoints to the next stop. It is
+/// nearer than the lookahead if the straight line to it leaves a waypoint in between farther aside than 0.7
+/// of its room.
 PursuitPoint find_pursuit_point(const Follower& follower, const std::vector<Waypoint>& waypoints,
-                                Vec2 position, double lookahead_m);
+                                Vec2 position, const FollowOptions& options);
 
 /// The speed limit for an arc of that curvature (1/m) and the distance to the stop.
 double regulated_speed(const PursuitPoint& pursuit, double curvature, const FollowOptions& options);

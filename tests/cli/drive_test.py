@@ -62,6 +62,20 @@ class Drive(ToolTest):
         self.assertIn("distance = a t + b", text)
         self.assertIn("front_left", text)
 
+    def test_a_mistyped_run_is_named_and_left_out(self):
+        lines = (WAYPOINTS / "runs.csv").read_text().splitlines()
+        clean = self.run_json("calibrate", WAYPOINTS / "runs.csv")
+        self.assertEqual(clean["left_out"], [])
+        fields = lines[16].split(",")
+        fields[4] = "0.798676"  # for 0.978676
+        self.write("runs.csv", "\n".join(lines[:16] + [",".join(fields)] + lines[17:]) + "\n")
+        result = self.run_tool("calibrate", "runs.csv", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("runs.csv:17", result.stderr)
+        answer = self.json_of(result)
+        self.assertIn("runs.csv:17", answer["left_out"][0]["where"])
+        self.assertAlmostEqual(answer["directions"][0]["gain"], clean["directions"][0]["gain"], delta=0.005)
+
     def test_files_and_replay(self):
         flags = ["drive", "--scenario", WAYPOINTS / "closed_loop.yaml", "--sight", "modelled", "--out"]
         self.assertEqual(self.run_tool(*flags, "a").returncode, 0)

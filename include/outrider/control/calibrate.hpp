@@ -7,6 +7,10 @@
 // of a / commanded speed over its laws, and its dead time the mean of -b / a, both weighted by the number of
 // runs.
 //
+// A run that does not fit the others of its direction and speed, in distance, to the side or in heading, is
+// left out and named: one mistyped number does not change the calibration. One in a million good runs is left
+// out too. A group of fewer than 8 runs tells too little for that.
+//
 // The motion of a run beside its direction distinguishes the wheels. After gains and dead times are removed,
 // twist - command = J^+ diag(J command) (g - 1) is linear in the wheel gains g (J: chassis.hpp). It is solved
 // over all runs by least squares; the mean of g is 1 by definition. A combination of gains that no run
@@ -14,7 +18,8 @@
 //
 // Faults: bad_input, with the line of the run, for a command in several directions or none, a time that is
 // not positive, a turn of 300 degrees or more during a straight motion, fewer than 3 runs or only one time
-// for a law, or a law by which the robot does not move in the commanded direction. O(runs).
+// for a law, more than a fifth of the runs that do not fit the others, or a law by which the robot does not
+// move in the commanded direction. O(runs).
 #pragma once
 
 #include <string>
@@ -50,11 +55,18 @@ struct FittedLaw {
   double time_square_sum = 0.0;  ///< sum of squared deviations from the mean, s^2
 };
 
+/// A run that does not fit the others.
+struct LeftOutRun {
+  std::string where;     ///< of the run
+  std::string sentence;  ///< by how much it is off
+};
+
 /// The result of calibrate().
 struct CalibrationFit {
   Calibration calibration;
   std::vector<FittedLaw> laws;     ///< laws by direction, then by command
   std::vector<Estimate95> wheels;  ///< gain of each wheel
+  std::vector<LeftOutRun> left_out;
 };
 
 /// Fits a calibration to runs as described above.

@@ -8,12 +8,14 @@
 #include "look.hpp"
 #include "outrider/core/units.hpp"
 #include "outrider/world/collision_map.hpp"
+#include "room.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double instant_s = 1e-9;      ///< times closer than this are one
-constexpr double out_of_sight_s = 1.0;  ///< a robot that stands still because of tags waits so long for them
+constexpr double instant_s = 1e-9;       ///< times closer than this are one
+constexpr double clearly_noisier = 1.7;  ///< ratio of the estimated to the expected variance of corners
+constexpr double out_of_sight_s = 1.0;   ///< a robot that stands still because of tags waits so long for them
 
 /// `rests_until_s`: the robot is known not to move before.
 DriveWheels command(DriveMission& mission, const Twist2& twist, double until_s, double rests_until_s = 0.0) {
@@ -34,18 +36,33 @@ void arrive(DriveMission& mission, std::size_t waypoint, double time_s, std::str
   mission.stop.reset();
 }
 
-/// Returns the pose of the robot when a command that is sent now takes effect.
+/// Returns the pose of the robot when a command that is sent now takes effect. For time_optimal, the pose to
+/// which it would roll out from there: with a lag of the first order its derivative is the command itself.
 Pose2 foreseen(const DriveMission& mission) {
   const DriveTask& task = mission.task;
   Reckoning ahead = mission.reckoning;
   advance(ahead, ahead.time_s + task.reckoning.delay_s, task.reckoning, task.chassis);
-  return ahead.belief.world_T_robot;
+  const Pose2& pose = ahead.belief.world_T_robot;
+  if (task.follow.follower != "time_optimal") return pose;
+  return moved(pose, executed(task.chassis, ahead.errors.mean, ahead.twist), task.reckoning.lag_s);
+}
+
+/// Returns the rules, with more images at a stop if their corners are noisier than expected: as many as give
+/// a mean of the same error, within bounds.
+DriveRules rules_for_noise(const DriveMission& mission) {
+  constexpr double most = 8.0;
+  const double ratio = mission.corner_variance_px2 / std::pow(mission.task.localise.corner_sigma_px, 2);
+  DriveRules rules = mission.task.rules;
+  if (ratio > clearly_noisier)
+    rules.settle_sightings = static_cast<std::int64_t>(
+        std::ceil(static_cast<double>(rules.settle_sightings) * std::min(ratio, most)));
+  return rules;
 }
 
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
 std::string stop_doubt(const DriveMission& mission) {
   if (is_trusted(mission)) {
-    std::string doubt = mission.stop->doubt(mission.reckoning.belief, mission.task.rules);
+    std::string doubt = mission.stop->doubt(mission.reckoning.belief, rules_for_noise(mission));
     if (!doubt.empty() && !mission.suspects.empty())
       doubt += fmt::format("; tag {} contradicted other tags and does not count",
                            fmt::join(mission.suspects, ", "));
@@ -64,7 +81,8 @@ bool leaves_stop(DriveMission& mission, double now_s, bool accepted) {
   const bool settled = now_s - stop.counts_from_s >= rules.settle_s - instant_s;
   std::string doubt = stop_doubt(mission);
   const double enough_s =
-      rules.settle_s + 2.0 * static_cast<double>(rules.settle_sightings) / mission.task.eye.rate_hz;
+      rules.settle_s +
+      2.0 * static_cast<double>(rules_for_noise(mission).settle_sightings) / mission.task.eye.rate_hz;
   const bool late = now_s - stop.since_s >= std::max(rules.most_settle_s, enough_s) - instant_s;
   if (doubt.empty() && !(settled && accepted)) {
     if (!late) return false;
@@ -123,6 +141,13 @@ DriveWheels finish_at_last_stop(DriveMission& mission) {
                             fmt::join(doubts, "; ")));
 }
 
+/// Makes up for the errors of the motion that are known. The other followers leave them to their feedback.
+Twist2 made_up(const DriveMission& mission, const Twist2& wanted) {
+  const DriveTask& task = mission.task;
+  if (task.follow.follower != "time_optimal") return wanted;
+  return commanded_for(task.chassis, mission.reckoning.errors.mean, wanted);
+}
+
 DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
   const double now_s = seen.time_s;
   const DriveRules& rules = mission.task.rules;
@@ -147,8 +172,9 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     mission.follower.last = {};
     return command(mission, {}, now_s + rules.period_s);
   }
-  const FollowStep wanted = follow(mission.follower, mission.task.waypoints, foreseen(mission),
-                                   mission.task.follow, mission.task.pid, rules.period_s);
+  const FollowStep wanted =
+      follow(mission.follower, mission.task.waypoints, foreseen(mission), mission.task.follow,
+             mission.task.pid, mission.task.chassis, rules.period_s);
   if (!wanted.there) {
     mission.stop.reset();
   } else if (!mission.stop) {
@@ -157,7 +183,7 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
     if (mission.follower.next + 1 == mission.task.waypoints.size()) return finish_at_last_stop(mission);
     advance_to_next(mission.follower, mission.task.waypoints);
   }
-  return command(mission, wanted.twist, now_s + rules.period_s);
+  return command(mission, made_up(mission, wanted.twist), now_s + rules.period_s);
 }
 
 double dead_time_s(const Twist2& twist, const Calibration& calibration) {
@@ -190,6 +216,7 @@ DriveWheels step_open(DriveMission& mission, const Observation& seen) {
 DriveMission begin(DriveTask given) {
   DriveMission mission;
   mission.task = std::move(given);
+  set_rooms(mission.task, CollisionMap::of(mission.task.world, mission.task.eye.height_m));
   const DriveTask& task = mission.task;
   constexpr double start_sigma_m = 0.01, start_sigma_rad = 0.01;
   mission.reckoning.belief.world_T_robot = task.start;

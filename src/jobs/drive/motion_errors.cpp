@@ -44,4 +44,14 @@ MotionErrorRows executed_by_errors(const Chassis& chassis, const MotionErrorVect
   return rows;
 }
 
+/// The twist is linear in the command; the iteration converges if the errors are below 100 %.
+Twist2 commanded_for(const Chassis& chassis, const MotionErrorVector& errors, const Twist2& wanted) {
+  constexpr int iterations = 8;
+  const MotionErrorVector bounded = errors.cwiseMax(-0.5).cwiseMin(0.5);
+  Twist2 command = wanted;
+  for (int i = 0; i < iterations; ++i)
+    command = command + wanted + -1.0 * executed(chassis, bounded, command);
+  return command;
+}
+
 }  // namespace outrider

@@ -25,10 +25,12 @@ constexpr double belief_every_s = 0.2;
 constexpr double look_around_m = 1.0;  ///< clearance beyond it is not told
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The way straight from waypoint to waypoint, and the turns from heading to heading where it stops.
+/// The way straight from waypoint to waypoint, the turns from heading to heading where it stops, and the
+/// least time on the way with rounded corners.
 struct Ideal {
   double driven_m = 0.0;
   double turned_rad = 0.0;
+  double time_s = 0.0;
 };
 Ideal ideal_of(const DriveTask& task) {
   Ideal ideal;
@@ -48,6 +50,10 @@ Ideal ideal_of(const DriveTask& task) {
     }
     from = waypoint.pose.position;
   }
+  FollowOptions follow = task.follow;
+  if (turns_to_go) follow.mode = "rotate_then_go";
+  const double pause_s = task.closed_loop ? task.rules.settle_s : task.rules.rest_s;
+  ideal.time_s = ideal_time_s(task.start, task.waypoints, follow, task.chassis, pause_s);
   return ideal;
 }
 
@@ -102,6 +108,7 @@ class Recorder {
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
     if (task_.closed_loop) note_passed(mission.follower.next, truth.position);
+    note_deviation(truth.position);
     for (; relocalisations_ < mission.relocalisations.size(); ++relocalisations_)
       note_relocalisation(time_s, mission.relocalisations[relocalisations_]);
     if (mission.end != DriveEnd::none && !std::exchange(ended_, true)) note_end(time_s, mission);
@@ -116,33 +123,60 @@ class Recorder {
   }
 
   /// Returns each waypoint, what became of it, and how far off it the robot was when it was reached; NaN
-  /// where it was not. Of a waypoint that is no stop: how near the robot came to it while it was the next
-  /// one.
+  /// where it was not. Of a waypoint that is no stop: how near the robot came to it while it or the one
+  /// behind it was the next one.
   [[nodiscard]] Table table() const {
     Table table{"waypoints",
                 {"x", "y", "heading_rad", "stop", "outcome", "reached_s", "dx", "dy", "dtheta", "nearest_m"},
                 {}};
     for (std::size_t i = 0; i < task_.waypoints.size(); ++i) {
       const outrider_msgs::Waypoint& one = waypoints_.waypoints[i];
-      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, outcomes_[i],
+      table.rows.push_back({one.position.x, one.position.y, one.heading, one.stop ? 1.0 : 0.0, outcome(i),
                             one.reached, one.error.x, one.error.y, one.heading_error, nearest_m_[i]});
     }
     return table;
   }
 
+  /// Returns a sentence about the first waypoint that was missed; empty if there is none.
+  [[nodiscard]] std::string missed() const {
+    for (std::size_t i = 0; i < next_; ++i) {
+      if (outcome(i) != "missed") continue;
+      return fmt::format("waypoint {} was missed by {:.3f} m; it is passed within {:g} m (follow.pass)",
+                         i + 1, nearest_m_[i], task_.follow.pass_m);
+    }
+    return {};
+  }
+
   double clearance_m = look_around_m;
+  double deviation_m = 0.0;         ///< largest distance from the straight legs
   double belief_error_m = 0.0;      ///< largest error of the believed position
   double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
 
  private:
-  /// Notes how near the robot comes to the next waypoint if that is no stop, and which ones it has passed.
+  /// Notes how near the robot comes to the next waypoint and the one before, if they are no stops.
   void note_passed(std::size_t next, Vec2 position) {
-    for (; next_ < next; ++next_) {
-      if (!task_.waypoints[next_].stop) outcomes_[next_] = "passed";
+    for (std::size_t i = next_ > 0 ? next_ - 1 : 0; i <= next; ++i) {
+      if (!task_.waypoints[i].stop)
+        nearest_m_[i] = std::fmin(nearest_m_[i], distance(position, task_.waypoints[i].pose.position));
     }
-    if (task_.waypoints[next].stop) return;
-    const double off_m = distance(position, task_.waypoints[next].pose.position);
-    nearest_m_[next] = std::fmin(nearest_m_[next], off_m);
+    next_ = next;
+  }
+
+  /// A waypoint that is no stop and lies behind the robot is passed only if the robot came near enough.
+  [[nodiscard]] std::string outcome(std::size_t waypoint) const {
+    if (!task_.closed_loop || task_.waypoints[waypoint].stop || waypoint >= next_) return outcomes_[waypoint];
+    return nearest_m_[waypoint] <= task_.follow.pass_m ? "passed" : "missed";
+  }
+
+  /// Notes how far the robot is off the straight legs before and behind the last waypoint that it left.
+  void note_deviation(Vec2 position) {
+    const std::size_t next = task_.closed_loop ? next_ : std::min(arrivals_, task_.waypoints.size() - 1);
+    double off_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = next > 0 ? next - 1 : 0; i <= next; ++i) {
+      const Vec2 from = i == 0 ? task_.start.position : task_.waypoints[i - 1].pose.position;
+      off_m = std::min(off_m, distance(position, Segment{from, task_.waypoints[i].pose.position}));
+    }
+    deviation_m = std::max(deviation_m, off_m);
   }
 
   void note_error(const PoseBelief& belief, const Pose2& truth) {
@@ -190,7 +224,7 @@ class Recorder {
   const CollisionMap& ground_;
   Log& log_;
   outrider_msgs::Waypoints waypoints_;
-  std::vector<std::string> outcomes_;  // of each waypoint
+  std::vector<std::string> outcomes_;  // of each waypoint at which the robot stood
   std::vector<double> nearest_m_;      // to each waypoint that is no stop
   std::size_t next_ = 0;
   std::size_t arrivals_ = 0;
@@ -220,20 +254,24 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   const bool touched = recorder.clearance_m < 0.0;
   Report report;
   report.world_name = task.world.name;
-  report.status = touched ? "not_done" : status_of(mission.end);
+  const std::string missed = recorder.missed();
+  report.status = touched || !missed.empty() ? "not_done" : status_of(mission.end);
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
     report.reason =
         fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", -recorder.clearance_m);
   }
+  if (!missed.empty()) report.reason += (report.reason.empty() ? "" : "; ") + missed;
   const double images = static_cast<double>(std::max<std::int64_t>(1, robot.devices().camera->images()));
   report.metrics = {{"driven_m", motion.driven_m()},
                     {"ideal_m", ideal.driven_m},
                     {"turned_rad", motion.turned_rad()},
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
+                    {"ideal_s", ideal.time_s},
                     {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
                     {"clearance_m", recorder.clearance_m},
+                    {"deviation_m", recorder.deviation_m},
                     {"belief_error_m", recorder.belief_error_m},
                     {"belief_error_ratio", recorder.belief_error_ratio},
                     {"tolerance_m", tolerance_m(task)},

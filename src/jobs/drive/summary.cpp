@@ -22,8 +22,10 @@ std::string stop_line(std::size_t number, const TableRow& row) {
   std::string text = fmt::format("  {:>3}  {:>7.3f} {:>7.3f} {:>6.1f}  ", number, row.number("x"),
                                  row.number("y"), degrees(wrap_angle(row.number("heading_rad"))));
   const std::string outcome = outcome_of(row);
-  if (outcome == "passed")
-    return fmt::format("{}passed by, {:.1f} mm off\n", text, 1e3 * row.number("nearest_m"));
+  if (outcome == "passed" || outcome == "missed") {
+    return fmt::format("{}{}, {:.1f} mm off\n", text, outcome == "passed" ? "passed by" : "missed",
+                       1e3 * row.number("nearest_m"));
+  }
   if (outcome != "reached") return fmt::format("{}{}\n", text, outcome);
   return text + fmt::format("{:>6.1f}  {:>8.1f} {:>8.1f} {:>8.2f}\n", row.number("reached_s"),
                             1e3 * row.number("dx"), 1e3 * row.number("dy"), degrees(row.number("dtheta")));
@@ -62,6 +64,8 @@ std::string drive_summary(const Report& report) {
   text += '\n';
   text += ratio_line("driven", metric(report, "driven_m"), "m", metric(report, "ideal_m"), "straight legs");
   text += ratio_line("turned", metric(report, "turned_rad"), "rad", metric(report, "ideal_rad"), "least");
+  if (std::isfinite(metric(report, "ideal_s")))
+    text += ratio_line("time", metric(report, "time_s"), "s", metric(report, "ideal_s"), "ideal");
   text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
   if (std::isfinite(metric(report, "path_m"))) {
     text += fmt::format("  path       {:.3f} m, {:.3f} m clear\n", metric(report, "path_m"),

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
 #include "outrider/core/units.hpp"
 #include "support/random_cases.hpp"
@@ -140,6 +144,112 @@ TEST(Calibrate, StudentQuantilesAgainstIntegration) {
     const double tail = mass(std::atan(t), 0.5 * pi) / (2.0 * mass(0.0, 0.5 * pi));
     EXPECT_NEAR(tail, 0.025, 2e-4) << n;
   }
+}
+
+/// 25 runs of each direction, each with its own line.
+std::vector<CalibrationRun> many_runs(const FaultyRobot& robot, Rng& rng) {
+  std::vector<CalibrationRun> all;
+  for (int i = 0; i < 7; ++i) {
+    for (CalibrationRun& run : robot.runs(rng, 0.003)) all.push_back(std::move(run));
+  }
+  std::map<std::size_t, int> count;  // of each direction
+  std::vector<CalibrationRun> kept;
+  for (CalibrationRun& run : all) {
+    const auto of = std::ranges::find(commands, run.command) - commands;
+    if (++count[static_cast<std::size_t>(of)] > 25) continue;
+    run.where = "runs.csv:" + std::to_string(kept.size() + 2);
+    kept.push_back(std::move(run));
+  }
+  return kept;
+}
+
+/// What a hand does to a number: a point, a sign or a digit in the wrong place, or the number of another run.
+void mistype(CalibrationRun& run, int kind) {
+  Pose2& end = run.start_T_end;
+  const bool turns = run.command.turn_radps != 0.0;
+  double& main = turns ? end.heading_rad : run.command.ahead_mps != 0.0 ? end.position.x : end.position.y;
+  switch (kind % 6) {
+    case 0: main *= 0.1; return;
+    case 1: main = -main; return;
+    case 2: main *= 1.2; return;
+    case 3: run.time_s += 1.0; return;
+    case 4: (turns ? end.position.x : end.heading_rad) += 0.3; return;
+    default: (run.command.left_mps != 0.0 ? end.position.x : end.position.y) += 0.2;
+  }
+}
+
+/// The fit is that of the file without the run, whose line is named.
+TEST(Calibrate, NamesEachMistypedRunAndLeavesItOut) {
+  Rng rng(6);
+  FaultyRobot robot = random_robot(rng, 0.01);
+  const std::vector<CalibrationRun> runs = many_runs(robot, rng);
+  ASSERT_EQ(runs.size(), 150U);
+  const auto clean = calibrate(robot.chassis, runs);
+  ASSERT_TRUE(clean);
+  EXPECT_TRUE(clean->left_out.empty());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (int kind = 0; kind < 6; ++kind) {
+      auto mistyped = runs, without = runs;
+      mistype(mistyped[i], kind);
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+      const auto fit = calibrate(robot.chassis, mistyped);
+      ASSERT_TRUE(fit) << i << ' ' << kind << ": " << to_string(fit.error());
+      ASSERT_EQ(fit->left_out.size(), 1U) << i << ' ' << kind;
+      EXPECT_EQ(fit->left_out[0].where, runs[i].where);
+      const auto expected = calibrate(robot.chassis, without);
+      ASSERT_TRUE(expected);
+      for (std::size_t d = 0; d < directions; ++d) {
+        EXPECT_EQ(fit->calibration.laws[d].gain, expected->calibration.laws[d].gain);
+        EXPECT_NEAR(fit->calibration.laws[d].gain, clean->calibration.laws[d].gain, 0.005);
+      }
+      for (std::size_t w = 0; w < 4; ++w)
+        EXPECT_EQ(fit->calibration.wheels[w], expected->calibration.wheels[w]);
+    }
+  }
+}
+
+TEST(Calibrate, NamesSeveralMistypedRuns) {
+  Rng rng(7);
+  for (int round = 0; round < testing::cases(20); ++round) {
+    FaultyRobot robot = random_robot(rng, 0.01);
+    auto runs = many_runs(robot, rng);
+    std::set<std::string> mistyped;
+    for (int i = 0; i < 5; ++i) {
+      CalibrationRun& run = runs[rng.below(runs.size())];
+      if (mistyped.insert(run.where).second) mistype(run, static_cast<int>(rng.below(6)));
+    }
+    const auto fit = calibrate(robot.chassis, runs);
+    ASSERT_TRUE(fit);
+    std::set<std::string> named;
+    for (const LeftOutRun& run : fit->left_out) named.insert(run.where);
+    EXPECT_EQ(named, mistyped);
+  }
+}
+
+TEST(Calibrate, GoodRunsAreNotLeftOut) {
+  Rng rng(8);
+  std::size_t left_out = 0;
+  for (int round = 0; round < testing::cases(100); ++round) {
+    const auto fit = calibrate(FaultyRobot().chassis, many_runs(random_robot(rng, 0.01), rng));
+    ASSERT_TRUE(fit);
+    left_out += fit->left_out.size();
+  }
+  EXPECT_LE(left_out, static_cast<std::size_t>(testing::cases(100) / 50)) << "of 15,000 runs for 100 files";
+}
+
+TEST(Calibrate, RunsOfWhichManyDoNotFitAreRefused) {
+  Rng rng(9);
+  FaultyRobot robot;
+  auto runs = many_runs(robot, rng);
+  int changed = 0;
+  for (CalibrationRun& run : runs) {
+    if (run.command.ahead_mps > 0.0 && (7 * changed++) % 25 < 6) run.start_T_end.position.x *= 1.5;
+  }
+  const auto fit = calibrate(robot.chassis, runs);
+  ASSERT_FALSE(fit);
+  EXPECT_NE(to_string(fit.error()).find("of 25 runs ahead do not fit one law"), std::string::npos)
+      << to_string(fit.error());
+  EXPECT_EQ(fit.error().where, "runs.csv:2");
 }
 
 TEST(Calibrate, RefusesRunsThatSayNothing) {

@@ -39,4 +39,8 @@ Twist2 executed(const Chassis& chassis, const MotionErrorVector& errors, const T
 MotionErrorRows executed_by_errors(const Chassis& chassis, const MotionErrorVector& errors,
                                    const Twist2& twist);
 
+/// Returns the command with which a robot that has these errors moves with the twist `wanted`. Errors so
+/// large that it hardly moves at all are made up for in part.
+Twist2 commanded_for(const Chassis& chassis, const MotionErrorVector& errors, const Twist2& wanted);
+
 }  // namespace outrider

