@@ -358,7 +358,9 @@ std::vector<LaserLoop> LaserSlam::closed_loops() const {
   return result;
 }
 std::vector<Pose2> LaserSlam::trajectory() const {
-  std::vector<Pose2> poses = state_->before_keyframes;
+  std::vector<Pose2> poses;
+  poses.reserve(state_->before_keyframes.size() + state_->track.size());
+  poses = state_->before_keyframes;
   for (const TrackPoint& point : state_->track) {
     poses.push_back(wrap_heading(compose(state_->graph.keyframes[point.key].pose, point.key_T_robot)));
   }

@@ -146,6 +146,7 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
   if (!text) return pass_on(text);
   const std::vector<Pose2> poses = run.slam.trajectory();
   std::vector<TrackedPose> track;
+  track.reserve(poses.size());
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) track.push_back({i, recorded_s[i], poses[i + 1]});
   std::vector<NamedContent> files = track_files(track);
   files.push_back({"map.pgm", std::move(text->image)});
