@@ -18,7 +18,11 @@ std::string head_comment(std::string_view yaml) {
     if (line.empty() && !text.empty()) break;
     const bool command = line.starts_with(' ') || line.starts_with('\t');
     if (line.empty() || command || line == saved_here) continue;
-    if (text.size() + line.size() + 1 > longest_head_comment || !is_printable(line)) break;
+    if (!is_printable(line)) break;
+    if (text.empty() && line.size() > longest_head_comment) {  // cut between words
+      return std::string(line.substr(0, line.substr(0, longest_head_comment - 3).rfind(' ') + 1)) + "...";
+    }
+    if (text.size() + line.size() + 1 > longest_head_comment) break;
     if (!text.empty()) text += ' ';
     text += line;
   }

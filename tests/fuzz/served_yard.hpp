@@ -11,6 +11,7 @@
 #include "app.hpp"
 #include "outrider/io/confinement.hpp"
 #include "outrider/jobs/catalog.hpp"
+#include "temporary_folder.hpp"
 
 namespace outrider::fuzzing {
 
@@ -41,6 +42,7 @@ class ServedYard {
           "job: guard\nworld: yard.sdf\ntargets: targets.txt\nstart: 0,-2,90\nbounds: -4,-4,4,4\n");
     write("inside/yard/targets.txt", "name=fox type=1 x=2 y=2\n");
     write("inside/yard/room.map", "type octile\nheight 2\nwidth 3\nmap\n.@T\nGSW\n");
+    write("inside/yard/.outrider", "a file, so that no run is kept for the next input");
     fs::create_symlink("../../secret.txt", home_.path() / "inside/yard/link.txt");
   }
 

@@ -68,6 +68,9 @@ TEST(HeadComment, IsWhatStandsBeforeTheFirstKey) {
   EXPECT_EQ(head_comment(""), "");
   EXPECT_EQ(head_comment("# bell \a\n"), "");
   EXPECT_LE(head_comment("# " + std::string(1000, 'x') + "\n").size(), longest_head_comment);
+  const std::string cut = head_comment("# Words" + std::string(1000, 'x') + " and others");
+  EXPECT_EQ(cut, "...") << "no word fits";
+  EXPECT_EQ(head_comment("# Some words, " + std::string(1000, 'x')), "Some words, ...");
   EXPECT_EQ(head_comment("# with a return\r\njob: guard\r\n"), "with a return");
 }
 

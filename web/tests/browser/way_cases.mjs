@@ -110,6 +110,11 @@ export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) =
     };
     await wall(6);
     await until("a longer path", async () => await length() > free + 1);
+    await until("the last answer", async () => {  // of those to a pointer that moved
+      const before = await answers(page);
+      await page.waitForTimeout(500);
+      return await answers(page) === before;
+    });
     const [once, view] = [await length(), await page.evaluateHandle(() => document.querySelector(".plan-page"))];
     const same = () => page.evaluate((one) => one === document.querySelector(".plan-page"), view);
     await drag(page, "drop", [["broken.map", "type octile\nheight 2\nwidth 3\nmap\n..\n"]]);
