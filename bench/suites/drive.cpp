@@ -64,6 +64,7 @@ void set_wheel_off(DriveSetup& setup, Rng& rng) {
 /// Hangs the tags of the world elsewhere than on the map of the robot: each is kept, taken away, exchanged
 /// for one that is not on the map, or moved by up to a metre along its wall.
 void change_world(DriveSetup& setup, Rng& rng) {
+  setup.task.rules.tags_move = true;
   TagMap world;
   for (Tag tag : setup.task.tags.tags) {
     const std::uint64_t change = rng.below(4);

@@ -137,13 +137,15 @@ bool look(DriveMission& mission, const Observation& seen) {
   ++mission.images;
   if (sightings.empty()) return false;
   std::vector<double> repeated_s;
-  if (taken_s < mission.reckoning.time_s - same_time_s) {
+  const bool late = taken_s < mission.reckoning.time_s - same_time_s;
+  if (late) {
     auto then = mission.history.rewind(taken_s, repeated_s);
     if (!then) return false;
     mission.reckoning = std::move(*then);
   }
   advance(mission.reckoning, taken_s, task.reckoning, task.chassis);
   const bool accepted = correct_by(mission, sightings);
+  if (late) mission.history.states.push_back(mission.reckoning);
   for (const double time_s : repeated_s) {
     advance(mission.reckoning, time_s, task.reckoning, task.chassis);
     mission.history.states.push_back(mission.reckoning);

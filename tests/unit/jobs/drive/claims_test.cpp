@@ -190,7 +190,8 @@ TEST(DriveClaims, TagsOfAWrongSizeConfirmNoWrongStop) {
 TEST(DriveClaims, TagsOfAnotherWorldConfirmNoWrongStop) {
   for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
     Rng rng(static_cast<std::uint64_t>(seed));
-    const DriveTask task = one_tag_in_view();
+    DriveTask task = one_tag_in_view();
+    task.rules.tags_move = true;
     DriveSimParams params = testing::usual_faults();
     TagMap world;
     for (Tag tag : task.tags.tags) {
