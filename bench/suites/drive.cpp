@@ -61,6 +61,22 @@ void set_wheel_off(DriveSetup& setup, Rng& rng) {
   setup.sim.wheels.gains[rng.below(setup.task.chassis.wheels.size())] += 0.1 * either_sign(rng);
 }
 
+/// Hangs the tags of the world elsewhere than on the map of the robot: each is kept, taken away, exchanged
+/// for one that is not on the map, or moved by up to a metre along its wall.
+void change_world(DriveSetup& setup, Rng& rng) {
+  setup.task.rules.tags_move = true;
+  TagMap world;
+  for (Tag tag : setup.task.tags.tags) {
+    const std::uint64_t change = rng.below(4);
+    if (change == 1) continue;
+    if (change == 2) tag.id += 100;
+    const double by_m = change == 3 ? rng.uniform(0.1, 1.0) * either_sign(rng) : 0.0;
+    tag.world_T_tag.position = tag.world_T_tag.position + by_m * tag.world_T_tag.rotation.axes[0];
+    world.tags.push_back(tag);
+  }
+  setup.sim.tags = std::move(world);
+}
+
 const std::vector<DriveFault>& drive_faults() {
   static const std::vector<DriveFault> faults = {
       {"none", [](DriveSetup&, Rng&, std::uint64_t) {}},
@@ -97,6 +113,19 @@ const std::vector<DriveFault>& drive_faults() {
          const auto& tags = setup.task.tags.tags;
          setup.sim.moved_tag = {tags[rng.below(tags.size())].id, rng.uniform(0.1, 0.5) * either_sign(rng)};
        }},
+      {"tag moved on the way",
+       [](DriveSetup& setup, Rng& rng, std::uint64_t) {
+         const auto& tags = setup.task.tags.tags;
+         setup.task.rules.tags_move = true;
+         setup.sim.moved_tag = {tags[rng.below(tags.size())].id, rng.uniform(0.1, 0.5) * either_sign(rng),
+                                rng.uniform(2.0, 35.0)};
+       }},
+      {"tags 3 to 10 % larger or smaller",
+       [](DriveSetup& setup, Rng& rng, std::uint64_t) {
+         setup.sim.tag_scale = 1.0 + rng.uniform(0.03, 0.1) * either_sign(rng);
+       }},
+      {"tags of another world", [](DriveSetup& setup, Rng& rng, std::uint64_t) { change_world(setup, rng); }},
+      {"images 0.3 s late", [](DriveSetup& setup, Rng&, std::uint64_t) { setup.task.eye.latency_s = 0.3; }},
       {"corners off by 1 px",
        [](DriveSetup& setup, Rng&, std::uint64_t) { setup.sim.sight.corner_sigma_px = 1.0; }},
   };
@@ -143,12 +172,12 @@ nlohmann::ordered_json row_json(const DriveRow& row) {
 }
 
 std::string table_text(const std::vector<DriveRow>& rows) {
-  std::string text = fmt::format("  {:<28} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n",
+  std::string text = fmt::format("  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n",
                                  "fault", "runs", "done", "doubtful", "unconfirmed", "not done", "reached",
                                  "false", "worst mm", "worst deg", "belief, sigmas");
   for (const DriveRow& row : rows) {
     text += fmt::format(
-        "  {:<28} {:>5} {:>5} {:>8} {:>11} {:>8} {:>7}/{:<4} {:>6} {:>9.1f} {:>9.2f} {:>7.1f} {:>7.1f}\n",
+        "  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>7}/{:<4} {:>6} {:>9.1f} {:>9.2f} {:>7.1f} {:>7.1f}\n",
         row.fault, row.runs, row.done, row.doubtful, row.unconfirmed, row.not_done, row.reached, row.stops,
         row.false_reached, 1e3 * row.worst_m, degrees(row.worst_rad), quantile(row.error_ratios, 0.5),
         quantile(row.error_ratios, 1.0));

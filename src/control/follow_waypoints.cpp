@@ -12,7 +12,6 @@ namespace outrider {
 namespace {
 
 constexpr double off_course_rad = 0.7;  ///< bearing error above which it stops to turn
-constexpr double half_turn_rad = 2.6;   ///< larger turns go the way the headings are written
 
 const Waypoint& goal_of(const Follower& follower, const std::vector<Waypoint>& waypoints) {
   return waypoints[follower.next];

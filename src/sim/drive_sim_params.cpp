@@ -2,6 +2,23 @@
 
 namespace outrider {
 
+TagMap true_tags_later(const TagMap& map, const DriveSimParams& params) {
+  TagMap tags = params.tags.value_or(map);
+  for (Tag& tag : tags.tags) {
+    tag.size_m *= params.tag_scale;
+    if (tag.id == params.moved_tag.id)
+      tag.world_T_tag.position =
+          tag.world_T_tag.position + params.moved_tag.by_m * tag.world_T_tag.rotation.axes[0];
+  }
+  return tags;
+}
+
+TagMap true_tags(const TagMap& map, const DriveSimParams& params) {
+  DriveSimParams before = params;
+  if (params.moved_tag.at_s > 0.0) before.moved_tag = {};
+  return true_tags_later(map, before);
+}
+
 std::vector<Option> describe(DriveSimParams& params) {
   std::vector<Option> options = describe(params.wheels);
   const std::vector<Option> own = {
@@ -15,6 +32,9 @@ std::vector<Option> describe(DriveSimParams& params) {
       {"moved_tag", "", -1, 586, "id of a tag that hangs elsewhere than the map says; -1: none",
        &params.moved_tag.id},
       {"moved_tag_by", "m", -10.0, 10.0, "how far to the right of its reader", &params.moved_tag.by_m},
+      {"moved_tag_at", "s", 0.0, 1e9, "when it is moved", &params.moved_tag.at_s},
+      {"tag_scale", "", 0.1, 10.0, "true size of every tag, relative to tag_size, which the robot is told",
+       &params.tag_scale},
   };
   options.insert(options.end(), own.begin(), own.end());
   return options;

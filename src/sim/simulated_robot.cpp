@@ -45,7 +45,7 @@ Observation SimulatedRobot::sense() {
   seen.time_s = time_s();
   std::visit([&](auto& body) { sense_body(body, seen); }, body_);
   if (devices_.laser) seen.scan = devices_.laser->look(pose(), seen.time_s);
-  if (devices_.camera) seen.image = devices_.camera->newest();
+  if (devices_.camera) seen.image = devices_.camera->newest(seen.time_s);
   if (devices_.gun) seen.gun = devices_.gun->state();
   if (devices_.stores) seen.stores = {devices_.stores->water(), devices_.stores->charge_j()};
   if (devices_.targets) seen.targets = devices_.targets->look(seen.time_s);

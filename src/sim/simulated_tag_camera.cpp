@@ -1,11 +1,13 @@
 #include "outrider/sim/simulated_tag_camera.hpp"
 
+#include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/sim/tag_model.hpp"
 
 namespace outrider {
 namespace {
 
-constexpr double band_m = 0.01;  ///< of heights about the camera, in which sight lines are sought
+constexpr double instant_s = 1e-9;  ///< times closer than this are one
+constexpr double band_m = 0.01;     ///< of heights about the camera, in which sight lines are sought
 
 }  // namespace
 
@@ -33,13 +35,37 @@ SimulatedTagCamera::SimulatedTagCamera(const TagScene& scene, const RobotCamera&
                           : nullptr),
       sight_rng_(rng.child("sight")) {}
 
+void SimulatedTagCamera::change_tags(double at_s, TagMap tags) {
+  changes_s_ = at_s;
+  changed_ = std::move(tags);
+}
+
+const std::optional<TagImage>& SimulatedTagCamera::newest(double time_s) {
+  while (!arriving_.empty() && arriving_.front().taken_s + options_.latency_s <= time_s + instant_s) {
+    newest_ = std::move(arriving_.front());
+    arriving_.pop_front();
+  }
+  return newest_;
+}
+
 void SimulatedTagCamera::take(const Pose2& world_T_robot, const Twist2& twist, double time_s) {
   ++images_;
-  newest_ = TagImage{time_s, {}};
+  if (time_s >= changes_s_) {
+    changes_s_ = std::numeric_limits<double>::infinity();
+    tags_ = changed_;
+    if (rendering_) rendering_->set_tags(changed_);
+  }
+  TagImage& image = arriving_.emplace_back(TagImage{time_s, {}});
   if (time_s >= faults_.blind_from_s) return;
-  newest_->sightings =
+  image.sightings =
       rendering_ ? rendering_->look(moved(world_T_robot, twist, -options_.exposure_s), world_T_robot)
                  : modelled_sightings(tags_, camera_, faults_, sight_lines_, world_T_robot, sight_rng_);
+  for (TagSighting& sighting : image.sightings) {
+    const Tag* expected = expected_.find(sighting.id);
+    const Tag* tag = tags_.find(sighting.id);
+    if (expected != nullptr && tag != nullptr && expected->size_m != tag->size_m)
+      sighting.poses = planar_pnp(camera_.camera, expected->size_m, sighting.corners_px);
+  }
 }
 
 }  // namespace outrider

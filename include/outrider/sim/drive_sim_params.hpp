@@ -1,10 +1,13 @@
-// DriveSimParams: faults of the wheels, the radio link and the camera of a simulated robot, and a kidnapping.
+// DriveSimParams: faults of the wheels, the radio link and the camera of a simulated robot, what is wrong
+// with its tags, and a kidnapping.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/estimate/tag.hpp"
 #include "outrider/motion/wheel_faults.hpp"
 
 namespace outrider {
@@ -16,10 +19,11 @@ struct TagSightFaults {
   double blind_from_s = 1e9;     ///< time at which the camera fails; it sees nothing afterwards
 };
 
-/// A tag that hangs elsewhere than the map says.
+/// A tag that hangs elsewhere than the map says, from the start or from some time on.
 struct MovedTag {
   std::int64_t id = -1;  ///< of the tag; -1: none
   double by_m = 0.3;     ///< to the right of a reader of the tag
+  double at_s = 0.0;     ///< time at which it is moved
 };
 
 /// A kidnapping: somebody lifts the robot and puts it down elsewhere.
@@ -31,13 +35,19 @@ struct Kidnapping {
 
 /// What goes wrong while a simulated robot drives.
 struct DriveSimParams {
-  WheelFaults wheels;     ///< errors between commanded and true wheel speeds
-  LinkFaults link;        ///< faults of the link that carries the commands
-  TagSightFaults sight;   ///< faults of the camera
-  Kidnapping kidnapping;  ///< none by default
-  MovedTag moved_tag;     ///< none by default
+  WheelFaults wheels;          ///< errors between commanded and true wheel speeds
+  LinkFaults link;             ///< faults of the link that carries the commands
+  TagSightFaults sight;        ///< faults of the camera
+  Kidnapping kidnapping;       ///< none by default
+  MovedTag moved_tag;          ///< none by default
+  double tag_scale = 1.0;      ///< true size of every tag, relative to what the robot is told
+  std::optional<TagMap> tags;  ///< where the tags truly hang; none: where the map of the robot says
 };
-/// Returns the options of all members except the link.
+/// Returns the true tags at the start, and from moved_tag.at_s on, for a robot with that map.
+TagMap true_tags(const TagMap& map, const DriveSimParams& params);
+TagMap true_tags_later(const TagMap& map, const DriveSimParams& params);
+
+/// Returns the options of all members except the link and the tags.
 std::vector<Option> describe(DriveSimParams& params);
 
 }  // namespace outrider

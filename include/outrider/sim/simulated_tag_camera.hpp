@@ -4,6 +4,8 @@
 // faster model without images (tag_model.hpp).
 #pragma once
 
+#include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -29,7 +31,13 @@ class SimulatedTagCamera {
   /// Takes the next image. The robot is at that pose at `time_s` and moves with that twist.
   void take(const Pose2& world_T_robot, const Twist2& twist, double time_s);
 
-  [[nodiscard]] const std::optional<TagImage>& newest() const { return newest_; }
+  /// Hangs the tags elsewhere at a time.
+  void change_tags(double at_s, TagMap tags);
+  /// Says which sizes the robot expects of the tags; those are what their poses are computed with.
+  void expect_sizes(const TagMap& map) { expected_ = map; }
+
+  /// Returns the newest image whose tags are known at a time.
+  const std::optional<TagImage>& newest(double time_s);
   [[nodiscard]] std::int64_t images() const { return images_; }  ///< taken so far
 
  private:
@@ -41,7 +49,11 @@ class SimulatedTagCamera {
   std::unique_ptr<TagCamera> rendering_;  // null if images are not rendered
   Rng sight_rng_;
   std::int64_t images_ = 0;
+  std::deque<TagImage> arriving_;  // images whose tags are not known yet
   std::optional<TagImage> newest_;
+  double changes_s_ = std::numeric_limits<double>::infinity();
+  TagMap changed_;   // the tags from then on
+  TagMap expected_;  // tags with the sizes that the robot expects
 };
 
 }  // namespace outrider

@@ -27,6 +27,7 @@ namespace outrider {
 struct TagCameraOptions {
   double rate_hz = 10.0;       ///< images per second; used by SimulatedTagCamera
   double exposure_s = 0.01;    ///< exposure time
+  double latency_s = 0.0;      ///< from an exposure until its tags are known; used by SimulatedTagCamera
   double noise_grey = 3.0;     ///< standard deviation of the noise of a pixel, on a scale of 0 to 255
   double black_grey = 30.0;    ///< grey value of the ink
   double white_grey = 220.0;   ///< grey value of the paper
@@ -66,6 +67,9 @@ class TagCamera {
   /// Takes an image while the robot moves from one pose to the other, and returns the tags detected in it,
   /// with their poses.
   std::vector<TagSighting> look(const Pose2& opening, const Pose2& closing);
+
+  /// Replaces the tags in the world.
+  void set_tags(TagMap tags) { scene_.tags = std::move(tags); }
 
   /// Returns the last image.
   [[nodiscard]] const RenderedImage& image() const { return image_; }

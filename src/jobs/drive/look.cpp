@@ -8,6 +8,8 @@
 namespace outrider {
 namespace {
 
+constexpr double sharp =
+    2.0;  ///< times the standard deviation that a stop needs: more cannot be contradicted
 constexpr double same_time_s = 1e-9;
 constexpr double corner_memory = 30.0;  ///< number of tags over which the noise of corners is averaged
 constexpr double clearly_larger =
@@ -50,13 +52,17 @@ bool clear_suspects(DriveMission& mission, const std::vector<TagSighting>& sight
   return true;
 }
 
-/// Notes which tags explain the image and which contradict them.
-void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+/// Notes which tags explain the image and which contradict them. A tag corroborates the last relocalisation
+/// only if it could have contradicted it: the belief was sharp before, or another tag of the image agrees.
+void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix,
+               bool was_sharp) {
+  const bool corroborates = was_sharp || std::ranges::count(fix.verdicts, TagVerdict::used) > 1;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     TagRecord& record = mission.tag_records[sightings[i].id];
     if (fix.verdicts[i] == TagVerdict::used) {
       ++record.used;
-      if (mission.relocalisations.empty() || mission.suspects.contains(sightings[i].id)) continue;
+      if (mission.relocalisations.empty() || mission.suspects.contains(sightings[i].id) || !corroborates)
+        continue;
       Relocalisation& last = mission.relocalisations.back();
       last.tags.insert(sightings[i].id);
       last.corroborated = last.tags.size() > 1;
@@ -66,15 +72,29 @@ void note_tags(DriveMission& mission, const std::vector<TagSighting>& sightings,
   }
 }
 
+/// A tag that may have been moved, and alone corrects a belief that was too wide to contradict it, tells no
+/// more than one that relocalises the robot alone.
+void note_lone_tag(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  if (std::ranges::count(fix.verdicts, TagVerdict::used) != 1) return;
+  const auto used = std::ranges::find(fix.verdicts, TagVerdict::used) - fix.verdicts.begin();
+  const int id = sightings[static_cast<std::size_t>(used)].id;
+  if (!mission.relocalisations.empty() && mission.relocalisations.back().tags == std::set<int>{id}) return;
+  mission.relocalisations.push_back({mission.reckoning.time_s, mission.reckoning.belief, {id}, false});
+}
+
 void accept(DriveMission& mission, const std::vector<TagSighting>& sightings, const TagFix& fix) {
+  const bool was_sharp =
+      position_sigma_m(mission.reckoning.belief) <= sharp * mission.task.rules.settle_sigma_m &&
+      heading_sigma_rad(mission.reckoning.belief) <= sharp * mission.task.rules.settle_sigma_rad;
   correct(mission.reckoning, *fix.belief);
+  if (mission.task.rules.tags_move && !was_sharp) note_lone_tag(mission, sightings, fix);
   const bool confirms = clear_suspects(mission, sightings, fix);
-  note_tags(mission, sightings, fix);
+  note_tags(mission, sightings, fix, was_sharp);
   ++mission.used;
   mission.tag_s = mission.image_s;
   mission.refused = 0;
   mission.relocaliser = {};
-  if (!mission.stop || !confirms) return;
+  if (!mission.stop || !confirms || mission.image_s < mission.stop->counts_from_s) return;
   mission.stop->accept(*fix.belief);
   mission.stop->is_still = false;
   if (is_at_rest(mission.reckoning))
@@ -90,19 +110,10 @@ void refuse(DriveMission& mission, const std::vector<TagSighting>& sightings) {
     mission.relocaliser.add(sightings, task.tags, robot_camera(task.eye), adapted(mission));
 }
 
-}  // namespace
-
-bool look(DriveMission& mission, const Observation& seen) {
-  if (!seen.image) return false;
-  const DriveTask& task = mission.task;
-  const auto& [taken_s, sightings] = *seen.image;
-  const bool fresh = seen.time_s - taken_s <= 0.5 * task.rules.period_s + same_time_s;
-  if (!fresh || taken_s <= mission.image_s) return false;
-  mission.image_s = taken_s;
-  ++mission.images;
-  if (sightings.empty()) return false;
-  advance(mission.reckoning, taken_s, task.reckoning, task.chassis);
+/// Corrects the belief, which is that of the time of the image. Returns true if the image corrected it.
+bool correct_by(DriveMission& mission, const std::vector<TagSighting>& sightings) {
   note_corners(mission, sightings);
+  const DriveTask& task = mission.task;
   const TagFix fix =
       localise(sightings, task.tags, robot_camera(task.eye), mission.reckoning.belief, adapted(mission));
   if (fix.belief) {
@@ -111,6 +122,35 @@ bool look(DriveMission& mission, const Observation& seen) {
   }
   if (std::ranges::any_of(fix.verdicts, is_refused)) refuse(mission, sightings);
   return false;
+}
+
+}  // namespace
+
+bool look(DriveMission& mission, const Observation& seen) {
+  if (!seen.image) return false;
+  const DriveTask& task = mission.task;
+  const auto& [taken_s, sightings] = *seen.image;
+  const double most_age_s = task.eye.latency_s + 0.5 * task.rules.period_s;
+  const bool fresh = seen.time_s - taken_s <= most_age_s + same_time_s;
+  if (!fresh || taken_s <= mission.image_s) return false;
+  mission.image_s = taken_s;
+  ++mission.images;
+  if (sightings.empty()) return false;
+  std::vector<double> repeated_s;
+  const bool late = taken_s < mission.reckoning.time_s - same_time_s;
+  if (late) {
+    auto then = mission.history.rewind(taken_s, repeated_s);
+    if (!then) return false;
+    mission.reckoning = std::move(*then);
+  }
+  advance(mission.reckoning, taken_s, task.reckoning, task.chassis);
+  const bool accepted = correct_by(mission, sightings);
+  if (late) mission.history.states.push_back(mission.reckoning);
+  for (const double time_s : repeated_s) {
+    advance(mission.reckoning, time_s, task.reckoning, task.chassis);
+    mission.history.states.push_back(mission.reckoning);
+  }
+  return accepted;
 }
 
 bool is_trusted(const DriveMission& mission) {
@@ -127,7 +167,9 @@ bool relocalise(DriveMission& mission) {
     const int alone = *mission.relocalisations.back().tags.begin();
     if (!found.tags.contains(alone)) mission.suspects.insert(alone);
   }
+  if (mission.used == 0) mission.start_contradicted = true;
   relocate(mission.reckoning, belief);
+  mission.history.clear();
   mission.relocalisations.push_back({mission.reckoning.time_s, belief, found.tags, found.tags.size() > 1});
   mission.relocaliser = {};
   mission.refused = 0;

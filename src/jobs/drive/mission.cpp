@@ -20,6 +20,7 @@ constexpr double out_of_sight_s = 1.0;   ///< a robot that stands still because 
 /// `rests_until_s`: the robot is known not to move before.
 DriveWheels command(DriveMission& mission, const Twist2& twist, double until_s, double rests_until_s = 0.0) {
   mission.reckoning.sent.push_back({std::max(mission.reckoning.time_s, rests_until_s), twist});
+  if (mission.task.eye.latency_s > 0.0) mission.history.commands.push_back(mission.reckoning.sent.back());
   return {commanded_wheels(mission.task.chassis, mission.task.calibration, twist), until_s};
 }
 
@@ -47,20 +48,25 @@ Pose2 foreseen(const DriveMission& mission) {
   return moved(pose, executed(task.chassis, ahead.errors.mean, ahead.twist), task.reckoning.lag_s);
 }
 
-/// Returns the rules, with more images at a stop if their corners are noisier than expected: as many as give
-/// a mean of the same error, within bounds.
+/// Returns the rules. If corners are noisier than expected, errors of tags seen from the front are larger
+/// than their covariances say: then more images are needed, as many as give a mean of the same error, within
+/// bounds, and a sharper belief.
 DriveRules rules_for_noise(const DriveMission& mission) {
-  constexpr double most = 8.0;
+  constexpr double most = 8.0, sharper = 1.5;
   const double ratio = mission.corner_variance_px2 / std::pow(mission.task.localise.corner_sigma_px, 2);
   DriveRules rules = mission.task.rules;
-  if (ratio > clearly_noisier)
-    rules.settle_sightings = static_cast<std::int64_t>(
-        std::ceil(static_cast<double>(rules.settle_sightings) * std::min(ratio, most)));
+  if (ratio <= clearly_noisier) return rules;
+  const double images = static_cast<double>(rules.settle_sightings) * std::min(ratio, most);
+  rules.settle_sightings = static_cast<std::int64_t>(std::ceil(images));
+  rules.settle_sigma_m /= sharper;
+  rules.settle_sigma_rad /= sharper;
   return rules;
 }
 
 /// Returns why the stop at which the robot stands is not confirmed; empty if it is.
 std::string stop_doubt(const DriveMission& mission) {
+  if (mission.start_contradicted && is_trusted(mission))
+    return "the first tags in sight contradicted the start; are their places and their size right?";
   if (is_trusted(mission)) {
     std::string doubt = mission.stop->doubt(mission.reckoning.belief, rules_for_noise(mission));
     if (!doubt.empty() && !mission.suspects.empty())
@@ -153,6 +159,8 @@ DriveWheels step_closed(DriveMission& mission, const Observation& seen) {
   const DriveRules& rules = mission.task.rules;
   const bool accepted = look(mission, seen);
   advance(mission.reckoning, now_s, mission.task.reckoning, mission.task.chassis);
+  if (mission.task.eye.latency_s > 0.0)
+    mission.history.add(mission.reckoning, mission.task.eye.latency_s + rules.period_s);
   if (relocalise(mission) && is_blocked(mission)) {
     return finish(
         mission, DriveEnd::lost,

@@ -280,16 +280,6 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   return report;
 }
 
-/// Returns where the tags truly hang.
-TagMap true_tags(const TagMap& map, const MovedTag& moved) {
-  TagMap tags = map;
-  for (Tag& tag : tags.tags) {
-    if (tag.id == moved.id)
-      tag.world_T_tag.position = tag.world_T_tag.position + moved.by_m * tag.world_T_tag.rotation.axes[0];
-  }
-  return tags;
-}
-
 /// In the open loop the camera is blind.
 SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& params, bool rendered,
                                std::uint64_t seed) {
@@ -297,13 +287,16 @@ SimulatedRobot simulated_robot(const DriveTask& task, const DriveSimParams& para
   TagCameraOptions options;
   options.rate_hz = task.eye.rate_hz;
   options.exposure_s = task.eye.exposure_s;
+  options.latency_s = task.eye.latency_s;
   TagSightFaults faults = params.sight;
   if (!task.closed_loop) faults.blind_from_s = 0.0;
-  return SimulatedRobot(
-      WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
-      {.camera = SimulatedTagCamera({task.world, true_tags(task.tags, params.moved_tag)},
-                                    robot_camera(task.eye), options, faults, rendered, rng)},
-      params.kidnapping);
+  SimulatedTagCamera camera({task.world, true_tags(task.tags, params)}, robot_camera(task.eye), options,
+                            faults, rendered, rng);
+  camera.expect_sizes(task.tags);
+  if (params.moved_tag.at_s > 0.0)
+    camera.change_tags(params.moved_tag.at_s, true_tags_later(task.tags, params));
+  return SimulatedRobot(WheelBody(task.chassis, params.wheels, params.link, task.start, rng),
+                        {.camera = std::move(camera)}, params.kidnapping);
 }
 
 }  // namespace

@@ -34,29 +34,29 @@ Outcome<std::vector<Waypoint>> waypoints_from(const std::string& text) {
   return waypoints;
 }
 
-Outcome<Tag> tag_from(std::string_view word, double height_m, double size_m) {
+Outcome<Tag> tag_from(std::string_view word, double height_m, double size_m, const char* key) {
   const std::string form = "id=x,y,facing[,height] in m and degrees, such as 1=2,1,180";
   const std::size_t equals = word.find('=');
   const auto id = number<int>(word.substr(0, equals));
   if (equals == word.npos || !id) {
-    return bad_input(fmt::format("'{}' is no tag; expected {}", excerpt(word), form), "tags");
+    return bad_input(fmt::format("'{}' is no tag; expected {}", excerpt(word), form), key);
   }
   const std::string rest(word.substr(equals + 1));
   const std::size_t count = std::ranges::count(rest, ',') == 3 ? 4 : 3;
-  auto n = parse_numbers(rest, count, "tags", form);
+  auto n = parse_numbers(rest, count, key, form);
   if (!n) return pass_on(n);
   return upright_tag(*id, {(*n)[0], (*n)[1], count == 4 ? (*n)[3] : height_m}, radians((*n)[2]), size_m);
 }
 
-Outcome<TagMap> tags_from(const DriveScenario& scenario) {
+Outcome<TagMap> tags_from(const DriveScenario& scenario, const std::string& text, const char* key) {
   TagMap map;
-  for (const std::string_view word : words(scenario.tags)) {
-    auto tag = tag_from(word, scenario.task.eye.height_m, scenario.tag_size_m);
+  for (const std::string_view word : words(text)) {
+    auto tag = tag_from(word, scenario.task.eye.height_m, scenario.tag_size_m, key);
     if (!tag) return pass_on(tag);
     map.tags.push_back(*tag);
   }
   if (auto ok = check_tags(map); !ok) {
-    ok.error().where = "tags";
+    ok.error().where = key;
     return pass_on(ok);
   }
   return map;
@@ -133,7 +133,8 @@ Outcome<DriveTask> robot_from(const DriveScenario& scenario) {
     if (ok.error().where.empty()) ok.error().where = "camera";
     return pass_on(ok);
   }
-  auto tags = tags_from(scenario);
+  const bool apart = !scenario.map_tags.empty();
+  auto tags = tags_from(scenario, apart ? scenario.map_tags : scenario.tags, apart ? "map_tags" : "tags");
   if (!tags) return pass_on(tags);
   task.tags = std::move(*tags);
   return task;
@@ -156,6 +157,8 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
         {"planner", "", 0, 0, "a path planner of 'outrider list', for the way to the goal",
          &scenario.planner},
         {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag36h11, with blanks between", &scenario.tags},
+        {"map_tags", "", 0, 0, "the same of the map that the robot has, if the world differs; empty: as tags",
+         &scenario.map_tags},
         {"tag_size", "m", 1e-3, 10.0, "side of the black square of every tag", &scenario.tag_size_m},
         {"loop", "", 0, 0, "closed (by tags) or open (by time)", &scenario.loop},
         {"sight", "", 0, 0, "rendered (images, tags detected in them) or modelled (corners with errors)",
@@ -188,6 +191,11 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
   auto task = robot_from(scenario);
   if (!task) return pass_on(task);
   DriveSetup setup{std::move(*task), scenario.sim, scenario.sight == "rendered", std::nullopt, 0.0, {}};
+  if (!scenario.map_tags.empty()) {
+    auto tags = tags_from(scenario, scenario.tags, "tags");
+    if (!tags) return pass_on(tags);
+    setup.sim.tags = std::move(*tags);
+  }
   std::optional<Pose2> goal;
   if (scenario.goal.empty()) {
     auto waypoints = waypoints_from(scenario.waypoints);

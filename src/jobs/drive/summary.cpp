@@ -65,7 +65,8 @@ std::string drive_summary(const Report& report) {
   text += ratio_line("driven", metric(report, "driven_m"), "m", metric(report, "ideal_m"), "straight legs");
   text += ratio_line("turned", metric(report, "turned_rad"), "rad", metric(report, "ideal_rad"), "least");
   if (std::isfinite(metric(report, "ideal_s")))
-    text += ratio_line("time", metric(report, "time_s"), "s", metric(report, "ideal_s"), "ideal");
+    text += fmt::format("  time       {:.1f} s, ideal {:.1f} s\n", metric(report, "time_s"),
+                        metric(report, "ideal_s"));
   text += fmt::format("  clearance  {:.3f} m at least\n", metric(report, "clearance_m"));
   if (std::isfinite(metric(report, "path_m"))) {
     text += fmt::format("  path       {:.3f} m, {:.3f} m clear\n", metric(report, "path_m"),

@@ -12,6 +12,8 @@ std::vector<Option> describe(TagEye& eye) {
       {"height", "m", 0.0, 10.0, "of the camera above the floor", &eye.height_m},
       {"rate", "1/s", 0.1, 100.0, "images a second", &eye.rate_hz},
       {"exposure", "s", 0.0, 0.1, "for which the shutter is open", &eye.exposure_s},
+      {"latency", "s", 0.0, 2.0, "until the tags of an image are known; they correct the belief of its time",
+       &eye.latency_s},
   };
 }
 
@@ -21,7 +23,7 @@ RobotCamera robot_camera(const TagEye& eye) {
 
 std::vector<Option> describe(DriveRules& rules) {
   return {
-      {"period", "s", 0.005, 1.0, "of control; a tag pose older than half of it is not used",
+      {"period", "s", 0.005, 1.0, "of control; an image older than its latency and half of it is not used",
        &rules.period_s},
       {"settle", "s", 0.0, 60.0, "of standing at a stop before it counts as reached", &rules.settle_s},
       {"most_settle", "s", 0.0, 600.0, "after which a stop is unconfirmed, and the robot goes on",
@@ -32,6 +34,9 @@ std::vector<Option> describe(DriveRules& rules) {
        &rules.settle_sigma_m},
       {"settle_sigma_angle", "deg", 0.01, 90.0, "standard deviation of a heading that is not wide",
        &rules.settle_sigma_rad},
+      {"tags_move", "", 0, 0,
+       "tags may be moved during the drive: after a way without tags one alone confirms no stop",
+       &rules.tags_move},
       {"patience", "s", 1.0, 1e5, "for one waypoint", &rules.patience_s},
       {"hold_refused", "", 1, 10000,
        "images in a row whose tags are where they cannot be; then the robot stands still",

@@ -2,15 +2,16 @@
 // that it commands.
 //
 // Closed loop: in each period dead reckoning advances the belief to the time of the newest image. The tags of
-// the image correct the belief (estimate/localise.hpp) unless the image is older than half a period or was
-// used before. Dead reckoning then advances the belief to the present. The follower computes the next command
-// for the pose at which the command takes effect. A stop counts as reached if the robot stands there and the
-// tags confirm it (stop_check.hpp). If they do not within `most_settle_s`, the stop is unconfirmed and the
-// robot goes on.
+// the image correct the belief (estimate/localise.hpp) unless the image was used before, or is older than the
+// latency of the camera and half a period. An image that comes late corrects the belief of its own time. Dead
+// reckoning then advances the belief to the present. The follower computes the next command for the pose at
+// which the command takes effect. A stop counts as reached if the robot stands there and the tags confirm it
+// (stop_check.hpp). If they do not within `most_settle_s`, the stop is unconfirmed and the robot goes on.
 //
 // A robot that sees tags at impossible places in several images in a row stands still, finds itself by these
 // tags (relocaliser.hpp) and goes on. Until a second tag agrees, stops are unconfirmed. A tag that other tags
-// contradict then confirms no stop any more.
+// contradict then confirms no stop any more. If the first tags in sight contradict the start, which is exact,
+// their map or their size is wrong, and no stop is confirmed.
 //
 // Open loop: the mission executes the motions of control/timed_drive.hpp one after another and ignores tags.
 //
@@ -28,6 +29,7 @@
 #include <vector>
 
 #include "outrider/control/timed_drive.hpp"
+#include "outrider/jobs/drive/reckoning_history.hpp"
 #include "outrider/jobs/drive/relocaliser.hpp"
 #include "outrider/jobs/drive/stop_check.hpp"
 #include "outrider/jobs/drive/task.hpp"
@@ -75,6 +77,7 @@ struct DriveMission {
 
   DriveTask task;
   Reckoning reckoning;
+  ReckoningHistory history;  ///< kept if images come late
   Follower follower;
   std::vector<TimedMotion> motions;  ///< of the open loop
   std::size_t motion = 0;            ///< index of the current motion
@@ -89,6 +92,7 @@ struct DriveMission {
   Relocaliser relocaliser;           ///< of these images
   double corner_variance_px2 = 0.0;  ///< of a detected corner along each axis, estimated from recent tags
   std::vector<Relocalisation> relocalisations;
+  bool start_contradicted = false;  ///< the first tags in sight did not agree with the start, which is exact
   std::map<int, TagRecord> tag_records;  ///< by id
   /// Ids of tags that said alone where the robot is, and that other tags contradicted later. They confirm
   /// nothing.

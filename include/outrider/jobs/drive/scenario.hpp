@@ -35,6 +35,7 @@ struct DriveScenario {
   std::string goal;             ///< as the start
   std::string planner;          ///< a name of the catalogue of path planners
   std::string tags;             ///< as above
+  std::string map_tags;         ///< where the robot believes the tags; empty: as `tags`
   double tag_size_m = default_tag_size_m;  ///< side of a tag
   std::string loop = "closed";             ///< or open
   std::string sight = "rendered";          ///< or modelled

@@ -22,6 +22,7 @@ struct TagEye {
   double height_m = 0.2;     ///< above the floor
   double rate_hz = 10.0;     ///< images per second
   double exposure_s = 0.01;  ///< exposure time
+  double latency_s = 0.0;    ///< longest time from an exposure until its tags are known
 };
 /// Describes the options by name.
 std::vector<Option> describe(TagEye& eye);
@@ -30,14 +31,17 @@ RobotCamera robot_camera(const TagEye& eye);
 
 /// When the mission uses images, waits and gives up.
 struct DriveRules {
-  double period_s = 0.05;      ///< control period; tag poses older than half of it are ignored
+  double period_s =
+      0.05;  ///< control period; images are ignored if they are older than their latency and half of it
   double settle_s = 0.5;       ///< time to stand at a stop before it counts as reached
   double most_settle_s = 4.0;  ///< after this time it is unconfirmed, and the robot goes on
   std::int64_t settle_sightings =
       3;                            ///< images at a stop whose tags are accepted before it counts as reached
   double settle_sigma_m = 0.006;    ///< largest standard deviation of the position at a stop
   double settle_sigma_rad = 0.006;  ///< the same for the heading
-  double patience_s = 120.0;        ///< longest time for one waypoint
+  bool tags_move =
+      false;  ///< tags may be moved during the drive: one alone tells nothing after a way without tags
+  double patience_s = 120.0;      ///< longest time for one waypoint
   std::int64_t hold_refused = 3;  ///< images in a row with impossible tags after which the robot stands still
   std::int64_t relocalise = 5;    ///< images that have to agree on where it is then
   std::int64_t most_refused = 30;  ///< images in a row with impossible tags after which the robot is lost

@@ -149,6 +149,77 @@ TEST(DriveClaims, NoisierCornersThanExpectedAreNoticed) {
   }
 }
 
+/// The course on which at most stops one tag is in view.
+DriveTask one_tag_in_view() {
+  DriveTask task = two_tags_in_view();
+  task.tags.tags = {upright_tag(1, {2, 1, 0.2}, pi), upright_tag(2, {1, 2.5, 0.2}, -pi / 2),
+                    upright_tag(3, {0, 2, 0.2}, 0)};
+  task.waypoints = {{{{0, 0}, 0}}, {{{1, 0}, 0}}, {{{1, 2}, pi}}, {{{0, 0}, 0}}};
+  return task;
+}
+
+TEST(DriveClaims, ATagThatIsMovedOnTheWayConfirmsNoWrongStop) {
+  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+    for (const char* follower : {"pid", "time_optimal"}) {
+      Rng rng(static_cast<std::uint64_t>(seed));
+      DriveTask task = one_tag_in_view();
+      task.follow.follower = follower;
+      task.rules.tags_move = true;
+      DriveSimParams params = testing::usual_faults();
+      params.moved_tag = {1 + static_cast<std::int64_t>(rng.below(3)), seed % 2 == 0 ? 0.2 : -0.2,
+                          rng.uniform(2.0, 30.0)};
+      expect_true_claims(driven_unseen(task, params, static_cast<std::uint64_t>(seed)));
+    }
+  }
+}
+
+TEST(DriveClaims, TagsOfAWrongSizeConfirmNoWrongStop) {
+  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+    for (const char* follower : {"pid", "time_optimal"}) {
+      Rng rng(static_cast<std::uint64_t>(seed));
+      DriveTask task = one_tag_in_view();
+      task.follow.follower = follower;
+      DriveSimParams params = testing::usual_faults();
+      params.tag_scale = 1.0 + (seed % 2 == 0 ? 1.0 : -1.0) * rng.uniform(0.03, 0.1);
+      expect_true_claims(driven_unseen(task, params, static_cast<std::uint64_t>(seed)));
+    }
+  }
+}
+
+/// One map, several worlds: tags are missing, exchanged or elsewhere.
+TEST(DriveClaims, TagsOfAnotherWorldConfirmNoWrongStop) {
+  for (int seed = 1; seed <= testing::costly_cases(30); ++seed) {
+    Rng rng(static_cast<std::uint64_t>(seed));
+    DriveTask task = one_tag_in_view();
+    task.rules.tags_move = true;
+    DriveSimParams params = testing::usual_faults();
+    TagMap world;
+    for (Tag tag : task.tags.tags) {
+      const std::uint64_t change = rng.below(4);
+      if (change == 1) continue;
+      if (change == 2) tag.id += 100;
+      if (change == 3)
+        tag.world_T_tag.position =
+            tag.world_T_tag.position + rng.uniform(0.1, 1.0) * tag.world_T_tag.rotation.axes[0];
+      world.tags.push_back(tag);
+    }
+    params.tags = world;
+    expect_true_claims(driven_unseen(task, params, static_cast<std::uint64_t>(seed)));
+  }
+}
+
+/// Images that come late are fused at their own time: the drive is as good as with images that come at once.
+TEST(DriveClaims, LateImagesCorrectTheBeliefOfTheirTime) {
+  for (int seed = 1; seed <= testing::costly_cases(10); ++seed) {
+    DriveTask task = two_tags_in_view();
+    task.eye.latency_s = 0.3;
+    const auto run = driven_unseen(task, testing::usual_faults(), static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(run.report.status, "done") << run.report.reason;
+    EXPECT_EQ(expect_true_claims(run), 3U);
+    EXPECT_LE(metric(run, "belief_error_ratio"), 5.0);
+  }
+}
+
 /// A waypoint that is no stop says how near the robot came to it, and one that was never next is not passed.
 TEST(DriveClaims, APassedWaypointSaysHowNear) {
   DriveTask task = two_tags_in_view();
