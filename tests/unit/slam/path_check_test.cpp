@@ -67,8 +67,7 @@ KeyframeGraph drive_past_walls(Rng& rng) {
   for (int i = 0; i < 8; ++i) {
     const Pose2 pose{{1.0 + 0.25 * i, 1.7}, 0.05 * i};
     const Pose2 odometry = i == 0 ? Pose2{} : relative_pose(graph.keyframes.back().pose, pose);
-    graph.keyframes.push_back(
-        {pose, Eigen::Matrix3d::Zero(), 0.25 * i, half_turn_scan(pose, rng), odometry, {0.05, 0.05}});
+    graph.keyframes.push_back({pose, 0.25 * i, half_turn_scan(pose, rng), odometry, {0.05, 0.05}});
   }
   return graph;
 }
