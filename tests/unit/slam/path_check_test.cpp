@@ -100,6 +100,19 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "odometry confirms it";
 }
 
+TEST(PathCheck, AShortStepAfterWhichTheScansDifferIsAJump) {
+  Rng rng(5);
+  KeyframeGraph graph = drive_past_walls(rng);
+  KeyframeSurfaces surfaces({}, 30.0);
+  graph.keyframes[4].shared_before = 0.45;
+  const std::vector<Jump> jumps = find_jumps(graph, surfaces);
+  ASSERT_EQ(jumps.size(), 1U) << "though odometry confirms it";
+  EXPECT_EQ(jumps[0].after, 4U);
+  EXPECT_EQ(jumps[0].shared, 0.45);
+  graph.keyframes[4].shared_before = 0.55;
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty());
+}
+
 TEST(PathCheck, OfAReleasedScanTheShareOfItsTimeCounts) {
   Rng rng(4);
   KeyframeGraph graph = drive_past_walls(rng);
