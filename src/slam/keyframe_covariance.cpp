@@ -59,11 +59,13 @@ void KeyframeCovariance::join(std::span<const Keyframe> keyframes, std::uint32_t
 void KeyframeCovariance::add(std::span<const Keyframe> keyframes, const KeyframeConstraint& constraint) {
   const GraphEdge& edge = constraint.edge;
   const Keyframe& frame = keyframes[edge.from];
+  if (constraint.shared.isZero(0.0))
+    return join(keyframes, edge.from, edge.to, covariance_of(constraint.certainty * edge.information, frame));
   join(keyframes, edge.from, edge.to, covariance_of(edge.information - constraint.shared, frame));
-  if (constraint.shared.isZero(0.0)) return;
   for (const MatchedWith& with : constraint.matched) {
     if (with.share > 0.0)
-      join(keyframes, with.keyframe, edge.to, covariance_of(with.share * constraint.shared, frame));
+      join(keyframes, with.keyframe, edge.to,
+           covariance_of(with.share * constraint.certainty * constraint.shared, frame));
   }
 }
 
@@ -76,7 +78,7 @@ void KeyframeCovariance::add_keyframe(std::span<const Keyframe> keyframes,
     const GraphEdge& edge = known->edge;
     Place place = places_[edge.from];
     place.covariance = propagated(keyframes[edge.from], keyframes[key], place.covariance,
-                                  covariance_of(edge.information, keyframes[edge.from]));
+                                  covariance_of(known->certainty * edge.information, keyframes[edge.from]));
     places_.push_back(place);
     return;
   }

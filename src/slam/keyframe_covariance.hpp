@@ -37,6 +37,7 @@ struct KeyframeConstraint {
   GraphEdge edge;
   Eigen::Matrix3d shared = Eigen::Matrix3d::Zero();  ///< part of its information that comes from a match
   Matched matched{};
+  double certainty = 1.0;       ///< factor of the information that comes from a match
   bool is_known_place = false;  ///< it joins a place that was seen many times
 };
 

@@ -16,8 +16,8 @@ class KeyframeGraph {
   /// of `from`. The information is along the world's axes.
   void add_constraint(std::uint32_t from, std::uint32_t to, const Pose2& world_T_to,
                       const Eigen::Matrix3d& information);
-  /// Says that the last constraint joins a place that was seen many times.
-  void know_place_of_last_constraint() { constraints_.back().is_known_place = true; }
+  /// Returns the last constraint, to say more of it.
+  [[nodiscard]] KeyframeConstraint& last_constraint() { return constraints_.back(); }
   /// Says that so much of the information of the last constraint comes from a match with the map of several
   /// keyframes, all of them before `to`.
   void share_last_constraint(const Eigen::Matrix3d& information, const Matched& matched);

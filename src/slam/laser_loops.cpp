@@ -159,6 +159,7 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
   const std::vector<Pose2> before = graph.poses();
   graph.add_constraint(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1), fit.pose,
                        fit.information + Eigen::Matrix3d::Identity());
+  graph.last_constraint().certainty = fit.certainty();
   if (graph.optimise() && graph.chi2() <= most_chi2) return true;
   graph.remove_last_constraint(before);
   return false;

@@ -180,14 +180,18 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
                        fit     ? Eigen::Matrix3d(fit->information + driven.information())
                        : blind ? driven.information()
                                : noise.information());
-  if (fit) graph.share_last_constraint(fit->information, local.matched(graph, part));
+  if (fit) {
+    graph.share_last_constraint(fit->information, local.matched(graph, part));
+    graph.last_constraint().certainty = fit->certainty();
+  }
   unkept = {};
   if (!fit || !local.anchor()) return;
   const Fit visit = local.map()->refine(local.surfaces().of(graph, key), pose, {pose, loose.information()},
                                         LocalMap::earlier_group);
   if (visit.share >= least_share) {
     graph.add_constraint(*local.anchor(), key, visit.pose, visit.information + Eigen::Matrix3d::Identity());
-    if (local.is_crowded()) graph.know_place_of_last_constraint();
+    graph.last_constraint().certainty = visit.certainty();
+    graph.last_constraint().is_known_place = local.is_crowded();
   }
 }
 

@@ -203,9 +203,10 @@ MatchEquations SurfaceMap::equations(const Surface& surface, const Pose2& pose, 
   return sum;
 }
 
-/// Returns the standard deviation of the distances, estimated from their root mean square. Neighbouring
-/// points err together, and the surfaces of the map err too.
-double noise_of(double rms_m) { return std::clamp(3.0 * rms_m, 0.035, 0.09); }
+double Fit::certainty() const {
+  const double sd_m = std::clamp(3.0 * rms_m, 0.035, 0.09);
+  return point_sd_m * point_sd_m / (sd_m * sd_m);
+}
 
 Fit SurfaceMap::refine(const Surface& surface, const Pose2& start, const PosePrior& prior, int group) const {
   constexpr int most_steps = 12;
@@ -228,11 +229,10 @@ Fit SurfaceMap::refine(const Surface& surface, const Pose2& start, const PosePri
     if (move.lpNorm<Eigen::Infinity>() < enough) break;
   }
   sum = equations(few, fit.pose, group);
+  fit.information = sum.hessian;
   const auto count = static_cast<double>(sum.on_surface);
   fit.share = few.empty() ? 0.0 : count / static_cast<double>(few.size());
   fit.rms_m = sum.on_surface > 0 ? std::sqrt(sum.squares / count) : 0.0;
-  const double relative = point_sd_m / noise_of(fit.rms_m);
-  fit.information = relative * relative * sum.hessian;
   return fit;
 }
 
