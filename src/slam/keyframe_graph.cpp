@@ -18,7 +18,8 @@ void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const P
                                    const Eigen::Matrix3d& information) {
   const Pose2& start = keyframes[from].pose;
   const Eigen::Matrix3d local = in_frame(information, start.heading_rad);
-  edges_.push_back({EdgeKind::pose, from, to, relative_pose(start, world_T_to), local});
+  KeyframeConstraint& added = constraints_.emplace_back();
+  added.edge = {EdgeKind::pose, from, to, relative_pose(start, world_T_to), local};
   const Eigen::LLT<Eigen::Matrix3d> factor(information);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   if (factor.info() == Eigen::Success) covariance = factor.solve(Eigen::Matrix3d::Identity());
@@ -27,31 +28,25 @@ void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const P
   links_.resize(keyframes.size());
   links_[from].push_back({to, variance});
   links_[to].push_back({from, variance});
-  propagate_covariance(from, to, covariance);
 }
 
-/// Propagates the covariance of `from` to `to`, and keeps it if it is smaller than the known one.
-void KeyframeGraph::propagate_covariance(std::uint32_t from, std::uint32_t to,
-                                         const Eigen::Matrix3d& covariance) {
-  const Vec2 arm = keyframes[to].pose.position - keyframes[from].pose.position;
-  const Eigen::Matrix3d by_from = lever_of(arm);
-  const Eigen::Matrix3d sum = by_from * keyframes[from].covariance * by_from.transpose() + covariance;
-  const auto size = [](const Eigen::Matrix3d& c) { return c(0, 0) + c(1, 1); };
-  Eigen::Matrix3d& known = keyframes[to].covariance;
-  covariance_before_ = known;
-  if (size(known) == 0.0 || size(sum) < size(known)) known = sum;
+void KeyframeGraph::share_last_constraint(const Eigen::Matrix3d& information, const Matched& matched) {
+  KeyframeConstraint& last = constraints_.back();
+  last.shared = in_frame(information, keyframes[last.edge.from].pose.heading_rad);
+  last.matched = matched;
 }
 
 void KeyframeGraph::remove_last_constraint(const std::vector<Pose2>& before) {
   for (std::size_t i = 0; i < before.size(); ++i) keyframes[i].pose = before[i];
-  links_[edges_.back().from].pop_back();
-  links_[edges_.back().to].pop_back();
-  keyframes[edges_.back().to].covariance = covariance_before_;
-  edges_.pop_back();
+  const GraphEdge& last = constraints_.back().edge;
+  links_[last.from].pop_back();
+  links_[last.to].pop_back();
+  constraints_.pop_back();
+  of_last_.forget();
 }
 
 double KeyframeGraph::chi2() const {
-  const GraphEdge& edge = edges_.back();
+  const GraphEdge& edge = constraints_.back().edge;
   const Eigen::Vector3d r = residual(edge, keyframes[edge.from].pose, keyframes[edge.to].pose);
   return r.dot(edge.information * r);
 }
@@ -59,7 +54,7 @@ double KeyframeGraph::chi2() const {
 bool KeyframeGraph::optimise() {
   PoseGraph graph;
   for (const Keyframe& key : keyframes) graph.nodes.push_back({{}, key.pose, false});
-  graph.edges = edges_;
+  for (const KeyframeConstraint& constraint : constraints_) graph.edges.push_back(constraint.edge);
   PoseGraphOptions options;
   options.start = "given";
   options.kernel = "huber";
@@ -68,6 +63,7 @@ bool KeyframeGraph::optimise() {
   const auto solution = outrider::optimise(graph, options, {});
   if (!solution) return false;
   for (std::size_t i = 0; i < keyframes.size(); ++i) keyframes[i].pose = solution->poses[i];
+  of_last_.forget();
   return true;
 }
 
@@ -76,6 +72,8 @@ std::vector<Pose2> KeyframeGraph::poses() const {
   for (const Keyframe& key : keyframes) result.push_back(key.pose);
   return result;
 }
+
+void KeyframeGraph::update_covariance() { covariance_ = of_last_.of_last(keyframes, constraints_); }
 
 std::vector<double> KeyframeGraph::variances_from(std::uint32_t keyframe, double bound) const {
   std::vector<double> variance(keyframes.size(), std::numeric_limits<double>::infinity());

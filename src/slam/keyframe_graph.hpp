@@ -1,27 +1,9 @@
 // The keyframes of a laser map, and the pose graph that joins them.
 #pragma once
 
-#include "graph_edges.hpp"
-#include "motion_noise.hpp"
-#include "outrider/slam/laser_scan.hpp"
+#include "keyframe_covariance.hpp"
 
 namespace outrider {
-
-struct Keyframe {
-  Pose2 pose;  ///< world_T_robot
-  /// Covariance of the pose, propagated along the most certain constraints: an upper bound.
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double way_m = 0.0;  ///< distance driven up to here
-  LaserScan scan;      ///< without ranges once it was released
-
-  Pose2 odometry{};                      ///< its pose on the keyframe before, by odometry
-  MotionNoise odometry_noise{1.0, 1.0};  ///< of that pose
-  double shared_before = 1.0;  ///< share of its surface that the keyframe before shows too, when added
-
-  [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }
-  /// Frees the memory of the scan.
-  void release_scan() { scan.ranges_m = std::vector<float>(); }  // "= {}" would keep the memory
-};
 
 /// Expresses a covariance or an information of (x, y, heading) in a frame rotated by the heading.
 Eigen::Matrix3d in_frame(const Eigen::Matrix3d& of_parent, double heading_rad);
@@ -34,6 +16,11 @@ class KeyframeGraph {
   /// of `from`. The information is along the world's axes.
   void add_constraint(std::uint32_t from, std::uint32_t to, const Pose2& world_T_to,
                       const Eigen::Matrix3d& information);
+  /// Returns the last constraint, to say more of it.
+  [[nodiscard]] KeyframeConstraint& last_constraint() { return constraints_.back(); }
+  /// Says that so much of the information of the last constraint comes from a match with the map of several
+  /// keyframes, all of them before `to`.
+  void share_last_constraint(const Eigen::Matrix3d& information, const Matched& matched);
   /// Removes the last constraint and restores the poses to `before`.
   void remove_last_constraint(const std::vector<Pose2>& before);
   /// Returns r^T W r of the last constraint at the present poses.
@@ -42,6 +29,10 @@ class KeyframeGraph {
   /// changes nothing, if there is no solution.
   bool optimise();
   [[nodiscard]] std::vector<Pose2> poses() const;
+  /// Returns the covariance of the last keyframe; see keyframe_covariance.hpp.
+  [[nodiscard]] const Eigen::Matrix3d& covariance() const { return covariance_; }
+  /// Computes covariance() from all constraints.
+  void update_covariance();
   /// Returns, by keyframe, the variance of its position (m^2) relative to `keyframe`, summed along the most
   /// certain chain of constraints; infinite beyond `bound`.
   [[nodiscard]] std::vector<double> variances_from(std::uint32_t keyframe, double bound) const;
@@ -51,12 +42,11 @@ class KeyframeGraph {
     std::uint32_t to = 0;
     double variance = 0.0;
   };
-  void propagate_covariance(std::uint32_t from, std::uint32_t to, const Eigen::Matrix3d& covariance);
 
-  std::vector<GraphEdge> edges_;
+  std::vector<KeyframeConstraint> constraints_;
   std::vector<std::vector<Link>> links_;  ///< by keyframe
-  /// Covariance of the keyframe at which the last constraint ends, before the constraint was added.
-  Eigen::Matrix3d covariance_before_ = Eigen::Matrix3d::Zero();
+  KeyframeCovariance of_last_;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
 };
 
 }  // namespace outrider

@@ -21,7 +21,6 @@ constexpr std::size_t most_candidates = 4;
 constexpr double near_variance = 0.01;  // m^2; a relative pose known this well needs no search
 constexpr double sensed_m = 4.0;        // visits nearer than this see the same surroundings
 
-constexpr double sds = 3.0;
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
@@ -144,11 +143,11 @@ bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, con
 
 /// Returns true if the pose lies within `reach_sd` standard deviations of where the keyframe is believed to
 /// be.
-bool is_plausible(const Keyframe& scan, const Pose2& there, double reach_sd) {
+bool is_plausible(const KeyframeGraph& graph, const Pose2& there, double reach_sd) {
   constexpr double least = 1e-4;  // m^2
-  const Eigen::Matrix3d& c = scan.covariance;
+  const Eigen::Matrix3d& c = graph.covariance();
   const Eigen::LLT<Eigen::Matrix2d> factor(c.topLeftCorner<2, 2>() + least * Eigen::Matrix2d::Identity());
-  const Vec2 gap = there.position - scan.pose.position;
+  const Vec2 gap = there.position - graph.keyframes.back().pose.position;
   const Eigen::Vector2d off(gap.x, gap.y);
   return factor.info() == Eigen::Success && off.dot(factor.solve(off)) <= reach_sd * reach_sd;
 }
@@ -160,6 +159,7 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
   const std::vector<Pose2> before = graph.poses();
   graph.add_constraint(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1), fit.pose,
                        fit.information + Eigen::Matrix3d::Identity());
+  graph.last_constraint().certainty = fit.certainty();
   if (graph.optimise() && graph.chi2() <= most_chi2) return true;
   graph.remove_last_constraint(before);
   return false;
@@ -174,12 +174,12 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
   const Keyframe& last = graph.keyframes.back();
   if (last.way_m - tried_at_m < try_every_m) return false;
   tried_at_m = last.way_m;
-  const Eigen::Matrix3d& c = last.covariance;
-  const double reach_m = std::clamp(sds * std::sqrt(c(0, 0) + c(1, 1)), least_reach_m, most_reach_m);
+  const Eigen::Matrix3d& c = graph.covariance();
+  const double reach_m = std::clamp(reach_sd * std::sqrt(c(0, 0) + c(1, 1)), least_reach_m, most_reach_m);
   const double heading_sd_rad = std::sqrt(c(2, 2));
   const double turn_rad = heading_sd_rad > adrift_rad
                               ? std::numbers::pi
-                              : std::clamp(sds * heading_sd_rad, least_turn_rad, most_turn_rad);
+                              : std::clamp(reach_sd * heading_sd_rad, least_turn_rad, most_turn_rad);
   const Surface query = thinned(last_surface(graph, surfaces, first), most_points);
   bool any = false;
   for (const std::uint32_t scan : candidates(graph, reach_m, first)) {
@@ -189,13 +189,14 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
     const auto fit =
         recognise_place(map_of(graph, surfaces, visit), query, {here, reach_m, turn_rad, reach_m, turn_rad});
     if (!fit) continue;
-    if (!is_plausible(graph.keyframes.back(), fit->pose, reach_sd) ||
+    if (!is_plausible(graph, fit->pose, reach_sd) ||
         is_contradicted(graph, surfaces.robot_T_laser(), visit, first, fit->pose) ||
         !close_loop(graph, scan, *fit)) {
       ++refused;
       continue;
     }
     any = true;
+    graph.update_covariance();
     closed.emplace_back(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
   }
   return any;

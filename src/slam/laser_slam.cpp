@@ -87,8 +87,7 @@ std::vector<Option> describe(LaserSlamOptions& o) {
       {"draw_late", "", 0, 0, "draw the map at the end only", &o.draw_late},
       {"close_loops", "", 0, 0, "recognise places that come again", &o.close_loops},
       {"loop_reach", "", 0.01, 100,
-       "how far from where it believes that they are, in standard deviations of the bound of its pose",
-       &o.loop_reach_sd},
+       "how far from where it believes that they are, in standard deviations of its pose", &o.loop_reach_sd},
       {"learn_odometry", "", 0, 0, "learn from the scans what odometry always counts wrong",
        &o.learn_odometry},
       {"reach", "m", 0.5, 200, "how far readings are matched", &o.reach_m},
@@ -170,7 +169,7 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
   const MotionNoise driven = odometry_noise(unkept, options);
-  graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), way_m, scan, counted, driven});
+  graph.keyframes.push_back({pose, way_m, scan, counted, driven});
   counted = {};
   if (key == 0) return;
   graph.keyframes.back().shared_before = shared_surface(graph, local.surfaces(), key - 1, key);
@@ -181,12 +180,18 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
                        fit     ? Eigen::Matrix3d(fit->information + driven.information())
                        : blind ? driven.information()
                                : noise.information());
+  if (fit) {
+    graph.share_last_constraint(fit->information, local.matched(graph, part));
+    graph.last_constraint().certainty = fit->certainty();
+  }
   unkept = {};
   if (!fit || !local.anchor()) return;
   const Fit visit = local.map()->refine(local.surfaces().of(graph, key), pose, {pose, loose.information()},
                                         LocalMap::earlier_group);
   if (visit.share >= least_share) {
     graph.add_constraint(*local.anchor(), key, visit.pose, visit.information + Eigen::Matrix3d::Identity());
+    graph.last_constraint().certainty = visit.certainty();
+    graph.last_constraint().is_known_place = local.is_crowded();
   }
 }
 
@@ -269,9 +274,13 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
     if (step.lost) part = graph.keyframes.size();
     if (fit) learn(*fit);
     add_keyframe(scan, fit, step.lost);
+    graph.update_covariance();
     step.kept = true;
     step.closed_loop = options.close_loops && close_loops();
-    step.closed_loop = bridge_gap() || step.closed_loop;
+    if (bridge_gap()) {
+      graph.update_covariance();
+      step.closed_loop = true;
+    }
     pose = graph.keyframes.back().pose;
     build_local_map();
     step.is_known_place = local.is_crowded();
@@ -319,10 +328,7 @@ void LaserSlam::settle() {
 }
 
 const Pose2& LaserSlam::pose() const { return state_->pose; }
-Eigen::Matrix3d LaserSlam::pose_covariance() const {
-  return state_->graph.keyframes.empty() ? Eigen::Matrix3d::Zero()
-                                         : state_->graph.keyframes.back().covariance;
-}
+Eigen::Matrix3d LaserSlam::pose_covariance() const { return state_->graph.covariance(); }
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
 MapCheck LaserSlam::check() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "outrider/core/units.hpp"
+#include "path_check.hpp"
 
 namespace outrider {
 namespace {
@@ -63,6 +64,18 @@ bool release_redundant(KeyframeGraph& graph, const std::vector<std::uint32_t>& k
 }
 
 }  // namespace
+
+Matched LocalMap::matched(const KeyframeGraph& graph, std::size_t part) {
+  constexpr std::uint32_t lag = 9;
+  constexpr double most_share = 0.46;  // at which the mean square of the lags is that of 1 to 10, 38
+  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
+  double share = 0.0;
+  if (last >= part + lag) {
+    const Pose2 there = relative_pose(graph.keyframes[last - lag].pose, graph.keyframes[last].pose);
+    share = most_share * share_on(surfaces_.of(graph, last), there, surfaces_.of(graph, last - lag));
+  }
+  return {{{last - 1, 1.0 - share}, {last - lag, share}}};
+}
 
 void LocalMap::build(KeyframeGraph& graph, std::size_t part, const Pose2& about) {
   constexpr double most_reach_m = 5.0;

@@ -31,6 +31,9 @@ class LocalMap {
   [[nodiscard]] const SurfaceMap* map() const { return map_ ? &*map_ : nullptr; }
   /// Returns the nearest keyframe of earlier visits in the map.
   [[nodiscard]] std::optional<std::uint32_t> anchor() const { return anchor_; }
+  /// Returns two keyframes, from `part` on, that stand for all recent ones which the last keyframe was
+  /// matched with, and their shares in the match: the older counts as far as it shows the same surface.
+  [[nodiscard]] Matched matched(const KeyframeGraph& graph, std::size_t part);
   /// Returns true if the place of the last keyframe has been seen so often that a scan was released.
   [[nodiscard]] bool is_crowded() const { return is_crowded_; }
   [[nodiscard]] KeyframeSurfaces& surfaces() { return surfaces_; }

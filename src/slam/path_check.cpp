@@ -10,6 +10,7 @@ namespace {
 
 constexpr double most_odometry_chi2 = 16.27;  // of 3 degrees of freedom: exceeded once in a thousand steps
 constexpr double least_shared = 1.0 / 3.0;    // share of the points
+constexpr double near_m = 0.5, near_rad = 0.4, least_shared_near = 0.5;
 
 /// Returns the squared error of a step by the map in standard deviations of the odometry.
 double chi2_of(const Pose2& by_map, const Keyframe& key) {
@@ -57,6 +58,11 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
   for (std::uint32_t i = 1; i < graph.keyframes.size(); ++i) {
     const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
     const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
+    const bool is_near = norm(by_map.position) < near_m && std::abs(by_map.heading_rad) < near_rad;
+    if (is_near && key.shared_before < least_shared_near) {
+      jumps.push_back({i - 1, i, by_map, key.odometry, key.shared_before});
+      continue;
+    }
     if (chi2_of(by_map, key) <= most_odometry_chi2) continue;
     const bool has_both = before.has_scan() && key.has_scan();
     const double shared = has_both ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;

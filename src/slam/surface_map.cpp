@@ -203,6 +203,11 @@ MatchEquations SurfaceMap::equations(const Surface& surface, const Pose2& pose, 
   return sum;
 }
 
+double Fit::certainty() const {
+  const double sd_m = std::clamp(3.0 * rms_m, 0.035, 0.09);
+  return point_sd_m * point_sd_m / (sd_m * sd_m);
+}
+
 Fit SurfaceMap::refine(const Surface& surface, const Pose2& start, const PosePrior& prior, int group) const {
   constexpr int most_steps = 12;
   constexpr double enough = 1e-5;

@@ -58,6 +58,11 @@ struct Fit {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< information of the points without the prior
   double share = 0.0;                                     ///< fraction of the points that lie on a surface
   double rms_m = 0.0;                                     ///< root mean square distance of these points
+
+  /// Returns the factor by which the information is too small or too large, as estimated from rms_m: that of
+  /// a point has a fixed noise. Neighbouring points err together, and so do the surfaces of the map, so the
+  /// noise of a point counts as three times rms_m, and at least as 3.5 cm.
+  [[nodiscard]] double certainty() const;
 };
 
 /// The gradient of the robust sum of squares that refine() minimises, at a pose and for fixed lines, and the

@@ -42,7 +42,7 @@ struct LaserSlamOptions {
   bool trust_odometry = false;      ///< mapping with known poses: no scan matching
   bool draw_late = false;           ///< draw the map in settle() only
   bool close_loops = true;          ///< search for loops and close them
-  double loop_reach_sd = 2.5;       ///< reject loops farther off than this many standard deviations
+  double loop_reach_sd = 5.0;       ///< reject loops farther off than this many standard deviations
   bool learn_odometry = false;      ///< estimate the systematic errors of the odometry from the scans
   double reach_m = 30.0;            ///< longer readings are mapped, not matched
   double key_distance_m = 0.25;     ///< distance after which a scan becomes a keyframe
@@ -94,8 +94,9 @@ class LaserSlam {
   void settle();
 
   [[nodiscard]] const Pose2& pose() const;
-  /// Returns the covariance of the last keyframe relative to the start, of (x, y, heading) in the world. It
-  /// is an upper bound, propagated along the most certain constraints; zero with `trust_odometry`.
+  /// Returns the covariance of the last keyframe relative to the start, of (x, y, heading) in the world: its
+  /// marginal in the graph of all constraints, for odometry whose errors are as stated or learnt. Zero with
+  /// `trust_odometry`.
   [[nodiscard]] Eigen::Matrix3d pose_covariance() const;
   [[nodiscard]] const OccupancyMap& map() const;
   /// Returns the start and the pose after each step, as presently estimated.

@@ -37,8 +37,8 @@ struct BrokenDrive {
       const Pose2 pose{Vec2{2.4, 2.0} + 0.5 * direction(angle), wrap_angle(angle + 0.5 * pi)};
       const Pose2 believed = i < gap ? pose : compose(off, pose);
       truth.push_back(pose);
-      graph.keyframes.push_back({believed, Eigen::Matrix3d::Zero(), 0.15 * i,
-                                 testing::scan_from(i < gap ? before : after, pose, finder, rng)});
+      graph.keyframes.push_back(
+          {believed, 0.15 * i, testing::scan_from(i < gap ? before : after, pose, finder, rng)});
       const double information = i == gap ? 1.0 : 1e4;
       if (i > 0) graph.add_constraint(i - 1, i, believed, information * Eigen::Matrix3d::Identity());
     }

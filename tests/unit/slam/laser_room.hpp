@@ -2,11 +2,13 @@
 // against.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "outrider/core/rng.hpp"
+#include "outrider/core/units.hpp"
 #include "outrider/geometry/pose.hpp"
 #include "outrider/slam/laser_scan.hpp"
 
@@ -64,6 +66,53 @@ inline LaserScan scan_from(const std::vector<Wall>& walls, const Pose2& pose, co
                                  : std::numeric_limits<float>::infinity());
   }
   return scan;
+}
+
+/// A corridor of 1.6 m about a block: its length is hard to tell from within.
+inline std::vector<Wall> ring() {
+  std::vector<Wall> walls = box_walls({0, 0}, {13, 9});
+  for (const Wall& wall : box_walls({1.6, 1.6}, {11.4, 7.4})) walls.push_back(wall);
+  for (const Vec2 post : {Vec2{1.5, 0.1}, {6.0, 0.1}, {12.7, 4.0}}) {
+    for (const Wall& wall : box_walls(post, post + Vec2{0.2, 0.2})) walls.push_back(wall);
+  }
+  return walls;
+}
+
+/// A robot that drives along corners at 0.22 m/s and turns in place at 1.5 rad/s, sensing at 5 Hz; its wheels
+/// are off by `wheel_bias`, one up and one down, and by a little noise.
+struct Drive {
+  std::vector<Pose2> poses;
+  std::vector<Pose2> motions;
+};
+inline Drive drive_along(const std::vector<Vec2>& corners, double heading_rad, Rng& rng,
+                         double wheel_bias = 0.01) {
+  constexpr double period_s = 0.2;
+  constexpr double wheels_apart_m = 0.16;
+  Drive drive;
+  Pose2 pose{corners.front(), heading_rad};
+  const auto go = [&](double way_m, double turn_rad) {
+    pose = compose(pose, {{way_m, 0.0}, turn_rad});
+    const double right = (way_m + 0.5 * wheels_apart_m * turn_rad) * (1.0 + wheel_bias + 0.01 * rng.normal());
+    const double left = (way_m - 0.5 * wheels_apart_m * turn_rad) * (1.0 - wheel_bias + 0.01 * rng.normal());
+    drive.poses.push_back(pose);
+    drive.motions.push_back({{0.5 * (right + left), 0.0}, (right - left) / wheels_apart_m});
+  };
+  go(0.0, 0.0);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    double turn = wrap_angle(heading_of(corners[i] - pose.position) - pose.heading_rad);
+    for (const double step = 1.5 * period_s; std::abs(turn) > 1e-9;) {
+      const double part = std::clamp(turn, -step, step);
+      go(0.0, part);
+      turn -= part;
+    }
+    double way = distance(corners[i], pose.position);
+    for (const double step = 0.22 * period_s; way > 1e-9;) {
+      const double part = std::min(way, step);
+      go(part, 0.0);
+      way -= part;
+    }
+  }
+  return drive;
 }
 
 }  // namespace outrider::testing

@@ -13,41 +13,9 @@
 namespace outrider {
 namespace {
 
-/// A robot that drives along corners at 0.22 m/s and turns in place at 1.5 rad/s, sensing at 5 Hz; its wheels
-/// are off by a percent, one up and one down, and by a little noise.
-struct Drive {
-  std::vector<Pose2> poses;
-  std::vector<Pose2> motions;
-};
-Drive drive_along(const std::vector<Vec2>& corners, double heading_rad, Rng& rng) {
-  constexpr double period_s = 0.2;
-  constexpr double wheels_apart_m = 0.16;
-  Drive drive;
-  Pose2 pose{corners.front(), heading_rad};
-  const auto go = [&](double way_m, double turn_rad) {
-    pose = compose(pose, {{way_m, 0.0}, turn_rad});
-    const double right = (way_m + 0.5 * wheels_apart_m * turn_rad) * (1.01 + 0.01 * rng.normal());
-    const double left = (way_m - 0.5 * wheels_apart_m * turn_rad) * (0.99 + 0.01 * rng.normal());
-    drive.poses.push_back(pose);
-    drive.motions.push_back({{0.5 * (right + left), 0.0}, (right - left) / wheels_apart_m});
-  };
-  go(0.0, 0.0);
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    double turn = wrap_angle(heading_of(corners[i] - pose.position) - pose.heading_rad);
-    for (const double step = 1.5 * period_s; std::abs(turn) > 1e-9;) {
-      const double part = std::clamp(turn, -step, step);
-      go(0.0, part);
-      turn -= part;
-    }
-    double way = distance(corners[i], pose.position);
-    for (const double step = 0.22 * period_s; way > 1e-9;) {
-      const double part = std::min(way, step);
-      go(part, 0.0);
-      way -= part;
-    }
-  }
-  return drive;
-}
+using testing::Drive;
+using testing::drive_along;
+using testing::ring;
 
 struct Mapped {
   double mean_m = 0.0;
@@ -103,15 +71,6 @@ TEST(LaserSlam, FollowsADriftingRobotThroughARoom) {
   }
 }
 
-/// A corridor of 1.6 m about a block: its length is hard to tell from within.
-std::vector<testing::Wall> ring() {
-  std::vector<testing::Wall> walls = testing::box_walls({0, 0}, {13, 9});
-  for (const testing::Wall& wall : testing::box_walls({1.6, 1.6}, {11.4, 7.4})) walls.push_back(wall);
-  for (const Vec2 post : {Vec2{1.5, 0.1}, {6.0, 0.1}, {12.7, 4.0}}) {
-    for (const testing::Wall& wall : testing::box_walls(post, post + Vec2{0.2, 0.2})) walls.push_back(wall);
-  }
-  return walls;
-}
 Drive round_the_ring(Rng& rng) {
   return drive_along({{3, 0.8}, {12.2, 0.8}, {12.2, 8.2}, {0.8, 8.2}, {0.8, 0.8}, {7, 0.8}}, 0.0, rng);
 }

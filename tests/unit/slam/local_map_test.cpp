@@ -20,8 +20,7 @@ KeyframeGraph laps(int count, int keyframes_a_lap) {
   for (int i = 0; i < count * keyframes_a_lap; ++i) {
     const double angle = 2.0 * pi * i / keyframes_a_lap;
     const Pose2 pose{Vec2{2.3, 2.0} + 0.5 * direction(angle), wrap_angle(angle + 0.5 * pi)};
-    graph.keyframes.push_back({pose, Eigen::Matrix3d::Zero(), 0.2 * i,
-                               testing::scan_from(testing::furnished_room(), pose, {}, rng)});
+    graph.keyframes.push_back({pose, 0.2 * i, testing::scan_from(testing::furnished_room(), pose, {}, rng)});
     const auto key = static_cast<std::uint32_t>(i), lap = static_cast<std::uint32_t>(keyframes_a_lap);
     const Eigen::Matrix3d certain = 1e5 * Eigen::Matrix3d::Identity();
     if (key > 0) graph.add_constraint(key - 1, key, pose, certain);

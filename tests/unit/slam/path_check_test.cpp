@@ -67,8 +67,7 @@ KeyframeGraph drive_past_walls(Rng& rng) {
   for (int i = 0; i < 8; ++i) {
     const Pose2 pose{{1.0 + 0.25 * i, 1.7}, 0.05 * i};
     const Pose2 odometry = i == 0 ? Pose2{} : relative_pose(graph.keyframes.back().pose, pose);
-    graph.keyframes.push_back(
-        {pose, Eigen::Matrix3d::Zero(), 0.25 * i, half_turn_scan(pose, rng), odometry, {0.05, 0.05}});
+    graph.keyframes.push_back({pose, 0.25 * i, half_turn_scan(pose, rng), odometry, {0.05, 0.05}});
   }
   return graph;
 }
@@ -99,6 +98,19 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   EXPECT_NEAR(norm(jumps[0].by_odometry.position), 0.25, 1e-9);
   carried.odometry = relative_pose(graph.keyframes[6].pose, carried.pose);
   EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "odometry confirms it";
+}
+
+TEST(PathCheck, AShortStepAfterWhichTheScansDifferIsAJump) {
+  Rng rng(5);
+  KeyframeGraph graph = drive_past_walls(rng);
+  KeyframeSurfaces surfaces({}, 30.0);
+  graph.keyframes[4].shared_before = 0.45;
+  const std::vector<Jump> jumps = find_jumps(graph, surfaces);
+  ASSERT_EQ(jumps.size(), 1U) << "though odometry confirms it";
+  EXPECT_EQ(jumps[0].after, 4U);
+  EXPECT_EQ(jumps[0].shared, 0.45);
+  graph.keyframes[4].shared_before = 0.55;
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty());
 }
 
 TEST(PathCheck, OfAReleasedScanTheShareOfItsTimeCounts) {
