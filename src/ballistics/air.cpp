@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/bisect.hpp"
 #include "outrider/core/units.hpp"
 
 namespace outrider {
@@ -11,16 +12,7 @@ namespace {
 constexpr double first_step_s = 0.01;
 constexpr double longest_step_s = 10.0;
 constexpr std::size_t pieces_a_block = 6;
-
-/// Returns the point in [low, high] at which a predicate that holds at first ceases to hold.
-template <class Predicate>
-double last_while(double low, double high, const Predicate& holds) {
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
-}
+constexpr int halvings = 60;
 
 bool overlap(const Box3& a, const Box3& b) {
   return a.ground().overlaps(b.ground()) && a.low.z <= b.high.z && b.low.z <= a.high.z;
@@ -167,7 +159,7 @@ Vec3 AirTrack::velocity(double time_s) const {
 
 double AirTrack::top_s() const {
   // If it rises at all, it does so before it falls: at the top it is accelerated downwards.
-  return last_while(0.0, end_s(), [this](double t) { return velocity(t).z > 0.0; });
+  return last_while(0.0, end_s(), halvings, [this](double t) { return velocity(t).z > 0.0; });
 }
 
 double AirTrack::fall_time(double height_m) const {
@@ -175,7 +167,7 @@ double AirTrack::fall_time(double height_m) const {
   const double top = top_s();
   if (position(top).z < height_m) return 0.0;
   if (end.position.z > height_m) return end.start_s + (end.position.z - height_m) / -end.velocity.z;
-  return last_while(top, end.start_s, [&](double t) { return position(t).z >= height_m; });
+  return last_while(top, end.start_s, halvings, [&](double t) { return position(t).z >= height_m; });
 }
 
 std::optional<std::pair<double, double>> AirTrack::passage(const Box3& box, double from_s,

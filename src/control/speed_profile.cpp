@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "outrider/core/bisect.hpp"
+
 namespace outrider {
 namespace {
+
+constexpr int halvings = 50;
 
 /// The bend of the path between two points.
 struct Bend {
@@ -33,18 +37,6 @@ Range accelerations(const Bend& bend, double x, const PathLimits& limits) {
   return range;
 }
 
-/// Returns the largest x in [0, most] for which a convex condition holds; it holds for 0.
-template <class Condition>
-double largest(double most, const Condition& holds) {
-  if (holds(most)) return most;
-  double low = 0.0, high = most;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
-}
-
 /// The square of the speed that limits of speeds allow.
 double square_of_speed(double curvature, const PathLimits& limits) {
   double speed = std::min(limits.speed_mps, limits.wheel_radps / limits.per_speed);
@@ -70,7 +62,7 @@ std::vector<Bend> bends_of(const std::vector<PathPoint>& path) {
 
 double greatest_speed(double curvature, double curvature_per_m, const PathLimits& limits) {
   const Bend bend{0.0, curvature, curvature_per_m};
-  return std::sqrt(largest(square_of_speed(curvature, limits), [&](double x) {
+  return std::sqrt(largest_up_to(square_of_speed(curvature, limits), halvings, [&](double x) {
     const Range range = accelerations(bend, x, limits);
     return range.least <= range.most;
   }));
@@ -83,7 +75,7 @@ SpeedProfile speed_profile(const std::vector<PathPoint>& path, const PathLimits&
   most.back() = 0.0;
   for (std::size_t i = bends.size(); i-- > 0;) {
     const double twice_m = 2.0 * bends[i].length_m, next = most[i + 1];
-    most[i] = largest(most[i], [&](double x) {
+    most[i] = largest_up_to(most[i], halvings, [&](double x) {
       const Range range = accelerations(bends[i], x, limits);
       return range.least <= range.most && x + twice_m * range.least <= next &&
              x + twice_m * range.most >= 0.0;

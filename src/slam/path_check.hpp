@@ -1,11 +1,11 @@
 // Is each step of a path confirmed by what was measured?
 //
 // A step from one keyframe to the next is confirmed by the odometry, if the two agree within the error of the
-// odometry, or by the scans, if those of both keyframes show the same surfaces. Two scans from nearly the same
-// pose must show the same, so a short step needs both. A robot that was carried, or
-// whose odometry stood still meanwhile, may be recognised at another place; then neither confirms the step,
-// and a building with two places that look alike is folded without any scan that contradicts another one.
-// The overlap is computed from the points themselves and not by the map with which scans are matched.
+// odometry, or by the scans, if those of both keyframes show the same surfaces. Two scans from nearly the
+// same pose must show the same, so a short step needs both. A robot that was carried, or whose odometry stood
+// still meanwhile, may be recognised at another place; then neither confirms the step, and a building with
+// two places that look alike is folded without any scan that contradicts another one. The overlap is computed
+// from the points themselves and not by the map with which scans are matched.
 #pragma once
 
 #include <vector>

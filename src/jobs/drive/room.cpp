@@ -4,36 +4,26 @@
 #include <cmath>
 
 #include "outrider/control/rounded_path.hpp"
+#include "outrider/core/bisect.hpp"
 
 namespace outrider {
 namespace {
 
+constexpr int halvings = 12;
 constexpr double kept = 0.9;          ///< part of the clearance of the legs
 constexpr double most_clear_m = 0.5;  ///< more clearance than this is not distinguished
-
-/// Returns the largest value in [0, most] that satisfies a condition which holds up to some value.
-template <class Condition>
-double largest(double most, const Condition& holds) {
-  if (holds(most)) return most;
-  double low = 0.0, high = most;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
-}
 
 /// Returns by how much the corner between two legs may be cut.
 double room_m(Vec2 before, Vec2 at, Vec2 after, const DriveTask& task, const CollisionMap& ground) {
   if (before == at || at == after) return 0.0;
-  const double clear_m = largest(most_clear_m, [&](double c) {
+  const double clear_m = largest_up_to(most_clear_m, halvings, [&](double c) {
     return ground.segment_free({before, at}, task.radius_m + c) &&
            ground.segment_free({at, after}, task.radius_m + c);
   });
   const Vec2 in = at - before, out = after - at;
   const double sine = std::abs(std::sin(0.5 * std::atan2(cross(in, out), dot(in, out))));
   const double all_m = 0.25 * sine * std::min(norm(in), norm(out));  // what a curve over a whole leg cuts
-  return largest(std::min(task.follow.pass_m, all_m), [&](double room) {
+  return largest_up_to(std::min(task.follow.pass_m, all_m), halvings, [&](double room) {
     const auto curve = rounded_corner(before, at, after, room, 1.0, 1.0);
     for (std::size_t i = 1; i < curve.size(); ++i) {
       if (!ground.segment_free({curve[i - 1], curve[i]}, task.radius_m + kept * clear_m)) return false;
