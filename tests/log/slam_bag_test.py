@@ -167,7 +167,7 @@ class SlamBagTest(unittest.TestCase):
         half_mb, whole_mb = (self.mapping_memory(size, with_cameras=False) for size in (BIG_MB / 2, BIG_MB))
         if not SANITIZED:
             self.assertLess(whole_mb, MOST_MEMORY_MB)
-            self.assertLess(whole_mb - half_mb, 0.06 * BIG_MB / 2 + 2)
+            self.assertLess(whole_mb - half_mb, 0.07 * BIG_MB / 2 + 2)  # a scan has 9 kB
 
     def test_odometry_of_the_transforms(self):
         write(self.folder / "run.bag")

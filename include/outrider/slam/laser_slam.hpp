@@ -42,7 +42,7 @@ struct LaserSlamOptions {
   bool trust_odometry = false;      ///< mapping with known poses: no scan matching
   bool draw_late = false;           ///< draw the map in settle() only
   bool close_loops = true;          ///< search for loops and close them
-  double loop_reach_sd = 5.0;       ///< reject loops farther off than this many standard deviations
+  double loop_reach_sd = 6.0;       ///< reject loops farther off than this many standard deviations
   bool learn_odometry = false;      ///< estimate the systematic errors of the odometry from the scans
   double reach_m = 30.0;            ///< longer readings are mapped, not matched
   double key_distance_m = 0.25;     ///< distance after which a scan becomes a keyframe

@@ -17,6 +17,7 @@ LaserSlamOptions near_sighted_slam() {
   LaserSlamOptions slam;
   slam.key_distance_m = 0.5;
   slam.learn_odometry = true;
+  slam.loop_reach_sd = 5.0;  // simulated sensors err as stated
   // The error that is left once the constant scale error of the wheels is estimated.
   slam.odometry_distance = 0.02;
   slam.odometry_turn = 0.02;

@@ -3,12 +3,15 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <zlib.h>
+#include <algorithm>
+#include <chrono>
 
 #include <csignal>
 #include <set>
@@ -183,7 +186,10 @@ TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
     }
     return files;
   };
+  const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(write_files(version(0)));
+  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
+  const auto longest_us = static_cast<std::uint64_t>(std::max(30'000.0, 8.0 * took.count()));
   Rng rng(11);
   std::set<std::string> seen;
   for (int kill = 0; kill < 200; ++kill) {
@@ -193,7 +199,7 @@ TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
       }
       ::_exit(1);
     }
-    ::usleep(static_cast<useconds_t>(rng.below(30'000)));
+    ::usleep(static_cast<useconds_t>(rng.below(longest_us)));
     ASSERT_EQ(::waitpid(writer, nullptr, WNOHANG), 0) << "it is still writing when it is killed";
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
