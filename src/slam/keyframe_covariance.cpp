@@ -111,16 +111,15 @@ bool KeyframeCovariance::factor() {
 Eigen::Matrix3d KeyframeCovariance::of_last(std::span<const Keyframe> keyframes,
                                             std::span<const KeyframeConstraint> constraints) {
   if (keyframes.size() < 2) return Eigen::Matrix3d::Zero();
-  while (places_.size() < keyframes.size() || constraints_ < constraints.size()) {
-    const auto end = std::ranges::find_if(constraints.subspan(constraints_), [&](const auto& constraint) {
-      return constraint.edge.to > places_.size();
-    });
-    const auto first = constraints.subspan(constraints_).begin();
-    const auto ready = constraints.subspan(constraints_, static_cast<std::size_t>(end - first));
-    const auto late = std::ranges::find_if(ready, [&](const auto& c) { return c.edge.to == places_.size(); });
-    for (auto old = ready.begin(); old != late; ++old) add(keyframes, *old);  // loops that were closed since
-    constraints_ += ready.size();
-    if (places_.size() < keyframes.size()) add_keyframe(keyframes, {late, ready.end()});
+  while (true) {
+    const auto ends_before = [&](std::size_t keyframe) {
+      return constraints_ < constraints.size() && constraints[constraints_].edge.to < keyframe;
+    };
+    while (ends_before(places_.size())) add(keyframes, constraints[constraints_++]);  // loops
+    if (places_.size() == keyframes.size()) break;
+    const std::size_t first = constraints_;
+    while (ends_before(places_.size() + 1)) ++constraints_;
+    add_keyframe(keyframes, constraints.subspan(first, constraints_ - first));
   }
   const Place& last = places_.back();
   if (factor()) {

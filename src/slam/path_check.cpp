@@ -8,9 +8,10 @@
 namespace outrider {
 namespace {
 
-constexpr double most_odometry_chi2 = 16.27;  // of 3 degrees of freedom: exceeded once in a thousand steps
-constexpr double least_shared = 1.0 / 3.0;    // share of the points
-constexpr double near_m = 0.5, near_rad = 0.4, least_shared_near = 0.5;
+constexpr double most_odometry_chi2 = 16.27;    // of 3 degrees of freedom: exceeded once in a thousand steps
+constexpr double least_shared = 1.0 / 3.0;      // share of the points
+constexpr double near_m = 0.5, near_rad = 0.4;  // a shorter step leaves most of the surface in view
+constexpr double least_shared_near = 0.5;       // of such a step
 
 /// Returns the squared error of a step by the map in standard deviations of the odometry.
 double chi2_of(const Pose2& by_map, const Keyframe& key) {
@@ -59,14 +60,11 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
     const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
     const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
     const bool is_near = norm(by_map.position) < near_m && std::abs(by_map.heading_rad) < near_rad;
-    if (is_near && key.shared_before < least_shared_near) {
-      jumps.push_back({i - 1, i, by_map, key.odometry, key.shared_before});
-      continue;
-    }
-    if (chi2_of(by_map, key) <= most_odometry_chi2) continue;
-    const bool has_both = before.has_scan() && key.has_scan();
-    const double shared = has_both ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
-    if (shared < least_shared) jumps.push_back({i - 1, i, by_map, key.odometry, shared});
+    const bool scans_differ = is_near && key.shared_before < least_shared_near;
+    if (!scans_differ && chi2_of(by_map, key) <= most_odometry_chi2) continue;
+    const bool is_measured = !scans_differ && before.has_scan() && key.has_scan();
+    const double shared = is_measured ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
+    if (scans_differ || shared < least_shared) jumps.push_back({i - 1, i, by_map, key.odometry, shared});
   }
   return jumps;
 }

@@ -204,7 +204,8 @@ MatchEquations SurfaceMap::equations(const Surface& surface, const Pose2& pose, 
 }
 
 double Fit::certainty() const {
-  const double sd_m = std::clamp(3.0 * rms_m, 0.035, 0.09);
+  constexpr double correlated = 3.0, least_sd_m = 0.035, most_sd_m = 0.09;
+  const double sd_m = std::clamp(correlated * rms_m, least_sd_m, most_sd_m);
   return point_sd_m * point_sd_m / (sd_m * sd_m);
 }
 

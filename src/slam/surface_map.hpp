@@ -59,9 +59,8 @@ struct Fit {
   double share = 0.0;                                     ///< fraction of the points that lie on a surface
   double rms_m = 0.0;                                     ///< root mean square distance of these points
 
-  /// Returns the factor by which the information is too small or too large, as estimated from rms_m: that of
-  /// a point has a fixed noise. Neighbouring points err together, and so do the surfaces of the map, so the
-  /// noise of a point counts as three times rms_m, and at least as 3.5 cm.
+  /// Returns the factor that makes the information, which has the same noise for every scan, that of the
+  /// noise of this one: three times rms_m, because neighbouring points err together, from 3.5 to 9 cm.
   [[nodiscard]] double certainty() const;
 };
 

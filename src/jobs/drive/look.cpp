@@ -8,8 +8,7 @@
 namespace outrider {
 namespace {
 
-constexpr double sharp =
-    2.0;  ///< times the standard deviation that a stop needs: more cannot be contradicted
+constexpr double sharp = 2.0;  ///< standard deviations that a stop needs; a tag cannot contradict more
 constexpr double same_time_s = 1e-9;
 constexpr double corner_memory = 30.0;  ///< number of tags over which the noise of corners is averaged
 constexpr double clearly_larger =

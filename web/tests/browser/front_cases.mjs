@@ -110,6 +110,7 @@ export const frontCases = ({ open, text, frames, server, folder, output }) => ({
     const types = async (file) => [...(await contentsOf(readFileSync(file))).channels.values()]
       .map(({ topic, schema }) => `${topic} ${schema.name} ${schema.encoding} ${new TextDecoder().decode(schema.data)}`).sort();
     assert.deepEqual(await types(example), await types(join(folder, "runs/yard/run.mcap")), "make it anew: make pictures, or web/build/example.mjs");
+    assert.doesNotMatch(readFileSync(example, "latin1"), /world"?: "[/]/, "it names no path of the machine that made it");
   },
 
   async "files that are no missions are listed with their kinds in words"() {

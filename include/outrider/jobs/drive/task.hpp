@@ -31,8 +31,7 @@ RobotCamera robot_camera(const TagEye& eye);
 
 /// When the mission uses images, waits and gives up.
 struct DriveRules {
-  double period_s =
-      0.05;  ///< control period; images are ignored if they are older than their latency and half of it
+  double period_s = 0.05;      ///< control period; images older than their latency and half of it are ignored
   double settle_s = 0.5;       ///< time to stand at a stop before it counts as reached
   double most_settle_s = 4.0;  ///< after this time it is unconfirmed, and the robot goes on
   std::int64_t settle_sightings =
