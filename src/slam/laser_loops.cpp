@@ -3,47 +3,26 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "outrider/geometry/box.hpp"
-#include "scan_agreement.hpp"
 #include "scan_match.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double try_every_m = 0.8;
-constexpr std::uint32_t query_keyframes = 6;  // the last scans, taken together
-constexpr std::uint32_t visit_keyframes = 8;  // to both sides of the nearest keyframe of an earlier visit
-constexpr std::size_t most_points = 600;
 constexpr std::size_t most_candidates = 4;
 constexpr double near_variance = 0.01;  // m^2; a relative pose known this well needs no search
 constexpr double sensed_m = 4.0;        // visits nearer than this see the same surroundings
 
-constexpr double least_reach_m = 0.5, most_reach_m = 6.0;
+constexpr double least_reach_m = 0.5, most_reach_m = 6.0;  // of a search among single visits
+constexpr double widest_m = 250.0;                         // of a search on the whole map
+constexpr double recent_m =
+    60.0;  // driven since a visit whose place relative to the robot is known that well
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
-
-/// Returns the first of the last keyframes, from `first` on.
-std::size_t first_of_last(const KeyframeGraph& graph, std::size_t first, std::size_t most = query_keyframes) {
-  const std::size_t count = graph.keyframes.size();
-  return std::max(first, count > most ? count - most : 0);
-}
-
-/// Returns the surface points of the last keyframes together, from `first` on, in the frame of the last one.
-Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::size_t first,
-                     std::size_t most = query_keyframes) {
-  Surface result;
-  const Pose2& last = graph.keyframes.back().pose;
-  for (std::size_t i = first_of_last(graph, first, most); i < graph.keyframes.size(); ++i) {
-    const Pose2 pose = relative_pose(last, graph.keyframes[i].pose);
-    for (const SurfacePoint& p : surfaces.of(graph, static_cast<std::uint32_t>(i))) {
-      result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
-    }
-  }
-  return result;
-}
 
 /// Returns the nearest keyframe of each earlier visit, from `first` on, that may be at the same place; at
 /// most `most_candidates`, the nearest ones.
@@ -67,26 +46,22 @@ std::vector<std::uint32_t> candidates(const KeyframeGraph& graph, double uncerta
   return result;
 }
 
-/// Keyframes from `first` to before `end`.
-struct Visit {
-  std::uint32_t first = 0;
-  std::uint32_t end = 0;
-};
-
-/// Returns the keyframes around one, without the last ones.
-Visit visit_of(const KeyframeGraph& graph, std::uint32_t scan) {
-  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
-  constexpr std::uint32_t apart = 2 * query_keyframes;
-  return {scan > visit_keyframes ? scan - visit_keyframes : 0,
-          std::min(scan + visit_keyframes + 1, last > apart ? last - apart : 0)};
+/// Returns the first keyframe of the last `recent_m`.
+std::uint32_t first_recent(const KeyframeGraph& graph) {
+  const double from_m = graph.keyframes.back().way_m - recent_m;
+  const auto first = std::ranges::lower_bound(graph.keyframes, from_m, {}, &Keyframe::way_m);
+  return static_cast<std::uint32_t>(first - graph.keyframes.begin());
 }
 
-SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit,
-                  int levels = SurfaceMap::few_levels) {
-  std::vector<SurfaceMap::Part> parts;
-  for (std::uint32_t i = visit.first; i < visit.end; ++i)
-    parts.push_back({&surfaces.of(graph, i), graph.keyframes[i].pose, 0});
-  return SurfaceMap(parts, levels);
+/// Returns the keyframes from `first` to before `end` that lie within a distance of the last one.
+std::vector<std::uint32_t> keyframes_within(const KeyframeGraph& graph, double reach_m, std::uint32_t first,
+                                            std::uint32_t end) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = first; i < end; ++i) {
+    const double away_m = distance(graph.keyframes[i].pose.position, graph.keyframes.back().pose.position);
+    if (graph.keyframes[i].has_scan() && away_m <= reach_m) result.push_back(i);
+  }
+  return result;
 }
 
 /// Returns true if the last keyframe is the first one after another half of the way since the gap, from 2 m
@@ -100,45 +75,13 @@ bool is_search_due(const KeyframeGraph& graph, std::uint32_t gap) {
   return last > gap && at_m <= since_m(last);
 }
 
-/// Returns the window that holds all places of a visit, in the full turn.
-MatchWindow whole_window(const KeyframeGraph& graph, const Visit& visit) {
+/// Returns the window that holds all places of the keyframes before one, in the full turn.
+MatchWindow whole_window(const KeyframeGraph& graph, std::uint32_t end) {
   constexpr double margin_m = 2.0;
   Box2 box;
-  for (std::uint32_t i = visit.first; i < visit.end; ++i) box.include(graph.keyframes[i].pose.position);
+  for (std::uint32_t i = 0; i < end; ++i) box.include(graph.keyframes[i].pose.position);
   const Vec2 size = box.size();
   return {{0.5 * (box.low + box.high), 0.0}, 0.5 * std::max(size.x, size.y) + margin_m, std::numbers::pi};
-}
-
-/// Returns the keyframe of a visit that is nearest to a place, of those that have a scan.
-std::uint32_t nearest_in(const KeyframeGraph& graph, const Visit& visit, Vec2 place) {
-  std::uint32_t nearest = visit.first;
-  double least_m = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = visit.first; i < visit.end; ++i) {
-    const double away_m = distance(graph.keyframes[i].pose.position, place);
-    if (!graph.keyframes[i].has_scan() || away_m >= least_m) continue;
-    least_m = away_m;
-    nearest = i;
-  }
-  return nearest;
-}
-
-/// Returns true if the scans of the last keyframes, from `first` on, and those of a visit contradict each
-/// other with the last keyframe at `there`: too many points of the one are where the other looked through.
-bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const Visit& visit,
-                     std::size_t first, const Pose2& there) {
-  constexpr std::size_t least_points = 40;
-  constexpr double most_share = 0.1;
-  const Pose2 moved = compose(there, relative_pose(graph.keyframes.back().pose, Pose2{}));
-  Agreement sum;
-  for (std::size_t q = first_of_last(graph, first); q < graph.keyframes.size(); q += 2) {
-    const Pose2 pose = compose(compose(moved, graph.keyframes[q].pose), robot_T_laser);
-    for (std::uint32_t v = visit.first; v < visit.end; v += 2) {
-      const Keyframe& key = graph.keyframes[v];
-      if (key.has_scan())
-        sum += mutual_agreement(graph.keyframes[q].scan, pose, key.scan, compose(key.pose, robot_T_laser));
-    }
-  }
-  return sum.seen() >= least_points && sum.contradiction() > most_share;
 }
 
 /// Returns true if the pose lies within `reach_sd` standard deviations of where the keyframe is believed to
@@ -167,6 +110,16 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
 
 }  // namespace
 
+bool LoopSearch::believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,
+                         const Visit& visit, std::uint32_t first) {
+  if (is_contradicted(graph, robot_T_laser, visit, first, place.fit.pose) ||
+      !close_loop(graph, place.keyframe, place.fit)) {
+    ++refused;
+    return false;
+  }
+  return true;
+}
+
 bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
                        std::uint32_t first) {
   constexpr std::size_t least_keyframes = 4;
@@ -175,39 +128,69 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
   if (last.way_m - tried_at_m < try_every_m) return false;
   tried_at_m = last.way_m;
   const Eigen::Matrix3d& c = graph.covariance();
-  const double reach_m = std::clamp(reach_sd * std::sqrt(c(0, 0) + c(1, 1)), least_reach_m, most_reach_m);
+  const double reach_m = std::max(least_reach_m, reach_sd * std::sqrt(c(0, 0) + c(1, 1)));
   const double heading_sd_rad = std::sqrt(c(2, 2));
   const double turn_rad = heading_sd_rad > adrift_rad
                               ? std::numbers::pi
                               : std::clamp(reach_sd * heading_sd_rad, least_turn_rad, most_turn_rad);
-  const Surface query = thinned(last_surface(graph, surfaces, first), most_points);
+  MatchWindow window{graph.keyframes.back().pose, reach_m, turn_rad, reach_m, turn_rad};
+  if (reach_m <= most_reach_m) return close_near(graph, surfaces, reach_sd, first, window);
+  const std::uint32_t recent = std::max(first, first_recent(graph));
+  if (close_far(graph, surfaces, reach_sd, {first, recent}, window)) return true;
+  window.reach_m = window.position_sd_m = most_reach_m;
+  return close_near(graph, surfaces, reach_sd, recent, window);
+}
+
+bool LoopSearch::close_near(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                            std::uint32_t first, MatchWindow window) {
+  const Surface query = last_surface(graph, surfaces, first);
+  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   bool any = false;
-  for (const std::uint32_t scan : candidates(graph, reach_m, first)) {
-    const Pose2 here = graph.keyframes.back().pose;  // optimisation moves it
+  for (const std::uint32_t scan : candidates(graph, window.reach_m, first)) {
+    window.centre = graph.keyframes.back().pose;  // optimisation moves it
     Visit visit = visit_of(graph, scan);
     visit.first = std::max(visit.first, first);
-    const auto fit =
-        recognise_place(map_of(graph, surfaces, visit), query, {here, reach_m, turn_rad, reach_m, turn_rad});
+    const auto fit = recognise_place(map_of(graph, surfaces, visit), query, window);
     if (!fit) continue;
-    if (!is_plausible(graph, fit->pose, reach_sd) ||
-        is_contradicted(graph, surfaces.robot_T_laser(), visit, first, fit->pose) ||
-        !close_loop(graph, scan, *fit)) {
+    if (!is_plausible(graph, fit->pose, reach_sd)) {
       ++refused;
       continue;
     }
+    if (!believe(graph, surfaces.robot_T_laser(), {scan, *fit}, visit, first)) continue;
     any = true;
     graph.update_covariance();
-    closed.emplace_back(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
+    closed.emplace_back(scan, last);
   }
   return any;
 }
 
+bool LoopSearch::close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                           const Visit& earlier, const MatchWindow& window) {
+  constexpr double first_m = 5.0, growth = 1.5, most_m = 50.0;
+  const double way_m = graph.keyframes.back().way_m;
+  if (window.reach_m > widest_m || way_m < far_due_at_m) return false;
+  const std::vector<std::uint32_t> among =
+      keyframes_within(graph, window.reach_m + sensed_m, earlier.first, earlier.end);
+  if (among.empty()) return false;
+  const auto place = recognise_far(graph, surfaces, among, earlier.end, window);
+  if (place && is_plausible(graph, place->fit.pose, reach_sd) &&
+      believe(graph, surfaces.robot_T_laser(), *place, visit_of(graph, place->keyframe), earlier.end)) {
+    closed.emplace_back(place->keyframe, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
+    graph.update_covariance();
+    far_every_m = 0.0;
+    return true;
+  }
+  far_every_m = std::clamp(growth * far_every_m, first_m, most_m);
+  far_due_at_m = way_m + far_every_m;
+  return false;
+}
+
 bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
   constexpr double reach_m = 4.0;
+  constexpr std::uint32_t most_keyframes = 16;
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
-  const Visit before{gap > 2 * visit_keyframes ? gap - 2 * visit_keyframes : 0, gap};
-  const Surface query = thinned(last_surface(graph, surfaces, gap), most_points);
-  const auto fit = recognise_place(map_of(graph, surfaces, before), query,
+  const Visit before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
+  const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
                                    {graph.keyframes.back().pose, reach_m, std::numbers::pi});
   if (!fit || is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
       !close_loop(graph, gap - 1, *fit))
@@ -217,36 +200,43 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
 }
 
 bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap) {
-  constexpr double clear_score = 0.8, least_score = 0.65;  // a high one is found sooner
-  constexpr double reach_m = 15.0, widest_m = 250.0;
-  constexpr int levels = 8;
-  constexpr std::size_t most_keyframes = 12;  // more than for a loop: all places of the map are possible
   if (!is_search_due(graph, gap)) return false;
-  const Visit before{0, gap};
-  const MatchWindow window = whole_window(graph, before);
+  const MatchWindow window = whole_window(graph, gap);
   if (window.reach_m > widest_m) return false;
-  Surface query = last_surface(graph, surfaces, gap, most_keyframes);
-  std::erase_if(query, [](const SurfacePoint& p) { return squared_norm(p.position) > reach_m * reach_m; });
-  const SurfaceMap map = map_of(graph, surfaces, before, levels);
-  query = thinned(query, most_points);
-  auto fit = recognise_place(map, query, window, clear_score);
-  if (!fit) fit = recognise_place(map, query, window, least_score);
-  if (!fit) return false;
-  const std::uint32_t nearest = nearest_in(graph, before, fit->pose.position);
-  Visit visit = visit_of(graph, nearest);
+  std::vector<std::uint32_t> before(gap);
+  std::iota(before.begin(), before.end(), 0U);
+  const auto place = recognise_far(graph, surfaces, before, gap, window);
+  if (!place) return false;
+  Visit visit = visit_of(graph, place->keyframe);
   visit.end = std::min(visit.end, gap);
-  if (is_contradicted(graph, surfaces.robot_T_laser(), visit, gap, fit->pose) ||
-      !close_loop(graph, nearest, *fit)) {
-    ++refused;
-    return false;
-  }
-  bridged.emplace_back(nearest, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
+  if (!believe(graph, surfaces.robot_T_laser(), *place, visit, gap)) return false;
+  bridged.emplace_back(place->keyframe, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
   return true;
 }
 
 bool LoopSearch::spans(std::uint32_t gap) const {
   const auto around = [&](const auto& pair) { return pair.first < gap && gap <= pair.second; };
   return std::ranges::any_of(closed, around) || std::ranges::any_of(bridged, around);
+}
+
+std::vector<std::uint32_t> LoopSearch::open_gaps(std::span<const std::uint32_t> gaps) const {
+  std::vector<std::size_t> joined(gaps.size() + 1);  // by part of the map: a part that it is joined with
+  std::iota(joined.begin(), joined.end(), std::size_t{0});
+  const auto root = [&](std::size_t part) {
+    while (joined[part] != part) part = joined[part];
+    return part;
+  };
+  const auto part_of = [&](std::uint32_t keyframe) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(gaps, keyframe) - gaps.begin());
+  };
+  for (const auto& pairs : {closed, bridged}) {
+    for (const auto& [earlier, later] : pairs) joined[root(part_of(later))] = root(part_of(earlier));
+  }
+  std::vector<std::uint32_t> open;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (root(i) != root(i + 1)) open.push_back(gaps[i]);
+  }
+  return open;
 }
 
 }  // namespace outrider

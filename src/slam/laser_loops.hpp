@@ -9,19 +9,20 @@
 // robot drives on.
 #pragma once
 
-#include <optional>
+#include <span>
 #include <utility>
 
-#include "keyframe_surfaces.hpp"
-#include "surface_map.hpp"
+#include "place_recognition.hpp"
 
 namespace outrider {
 
 struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;   ///< keyframes: the earlier, the later
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged;  ///< one before a gap, and one after it
-  std::size_t refused = 0;  ///< places that were recognised and not believed
-  double tried_at_m = 0.0;  ///< distance driven at the last search
+  std::size_t refused = 0;    ///< places that were recognised and not believed
+  double tried_at_m = 0.0;    ///< distance driven at the last search
+  double far_due_at_m = 0.0;  ///< distance at which a far search is due again, and between two of them
+  double far_every_m = 0.0;
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
@@ -37,6 +38,17 @@ struct LoopSearch {
   bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
   /// Returns true if a constraint of this search spans the gap.
   [[nodiscard]] bool spans(std::uint32_t gap) const;
+  /// Returns those of the gaps, which are in order, between whose two sides no chain of matches leads: a loop
+  /// around several gaps joins the first part with the last, and those between hang loosely.
+  [[nodiscard]] std::vector<std::uint32_t> open_gaps(std::span<const std::uint32_t> gaps) const;
+
+ private:
+  bool close_near(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t first,
+                  MatchWindow window);
+  bool close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, const Visit& earlier,
+                 const MatchWindow& window);
+  bool believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place, const Visit& visit,
+               std::uint32_t first);
 };
 
 }  // namespace outrider

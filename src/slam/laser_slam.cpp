@@ -54,6 +54,8 @@ struct LaserSlam::State {
   Driven unkept;       ///< since the last keyframe
   Pose2 counted;       ///< motion since the last keyframe, by odometry
   bool blind = false;  ///< the last scan had too few points
+  std::optional<double> last_scan_s;
+  double pause_s = 0.0;  ///< longest time between two scans since the last keyframe
 
   State(const LaserSlamOptions& given, const Pose2& start)
       : options(given),
@@ -72,7 +74,7 @@ struct LaserSlam::State {
   void take_scan(const LaserScan& scan, const Surface& surface, LaserSlamStep& step);
   void learn(const Fit& fit);
   [[nodiscard]] bool is_keyframe_due() const;
-  void add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_lost);
+  void add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_carried);
   void build_local_map() { local.build(graph, part, pose); }
   [[nodiscard]] bool stands_as_drawn() const;
   MapUpdate redraw();
@@ -160,7 +162,7 @@ bool LaserSlam::State::is_keyframe_due() const {
 }
 
 /// Adds a keyframe with a constraint to the one before, and to an earlier visit if it was matched with one.
-void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_lost) {
+void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<Fit>& fit, bool is_carried) {
   constexpr MotionNoise unmatched_noise{0.3, 0.3};  // regardless of the stated odometry noise
   constexpr MotionNoise adrift{3.0, 1.0};
   constexpr MotionNoise loose{0.1, 0.1};
@@ -169,11 +171,12 @@ void LaserSlam::State::add_keyframe(const LaserScan& scan, const std::optional<F
   const Pose2 motion = key == 0 ? Pose2{} : since_keyframe();
   const double way_m = key == 0 ? 0.0 : graph.keyframes.back().way_m + norm(motion.position);
   const MotionNoise driven = odometry_noise(unkept, options);
-  graph.keyframes.push_back({pose, way_m, scan, counted, driven});
+  graph.keyframes.push_back({pose, way_m, scan, counted, driven, pause_s});
   counted = {};
+  pause_s = 0.0;
   if (key == 0) return;
   graph.keyframes.back().shared_before = shared_surface(graph, local.surfaces(), key - 1, key);
-  const MotionNoise& least = is_lost ? adrift : unmatched_noise;
+  const MotionNoise& least = is_carried ? adrift : unmatched_noise;
   const MotionNoise noise{std::max(least.position_m, driven.position_m),
                           std::max(least.heading_rad, driven.heading_rad)};
   graph.add_constraint(key - 1, key, pose,
@@ -264,8 +267,8 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
   const auto contradicted = [&](const Pose2& at) { return contradiction(scan, at); };
   const auto fit = begun ? match_scan(*local.map(), surface, about, contradicted) : std::nullopt;
   step.matched = fit.has_value();
-  step.lost =
-      begun && !fit && (about.reach_m > most_correction_m || contradiction(scan, pose) > most_contradiction);
+  const bool is_carried = begun && !fit && contradiction(scan, pose) > most_contradiction;
+  step.lost = begun && !fit && (about.reach_m > most_correction_m || is_carried);
   if (fit) pose = fit->pose;
   if (!fit) bias.forget();
   if (fit || step.lost) unmatched = {};
@@ -273,7 +276,7 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
     if (begun && !fit) gaps.push_back({static_cast<std::uint32_t>(graph.keyframes.size()), part});
     if (step.lost) part = graph.keyframes.size();
     if (fit) learn(*fit);
-    add_keyframe(scan, fit, step.lost);
+    add_keyframe(scan, fit, is_carried);
     graph.update_covariance();
     step.kept = true;
     step.closed_loop = options.close_loops && close_loops();
@@ -295,6 +298,8 @@ Outcome<LaserSlamStep> LaserSlam::advance(const Pose2& motion, const LaserScan& 
     return bad_input("the motion is not finite or leads out of the world; leave it out");
   }
   LaserSlamStep step;
+  if (s.last_scan_s) s.pause_s = std::max(s.pause_s, scan.time_s - *s.last_scan_s);
+  s.last_scan_s = scan.time_s;
   if (s.options.trust_odometry) {
     s.pose = wrap_heading(compose(s.pose, motion));
   } else {
@@ -350,10 +355,10 @@ MapCheck LaserSlam::check() const {
 }
 std::vector<std::size_t> LaserSlam::gaps() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();
+  std::vector<std::uint32_t> keyframes;
+  for (const Gap& gap : state_->gaps) keyframes.push_back(gap.keyframe);
   std::vector<std::size_t> open;
-  for (const Gap& gap : state_->gaps) {
-    if (!state_->loops.spans(gap.keyframe)) open.push_back(pose_of[gap.keyframe]);
-  }
+  for (const std::uint32_t gap : state_->loops.open_gaps(keyframes)) open.push_back(pose_of[gap]);
   return open;
 }
 std::size_t LaserSlam::loops_refused() const { return state_->loops.refused; }

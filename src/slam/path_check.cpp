@@ -11,7 +11,8 @@ namespace {
 constexpr double most_odometry_chi2 = 16.27;    // of 3 degrees of freedom: exceeded once in a thousand steps
 constexpr double least_shared = 1.0 / 3.0;      // share of the points
 constexpr double near_m = 0.5, near_rad = 0.4;  // a shorter step leaves most of the surface in view
-constexpr double least_shared_near = 0.5;       // of such a step
+constexpr double pause_s = 60.0;                // in which a robot may have been carried or driven anywhere
+constexpr double least_shared_sure = 0.5;       // of a short step, and of one after a pause
 
 /// Returns the squared error of a step by the map in standard deviations of the odometry.
 double chi2_of(const Pose2& by_map, const Keyframe& key) {
@@ -60,11 +61,15 @@ std::vector<Jump> find_jumps(const KeyframeGraph& graph, KeyframeSurfaces& surfa
     const Keyframe &before = graph.keyframes[i - 1], &key = graph.keyframes[i];
     const Pose2 by_map = wrap_heading(relative_pose(before.pose, key.pose));
     const bool is_near = norm(by_map.position) < near_m && std::abs(by_map.heading_rad) < near_rad;
-    const bool scans_differ = is_near && key.shared_before < least_shared_near;
-    if (!scans_differ && chi2_of(by_map, key) <= most_odometry_chi2) continue;
-    const bool is_measured = !scans_differ && before.has_scan() && key.has_scan();
+    const bool differs = key.shared_before < least_shared_sure;
+    const bool is_after_pause = differs && key.pause_s >= pause_s;
+    const bool odometry_differs = chi2_of(by_map, key) > most_odometry_chi2;
+    if (!(is_near && differs) && !is_after_pause && !odometry_differs) continue;
+    const bool is_measured = !(is_near && differs) && before.has_scan() && key.has_scan();
     const double shared = is_measured ? shared_surface(graph, surfaces, i - 1, i) : key.shared_before;
-    if (scans_differ || shared < least_shared) jumps.push_back({i - 1, i, by_map, key.odometry, shared});
+    const bool is_jump = (is_near && differs) || (odometry_differs && shared < least_shared);
+    if (is_jump || is_after_pause)
+      jumps.push_back({i - 1, i, by_map, key.odometry, shared, is_jump ? 0.0 : key.pause_s});
   }
   return jumps;
 }

@@ -33,13 +33,15 @@ struct Contradiction {
 };
 
 /// A step of the path that neither odometry nor scans confirm: the two differ by more than the error of the
-/// odometry, and the scans before and after it show too few surfaces in common.
+/// odometry, or it follows a pause, and the scans before and after it show too few surfaces in common.
 struct Jump {
   std::size_t before = 0;  ///< its poses, by their numbers
   std::size_t after = 0;
   Pose2 by_map;  ///< before_T_after
   Pose2 by_odometry;
   double shared = 0.0;  ///< share of the points of one scan that lie on a surface of the other
+  /// Time without a scan, if only this speaks against the step; it means nothing if the clock is wrong.
+  double pause_s = 0.0;
 };
 
 struct MapCheck {

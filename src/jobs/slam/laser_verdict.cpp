@@ -60,6 +60,15 @@ void doubt_contradictions(Doubts& doubts, const MapCheck& check) {
       check.contradicted, check.scans, doubts.time_s(first.later), doubts.time_s(first.earlier)));
 }
 
+/// Forgets jumps that a pause alone makes, if the clock is wrong or the scans are always far apart.
+void forget_usual_pauses(std::vector<Jump>& jumps, const LaserRun& run) {
+  constexpr double unusual = 20.0;  // times the mean
+  const double mean_s = run.log_s.value_or(0.0) / static_cast<double>(run.steps);
+  std::erase_if(jumps, [&](const Jump& jump) {
+    return jump.pause_s > 0.0 && (!run.log_s || jump.pause_s < unusual * mean_s);
+  });
+}
+
 std::string motion_text(const Pose2& motion) {
   return fmt::format("{:.2f} m and {:.0f} degrees", norm(motion.position), degrees(motion.heading_rad));
 }
@@ -69,9 +78,10 @@ void doubt_jumps(Doubts& doubts, const std::vector<Jump>& jumps) {
   for (const Jump& one : jumps) doubts.add("jump", one.after, one.shared);
   const Jump& first = jumps.front();
   doubts.add_reason(fmt::format(
-      "the path jumps {} at {:.1f} s: it moves by {}, odometry counted {}, and the scans before and "
+      "the path jumps {} at {:.1f} s: {}it moves by {}, odometry counted {}, and the scans before and "
       "after show only {:.0f} % of their surfaces in common",
       jumps.size() == 1 ? "once," : fmt::format("{} times, first", jumps.size()), doubts.time_s(first.after),
+      first.pause_s > 0.0 ? fmt::format("after {:.0f} s without a scan ", first.pause_s) : "",
       motion_text(first.by_map), motion_text(first.by_odometry), 100.0 * first.shared));
 }
 
@@ -88,7 +98,8 @@ void log_doubts(Log& log, const Table& table, double end_s) {
 
 void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vector<double>& times_s) {
   if (run.trusts_odometry || run.stopped) return;
-  const MapCheck check = run.slam.check();
+  MapCheck check = run.slam.check();
+  forget_usual_pauses(check.jumps, run);
   const std::vector<std::size_t> gaps = run.slam.gaps();
   const std::vector<Pose2> poses = run.slam.trajectory();
   Doubts doubts(poses, times_s);

@@ -84,5 +84,62 @@ TEST(LaserLoops, AGapInASymmetricRoomStaysOpen) {
   expect_stays_open(drive);
 }
 
+/// A street between houses that stand a little back, each by as much as no other.
+std::vector<testing::Wall> street(Rng& rng) {
+  std::vector<testing::Wall> walls;
+  for (const double side : {-1.0, 1.0}) {
+    for (double x = -20.0; x < 70.0; x += 8.0) {
+      const double y = side * rng.uniform(4.0, 7.0);
+      for (const testing::Wall& wall : testing::box_walls(
+               {x, std::min(y, side * 12.0)}, {x + rng.uniform(5.0, 7.5), std::max(y, side * 12.0)}))
+        walls.push_back(wall);
+    }
+  }
+  return walls;
+}
+
+/// A robot that drove along the street, around where it saw nothing, and along the street again.
+TEST(LaserLoops, ALoopIsFoundFartherAwayThanASearchAmongSingleVisitsReaches) {
+  constexpr std::uint32_t count = 40, away = 40;
+  Rng rng(7);
+  const std::vector<testing::Wall> walls = street(rng);
+  const Pose2 off{{9.0, 2.0}, 0.08};
+  KeyframeGraph graph;
+  KeyframeSurfaces surfaces({}, 30.0);
+  testing::Finder finder;
+  finder.most_m = 20.0;
+  std::vector<Pose2> truth;
+  for (std::uint32_t i = 0; i < count + away + count; ++i) {
+    const bool is_again = i >= count + away, is_away = i >= count && !is_again;
+    const Pose2 pose{{static_cast<double>(is_again ? i - count - away : i), is_away ? -40.0 : 0.0}, 0.0};
+    truth.push_back(pose);
+    graph.keyframes.push_back(
+        {is_again ? compose(off, pose) : pose, 2.0 * i, testing::scan_from(walls, pose, finder, rng)});
+    Eigen::Vector3d information(1e4, 1e4, 1e4);
+    if (i == count || i == count + away) information = {0.1, 0.1, 100.0};
+    if (i > 0) graph.add_constraint(i - 1, i, graph.keyframes[i].pose, information.asDiagonal());
+  }
+  graph.update_covariance();
+  ASSERT_GT(distance(graph.keyframes.back().pose.position, truth.back().position), 6.5);
+  LoopSearch search;
+  ASSERT_TRUE(search.close(graph, surfaces, 6.0, 0));
+  EXPECT_LT(distance(graph.keyframes.back().pose.position, truth.back().position), 0.1);
+  ASSERT_EQ(search.closed.size(), 1U);
+  EXPECT_NEAR(search.closed[0].first, count - 1, 2);
+}
+
+TEST(LaserLoops, ALoopAroundSeveralGapsLeavesThePartsBetweenHanging) {
+  const std::vector<std::uint32_t> gaps{10, 20, 30};
+  LoopSearch search;
+  EXPECT_EQ(search.open_gaps(gaps), gaps);
+  search.closed.emplace_back(2, 50);
+  EXPECT_TRUE(search.spans(20));
+  EXPECT_EQ(search.open_gaps(gaps), gaps);
+  search.bridged.emplace_back(9, 12);
+  EXPECT_EQ(search.open_gaps(gaps), (std::vector<std::uint32_t>{20, 30}));
+  search.closed.emplace_back(15, 25);
+  EXPECT_TRUE(search.open_gaps(gaps).empty()) << "from the third part to the second, the first, the last";
+}
+
 }  // namespace
 }  // namespace outrider

@@ -100,6 +100,31 @@ TEST(PathCheck, WhatNeitherOdometryNorScansConfirmIsAJump) {
   EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "odometry confirms it";
 }
 
+/// What odometry missed in a minute without a scan, only the scans can tell.
+TEST(PathCheck, AStepAfterAPauseNeedsScansThatAgree) {
+  Rng rng(6);
+  KeyframeGraph graph = drive_past_walls(rng);
+  KeyframeSurfaces surfaces({}, 30.0);
+  Keyframe& later = graph.keyframes[7];
+  later.pose = compose(graph.keyframes[6].pose, {{1.0, 0.0}, 0.0});
+  later.odometry = {{1.0, 0.0}, 0.0};
+  later.scan = half_turn_scan(later.pose, rng);
+  later.shared_before = 0.45;
+  later.pause_s = 59.0;
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "odometry confirms it";
+  later.pause_s = 61.0;
+  const std::vector<Jump> jumps = find_jumps(graph, surfaces);
+  ASSERT_EQ(jumps.size(), 1U);
+  EXPECT_EQ(jumps[0].after, 7U);
+  EXPECT_EQ(jumps[0].pause_s, 61.0);
+  later.odometry.heading_rad = 0.5;
+  ASSERT_GT(shared_surface(graph, surfaces, 6, 7), 0.34);
+  EXPECT_EQ(find_jumps(graph, surfaces).at(0).pause_s, 61.0) << "the pause alone speaks against it";
+
+  later.shared_before = 0.55;
+  EXPECT_TRUE(find_jumps(graph, surfaces).empty()) << "the scans confirm it";
+}
+
 TEST(PathCheck, AShortStepAfterWhichTheScansDifferIsAJump) {
   Rng rng(5);
   KeyframeGraph graph = drive_past_walls(rng);
