@@ -13,7 +13,7 @@ struct Keyframe {
 
   Pose2 odometry{};                      ///< its pose on the keyframe before, by odometry
   MotionNoise odometry_noise{1.0, 1.0};  ///< of that pose
-  double pause_s = 0.0;        ///< longest time without a scan since the keyframe before
+  double pause_s = 0.0;                  ///< longest time without a scan since the keyframe before
   double shared_before = 1.0;  ///< share of its surface that the keyframe before shows too, when added
 
   [[nodiscard]] bool has_scan() const { return !scan.ranges_m.empty(); }

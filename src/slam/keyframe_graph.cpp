@@ -51,16 +51,20 @@ double KeyframeGraph::chi2() const {
   return r.dot(edge.information * r);
 }
 
-bool KeyframeGraph::optimise() {
+PoseGraph KeyframeGraph::pose_graph() const {
   PoseGraph graph;
   for (const Keyframe& key : keyframes) graph.nodes.push_back({{}, key.pose, false});
   for (const KeyframeConstraint& constraint : constraints_) graph.edges.push_back(constraint.edge);
+  return graph;
+}
+
+bool KeyframeGraph::optimise() {
   PoseGraphOptions options;
   options.start = "given";
   options.kernel = "huber";
   options.iterations = 20;
   options.tolerance = 1e-5;
-  const auto solution = outrider::optimise(graph, options, {});
+  const auto solution = outrider::optimise(pose_graph(), options, {});
   if (!solution) return false;
   for (std::size_t i = 0; i < keyframes.size(); ++i) keyframes[i].pose = solution->poses[i];
   of_last_.forget();

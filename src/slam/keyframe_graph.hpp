@@ -29,6 +29,8 @@ class KeyframeGraph {
   /// changes nothing, if there is no solution.
   bool optimise();
   [[nodiscard]] std::vector<Pose2> poses() const;
+  /// Returns all constraints, with the keyframes as nodes without names.
+  [[nodiscard]] PoseGraph pose_graph() const;
   /// Returns the covariance of the last keyframe; see keyframe_covariance.hpp.
   [[nodiscard]] const Eigen::Matrix3d& covariance() const { return covariance_; }
   /// Computes covariance() from all constraints.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "laser_loops.hpp"
 #include "local_map.hpp"
@@ -335,6 +336,12 @@ void LaserSlam::settle() {
 const Pose2& LaserSlam::pose() const { return state_->pose; }
 Eigen::Matrix3d LaserSlam::pose_covariance() const { return state_->graph.covariance(); }
 const OccupancyMap& LaserSlam::map() const { return state_->map; }
+PoseGraph LaserSlam::pose_graph() const {
+  const std::vector<std::size_t> pose_of = state_->pose_numbers();
+  PoseGraph graph = state_->graph.pose_graph();
+  for (std::size_t i = 0; i < pose_of.size(); ++i) graph.nodes[i].name = std::to_string(pose_of[i] - 1);
+  return graph;
+}
 std::size_t LaserSlam::loops() const { return state_->loops.closed.size(); }
 MapCheck LaserSlam::check() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();

@@ -73,6 +73,9 @@ class SlamLaser(SlamCase):
         for name in ("track.csv", "run.svg", "map.yaml", "map.pgm"):
             self.assertEqual((self.folder / "a" / name).read_bytes(), (self.folder / "b" / name).read_bytes())
         self.assertEqual(len((self.folder / "a" / "track.csv").read_text().splitlines()), 121)
+        graph = self.run_tool("slam", "a/graph.g2o", "--json")
+        self.assertIn(graph.returncode, (0, 1), graph.stderr)
+        self.assertGreater(flat(self.json_of(graph))["nodes"], 60)
         path = self.run_tool("plan", "a/map.yaml", "--from", "0,0", "--to", "0.5,0", "--json")
         self.assertEqual(path.returncode, 0, path.stderr)
 
@@ -118,6 +121,14 @@ class SlamLaser(SlamCase):
                 steps = laser_logs.read(self.laser_log(name))[first:last]
                 again = laser_logs.repeated(steps, at, laser_logs.driven_after(steps, at, 8.0))
                 self.check_jump(*self.map_damaged(name, again))
+
+    def test_a_stretch_that_is_cut_out_of_a_corridor(self):
+        """Its walls look the same before and after, and odometry counts a metre; only the clock tells."""
+        steps = laser_logs.read(self.laser_log("aces"))
+        found, is_right = self.map_damaged("cut", laser_logs.without(steps, 150, 30))
+        self.assertFalse(is_right, "only the status saves it")
+        self.assertEqual((found["status"], found["jumps"], found["gaps"]), ("doubtful", 1, 0))
+        self.assertRegex(found["reason"], r"jumps once, at [0-9.]+ s: after 133 s without a scan it moves by ")
 
     def test_a_turn_that_odometry_does_not_count(self):
         """The robot turns by 160 degrees in a corridor while scans are missing and odometry stands still."""

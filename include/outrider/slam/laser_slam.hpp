@@ -34,6 +34,7 @@
 
 #include "outrider/slam/map_check.hpp"
 #include "outrider/slam/occupancy_map.hpp"
+#include "outrider/slam/pose_graph.hpp"
 
 namespace outrider {
 
@@ -101,6 +102,9 @@ class LaserSlam {
   [[nodiscard]] const OccupancyMap& map() const;
   /// Returns the start and the pose after each step, as presently estimated.
   [[nodiscard]] std::vector<Pose2> trajectory() const;
+  /// Returns the graph that the map is made of: its keyframes, named by their steps, which count from 0, and
+  /// all constraints between them. Empty with `trust_odometry`.
+  [[nodiscard]] PoseGraph pose_graph() const;
   /// Returns the number of loops closed so far.
   [[nodiscard]] std::size_t loops() const;
   /// Returns the loops in the order in which they were closed.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "laser_verdict.hpp"
+#include "outrider/io/g2o.hpp"
 #include "outrider/io/map_server.hpp"
 #include "outrider/job/clock.hpp"
 #include "outrider/job/sensor_log.hpp"
@@ -149,6 +150,14 @@ Outcome<std::vector<NamedContent>> files_of(const std::vector<double>& recorded_
   track.reserve(poses.size());
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) track.push_back({i, recorded_s[i], poses[i + 1]});
   std::vector<NamedContent> files = track_files(track);
+  const PoseGraph graph = run.slam.pose_graph();
+  if (!graph.edges.empty()) {
+    std::vector<Pose2> placed;
+    for (const GraphNode& node : graph.nodes) placed.push_back(node.pose);
+    auto g2o = to_g2o(graph, placed);
+    if (!g2o) return pass_on(g2o);
+    files.push_back({"graph.g2o", std::move(*g2o)});
+  }
   files.push_back({"map.pgm", std::move(text->image)});
   files.push_back({"map.yaml", std::move(text->yaml)});
   return files;
