@@ -145,8 +145,13 @@ void add_explore_suite(Command& bench) {
   add_scenarios(explore, request.scenarios, "scenario files [scenarios/explore/office.yaml]");
   explore
       .option("--data", &request.data,
-              "folder with closed_maze.world and house_closed.world, for these worlds too")
+              "folder with closed_maze.world and house_closed.world, for these worlds too; with --grids, "
+              "one with MovingAI .map files, searched to its depths")
       .type("DIR");
+  explore.flag("--grids", &request.grids,
+               "instead: many maps with a perfect pose, in groups, over a proven bound and beside nearest");
+  add_names(explore, "--maps", request.maps,
+            "with --grids: maps or groups, such as office,hall; all unless given");
   add_names(explore, "--strategies", request.strategies);
   add_seeds(explore, request.seeds, "runs of each strategy in each world, with seeds from 1 on [20]");
   finish(explore, "bench explore", bench::measure_explore, asked);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "explore_strategies.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/explore/bound.hpp"
 #include "outrider/jobs/explore/catalog.hpp"
@@ -172,6 +173,7 @@ std::string table_text(const std::vector<StrategyRow>& rows) {
 Outcome<BenchResult> measure_explore(const ExploreRequest& request, const BenchObserver& observer) {
   auto strategies = chosen_strategies(request);
   if (!strategies) return pass_on(strategies);
+  if (request.grids) return compare_strategies(request, *strategies, observer);
   auto worlds = load_worlds(request);
   if (!worlds) return pass_on(worlds);
   begin_steps(observer, worlds->size() * strategies->size());

@@ -74,12 +74,14 @@ struct SlamRequest {
 Outcome<BenchResult> measure_slam(const SlamRequest& request, const BenchObserver& observer);
 
 /// Requests a benchmark of exploration strategies: every world is explored with SLAM in the loop, over many
-/// seeds.
+/// seeds. With `grids`, compares them on many maps with a perfect pose instead (explore_strategies.hpp).
 struct ExploreRequest {
   std::vector<std::string> scenarios = {"scenarios/explore/office.yaml"};
-  std::string data;  ///< folder with closed_maze.world and house_closed.world; empty: none
+  std::string data;  ///< folder with closed_maze.world and house_closed.world, or with grids; empty: none
   std::vector<std::string> strategies;
   std::int64_t seeds = 20;
+  bool grids = false;
+  std::vector<std::string> maps;  ///< of `grids`, names or groups; empty: all
 };
 Outcome<BenchResult> measure_explore(const ExploreRequest& request, const BenchObserver& observer);
 

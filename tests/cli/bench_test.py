@@ -175,5 +175,25 @@ class Bench(ToolTest):
         broken("maps/anyangle/small.csv", table([math.inf]), ":2", "anyangle_opt")
 
 
+class BenchExplore(ToolTest):
+    def test_compares_strategies_over_a_bound(self):
+        result = self.run_tool("bench", "explore", "--grids", "--maps", "maze1", "--strategies", "tour", "--seeds", "2", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = {(row["group"], row["strategy"]): row for row in self.json_of(result)["rows"]}
+        self.assertEqual(set(rows), {(group, name) for group in ("maze", "all") for name in ("nearest", "tour")})
+        for row in rows.values():
+            self.assertEqual((row["maps"], row["runs"], row["complete"]), (1, 2, 2))
+            value, low, high = row["median_time_over_bound"]
+            self.assertGreaterEqual(low, 1.0)
+            self.assertLessEqual(low, value)
+            self.assertLessEqual(value, high)
+        self.assertEqual(rows["maze", "nearest"]["mean_time_over_nearest"], [1.0, 1.0, 1.0])
+
+    def test_refuses_maps_that_are_not_there(self):
+        result = self.run_tool("bench", "explore", "--grids", "--maps", "castle")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("'castle'", self.sentence(result))
+
+
 if __name__ == "__main__":
     main()

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -12,12 +13,14 @@
 #include "outrider/path/problem.hpp"
 #include "rays.hpp"
 #include "round_trip.hpp"
+#include "tour_bound.hpp"
 
 namespace outrider {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double eight_moves_ratio = 1.0824;
+constexpr std::size_t most_exact = 11;  // of witnesses and the start
 
 /// Cells all whose points are nearer than the radius to something solid.
 Grid<std::uint8_t> surely_blocked(const Grid<std::uint8_t>& solid, double radius_m) {
@@ -61,10 +64,49 @@ Grid<std::uint8_t> deep(const Grid<std::uint8_t>& solid) {
 
 struct Scene {
   const Grid<std::uint8_t>& solid;
+  bool exact;  ///< solid cells are solid to their borders
   Grid<std::uint8_t> inside;
   GridMap corners;  ///< where its centre may be
   double range;     ///< cells
 };
+
+/// Returns true if some point of a cell may see some point of another past solid cells. A line between them
+/// stays, in each column along its longer side, within `around` rows of the line between the centres; so it
+/// meets only free cells that hang together through these columns.
+bool strip_is_open(const Grid<std::uint8_t>& solid, Cell a, Cell b) {
+  const bool upright = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  const int across = upright ? b.x - a.x : b.y - a.y, along = upright ? b.y - a.y : b.x - a.x;
+  const int step = along < 0 ? -1 : 1, count = std::abs(along);
+  if (count == 0) return true;
+  const double slope = static_cast<double>(across) / count;
+  const double around = 0.5 + std::abs(slope);  // at the middle of a column
+  const auto lowest = [&](int column) {
+    return static_cast<int>(std::ceil(slope * column - around - 0.5 - 1e-9));
+  };
+  unsigned open = 0;  // bit i: row lowest(column) + i of the column is reached
+  for (int column = 0; column <= count; ++column) {
+    const int low = lowest(column), high = static_cast<int>(std::floor(slope * column + around + 0.5 + 1e-9));
+    unsigned free = 0;
+    for (int row = low; row <= high; ++row) {
+      const Cell at = upright ? Cell{a.x + row, a.y + step * column} : Cell{a.x + step * column, a.y + row};
+      if (solid.contains(at) && solid[at] == 0) free |= 1U << static_cast<unsigned>(row - low);
+    }
+    if (column == 0) {
+      open = 1U << static_cast<unsigned>(-low);
+    } else {
+      const int shift = low - lowest(column - 1);
+      open = (open << 1U) | open | (open >> 1U);
+      open = shift >= 0 ? open >> static_cast<unsigned>(shift) : open << static_cast<unsigned>(-shift);
+    }
+    open &= free;
+    for (unsigned before = 0; before != open;) {
+      before = open;
+      open |= ((open << 1U) | (open >> 1U)) & free;
+    }
+    if (open == 0) return false;
+  }
+  return (open >> static_cast<unsigned>(across - lowest(count)) & 1U) != 0;
+}
 
 /// The places from where a cell may be seen.
 std::vector<Cell> viewers(const Scene& scene, Cell seen) {
@@ -74,11 +116,13 @@ std::vector<Cell> viewers(const Scene& scene, Cell seen) {
     for (int x = seen.x - reach; x <= seen.x + reach; ++x) {
       if (scene.corners.blocked({x, y})) continue;
       if (std::hypot(x - seen.x, y - seen.y) > scene.range + std::numbers::sqrt2) continue;
-      bool clear = true;
-      walk_ray(seen, {x, y}, [&](Cell at) {
-        clear = scene.inside[at] == 0;
-        return clear && !(at == Cell{x, y});
-      });
+      bool clear = !scene.exact || strip_is_open(scene.solid, seen, {x, y});
+      if (!scene.exact) {
+        walk_ray(seen, {x, y}, [&](Cell at) {
+          clear = scene.inside[at] == 0;
+          return clear && !(at == Cell{x, y});
+        });
+      }
       if (clear) cells.push_back({x, y});
     }
   }
@@ -169,6 +213,26 @@ Witnesses farthest_first(const Scene& scene, Cell start, const std::vector<Cell>
   }
 }
 
+/// Raises the bound of a closed path by the rounds through more witnesses than dynamic programming takes.
+void raise(const Scene& scene, const Witnesses& all, ExploreBound& bound) {
+  StopDistances distances;
+  for (std::size_t i = 0; i < all.cells.size(); ++i) {
+    distances.emplace_back();
+    for (std::size_t j = 0; j < all.cells.size(); ++j)
+      distances[i].push_back(all.between[std::max(i, j)][std::min(i, j)]);
+  }
+  for (std::size_t count = 4; count <= all.cells.size(); count += 4) {
+    std::vector<std::size_t> stops(count);
+    std::iota(stops.begin(), stops.end(), std::size_t{0});
+    const double least_m = scene.solid.frame.resolution_m * best_tour_bound(distances, stops);
+    if (least_m <= bound.least_m) continue;
+    bound.least_m = least_m;
+    bound.witnesses.clear();
+    for (std::size_t i = 1; i < stops.size(); ++i)
+      bound.witnesses.push_back(scene.solid.frame.centre(all.cells[stops[i]]));
+  }
+}
+
 }  // namespace
 
 Outcome<ExploreBound> explore_bound(const Grid<std::uint8_t>& solid, Vec2 start, double range_m,
@@ -181,12 +245,12 @@ Outcome<ExploreBound> explore_bound(const Grid<std::uint8_t>& solid, Vec2 start,
   auto corners = GridMap::of(surely_blocked(solid, robot.radius_m), GridModel::corners);
   if (!corners) return pass_on(corners);
   const double resolution = solid.frame.resolution_m;
-  const Scene scene{solid, deep(solid), *std::move(corners), range_m / resolution};
+  const Scene scene{solid, options.exact_cells, deep(solid), *std::move(corners), range_m / resolution};
   const Witnesses all = farthest_first(scene, query->start, surely_reached(*ground, query->start),
-                                       std::clamp(options.witnesses, 1, 16));
+                                       std::clamp(options.witnesses, 1, 64));
   ExploreBound bound;
   // More witnesses may make the round shorter, since sets are nearer to one another than their points.
-  for (std::size_t count = 1; count < all.cells.size(); ++count) {
+  for (std::size_t count = 1; count < std::min(all.cells.size(), most_exact); ++count) {
     RoundTrip round;
     round.count = count;
     for (std::size_t i = 0; i < count; ++i) {
@@ -203,6 +267,7 @@ Outcome<ExploreBound> explore_bound(const Grid<std::uint8_t>& solid, Vec2 start,
     bound.witnesses.clear();
     for (std::size_t i = 1; i <= count; ++i) bound.witnesses.push_back(solid.frame.centre(all.cells[i]));
   }
+  if (options.return_home) raise(scene, all, bound);
   bound.least_s = bound.least_m / robot.speed_mps;
   return bound;
 }

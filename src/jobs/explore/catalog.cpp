@@ -7,9 +7,8 @@ namespace outrider {
 const std::vector<ExploreStrategy>& explore_strategies() {
   static const std::vector<ExploreStrategy> strategies = {
       {.name = "tour",
-       .sentence = "The first leg of the fastest round through all that is to be seen nearby, which ends at "
-                   "home where "
-                   "nothing else is left.",
+       .sentence =
+           "The first leg of the fastest round through views that show all frontiers nearby, and home.",
        .paper = "Kulich, Faigl and Preucil, On distance utility in the exploration task, 2011; Held and "
                 "Karp, A dynamic "
                 "programming approach to sequencing problems, 1962",

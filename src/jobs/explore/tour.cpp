@@ -1,4 +1,5 @@
-// The first leg of the fastest round through the nearest views.
+// The first leg of the fastest round through the nearest views and home. The way home counts from the
+// beginning: what lies on it is left for later, and what does not is finished before the robot goes on.
 #include <algorithm>
 #include <map>
 
@@ -67,19 +68,30 @@ void renew(std::vector<Stop> stops, const Views& views, std::size_t count, const
   }
 }
 
-/// Seconds; the first leg with its turn. The round ends at home if that is all there is left to see, or
-/// anywhere. A way that is not known yet is that past the robot.
+/// The views that make the round, by their indices: a view from which another frontier is seen as well as
+/// from its own one counts for both.
+std::vector<std::size_t> stops_of(const Views& views) {
+  std::vector<std::size_t> stops;
+  for (std::size_t i = 0; i < views.views.size() && stops.size() < most_stops; ++i) {
+    const std::vector<std::uint32_t>& seats = views.views[i].seats;
+    const bool seen = std::ranges::any_of(
+        stops, [&](std::size_t stop) { return std::ranges::binary_search(seats, views.views[stop].block); });
+    if (!seen) stops.push_back(i);
+  }
+  return stops;
+}
+
+/// Seconds; the first leg with its turn. A way that is not known yet is that past the robot.
 RoundTrip round_through(const Views& views, const ExploreState& state, Workspace& workspace) {
   RoundTrip round;
-  round.count = std::min(views.views.size(), most_stops);
+  round.count = views.views.size();
   std::vector<Stop> stops;
-  for (std::size_t i = 0; i < round.count; ++i) {
-    stops.push_back({views.views[i].frontier, views.views[i].block});
-    round.out.push_back(views.views[i].turn_s + views.views[i].reach_s);
+  for (const View& view : views.views) {
+    stops.push_back({view.frontier, view.block});
+    round.out.push_back(view.turn_s + view.reach_s);
   }
   const auto home = free_block_near(state.map.ground(), state.home.position);
-  const bool ends_at_home = home && views.all && round.count == views.views.size();
-  if (ends_at_home) stops.push_back({0, *home});
+  if (home) stops.push_back({0, *home});
   auto& memory = state.map.memory().get<TourMemory>();
   renew(stops, views, round.count, state, memory, workspace.get<OtherFlood>().flood);
 
@@ -88,13 +100,10 @@ RoundTrip round_through(const Views& views, const ExploreState& state, Workspace
     const auto known = seconds.find(to.frontier);
     return known == seconds.end() ? else_s : known->second;
   };
-  round.home.assign(round.count, 0.0);
-  for (std::size_t i = 0; i < round.count; ++i) {
-    const View& from = views.views[i];
-    for (std::size_t j = 0; j < round.count; ++j) {
-      round.between.push_back(way(from.frontier, views.views[j], from.reach_s + views.views[j].reach_s));
-    }
-    if (ends_at_home) round.home[i] = way(0, from, from.reach_s);
+  for (const View& from : views.views) {
+    for (const View& to : views.views)
+      round.between.push_back(way(from.frontier, to, from.reach_s + to.reach_s));
+    round.home.push_back(home ? way(0, from, from.reach_s) : 0.0);
   }
   return round;
 }
@@ -103,10 +112,14 @@ RoundTrip round_through(const Views& views, const ExploreState& state, Workspace
 
 std::size_t choose_by_tour(const Views& views, const ExploreState& state, const ExploreOptions& options,
                            Workspace& workspace) {
-  std::vector<double> whole_s = wholes(round_through(views, state, workspace));
-  const auto before = chosen_before(views, state.before);
-  if (before && *before < whole_s.size()) whole_s[*before] -= bonus_of_before(state, options);
-  return static_cast<std::size_t>(std::min_element(whole_s.begin(), whole_s.end()) - whole_s.begin());
+  const std::vector<std::size_t> chosen = stops_of(views);
+  Views stops;
+  for (const std::size_t i : chosen) stops.views.push_back(views.views[i]);
+  std::vector<double> whole_s = wholes(round_through(stops, state, workspace));
+  if (const auto before = chosen_before(stops, state.before))
+    whole_s[*before] -= bonus_of_before(state, options);
+  const auto best = std::ranges::min_element(whole_s) - whole_s.begin();
+  return chosen[static_cast<std::size_t>(best)];
 }
 
 }  // namespace outrider

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 
 #include "round_trip.hpp"
@@ -145,6 +146,90 @@ TEST(ExploreBound, NoWalkThatSeesAllIsShorter) {
         explore_bound(rooms.solid, rooms.start, 1.5, slow_robot, {.witnesses = 8, .return_home = false});
     ASSERT_TRUE(bound) << bound.error().sentence;
     EXPECT_LE(bound->least_m, greedy_walk_m(rooms.solid, rooms.start, 1.5)) << n;
+  }
+}
+
+/// Rooms with walls of one cell.
+Grid<std::uint8_t> thin_walls(Rng& rng) {
+  GridFrame frame;
+  frame.resolution_m = 0.1;
+  frame.width = 34;
+  frame.height = 23;
+  Grid<std::uint8_t> solid(frame, 0);
+  for (int y = 0; y < frame.height; ++y) {
+    for (int x = 0; x < frame.width; ++x) solid[{x, y}] = x % 11 == 0 || y % 11 == 0 ? 1 : 0;
+  }
+  const auto door = [&](Cell low, Cell along) {
+    const int from = 1 + static_cast<int>(rng.below(5));
+    for (int i = from; i < from + 5; ++i) solid[{low.x + i * along.x, low.y + i * along.y}] = 0;
+  };
+  for (int i = 0; i < 3; ++i) door({11 * i, 11}, {1, 0});
+  door({11, rng.below(2) == 0 ? 0 : 11}, {0, 1});
+  door({22, rng.below(2) == 0 ? 0 : 11}, {0, 1});
+  return solid;
+}
+
+/// The shortest closed walk over centres of cells, by Dijkstra's algorithm over places and the witnesses seen
+/// so far: the robot sees a witness from a centre within range of its centre with a free line between both.
+double shortest_walk_m(const Grid<std::uint8_t>& solid, Vec2 start, double range_m,
+                       const std::vector<Vec2>& witnesses) {
+  const GridFrame& frame = solid.frame;
+  testing::GridExplorer eye{.truth = solid, .robot = slow_robot, .pose = {start, 0.0}};
+  std::vector<int> sees(frame.size(), -1);  // bits; -1 where it does not fit
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const Vec2 at = eye.pose.position = frame.centre(frame.cell(i));
+    if (solid.cells[i] != 0 || eye.clearance_m() < slow_robot.radius_m) continue;
+    sees[i] = 0;
+    for (std::size_t w = 0; w < witnesses.size(); ++w) {
+      bool open = distance(at, witnesses[w]) <= range_m;
+      for (int k = 0; open && k <= 400; ++k)
+        open = solid[frame.cell_at(at + k / 400.0 * (witnesses[w] - at))] == 0;
+      if (open) sees[i] |= 1 << w;
+    }
+  }
+  const std::size_t sets = std::size_t{1} << witnesses.size();
+  std::vector<double> least(frame.size() * sets, 1e9);
+  std::map<std::pair<double, std::size_t>, bool> queue;
+  const auto reach = [&](std::size_t cell, std::size_t set, double length) {
+    if (sees[cell] < 0) return;
+    set |= static_cast<std::size_t>(sees[cell]);
+    if (length >= least[cell * sets + set]) return;
+    least[cell * sets + set] = length;
+    queue[{length, cell * sets + set}] = true;
+  };
+  const std::size_t from = frame.index(frame.cell_at(start));
+  reach(from, 0, 0.0);
+  while (!queue.empty()) {
+    const auto [length, state] = queue.begin()->first;
+    queue.erase(queue.begin());
+    if (length > least[state]) continue;
+    const Cell at = frame.cell(state / sets);
+    if (state == from * sets + sets - 1) return length;
+    for (int k = 0; k < 9; ++k) {
+      const Cell next{at.x + k % 3 - 1, at.y + k / 3 - 1};
+      if (solid.contains(next))
+        reach(frame.index(next), state % sets,
+              length + frame.resolution_m * std::hypot(next.x - at.x, next.y - at.y));
+    }
+  }
+  return 1e9;
+}
+
+TEST(ExploreBound, IsNoMoreThanTheShortestClosedWalkPastThinWalls) {
+  for (int n = 0; n < testing::cases(12); ++n) {
+    Rng rng = Rng(77).child(static_cast<std::uint64_t>(n));
+    const Grid<std::uint8_t> solid = thin_walls(rng);
+    const Vec2 start{0.55, 0.55};
+    const double range_m = rng.uniform(0.6, 1.5);
+    const auto blunt = explore_bound(solid, start, range_m, slow_robot, {.witnesses = 8});
+    const auto exact =
+        explore_bound(solid, start, range_m, slow_robot, {.witnesses = 8, .exact_cells = true});
+    ASSERT_TRUE(blunt && exact);
+    EXPECT_GE(exact->least_m, blunt->least_m) << n;  // which sees through these walls
+    const double shortest_m = shortest_walk_m(solid, start, range_m, exact->witnesses);
+    ASSERT_LT(shortest_m, 1e8);
+    EXPECT_LE(exact->least_m, shortest_m) << n;
+    EXPECT_GT(exact->least_m, 0.4 * shortest_m) << n;
   }
 }
 
