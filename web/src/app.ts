@@ -1,10 +1,11 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
+import "./base/access.css";
 import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type RunsAnswer, type ScenarioAnswer } from "./api";
 import { emblem, nameOf, title, tools } from "./banner";
 import { h } from "./base/dom";
-import { showHelp } from "./base/help";
+import { showHelp, startLetters } from "./base/help";
 import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { entitle } from "./base/title";
@@ -24,7 +25,7 @@ let present: View | null = null;
 let visit = 0;
 
 function refusalView(sentence: string): View {
-  return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the missions and files"))) };
+  return { element: h("div", { class: "page" }, h("h1", { class: "unseen" }, "It cannot be shown"), h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the missions and files"))) };
 }
 
 async function watchFile(file: Blob | Source, query: Record<string, string>): Promise<View> {
@@ -159,6 +160,7 @@ function listen(): void {
     highlight(false);
     void openFiles([...(event.dataTransfer?.files ?? [])]);
   });
+  startLetters();
   keys.listen();
   keys.set("Page", [
     { key: "?", words: "this help", act: showHelp },

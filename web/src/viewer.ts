@@ -1,7 +1,8 @@
 // The viewer: one self-contained file that contains the log of one run.
 import "./base/style.css";
+import "./base/access.css";
 import { h } from "./base/dom";
-import { showHelp } from "./base/help";
+import { showHelp, startLetters } from "./base/help";
 import { keys } from "./base/keys";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress } from "./base/url";
@@ -16,6 +17,7 @@ keys.set("Page", [
   { key: "?", words: "this help", act: showHelp },
   { key: "d", words: "light or dark", act: toggleTheme },
 ]);
+startLetters();
 keys.listen();
 
 async function show(): Promise<void> {
@@ -23,7 +25,7 @@ async function show(): Promise<void> {
   const file = new Blob([bytesOfBase64(element.textContent ?? "")]);
   element.remove();
   const log = await openLog(file);
-  document.body.append(banner(log), new Watch(log, query).element);
+  document.body.append(banner(log), h("main", {}, new Watch(log, query).element));
 }
 
 show().catch((error: Error) => document.body.append(h("p", { class: "refusal" }, error.message)));

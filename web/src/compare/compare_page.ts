@@ -45,7 +45,7 @@ export class ComparePage {
     this.slider.max = String(this.clock.duration);
     this.slider.addEventListener("input", () => this.clock.seek(Number(this.slider.value)));
     const bar = h("section", { class: "panel transport", "aria-label": "Playing" }, h("div", { class: "keys" }, this.play), h("div", { class: "timeline" }, this.slider), this.time);
-    this.element = h("div", { class: "page compare" }, h("h1", {}, "Compare runs"), h("div", { class: "compare-views" }, ...this.sides.map((side) => this.panel(side))), bar, this.table());
+    this.element = h("div", { class: "page compare" }, h("h1", {}, "Compare runs"), h("div", { class: "compare-views" }, ...this.sides.map((side, i) => this.panel(side, i))), bar, this.table());
     this.bindKeys();
     this.clock.seek(Number(query.t) || 0);
   }
@@ -60,10 +60,10 @@ export class ComparePage {
     keys.drop(this);
   }
 
-  private panel({ row, log, view, clock }: Side): HTMLElement {
+  private panel({ row, log, view, clock }: Side, i: number): HTMLElement {
     log.changed = () => this.invalidate();
     const address = formatAddress({ view: "live", path: row.id, query: {} });
-    return h("section", { class: "panel", "aria-label": nameOf(row) }, h("h2", {}, h("a", { href: address }, nameOf(row)), h("span", { class: `run-state ${row.state}` }, stateWords(row.state))),
+    return h("section", { class: "panel", "aria-label": `Run ${i + 1}: ${nameOf(row)}` }, h("h2", {}, h("a", { href: address }, nameOf(row)), h("span", { class: `run-state ${row.state}` }, stateWords(row.state))),
       h("div", { class: "stage" }, view.element), clock);
   }
 

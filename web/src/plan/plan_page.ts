@@ -1,8 +1,10 @@
 // The planning page: the ground, one or two planners on the same question, their answers and their searches. It replans
 // during a drag.
 import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api";
+import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
+import { MenuButton, type MenuItem } from "../base/menu";
 import type { Vec2 } from "../base/outline";
 import { saveCanvas, saveText } from "../base/save";
 import { keepInAddress } from "../base/url";
@@ -16,7 +18,7 @@ import type { Values } from "./form";
 import { legend } from "./legend";
 import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
-import { resultTable } from "./results";
+import { answerWords, resultTable } from "./results";
 import { SaveForm } from "./save_form";
 import type { Shown } from "./shown";
 import { Steps } from "./steps";
@@ -47,6 +49,7 @@ export class PlanPage {
   private panes = h("div", { class: "panes" });
   private choices = h("div", { class: "choices" });
   private results = h("div", { class: "results" });
+  private menu = new MenuButton("save", "Export", () => this.exports());
   private notice = h("p", { class: "notice", role: "status" });
   private sentence = h("p", { class: "action" });
   private steps = new Steps(() => this.invalidate(), this.sentence);
@@ -83,12 +86,12 @@ export class PlanPage {
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }), () => { this.kept = JSON.stringify(this.ground.edits()); });
     this.bar.append(this.tools, this.legend);
     this.barWatcher.observe(this.bar);
-    const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
+    const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, h("h1", {}, this.title), this.choices,
       h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results, this.saving.element));
     this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
       h("div", { class: "stage" }, this.panes, this.bar,
         h("div", { class: "stage-tools" }, iconButton("undo", "Undo", () => this.undo(false), "u"), iconButton("redo", "Do it again", () => this.undo(true), "U"),
-          iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
+          this.menu.element))),
     this.steps.element, aside);
     for (const text of map.warnings) this.notice.append(h("span", {}, text));
     this.sit(query.planner ?? opened?.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
@@ -106,6 +109,7 @@ export class PlanPage {
   close(): void {
     cancelAnimationFrame(this.frame);
     this.barWatcher.disconnect();
+    this.menu.close();
     this.steps.close();
     for (const seat of this.seats) this.leave(seat);
     keys.drop(this);
@@ -219,6 +223,7 @@ export class PlanPage {
     const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
     this.sentence.textContent = failed?.reason ?? aboutSearch(this.seats.map(({ choice, pane }) => ({ ...choice.planner, answer: pane.answer, shown: pane.trace?.length ?? 0 })));
     this.sentence.classList.toggle("refused", failed !== undefined);
+    if (request.trace) announce(failed?.reason ?? answerWords(this.seats.map((seat) => seat.pane.answer)));
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
   }
 
@@ -344,8 +349,14 @@ export class PlanPage {
     });
   }
 
-  private savePicture(): void {
-    saveCanvas(this.seats[0]!.pane.canvas, `${this.map.name}-${this.seats[0]!.choice.name}.png`);
+  private exports(): MenuItem[] {
+    const [{ pane, choice }] = this.seats as [Seat];
+    const name = `${this.map.name}-${choice.name}`;
+    return [
+      { name: "PNG", about: "the first view as a picture", key: "s", act: () => saveCanvas(pane.canvas, `${name}.png`) },
+      { name: "SVG", about: "map and path, in metres", key: "g", act: () => saveText(pathSvg(this.scene, pane.answer), `${name}.svg`, "image/svg+xml") },
+      { name: "JSON", about: "the answers, with their paths", key: "J", act: () => saveText(JSON.stringify(this.seats.map((seat) => ({ ...seat.pane.answer, trace: undefined, blocked: undefined, legs: undefined })), null, 1), `${name}.json`) },
+    ];
   }
 
   private bindKeys(): void {
@@ -379,8 +390,7 @@ export class PlanPage {
       { key: "-", words: "zoom out", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1 / 1.5)) },
       { key: "0", words: "show everything", act: () => this.seats.forEach(({ pane }) => pane.camera.reset()) },
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
-      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
+      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => this.exports()[i]!.act() })),
     ], this);
   }
 }

@@ -19,9 +19,13 @@ const rows: ResultRow[] = [
   ["time", (one) => (one.time_s === undefined ? "\u2013" : `${fixed(1000 * one.time_s, 2)} ms`)],
 ];
 
+/** The answers in a sentence. */
+export const answerWords = (answers: (Shown | null)[]): string =>
+  answers.flatMap((one) => (one ? [`${one.planner}: ${rows.slice(0, 2).map(([name, text]) => (name === "answer" ? text(one) : `${name} ${text(one)}`)).join(", ")}.`] : [])).join(" ");
+
 export function resultTable(answers: (Shown | null)[]): HTMLElement {
   const given = answers.filter((one) => one !== null);
   return h("table", { class: "result" },
-    h("thead", {}, h("tr", {}, h("th"), ...given.map((one) => h("th", { scope: "col" }, one.planner)))),
+    h("thead", {}, h("tr", {}, h("td"), ...given.map((one) => h("th", { scope: "col" }, one.planner)))),
     h("tbody", {}, ...rows.map(([name, text]) => h("tr", {}, h("th", { scope: "row" }, name), ...given.map((one) => h("td", { "data-row": name }, text(one)))))));
 }

@@ -1,6 +1,7 @@
 // The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
 import type { SceneAnswer } from "../api";
 import { h, iconButton } from "../base/dom";
+import { MenuButton, type MenuItem } from "../base/menu";
 import { keepInAddress } from "../base/url";
 import type { Flight } from "../log/flights";
 import type { Run } from "../log/run";
@@ -14,8 +15,7 @@ export interface StageActs {
   redraw: () => void;
   selectShot: (shot: Flight) => void;
   selectTarget: (target: TargetStory) => void;
-  savePicture: () => void;
-  saveFilm: () => void;
+  exports: () => MenuItem[];
 }
 
 export class Stage {
@@ -29,6 +29,7 @@ export class Stage {
   private legend: HTMLElement;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
   private barWatcher: ResizeObserver;
+  private menu: MenuButton;
 
   constructor(private run: Run, private acts: StageActs) {
     this.plan = new PlanView(run, acts);
@@ -39,13 +40,13 @@ export class Stage {
     const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
     this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
     this.barWatcher.observe(bar);
-    this.stage.append(this.plan.element, bar,
-      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", acts.savePicture, "s"),
-        iconButton("film", "Save frames of a film", acts.saveFilm, "m")));
+    this.menu = new MenuButton("save", "Export", acts.exports);
+    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.followButton, this.menu.element));
     this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
   }
 
   close(): void {
+    this.menu.close();
     this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();

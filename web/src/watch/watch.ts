@@ -4,12 +4,14 @@ import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
+import type { MenuItem } from "../base/menu";
 import { saveBlob, saveCanvas, saveText } from "../base/save";
 import { flightsOf, type Flight } from "../log/flights";
 import { Run } from "../log/run";
 import type { RunLog } from "../log/run_log";
 import { targetsOf, type TargetStory } from "../log/targets";
 import { Clock, neighbour } from "./clock";
+import { hasEncoder } from "./encode";
 import { EventList } from "./event_list";
 import { Facts } from "./facts";
 import { showFilmDialog } from "./film_dialog";
@@ -52,7 +54,7 @@ export class Watch {
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
-      savePicture: () => this.savePicture(), saveFilm: () => this.saveFilm() });
+      exports: () => this.exports() });
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
     this.plots = new Plots(this.run, (t) => this.clock.seek(t));
     this.side = new SideView(this.run, () => this.invalidate());
@@ -219,12 +221,17 @@ export class Watch {
   private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
-  private saveLog(): void {
-    if (this.log.file) void this.log.file.whole().then((blob) => saveBlob(blob, "run.mcap"));
-    else saveText(JSON.stringify(this.log.summary), "run.json");
+  /** What can be saved: the view at this instant, a film of it, the run. */
+  private exports(): MenuItem[] {
+    const { log } = this;
+    return [
+      { name: "PNG", about: "this view as a picture", key: "s", act: () => saveCanvas(this.stage.canvas, `${this.instant}.png`) },
+      { name: "SVG", about: "the plan as shapes and text", key: "g", act: () => saveText(this.stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
+      { name: hasEncoder() ? "WebM" : "Frames", about: "a film of this view", key: "m", act: () => this.saveFilm() },
+      ...(log.summary ? [{ name: "JSON", about: "how the run ended, its numbers", key: "J", act: () => saveText(JSON.stringify(log.summary, null, 1), "run.json") }] : []),
+      ...(log.file ? [{ name: "MCAP", about: "the log of the run", key: "j", act: () => void log.file!.whole().then((blob) => saveBlob(blob, "run.mcap")) }] : []),
+    ];
   }
-
-  private savePicture(): void { saveCanvas(this.stage.canvas, `${this.instant}.png`); }
 
   /** Opens the dialog that saves frames of the current view; a frame depends on the time alone. */
   private saveFilm(): void {
@@ -248,10 +255,7 @@ export class Watch {
       { key: "-", words: "zoom out", act: () => stage.zoom(false) },
       { key: "0", words: "show everything", act: () => stage.reset() },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
-      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save the plan view as SVG", act: () => saveText(stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
-      { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
-      { key: "j", words: "save the log of the run", act: () => this.saveLog() },
+      ...this.exports().map(({ name, about, key, act }) => ({ key: key!, words: `save ${about} (${name})`, act })),
     ], this);
   }
 }

@@ -6,7 +6,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { loadavg } from "node:os";
 import { join } from "node:path";
-import { executable, launch, launchPlain } from "./browser.mjs";
+import { executable, launch } from "./browser.mjs";
 import { measureDragging } from "./drag.mjs";
 import { measureGrowth } from "./grow.mjs";
 import { makeLongExploration } from "./runs.mjs";
@@ -30,7 +30,7 @@ const scans = (await contentsOf(explored)).messages.filter(({ topic }) => topic 
 console.log(`page: the exploration took ${(metrics.time_s / 3600).toFixed(2)} h, ${Math.floor(5 * metrics.time_s) + 1} scans at 5 Hz; its log has ${scans} in ${(explored.length / 1e6).toFixed(1)} MB`);
 
 const server = await serve(folder);
-const browsers = { plane: await launchPlain(), space: await launch() };
+const browsers = { plane: await launch(), space: await launch() };
 const browserFor = (hash) => (hash.includes("view=3d") ? browsers.space : browsers.plane);
 const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`;
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));

@@ -7,6 +7,8 @@ import { join } from "node:path";
 import { compareShot, executable, launch, saved, until } from "./browser.mjs";
 import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
+import { accessCases } from "./access_cases.mjs";
+import { exportCases } from "./export_cases.mjs";
 import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
@@ -194,6 +196,7 @@ const cases = {
     await frames(page);
     const film = (from, to) => saved(page, async () => {
       await page.keyboard.press("m");
+      await page.selectOption('.film [aria-label="Format"]', { label: "pictures (zip of PNG)" });
       for (const [name, value] of [["From", from], ["To", to], ["Frames a second", 10]]) await page.fill(`.film [aria-label="${name}"]`, String(value));
       await page.keyboard.press("Enter");
     });
@@ -428,6 +431,8 @@ const cases = {
   ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
   ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
+  ...exportCases({ open, text, frames }),
+  ...accessCases({ open, text, frames, server, folder }),
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
     const log = readFileSync(join(folder, "runs/yard/run.mcap"));
