@@ -4,6 +4,7 @@ import "./base/access.css";
 import { h } from "./base/dom";
 import { showHelp, startLetters } from "./base/help";
 import { keys } from "./base/keys";
+import { showPalette } from "./base/palette";
 import { startTheme, toggleTheme } from "./base/theme";
 import { parseAddress } from "./base/url";
 import { bytesOfBase64 } from "./base/base64";
@@ -14,7 +15,8 @@ import { Watch } from "./watch/watch";
 const { query } = parseAddress(location.hash);
 startTheme(query.theme ?? null);
 keys.set("Page", [
-  { key: "?", words: "this help", act: showHelp },
+  { key: "?", words: "every key that works here", act: showHelp },
+  { key: "Ctrl+k", words: "find a command", act: showPalette },
   { key: "d", words: "light or dark", act: toggleTheme },
 ]);
 startLetters();

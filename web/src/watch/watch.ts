@@ -10,14 +10,17 @@ import { flightsOf, type Flight } from "../log/flights";
 import { Run } from "../log/run";
 import type { RunLog } from "../log/run_log";
 import { targetsOf, type TargetStory } from "../log/targets";
+import { topic } from "../log/topics";
 import { Clock, neighbour } from "./clock";
 import { hasEncoder } from "./encode";
 import { EventList } from "./event_list";
 import { Facts } from "./facts";
 import { showFilmDialog } from "./film_dialog";
 import { Frame } from "./frame";
-import type { Now } from "./layer";
+import type { Now, Told } from "./layer";
+import { LayerChoice } from "./layer_choice";
 import { marksOf, type Mark } from "./marks";
+import { MessageView } from "./message_view";
 import { playingKeys } from "./playing_keys";
 import { Plots } from "./plots";
 import { SideView } from "./side_view";
@@ -25,6 +28,7 @@ import { Stage } from "./stage";
 import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
+import { WhyView } from "./why_view";
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -40,6 +44,8 @@ export class Watch {
   private events: EventList;
   private plots: Plots;
   private facts = new Facts();
+  private messages: MessageView;
+  private why: WhyView;
   private tabs: Tabs;
   private timeline: Timeline;
   private frameAsked = 0;
@@ -54,9 +60,11 @@ export class Watch {
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
-      exports: () => this.exports() });
+      exports: () => this.exports(), tell: (told) => this.tell(told) }, new LayerChoice(query.layers));
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
-    this.plots = new Plots(this.run, (t) => this.clock.seek(t));
+    this.plots = new Plots(this.run, (t) => this.clock.seek(t), query.plots?.split(",").filter(Boolean));
+    this.messages = new MessageView(this.run);
+    this.why = new WhyView(this.run, (t) => this.clock.seek(t));
     this.side = new SideView(this.run, () => this.invalidate());
     this.table = new TargetTable(this.run, (target) => this.selectTarget(target));
     this.timeline = new Timeline(this.clock, { step: (d) => this.step(d), select: (mark) => this.selectMark(mark) });
@@ -88,7 +96,9 @@ export class Watch {
       { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => targetsOf(this.run).length === 0 },
       { name: "Plots", element: this.plots.element, empty: () => this.plots.empty },
       { name: "Events", element: this.events.element, empty: () => this.events.empty },
+      { name: "Why", element: this.why.element, empty: () => this.why.empty },
       { name: "Numbers", element: this.facts.element, empty: () => false },
+      { name: "Messages", element: this.messages.element, empty: () => false },
     ], (name) => { keepInAddress({ tab: name.toLowerCase() }); this.invalidate(); });
   }
 
@@ -99,7 +109,7 @@ export class Watch {
     const { shot, target, mark } = this.selected;
     this.run = run;
     this.marks = marksOf(run);
-    for (const part of [this.stage, this.side, this.table, this.events, this.plots]) part.renew(run);
+    for (const part of [this.stage, this.side, this.table, this.events, this.plots, this.messages, this.why]) part.renew(run);
     this.clock.grow(run.duration, goesOn);
     this.timeline.renew(run, this.marks);
     this.facts.renew(run, goesOn);
@@ -159,6 +169,8 @@ export class Watch {
     this.table.show(clock.t, this.selected.target);
     this.events.show(clock.t);
     this.plots.show(clock.t);
+    this.messages.show(clock.t);
+    this.why.show(clock.t);
     this.timeline.show(this.selected.mark);
     if (clock.moves) this.invalidate();
     else keepInAddress({ t: clock.live ? "" : clock.t.toFixed(2) });
@@ -202,6 +214,13 @@ export class Watch {
     const next = fired.at(shown < 0 ? -1 : (shown + 1) % fired.length);
     if (next) this.selectShot(next);
     else this.choose(null, target);
+  }
+
+  /** Something was clicked: its message is shown, on top where nothing else here tells of it. */
+  private tell(told: Told): void {
+    this.messages.pick(told);
+    if (told.topic === topic.targets || told.topic === topic.shots) this.invalidate();
+    else this.tabs.choose("Messages");
   }
 
   private selectMark(mark: Mark): void {
@@ -250,6 +269,8 @@ export class Watch {
     keys.set("Playing", playingKeys(clock, (direction) => this.step(direction)), this);
     keys.set("View", [
       { key: "v", words: "plan or space", act: () => void stage.show(!stage.inSpace) },
+      { key: "r", words: "measure in the plan", act: () => stage.measure() },
+      { key: "y", words: "layers", act: () => stage.showLayers() },
       { key: "f", words: "follow the robot", act: () => stage.setFollow(!stage.following) },
       { key: "+", words: "zoom in", act: () => stage.zoom(true) },
       { key: "-", words: "zoom out", act: () => stage.zoom(false) },

@@ -124,7 +124,7 @@ export const accessCases = ({ open, text, frames, server, folder }) => ({
     await page.keyboard.press("d");
     assert.equal(await dark(), true);
     await page.goto(`${server.url}#plan/maps/gallery.map?planner=a_star`);
-    await until("the answer", async () => (await text(page, ".announced")).startsWith("a_star: path found, cost "));
+    await until("the answer", async () => (await text(page, ".announced")).startsWith("A*: path found, cost "));
     await page.close();
     const other = await open();
     const run = await tellRun(other, await contentsOf(readFileSync(join(folder, "runs/yard/run.mcap"))));

@@ -11,7 +11,9 @@ import { accessCases } from "./access_cases.mjs";
 import { exportCases } from "./export_cases.mjs";
 import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
+import { lookCases } from "./look_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
+import { planToolCases } from "./plan_tool_cases.mjs";
 import { runsCases } from "./runs_cases.mjs";
 import { truthCases } from "./truth_cases.mjs";
 import { wayCases } from "./way_cases.mjs";
@@ -268,7 +270,7 @@ const cases = {
     assert.ok(await page.isChecked("#option-first_turn"));
     await page.goto(`${server.url}#plan/maps/gallery.map?planner=hub_labels`);
     await page.waitForSelector(".result");
-    await until("the sentence", async () => /^hub_labels looks its answer up in an index/.test(await text(page, ".action")));
+    await until("the sentence", async () => /^Hub labels looks its answer up in an index/.test(await text(page, ".action")));
     await page.close();
   },
 
@@ -431,6 +433,8 @@ const cases = {
   ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
   ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
+  ...lookCases({ open, text, frames, server, folder }),
+  ...planToolCases({ open, text, cell, answers }),
   ...exportCases({ open, text, frames }),
   ...accessCases({ open, text, frames, server, folder }),
 

@@ -22,7 +22,7 @@ export const truthCases = ({ open, text, frames, cell, answers, server, folder }
       await page.locator(".tabs button", { hasText: "Plots" }).click();
       await page.waitForSelector(".plots figure .dot");
       await frames(page);
-      const plot = page.locator(".plots figure", { hasText: "Targets" });
+      const plot = page.locator(".plots figure:not(.lane-plot)", { hasText: "Targets" });
       assert.match(await plot.locator(".values").textContent(), new RegExp(`^time${t.toFixed(1)} sreached${reached}waiting\\d`));
       const [dot, line] = await plot.evaluate((one) => [".dot", ".u-cursor-x"].map((what) => {
         const { left, width } = one.querySelector(what).getBoundingClientRect();
@@ -84,7 +84,7 @@ export const truthCases = ({ open, text, frames, cell, answers, server, folder }
     writeFileSync(join(folder, "maps/wide.map"), `type octile\nheight 300\nwidth 300\nmap\n${`${".".repeat(300)}\n`.repeat(300)}`);
     const page = await open("#plan/maps/wide.map?planner=dijkstra");
     await page.waitForSelector(".result");
-    await until("the sentence", async () => /^dijkstra: the steps show the first 50,000 of \d\d,\d{3} expansions\.$/.test(await text(page, ".action")));
+    await until("the sentence", async () => /^Dijkstra: the steps show the first 50,000 of \d\d,\d{3} expansions\.$/.test(await text(page, ".action")));
     rmSync(join(folder, "maps/wide.map"));
     await page.close();
   },
