@@ -100,26 +100,37 @@ std::vector<PathPiece> pieces_of(const Plan& plan) {
   return pieces;
 }
 
+PathPiece in_cells(PathPiece piece, const GridFrame& frame) {
+  piece.from = (1.0 / frame.resolution_m) * (piece.from - frame.origin);
+  piece.to = (1.0 / frame.resolution_m) * (piece.to - frame.origin);
+  return piece;
+}
+
 }  // namespace
+
+double clearance_m(const Plan& plan, const GridMap& ground, double most_m) {
+  double least = most_m / ground.frame.resolution_m;
+  for (const PathPiece& each : pieces_of(plan)) {
+    const PathPiece piece = in_cells(each, ground.frame);
+    least = std::min(least, clearance_on_grid(ground, piece.from));
+    least = clearance_on_grid(ground, Segment{piece.from, piece.to}, least);
+  }
+  return ground.frame.resolution_m * least;
+}
 
 Safety safety_of(const Plan& plan, const Problem& problem) {
   Safety safety;
-  safety.clearance_m = infinite;
-  for (PathPiece piece : pieces_of(plan)) {
+  for (const PathPiece& piece : pieces_of(plan)) {
     if (problem.polygons) {
       const PolygonGround& ground = *problem.polygons;
       add_exposure(safety, piece, [&](Vec2 p) { return ground.edge_distance(p); });
       continue;
     }
     const GridMap& ground = *problem.grid;
-    const double resolution = ground.frame.resolution_m;
-    piece.from = (1.0 / resolution) * (piece.from - ground.frame.origin);
-    piece.to = (1.0 / resolution) * (piece.to - ground.frame.origin);
-    const double least = std::min(safety.clearance_m / resolution, clearance_on_grid(ground, piece.from));
-    safety.clearance_m = resolution * clearance_on_grid(ground, Segment{piece.from, piece.to}, least);
-    add_exposure(safety, piece, [&](Vec2 p) { return clearance_on_grid(ground, p); });
+    add_exposure(safety, in_cells(piece, ground.frame), [&](Vec2 p) { return clearance_on_grid(ground, p); });
   }
-  if (problem.polygons) safety.clearance_m = clearance_m(plan, *problem.polygons);
+  safety.clearance_m =
+      problem.polygons ? clearance_m(plan, *problem.polygons) : clearance_m(plan, *problem.grid, infinite);
   return safety;
 }
 

@@ -1,11 +1,14 @@
 // The app: it shows one view at a time, given by the address.
 import "./base/style.css";
 import "./base/app.css";
+import "./base/access.css";
+import { addressOf } from "./addresses";
 import { fileAt, filePath, getJson, postMap, scenarioPath, send, type FileRow, type MapAnswer, type PlannerRow, type RunsAnswer, type ScenarioAnswer } from "./api";
 import { emblem, nameOf, title, tools } from "./banner";
 import { h } from "./base/dom";
-import { showHelp } from "./base/help";
+import { showHelp, startLetters } from "./base/help";
 import { keys } from "./base/keys";
+import { offerMore, showPalette } from "./base/palette";
 import { startTheme, toggleTheme } from "./base/theme";
 import { entitle } from "./base/title";
 import { parseAddress, type Address } from "./base/url";
@@ -24,7 +27,7 @@ let present: View | null = null;
 let visit = 0;
 
 function refusalView(sentence: string): View {
-  return { element: h("div", { class: "page" }, h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the missions and files"))) };
+  return { element: h("div", { class: "page" }, h("h1", { class: "unseen" }, "It cannot be shown"), h("p", { class: "refusal", role: "alert" }, sentence), h("p", { class: "hint" }, h("a", { href: "#" }, "To the missions and files"))) };
 }
 
 async function watchFile(file: Blob | Source, query: Record<string, string>): Promise<View> {
@@ -159,9 +162,11 @@ function listen(): void {
     highlight(false);
     void openFiles([...(event.dataTransfer?.files ?? [])]);
   });
+  startLetters();
   keys.listen();
   keys.set("Page", [
-    { key: "?", words: "this help", act: showHelp },
+    { key: "?", words: "every key that works here", act: showHelp },
+    { key: "Ctrl+k", words: "find a command", act: showPalette },
     { key: "d", words: "light or dark", act: toggleTheme },
     { key: "F", words: "missions and files", act: () => { location.hash = ""; } },
     { key: "P", words: "plan on a map of your own", act: () => { location.hash = "draw"; } },
@@ -169,6 +174,11 @@ function listen(): void {
   ]);
 }
 
+/** Every file of the folder can be opened from the palette. */
+offerMore(async () => (await getJson<{ files: FileRow[] }>("files")).files.flatMap((file) => {
+  const to = addressOf(file);
+  return to ? [{ group: "open", words: file.path, act: () => { location.hash = to; } }] : [];
+}));
 watchLeaving(() => present);
 startTheme(parseAddress(location.hash).query.theme ?? null);
 document.body.append(h("header", { class: "top" }, h("a", { href: "#", class: "home" }, emblem(), "Outrider"), h("nav", {}, ...links), tools()), main);

@@ -1,6 +1,7 @@
 // The header of a run: its name, whether it was done, and why not.
 import { h, iconButton, svg } from "./base/dom";
 import { fixed } from "./base/numbers";
+import { typeset } from "./base/typeset";
 import { showHelp } from "./base/help";
 import { toggleTheme } from "./base/theme";
 import type { RunInfo } from "./log/messages";
@@ -35,7 +36,7 @@ function verdictOf({ summary, cut, count, end }: RunLog): { word: string; senten
   const done = summary.status === "done";
   const caught = summary.metrics.catch_time_s;
   const words: Record<string, string> = { done: "Done", doubtful: "Doubtful", unconfirmed: "Unconfirmed", cancelled: "Cancelled" };
-  return { word: words[summary.status] ?? "Not done", sentence: summary.reason || (done && Number.isFinite(caught) ? `caught in second ${caught}` : "") };
+  return { word: words[summary.status] ?? "Not done", sentence: typeset(summary.reason) || (done && Number.isFinite(caught) ? `caught in second ${fixed(caught, Number.isInteger(caught) ? 0 : 1)}` : "") };
 }
 
 /** Returns title and verdict, for the header of the viewer and above a run in the app. */

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "outrider/core/units.hpp"
@@ -34,6 +35,29 @@ Problem problem_of(const PathPlanner& planner, const PlanGround& ground, const P
   return problem;
 }
 
+/// The least distance of the legs to exact shapes, to 1 nm: the largest disk that can be swept along them.
+double clearance_of(const std::vector<Vec2>& points, const CollisionMap& shapes, double radius_m) {
+  const auto fits = [&](double radius) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!shapes.segment_free({points[i == 0 ? 0 : i - 1], points[i]}, radius)) return false;
+    }
+    return true;
+  };
+  double low = radius_m, high = radius_m;
+  for (const Vec2 p : points) high = std::max(high, shapes.clearance(p, 1e3));
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The least distance of the middle of the robot to what stands on the ground, whatever it is planned on.
+double clearance_of(const PlanGround& ground, const Plan& plan) {
+  if (ground.shapes) return clearance_of(plan.waypoints, *ground.shapes, ground.radius_m);
+  return clearance_m(plan, *ground.standing, std::numeric_limits<double>::infinity());
+}
+
 /// How safe the plan is on the ground that is known best. Breaks off where the plan is not one.
 Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query, const Plan& plan) {
   const Problem problem = problem_of(planner, ground, query);
@@ -41,7 +65,8 @@ Safety judge(const PathPlanner& planner, const PlanGround& ground, const PlanQue
   if (verdict && ground.shapes) verdict = check(plan, *ground.shapes, ground.radius_m);
   Problem exact = problem;
   if (ground.polygons) exact = {nullptr, problem.start, problem.goal, ground.polygons};
-  const Safety safety = safety_of(plan, exact);
+  Safety safety = safety_of(plan, exact);
+  if (!ground.polygons) safety.clearance_m = clearance_of(ground, plan);
   if (verdict && ground.polygons && !(safety.clearance_m >= ground.radius_m - 2.0 * contact_m)) {
     verdict = bad_input("the disk touches an edge");
   }

@@ -48,6 +48,9 @@ Status set_shape(PlanGround& ground, const MapShape& map, const PlanGroundOption
   if (const auto* cells = std::get_if<MapCells>(&map)) {
     ground.yaw_rad = cells->yaw_rad;
     ground.occupied = cells->occupancy;
+    auto standing = GridMap::of(cells->occupancy, options.model);
+    if (!standing) return pass_on(standing);
+    ground.standing = std::make_shared<const GridMap>(std::move(*standing));
     return set_grid(ground, inflated(cells->occupancy, options.radius_m), options);
   }
   if (!options.changes.empty()) {

@@ -11,6 +11,8 @@ export interface CameraEvents {
   hover?: (at: Point | null) => void;
   /** Called when a drag begins at `at`; returning true takes the drag, so it does not move the view. */
   grab?: (at: Point, event: PointerEvent) => boolean;
+  /** Whether drags are taken now; they are where this is left out and grab() is not. */
+  takes?: () => boolean;
   drag?: (at: Point) => void;
   drop?: () => void;
 }
@@ -86,8 +88,8 @@ export class Camera {
 
   /** Centres a point of the plane. */
   centre(x: number, y: number): void {
-    this.x = this.width / 2 - this.scale * x;
-    this.y = this.height / 2 + this.scale * y;
+    this.x = Math.round((this.width / 2 - this.scale * x) * this.dpr) / this.dpr;  // whole pixels: what stands still does not tremble
+    this.y = Math.round((this.height / 2 + this.scale * y) * this.dpr) / this.dpr;
     this.home = false;
     this.version += 1;
   }
@@ -106,9 +108,12 @@ export class Camera {
     this.moved();
   }
 
-  private moved(): void {
+  private get takes(): boolean { return this.events.grab !== undefined && (this.events.takes?.() ?? true); }
+
+  /** Call it when what drags do has changed. */
+  moved(): void {
     this.version += 1;
-    this.canvas.style.touchAction = this.home && !this.events.grab ? "pan-y" : "none";
+    this.canvas.style.touchAction = this.home && !this.takes ? "pan-y" : "none";
     this.events.redraw();
   }
 
@@ -172,7 +177,7 @@ export class Camera {
     this.travel += Math.hypot(after.x - before.x, after.y - before.y);
     if (this.travel < 4 && this.pointers.size < 2) return;
     // One finger scrolls the page as long as the view is not zoomed.
-    if (event.pointerType === "touch" && this.home && this.pointers.size < 2 && !this.events.grab) return;
+    if (event.pointerType === "touch" && this.home && this.pointers.size < 2 && !this.takes) return;
     this.x += after.x - before.x;
     this.y += after.y - before.y;
     this.home = false;

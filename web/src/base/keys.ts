@@ -22,7 +22,11 @@ export function keyOf(event: Pick<KeyboardEvent, "key" | "shiftKey"> & { ctrlKey
   return event.shiftKey && event.key.length > 1 ? `${held}Shift+${event.key}` : held + event.key;
 }
 
+const isLetter = (name: string): boolean => name.length === 1 && name !== " ";
+
 export class Keys {
+  /** Whether keys of a single character act: they are in the way of who speaks to the computer. */
+  letters = true;
   private groups = new Map<string, { keys: Key[]; owner: object | null }>();
 
   /** Replaces the keys of a group and gives the group to `owner`. */
@@ -54,6 +58,7 @@ export class Keys {
     if (at?.closest("input:not([type=range]), select, textarea, dialog")) return false;
     if ((event.key === " " || event.key === "Enter") && at?.closest("button, a, summary")) return false;
     const name = keyOf(event);
+    if (!this.letters && isLetter(name)) return false;
     for (const { keys } of this.groups.values()) {
       const found = keys.find((one) => one.key === name);
       if (!found) continue;

@@ -18,12 +18,13 @@ export const degrees = (radians: Num, digits = 1): string =>
 /** Wraps an angle to (-pi, pi]. */
 export const wrapped = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
 
-/** Formats minutes and seconds: 1:02.5. */
+/** Formats minutes and seconds: 1:02.5; of an hour and more hours, too: 2:14:30.6. */
 export function clockText(seconds: Num, digits = 0): string {
   if (!Number.isFinite(seconds)) return "\u2013";
   const whole = Number(finite(seconds).toFixed(digits));
   const rest = (whole % 60).toFixed(digits).padStart(digits ? digits + 3 : 2, "0");
-  return `${Math.floor(whole / 60)}:${rest}`;
+  const minutes = Math.floor(whole / 60);
+  return minutes < 60 ? `${minutes}:${rest}` : `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}:${rest}`;
 }
 
 /** Returns 1, 2 or 5 times a power of ten, at least `least`. */
@@ -32,12 +33,18 @@ export function roundStep(least: number): number {
   return power * ([1, 2, 5, 10].find((k) => k * power >= least * (1 - 1e-9)) ?? 10);
 }
 
+/** Metrics that say yes or no. */
+const truths = new Set(["tour_proven", "caught", "optimal"]);
+
 /** Derives a metric's label, value and unit from its name: mission_s, driven_m, turned_rad, covered_fraction, ... */
 export function metric(name: string, value: Num): { label: string; value: string; unit: string } {
   const [, stem = name, unit] = name.match(/^(.*?)(?:_(s|m|m2|rad|mps|j|fraction))?$/) ?? [];
   const label = stem.replaceAll("_", " ");
   if (!Number.isFinite(value)) return { label, value: "\u2013", unit: "" };
   const v = value as number;
+  if (truths.has(name)) return { label, value: v ? "yes" : "no", unit: "" };
+  if (/(^|_)gap$/.test(name)) return { label, value: figures(100 * v), unit: "%" };
+  if (unit === "s" && v >= 3600) return { label, value: clockText(v), unit: "h" };
   if (unit === "s" && v >= 100) return { label, value: clockText(v), unit: "min" };
   if (unit === "s") return { label, value: figures(v), unit: "s" };
   if (unit === "m") return { label, value: figures(v), unit: "m" };

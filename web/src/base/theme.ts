@@ -1,4 +1,5 @@
 // Colours: defined in style.css and read from there for canvases; light, dark or as the system prefers.
+import { keep, kept } from "./kept";
 
 const names = ["ground", "panel", "yard", "ink", "soft", "line", "grid", "solid-low", "solid-high", "inflated", "robot",
   "water", "belief", "waiting", "reached", "failed", "unreachable", "open", "closed", "on-mark", "sans", "mono"] as const;
@@ -7,11 +8,24 @@ export type Colour = (typeof names)[number];
 export const theme = Object.fromEntries(names.map((name) => [name, ""])) as Record<Colour, string>;
 const listeners = new Set<() => void>();
 const night = matchMedia("(prefers-color-scheme: dark)");
+const forced = matchMedia("(forced-colors: active)");
 
 function read(): void {
   const style = getComputedStyle(document.documentElement);
   for (const name of names) theme[name] = style.getPropertyValue(`--${name}`).trim();
+  if (forced.matches) nameNoSystemColours();
   for (const listener of listeners) listener();
+}
+
+/** The view in space knows no names such as CanvasText. */
+function nameNoSystemColours(): void {
+  const pen = document.createElement("canvas").getContext("2d", { willReadFrequently: true })!;
+  for (const name of names) {
+    if (name === "sans" || name === "mono") continue;
+    pen.fillStyle = theme[name];
+    pen.fillRect(0, 0, 1, 1);
+    theme[name] = `#${[...pen.getImageData(0, 0, 1, 1).data].slice(0, 3).map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+  }
 }
 
 export const isDark = (): boolean => document.documentElement.dataset.theme === "dark";
@@ -29,25 +43,16 @@ export function setTheme(name: "light" | "dark"): void {
 
 /** Sets light or dark as in the address, else as last chosen, else as the system prefers. */
 export function startTheme(asked: string | null): void {
-  const kept = asked ?? remembered();
-  setTheme(kept === "dark" || (kept !== "light" && night.matches) ? "dark" : "light");
-  night.addEventListener("change", () => { if (!remembered()) setTheme(night.matches ? "dark" : "light"); });
+  const chosen = asked ?? kept("theme");
+  setTheme(chosen === "dark" || (chosen !== "light" && night.matches) ? "dark" : "light");
+  forced.addEventListener("change", read);
+  night.addEventListener("change", () => { if (!kept("theme")) setTheme(night.matches ? "dark" : "light"); });
 }
 
 export function toggleTheme(): void {
   const name = isDark() ? "light" : "dark";
   setTheme(name);
-  try {
-    localStorage.setItem("theme", name);
-  } catch { /* without storage, as on a page from a file, the choice lasts until the page closes */ }
-}
-
-function remembered(): string | null {
-  try {
-    return localStorage.getItem("theme");
-  } catch {
-    return null;
-  }
+  keep("theme", name);
 }
 
 /** Returns the colours of the pursuers; they differ from the colour of the target. */

@@ -10,6 +10,7 @@ import type { RunLog } from "../log/run_log";
 import { stateWords } from "../live/states";
 import { Clock } from "../watch/clock";
 import { PlanView } from "../watch/plan_view";
+import { ghostOf } from "./ghost_layer";
 import { differencesOf } from "./differences";
 import "./compare.css";
 
@@ -23,6 +24,9 @@ export class ComparePage {
   private play = h("button", { type: "button", class: "play", "aria-label": "Play or pause", title: "Play or pause (space)", onclick: () => this.clock.toggle() });
   private slider = h("input", { type: "range", min: 0, step: "any", value: 0, "aria-label": "Time of both runs" });
   private time = h("output", { class: "clock" });
+  private overlaid = false;
+  private modes: HTMLElement;
+  private views: HTMLElement;
   private frame = 0;
   private before = 0;
 
@@ -45,7 +49,11 @@ export class ComparePage {
     this.slider.max = String(this.clock.duration);
     this.slider.addEventListener("input", () => this.clock.seek(Number(this.slider.value)));
     const bar = h("section", { class: "panel transport", "aria-label": "Playing" }, h("div", { class: "keys" }, this.play), h("div", { class: "timeline" }, this.slider), this.time);
-    this.element = h("div", { class: "page compare" }, h("h1", {}, "Compare runs"), h("div", { class: "compare-views" }, ...this.sides.map((side) => this.panel(side))), bar, this.table());
+    this.modes = h("div", { class: "segments", role: "group", "aria-label": "Layout" }, ...["Side by side", "Overlaid"].map((name, i) =>
+      h("button", { type: "button", "aria-pressed": "false", onclick: () => this.overlay(i === 1) }, name)));
+    this.views = h("div", { class: "compare-views" }, ...this.sides.map((side, i) => this.panel(side, i)));
+    this.element = h("div", { class: "page compare" }, h("div", { class: "page-head" }, h("h1", {}, "Compare runs"), this.sides.length === 2 && this.modes), this.views, bar, this.table());
+    this.overlay(query.layout === "over");
     this.bindKeys();
     this.clock.seek(Number(query.t) || 0);
   }
@@ -60,10 +68,21 @@ export class ComparePage {
     keys.drop(this);
   }
 
-  private panel({ row, log, view, clock }: Side): HTMLElement {
+  /** The second run over the plan of the first, or beside it. */
+  private overlay(on: boolean): void {
+    this.overlaid = on;
+    [...this.modes.children].forEach((one, i) => one.setAttribute("aria-pressed", String(on === (i === 1))));
+    const [first, second] = this.sides;
+    first?.view.lay(on && second ? ghostOf(second.run) : null);
+    this.views.classList.toggle("overlaid", on);
+    keepInAddress({ layout: on ? "over" : "" });
+    this.invalidate();
+  }
+
+  private panel({ row, log, view, clock }: Side, i: number): HTMLElement {
     log.changed = () => this.invalidate();
     const address = formatAddress({ view: "live", path: row.id, query: {} });
-    return h("section", { class: "panel", "aria-label": nameOf(row) }, h("h2", {}, h("a", { href: address }, nameOf(row)), h("span", { class: `run-state ${row.state}` }, stateWords(row.state))),
+    return h("section", { class: "panel", "aria-label": `Run ${i + 1}: ${nameOf(row)}` }, h("h2", {}, h("span", {}, h("i", { class: `line run-${i + 1}` }), h("a", { href: address }, nameOf(row))), h("span", { class: `run-state ${row.state}` }, stateWords(row.state))),
       h("div", { class: "stage" }, view.element), clock);
   }
 
@@ -88,7 +107,11 @@ export class ComparePage {
     this.before = now;
     for (const { view, run, clock: at } of this.sides) {
       const t = Math.min(clock.t, run.duration);
-      view.draw({ t, shot: null, target: null, speed: 0 });
+      if (this.overlaid && view !== this.sides[0]!.view) {
+        at.textContent = `${clockText(t, 1)}${t < clock.t ? ", ended" : ""} \u00b7 ${run.eventText(t)}`;
+        continue;
+      }
+      view.draw({ t: this.overlaid ? clock.t : t, shot: null, target: null, speed: 0 });
       at.textContent = `${clockText(t, 1)}${t < clock.t ? ", ended" : ""} \u00b7 ${run.eventText(t)}`;
     }
     this.slider.value = String(clock.t);
@@ -105,6 +128,7 @@ export class ComparePage {
       { key: " ", words: "play or pause", act: () => clock.toggle() },
       { key: "ArrowLeft", words: "a second back", act: () => clock.seek(clock.t - 1) },
       { key: "ArrowRight", words: "a second on", act: () => clock.seek(clock.t + 1) },
+      { key: "o", words: "side by side or overlaid", act: () => this.overlay(!this.overlaid) },
       { key: "Home", words: "to the beginning", act: () => clock.seek(0) },
       { key: "End", words: "to the end", act: () => clock.seek(clock.duration) },
     ], this);

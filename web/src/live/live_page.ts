@@ -1,6 +1,7 @@
 // The live view: shows one mission while it runs with the same views as afterwards. Its log comes as it is written.
 import { faultText, fileAt, getJson, send, type RunRow, type SceneAnswer } from "../api";
 import { heading, nameOf, title } from "../banner";
+import { announce } from "../base/announce";
 import { h } from "../base/dom";
 import { entitle } from "../base/title";
 import { formatAddress } from "../base/url";
@@ -74,7 +75,7 @@ export class LivePage {
       bytes: (frame) => this.take(frame),
       state: (connected) => {
         if (connected) this.show(this.present);
-        else if (!this.ended) this.state.textContent = "Connection lost, trying again";
+        else if (!this.ended) announce(this.state.textContent = "Connection lost, trying again");
       },
     });
   }
@@ -119,6 +120,7 @@ export class LivePage {
   }
 
   private show(state: string): void {
+    if (state !== this.present) announce(stateWords(state));
     this.present = state;
     this.element.dataset.state = state;
     this.state.textContent = stateWords(state);
@@ -166,6 +168,7 @@ export class LivePage {
   private end(run: RunRow): void {
     this.ended = run;
     this.show(run.state);
+    announce(`${stateWords(run.state)}. ${faultText(run) || run.summary?.reason || ""}`.trim());
     this.words.textContent = faultText(run) || run.scenario;
     const { channels } = this.log.log;
     const answersQuestion = [...channels.keys()].some((name) => name.startsWith(topic.planOf));

@@ -2,11 +2,12 @@
 import { faultText, type RunRow } from "../api";
 import { ageText, tookText } from "../base/ages";
 import { h } from "../base/dom";
+import { typeset } from "../base/typeset";
 import { formatAddress } from "../base/url";
 import { isOver, stateWords } from "./states";
 
 /** Why it ended as it did; of a run that was done, what its summary says. */
-const reasonOf = (run: RunRow): string => faultText(run) || run.summary?.reason || "";
+const reasonOf = (run: RunRow): string => typeset(faultText(run) || run.summary?.reason || "");
 /** The scenario is a file, so it can be run again. */
 const isFile = ({ scenario }: RunRow): boolean => /\.ya?ml$/.test(scenario);
 

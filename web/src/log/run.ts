@@ -1,6 +1,7 @@
 // A run: what its log says as a whole. What is particular to a kind of message is worked out beside it (flights.ts,
 // targets.ts, beliefs.ts, map.ts).
 import { finite } from "../base/numbers";
+import { typeset } from "../base/typeset";
 import { beliefsOf } from "./beliefs";
 import { flightsOf } from "./flights";
 import type { Vec2, Vec3 } from "./geometry";
@@ -57,5 +58,5 @@ export class Run {
 
   /** Index of the last event that has happened at t; -1 before the first. */
   eventIndex(t: number): number { return indexAt(this.events, t + 1e-9); }
-  eventText(t: number): string { return this.events[this.eventIndex(t)]?.message.msg ?? ""; }
+  eventText(t: number): string { return typeset(this.events[this.eventIndex(t)]?.message.msg ?? ""); }
 }

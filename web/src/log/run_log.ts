@@ -38,6 +38,9 @@ export class Channel {
     this.end = Math.max(this.end, t);
   }
 
+  /** One of its messages, of which only that is decoded. */
+  get sample(): unknown { return this.decoded[0]?.message ?? (this.waiting[0] && this.decode?.(this.waiting[0].bytes)); }
+
   /** In the order of time; of one time, in the order in which they came. */
   get messages(): readonly Stamped<unknown>[] {
     for (const { t, bytes } of this.waiting) {

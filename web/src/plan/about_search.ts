@@ -1,6 +1,7 @@
 // What the steps of a search show, where that is not all, or is no search with a queue.
 import type { PlannerRow } from "../api";
 import type { Shown } from "./shown";
+import { titleOf } from "./titles";
 
 interface Searched extends Pick<PlannerRow, "name" | "tells"> {
   answer: Shown | null;
@@ -8,7 +9,8 @@ interface Searched extends Pick<PlannerRow, "name" | "tells"> {
   shown: number;
 }
 
-function sentenceOf({ name, tells, answer, shown }: Searched): string {
+function sentenceOf({ name: planner, tells, answer, shown }: Searched): string {
+  const name = titleOf(planner);
   const all = answer?.expansions ?? 0;
   if (!answer) return "";
   if (answer.trace?.truncated && all > shown) return `${name}: the steps show the first ${shown.toLocaleString("en")} of ${all.toLocaleString("en")} expansions.`;

@@ -1,6 +1,7 @@
 // The choice of a planner: its name, its guarantee, and its options in a form.
 import type { PlannerRow } from "../api";
 import { h } from "../base/dom";
+import { titleOf } from "./titles";
 import { optionForm, type Values } from "./form";
 
 export class Choice {
@@ -13,7 +14,7 @@ export class Choice {
   /** `changed` is called after every choice; its argument says why the choice was refused, or is empty. */
   constructor(planners: PlannerRow[], name: string, private changed: (refusal: string) => void, private given: Values = {}) {
     this.row = planners.find((one) => one.name === name) ?? planners[0]!;
-    this.select = h("select", { "aria-label": "Planner" }, ...planners.map((one) => h("option", { value: one.name, selected: one === this.row }, one.name)));
+    this.select = h("select", { "aria-label": "Planner" }, ...planners.map((one) => h("option", { value: one.name, selected: one === this.row }, titleOf(one.name))));
     this.select.addEventListener("change", () => {
       this.row = planners.find((one) => one.name === this.select.value)!;
       this.given = {};

@@ -4,6 +4,7 @@ import type { Box } from "../base/camera";
 import { nearestOnPolygon, type Vec2 } from "../base/outline";
 import { endsIn, eroded, type OpenCells } from "./ends";
 import type { Restore } from "./history";
+import { maze, mazeEnds } from "./maze";
 
 export const free = 0;
 export const occupied = 1;
@@ -60,6 +61,23 @@ export class GridGround {
       }
     }
     this.version += 1;
+  }
+
+  /** Draws a maze in whose ways a disk fits; returns the places in two of its corners. */
+  drawMaze(radius_m: number, seed: number): [Vec2, Vec2] {
+    const { width, height, resolution_m: r } = this.grid;
+    const wide = radius_m > 0 ? Math.ceil((2 * radius_m) / r) + 2 : 1;
+    this.cells.set(maze(width, height, wide, seed));
+    this.version += 1;
+    const [first, last] = mazeEnds(width, height, wide);
+    return [this.centre(...first), this.centre(...last)];
+  }
+
+  /** Erases all walls; returns places in two corners. */
+  clear(radius_m: number): [Vec2, Vec2] {
+    this.cells.fill(free);
+    this.version += 1;
+    return this.ends(radius_m);
   }
 
   /** Returns the changes as runs along rows. */

@@ -5,6 +5,7 @@ import { fixed } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
 import { onTheme, theme } from "../base/theme";
 import type { Piece } from "../api";
+import { onUnits } from "../base/units";
 import { disk } from "../watch/layer";
 import { placeTip } from "../watch/plan_view";
 import { drawScales } from "../watch/scale_layer";
@@ -13,6 +14,7 @@ import { drawHandle } from "./handle";
 import { paintBlocked, paintCells, paintTrace, Picture } from "./painter";
 import { drawPlaces } from "./places";
 import type { Shown } from "./shown";
+import { titleOf } from "./titles";
 import { Trace } from "./trace";
 
 /** Holds what all panes show; Hand holds the actions of the pointer on any of them. */
@@ -66,7 +68,8 @@ export class Pane {
       drag: (at) => hand.drag(place(at)),
       drop: () => hand.drop(),
     });
-    this.off = onTheme(() => hand.redraw());
+    const off = [onTheme(() => hand.redraw()), onUnits(() => hand.redraw())];
+    this.off = () => off.forEach((one) => one());
   }
 
   close(): void {
@@ -100,7 +103,7 @@ export class Pane {
     this.drawEnd(ctx, scene.start, "S", theme.robot, scene.selected === "start");
     if (scene.goal) this.drawEnd(ctx, scene.goal, "G", theme.reached, scene.selected === "goal");
     drawScales(ctx, camera, scene.ground.box);
-    this.name.textContent = this.answer?.planner ?? "";
+    this.name.textContent = this.answer ? titleOf(this.answer.planner) : "";
   }
 
   private lay(ctx: CanvasRenderingContext2D, canvas: HTMLCanvasElement, [x0, y0, x1, y1]: Box): void {

@@ -1,10 +1,12 @@
 // The planning page: the ground, one or two planners on the same question, their answers and their searches. It replans
 // during a drag.
 import { send, type MapAnswer, type PlannerRow, type PlanRequest } from "../api";
+import { announce } from "../base/announce";
 import { h, iconButton } from "../base/dom";
 import { keys } from "../base/keys";
+import { MenuButton, type MenuItem } from "../base/menu";
 import type { Vec2 } from "../base/outline";
-import { saveCanvas, saveText } from "../base/save";
+import { onUnits } from "../base/units";
 import { keepInAddress } from "../base/url";
 import { aboutSearch } from "./about_search";
 import { Asker } from "./asker";
@@ -14,13 +16,16 @@ import { free, occupied, groundOf, type Ground } from "./ground";
 import { onKnob } from "./handle";
 import type { Values } from "./form";
 import { legend } from "./legend";
+import { mapTools, radiusField } from "./map_tools";
 import { suggestedName } from "./names";
 import { Pane, type Scene } from "./pane";
-import { resultTable } from "./results";
+import { answerWords, resultTable } from "./results";
 import { SaveForm } from "./save_form";
+import { cameraKeys, endKeys, searchKeys, undoKeys } from "./plan_keys";
 import type { Shown } from "./shown";
 import { Steps } from "./steps";
-import { pathSvg } from "./path_svg";
+import { pointOf } from "./names";
+import { planExports } from "./plan_exports";
 import { headingTo, turned } from "./turning";
 
 type Tool = "move" | "block" | "free" | "add" | "remove";
@@ -34,11 +39,6 @@ interface PlanScene extends Scene { goal: Vec2; selected: "start" | "goal" | nul
 export interface Opened { path: string; planner: string; options: Values; model: string; resolution_m: number }
 interface Seat { pane: Pane; asker: Asker; choice: Choice }
 
-const point = (text: string | undefined): Vec2 | null => {
-  const [x, y] = (text ?? "").split(",").map(Number);
-  return Number.isFinite(x) && Number.isFinite(y) ? [x!, y!] : null;
-};
-
 export class PlanPage {
   readonly element: HTMLElement;
   private scene: PlanScene;
@@ -47,6 +47,11 @@ export class PlanPage {
   private panes = h("div", { class: "panes" });
   private choices = h("div", { class: "choices" });
   private results = h("div", { class: "results" });
+  private mapTools = h("div");
+  private offUnits = onUnits(() => this.unitsChanged());
+  private mazes = 0;
+  private radius = h("div");
+  private menu = new MenuButton("save", "Export", () => this.exports());
   private notice = h("p", { class: "notice", role: "status" });
   private sentence = h("p", { class: "action" });
   private steps = new Steps(() => this.invalidate(), this.sentence);
@@ -77,22 +82,23 @@ export class PlanPage {
     this.planners = planners.filter(({ grounds }) => (ground.kind === "polygons" ? grounds.includes("polygons") : grounds.some((kind) => kind !== "polygons")));
     const radius_m = Number(query.radius ?? map.radius_m);
     const [start, goal] = ground.ends(radius_m);
-    this.scene = { ground, start: point(query.start) ?? start, goal: point(query.goal) ?? goal, radius_m, selected: "goal", heading_rad: null };
+    this.scene = { ground, start: pointOf(query.start) ?? start, goal: pointOf(query.goal) ?? goal, radius_m, selected: "goal", heading_rad: null };
     this.firstStep = query.step === undefined ? null : Number(query.step);
     this.tools = this.madeTools();
     this.saving = new SaveForm(opened?.path ?? suggestedName(path || map.name, "_plan"), opened?.path ?? "", () => ({ plan: this.request(this.seats[0]!.choice) }), () => { this.kept = JSON.stringify(this.ground.edits()); });
     this.bar.append(this.tools, this.legend);
     this.barWatcher.observe(this.bar);
-    const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, this.choices,
-      h("div", { class: "row" }, this.compare, this.radiusField()), this.notice, this.results, this.saving.element));
+    const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" }, h("div", {}, h("h1", {}, this.title), this.mapTools), this.choices,
+      h("div", { class: "row" }, this.compare, this.radius), this.notice, this.results, this.saving.element));
     this.element = h("div", { class: "watch plan-page" }, h("section", { class: "panel stage-panel", "aria-label": "The map" },
       h("div", { class: "stage" }, this.panes, this.bar,
         h("div", { class: "stage-tools" }, iconButton("undo", "Undo", () => this.undo(false), "u"), iconButton("redo", "Do it again", () => this.undo(true), "U"),
-          iconButton("save", "Save the first view as PNG", () => this.savePicture(), "s")))),
+          this.menu.element))),
     this.steps.element, aside);
     for (const text of map.warnings) this.notice.append(h("span", {}, text));
     this.sit(query.planner ?? opened?.planner ?? (ground.kind === "grid" ? "a_star" : "visibility_graph_implicit"));
     if (query.versus) this.sit(query.versus);
+    this.unitsChanged();
     this.rebuilt();
     this.bindKeys();
     this.planSoon(true);
@@ -106,6 +112,8 @@ export class PlanPage {
   close(): void {
     cancelAnimationFrame(this.frame);
     this.barWatcher.disconnect();
+    this.menu.close();
+    this.offUnits();
     this.steps.close();
     for (const seat of this.seats) this.leave(seat);
     keys.drop(this);
@@ -140,6 +148,8 @@ export class PlanPage {
 
   private rebuilt(): void {
     this.panes.replaceChildren(...this.seats.map(({ pane }) => pane.element));
+    const [x0, y0, x1, y1] = this.ground.box;
+    this.panes.classList.toggle("stacked", x1 - x0 > 1.5 * (y1 - y0));
     this.choices.replaceChildren(...this.seats.map(({ choice }) => choice.element));
     this.compare.textContent = this.seats.length > 1 ? "Only one planner" : "Compare with another";
     keepInAddress({ planner: this.seats[0]!.choice.name, versus: this.seats[1]?.choice.name ?? "" });
@@ -172,14 +182,26 @@ export class PlanPage {
     second?.camera.headroom(stacked ? 16 : below);
   }
 
-  private radiusField(): HTMLElement {
-    const input = h("input", { type: "number", min: 0, step: 0.05, value: this.scene.radius_m, id: "radius" });
-    input.addEventListener("change", () => {
-      this.scene.radius_m = Math.max(0, Number(input.value) || 0);
-      keepInAddress({ radius: String(this.scene.radius_m) });
-      this.planSoon(true);
-    });
-    return h("label", { class: "radius", title: "Radius of the disk that drives" }, "radius ", input, " m");
+  private unitsChanged(): void {
+    this.mapTools.replaceChildren(mapTools(this.ground, { maze: () => this.fill(true), clear: () => this.fill(false) }));
+    this.radius.replaceChildren(radiusField(this.scene.radius_m, (radius_m) => this.setRadius(radius_m)));
+    this.results.replaceChildren(resultTable(this.seats.map((seat) => seat.pane.answer)));
+  }
+
+  /** Draws a maze in whose ways the robot fits, another one each time, or nothing. */
+  private fill(withMaze: boolean): void {
+    const { ground, scene } = this;
+    if (ground.kind !== "grid") return;
+    this.history.remember();
+    [scene.start, scene.goal] = withMaze ? ground.drawMaze(scene.radius_m, ++this.mazes) : ground.clear(scene.radius_m);
+    this.keepEnds();
+    this.planSoon(true);
+  }
+
+  private setRadius(radius_m: number): void {
+    this.scene.radius_m = radius_m;
+    keepInAddress({ radius: String(radius_m) });
+    this.planSoon(true);
   }
 
   private request(choice: Choice, edits = this.ground.edits()): PlanRequest {
@@ -219,6 +241,7 @@ export class PlanPage {
     const failed = this.seats.map((seat) => seat.pane.answer).find((one) => one && one.status !== "done");
     this.sentence.textContent = failed?.reason ?? aboutSearch(this.seats.map(({ choice, pane }) => ({ ...choice.planner, answer: pane.answer, shown: pane.trace?.length ?? 0 })));
     this.sentence.classList.toggle("refused", failed !== undefined);
+    if (request.trace) announce(failed?.reason ?? answerWords(this.seats.map((seat) => seat.pane.answer)));
     this.element.dataset.answers = String(Number(this.element.dataset.answers ?? 0) + 1);
   }
 
@@ -344,43 +367,22 @@ export class PlanPage {
     });
   }
 
-  private savePicture(): void {
-    saveCanvas(this.seats[0]!.pane.canvas, `${this.map.name}-${this.seats[0]!.choice.name}.png`);
+  private exports(): MenuItem[] {
+    return planExports(this.map.name, this.scene, this.seats.map(({ pane }) => pane));
   }
 
   private bindKeys(): void {
-    const { steps } = this;
-    keys.set("Search", [
-      { key: " ", words: "play or pause the search", act: () => steps.toggle() },
-      { key: "ArrowLeft", words: "one expansion back", act: () => steps.go(steps.step - 1) },
-      { key: "ArrowRight", words: "one expansion on", act: () => steps.go(steps.step + 1) },
-      { key: "Shift+ArrowLeft", words: "100 expansions back", act: () => steps.go(steps.step - 100) },
-      { key: "Shift+ArrowRight", words: "100 expansions on", act: () => steps.go(steps.step + 100) },
-      { key: "Home", words: "before the search", act: () => steps.go(0) },
-      { key: "End", words: "the whole search", act: () => steps.go(steps.end) },
-    ], this);
     const tools = [...this.tools.children].map((one) => one.getAttribute("data-tool") as Tool);
+    keys.set("Search", searchKeys(this.steps), this);
     keys.set("Map", [
-      { key: "1", words: "take the start", act: () => this.select("start") },
-      { key: "2", words: "take the goal", act: () => this.select("goal") },
-      { key: "h", words: "move it left", act: () => this.nudge(-1, 0) },
-      { key: "j", words: "move it down", act: () => this.nudge(0, -1) },
-      { key: "k", words: "move it up", act: () => this.nudge(0, 1) },
-      { key: "l", words: "move it right", act: () => this.nudge(1, 0) },
-      { key: ",", words: "turn the start left, where a planner counts its heading", act: () => this.turnBy(1) },
-      { key: ".", words: "turn the start right", act: () => this.turnBy(-1) },
+      ...endKeys({ select: (end) => this.select(end), nudge: (dx, dy) => this.nudge(dx, dy), turn: (side) => this.turnBy(side) }),
       ...tools.map((tool, i) => ({ key: "qwe"[i]!, words: words[tool].toLowerCase(), act: () => this.takeUp(tool) })),
-      { key: "Ctrl+z", words: "undo", act: () => this.undo(false) },
-      { key: "u", words: "undo", act: () => this.undo(false) },
-      { key: "Ctrl+y", words: "do it again", act: () => this.undo(true) },
-      { key: "U", words: "do it again", act: () => this.undo(true) },
+      ...undoKeys((again) => this.undo(again)),
       { key: "c", words: "compare two planners", act: () => this.compare.click() },
-      { key: "+", words: "zoom in", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1.5)) },
-      { key: "-", words: "zoom out", act: () => this.seats.forEach(({ pane }) => pane.camera.zoom(1 / 1.5)) },
-      { key: "0", words: "show everything", act: () => this.seats.forEach(({ pane }) => pane.camera.reset()) },
+      ...cameraKeys(() => this.seats.map(({ pane }) => pane.camera)),
+      ...(this.ground.kind === "grid" ? [{ key: "M", words: "draw a maze over the whole map", act: () => this.fill(true) }] : []),
       { key: "S", words: "save as a scenario", act: () => void this.saving.save() },
-      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save map and path as SVG", act: () => saveText(pathSvg(this.scene, this.seats[0]!.pane.answer), `${this.map.name}.svg`, "image/svg+xml") },
+      ...["s", "g", "J"].map((key, i) => ({ key, words: `save ${this.exports()[i]!.about}`, act: () => this.exports()[i]!.act() })),
     ], this);
   }
 }

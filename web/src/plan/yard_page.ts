@@ -51,7 +51,7 @@ export class YardPage {
       h("button", { type: "button", "data-tool": name, title: words[name], "aria-pressed": String(name === this.tool), onclick: () => this.takeUp(name) },
         name === "move" ? "Drag" : name[0]!.toUpperCase() + name.slice(1))));
     const aside = h("section", { class: "panel aside" }, h("div", { class: "tabbed scrolls plan-aside" },
-      h("h2", {}, scenario.path), this.saving.element, this.said, this.table));
+      h("h1", {}, scenario.path), this.saving.element, this.said, this.table));
     this.element = h("div", { class: "watch plan-page yard-page" }, h("section", { class: "panel stage-panel", "aria-label": "The yard" },
       h("div", { class: "stage" }, h("div", { class: "panes" }, this.pane.element), h("div", { class: "stage-bar" }, this.tools),
         h("div", { class: "stage-tools" }, iconButton("undo", "Undo", () => this.undo(false), "u"), iconButton("redo", "Do it again", () => this.undo(true), "U"), iconButton("save", "Save the view as PNG", () => this.savePicture(), "s")))), aside);
@@ -94,7 +94,7 @@ export class YardPage {
     };
     const changed = yard.obstacles.filter((item) => item.what === "box" || yard.isMoved(item) || yard.isRemoved(item) || item === selected
       || (item.what === selected?.what && item.index === selected.index));
-    this.table.replaceChildren(h("thead", {}, h("tr", {}, h("th"), ...["x m", "y m", "turn \u00b0"].map((name) => h("th", { scope: "col" }, name)))),
+    this.table.replaceChildren(h("thead", {}, h("tr", {}, h("td"), ...["x m", "y m", "turn \u00b0"].map((name) => h("th", { scope: "col" }, name)))),
       h("tbody", {}, row({ what: "robot", index: 0 }), ...yard.targets.map((_, index) => row({ what: "target", index })), ...changed.map(row)));
     this.said.textContent = selected ? sentenceOf(yard, selected) : "Click on something to select it.";
     this.invalidate();

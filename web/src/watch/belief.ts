@@ -2,6 +2,7 @@
 import { degrees, fixed, wrapped } from "../base/numbers";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
+import { topic } from "../log/topics";
 import { beliefsOf, type Belief } from "../log/beliefs";
 import { deviations, ellipseOf, enlargedOf } from "./ellipse";
 import { disk, type Layer, type Pen } from "./layer";
@@ -75,7 +76,7 @@ export function believed(run: Run): Layer | null {
       const truth = run.track.at(now.t);
       const { major, minor } = ellipseOf(belief);
       const mm = (metres: number): string => `${fixed(1000 * metres, 0)} mm`;
-      return { lines: [
+      return { told: { topic: topic.belief, name: "belief", at: (t) => run.log.latest(topic.belief, t) }, lines: [
         `believed ${mm(Math.hypot(belief.pose[0] - truth.x, belief.pose[1] - truth.y))} and ${degrees(wrapped(belief.pose[2] - truth.heading))} off${reference}`,
         `2\u03c3: ${mm(deviations * major)} by ${mm(deviations * minor)}, ${degrees(deviations * belief.sigma_heading)}`] };
     },

@@ -2,19 +2,20 @@
 import { h } from "../base/dom";
 import { GrowingList } from "../base/growing_list";
 import { clockText } from "../base/numbers";
+import { typeset } from "../base/typeset";
 import type { LogLine } from "../log/messages";
 import type { Run } from "../log/run";
 import type { Stamped } from "../log/run_log";
 
 export class EventList {
-  readonly element = h("ol", { class: "events scrolls", tabindex: 0, "aria-label": "Events" });
+  readonly element = h("section", { class: "events scrolls", tabindex: 0, "aria-label": "Events" }, h("ol"));
   private list: GrowingList<Stamped<LogLine>>;
   private run!: Run;
   private current: HTMLElement | undefined;
 
   constructor(run: Run, seek: (t: number) => void) {
-    this.list = new GrowingList(this.element, ({ t, message: { name, msg } }) => `${t} ${name} ${msg}`, ({ t, message: { name, msg } }) =>
-      h("li", {}, h("button", { type: "button", class: name, onclick: () => seek(t) }, h("time", {}, clockText(t, 1)), h("span", {}, msg))));
+    this.list = new GrowingList(this.element.firstElementChild!, ({ t, message: { name, msg } }) => `${t} ${name} ${msg}`, ({ t, message: { name, msg } }) =>
+      h("li", {}, h("button", { type: "button", class: name, onclick: () => seek(t) }, h("time", {}, clockText(t, 1)), h("span", {}, typeset(msg)))));
     this.renew(run);
   }
 

@@ -2,6 +2,7 @@
 import { h } from "../base/dom";
 import { fixed, metric, type Num } from "../base/numbers";
 import type { Vec2 } from "../base/outline";
+import { typeset } from "../base/typeset";
 import { refusalsOf } from "../log/plans";
 import type { Run } from "../log/run";
 import { soFar } from "../log/so_far";
@@ -16,13 +17,13 @@ interface Notes { warnings: string[]; settings: [string, string][]; refused: { a
 const notesOf = (run: Run): Notes => ({ warnings: run.log.summary?.warnings ?? [], settings: Object.entries(run.log.summary?.settings ?? {}), refused: refusalsOf(run) });
 
 function shownNotes({ warnings, settings: all, refused }: Notes): HTMLElement {
-  const settings = all.map(([name, value]) => h("div", {}, h("dt", {}, name.replaceAll("_", " ")), h("dd", {}, value)));
+  const settings = all.map(([name, value]) => h("div", {}, h("dt", {}, name.replaceAll("_", " ")), h("dd", {}, typeset(value))));
   return h("div", {},
-    warnings.length > 0 && h("h3", {}, warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`),
-    h("ul", { class: "warnings" }, ...warnings.map((text) => h("li", {}, text))),
-    refused.length > 0 && h("h3", {}, "Frontiers refused"),
-    h("ul", { class: "warnings" }, ...refused.map(({ at: [x, y], reason }) => h("li", {}, `(${fixed(x, 2)}, ${fixed(y, 2)}) ${reason}`))),
-    settings.length > 0 && h("h3", {}, `${settings.length} settings`),
+    warnings.length > 0 && h("h2", {}, warnings.length === 1 ? "1 warning" : `${warnings.length} warnings`),
+    h("ul", { class: "warnings" }, ...warnings.map((text) => h("li", {}, typeset(text)))),
+    refused.length > 0 && h("h2", {}, "Frontiers refused"),
+    h("ul", { class: "warnings" }, ...refused.map(({ at: [x, y], reason }) => h("li", {}, `(${fixed(x, 2)}, ${fixed(y, 2)}) ${typeset(reason)}`))),
+    settings.length > 0 && h("h2", {}, `${settings.length} settings`),
     h("dl", { class: "settings" }, ...settings));
 }
 

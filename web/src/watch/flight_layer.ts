@@ -4,6 +4,7 @@ import { nearestOnPolygon } from "../base/outline";
 import { theme } from "../base/theme";
 import { ballOf, flightsOf, type Ball, type Flight } from "../log/flights";
 import type { Run } from "../log/run";
+import { topic } from "../log/topics";
 import { disk, type Layer, type Pen } from "./layer";
 
 /** As if the sun stood in the upper left: the higher, the farther off. */
@@ -108,7 +109,8 @@ export function flights(run: Run): Layer | null {
         if (distance < least) [least, found] = [distance, shot];
       }
       if (!found) return null;
-      return { shot: found, lines: [`Shot ${found.index + 1} at ${found.target}: ${found.hit ? "hit" : `touched ${found.contact}`}`] };
+      const { index } = found;
+      return { shot: found, told: { topic: topic.shots, name: `shot ${index + 1}`, at: () => run.log.messages(topic.shots)[index]?.message }, lines: [`Shot ${found.index + 1} at ${found.target}: ${found.hit ? "hit" : `touched ${found.contact}`}`] };
     },
   };
 }

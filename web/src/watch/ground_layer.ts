@@ -4,6 +4,7 @@ import { clamp, fixed } from "../base/numbers";
 import { nearestOnPolygon, traceRounded, type Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
+import type { Solids } from "../log/messages";
 import { topic } from "../log/topics";
 import { bodiesOf, slopesOf, type Body } from "../log/world";
 import type { Layer, Pen } from "./layer";
@@ -182,7 +183,8 @@ function groundOf(run: Run): Layer {
       const under = shapes.filter((solid) => solid.footprint.some(({ core, radius_m }) =>
         nearestOnPolygon(x, y, core).distance <= radius_m + 1e-9)).reverse().slice(0, 3);
       if (under.length === 0) return null;
-      return { lines: under.map((solid) => `${solid.name}: ${fixed(solid.low, 2)} to ${fixed(solid.high, 2)} m${solid.blocks_driving ? "" : ", does not block driving"}`) };
+      const [{ name }] = under as [Shape];
+      return { told: { topic: topic.solids, name, at: () => run.log.latest<Solids>(topic.solids)?.solids.find((one) => one.name === name) }, lines: under.map((solid) => `${solid.name}: ${fixed(solid.low, 2)} to ${fixed(solid.high, 2)} m${solid.blocks_driving ? "" : ", does not block driving"}`) };
     },
   };
 }

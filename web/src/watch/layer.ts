@@ -13,7 +13,10 @@ export interface Now {
   speed: number;
 }
 
-export interface Found { target?: TargetStory; shot?: Flight; lines: string[] }
+/** The message that tells of a thing: the name of the thing, and its fields at a time. */
+export interface Told { topic: string; name: string; at: (t: number) => unknown }
+
+export interface Found { target?: TargetStory; shot?: Flight; told?: Told; lines: string[] }
 
 export interface Pen {
   ctx: Ink;

@@ -175,7 +175,7 @@ export function mapping(run: Run): Layer | null {
       };
       const near = landmarksAt(run, now.t).filter((one) => away(vec2(one.position)) < 9)
         .sort((a, b) => away(vec2(a.position)) - away(vec2(b.position)))[0];
-      return near ? { lines: linesOf(run, near) } : null;
+      return near ? { told: { topic: topic.landmarks, name: `landmark ${near.id}`, at: (t) => landmarksAt(run, t).find(({ id }) => id === near.id) }, lines: linesOf(run, near) } : null;
     },
   };
 }

@@ -18,6 +18,8 @@ export interface Series {
   along?: string;
   time: number[];
   lines: Line[];
+  /** By which it was chosen, where somebody did. */
+  key?: string;
 }
 
 /** The value of a line at t, where the line is drawn: no step tells what comes later. Null before the first value. O(log n). */

@@ -68,5 +68,11 @@ export function robot(run: Run): Layer | null {
       ctx.fillStyle = theme.water;
       ctx.fill();
     },
+    find(at, { camera, now }) {
+      const { x, y } = track.at(now.t);
+      const place = camera.screen(x, y);
+      if (Math.hypot(place.x - at.x, place.y - at.y) > Math.max(9, camera.scale * radius)) return null;
+      return { told: { topic: topic.pose, name: "robot", at: (t) => log.latest(topic.pose, t) }, lines: [] };
+    },
   };
 }

@@ -1,8 +1,9 @@
 // Coordinates along two edges, a bar of round length, and the tones of heights.
 import type { Box, Camera } from "../base/camera";
 import type { Ink } from "../base/ink";
-import { fixed, minus, roundStep } from "../base/numbers";
+import { minus, roundStep } from "../base/numbers";
 import { theme } from "../base/theme";
+import { inMetres, inUnit, lengthText, lengthUnit } from "../base/units";
 import type { Run } from "../log/run";
 import { topic } from "../log/topics";
 import { highestOf, tone } from "./ground_layer";
@@ -12,19 +13,19 @@ export function drawScales(ctx: Ink, camera: Camera, [x0, y0, x1, y1]: Box): voi
   camera.toScreen(ctx);
   ctx.font = `10.5px ${theme.sans}`;
   ctx.fillStyle = theme.soft;
-  const step = roundStep(70 / camera.scale);
+  const step = inMetres(roundStep(inUnit(70 / camera.scale)));
   const corner = camera.screen(x0, y0);
   ctx.textAlign = "center";
   ctx.textBaseline = "top";
   for (let x = Math.ceil(x0 / step) * step; x <= x1 + 1e-9; x += step) {
-    ctx.fillText(minus(String(+x.toFixed(6))), camera.screen(x, y0).x, corner.y + 5);
+    ctx.fillText(minus(String(+inUnit(x).toFixed(6))), camera.screen(x, y0).x, corner.y + 5);
   }
   ctx.textAlign = "right";
   ctx.textBaseline = "middle";
   for (let y = Math.ceil(y0 / step) * step; y <= y1 + 1e-9; y += step) {
-    ctx.fillText(minus(String(+y.toFixed(6))), corner.x - 6, camera.screen(x0, y).y);
+    ctx.fillText(minus(String(+inUnit(y).toFixed(6))), corner.x - 6, camera.screen(x0, y).y);
   }
-  const length = roundStep(50 / camera.scale);
+  const length = inMetres(roundStep(inUnit(50 / camera.scale)));
   const [left, base] = [14, camera.height - 12];
   const right = left + length * camera.scale;
   ctx.globalAlpha = 0.8;
@@ -42,7 +43,7 @@ export function drawScales(ctx: Ink, camera: Camera, [x0, y0, x1, y1]: Box): voi
   ctx.fillStyle = theme.soft;
   ctx.textAlign = "left";
   ctx.textBaseline = "alphabetic";
-  ctx.fillText(`${+length.toPrecision(3)} m`, right + 6, base + 1);
+  ctx.fillText(`${+inUnit(length).toPrecision(3)} ${lengthUnit()}`, right + 6, base + 1);
 }
 
 export function scales(area: Box, run: Run): Layer {
@@ -52,9 +53,11 @@ export function scales(area: Box, run: Run): Layer {
       ctx.strokeStyle = theme.soft;
       ctx.lineWidth = camera.px(1);
       ctx.strokeRect(area[0], area[1], area[2] - area[0], area[3] - area[1]);
+    },
+    moving({ ctx, camera }) {
       drawScales(ctx, camera, area);
       if (highest <= 0) return;
-      const text = `${fixed(highest, 1)} m high`;
+      const text = `${lengthText(highest, 1)} high`;
       const base = camera.height - 12;
       const end = camera.width - 14 - ctx.measureText(text).width;
       for (let i = 0; i < 40; ++i) {

@@ -1,6 +1,6 @@
 // The view in space: the same run in three dimensions. Loaded when it is first asked for, since three.js is large.
-import { AmbientLight, type BufferGeometry, Color, DirectionalLight, Group, Line, Mesh, type MeshLambertMaterial, type Object3D, PerspectiveCamera, Points, Scene,
-  WebGLRenderer } from "three";
+import { AmbientLight, type BufferGeometry, Color, DirectionalLight, Group, Line, Mesh, type MeshLambertMaterial, type Object3D, PerspectiveCamera, Points, Raycaster, Scene,
+  Sprite, Vector2, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Box } from "../base/camera";
 import { h, iconButton } from "../base/dom";
@@ -10,25 +10,43 @@ import type { Run } from "../log/run";
 import { bodiesOf } from "../log/world";
 import { areaOf } from "./area";
 import type { Now } from "./layer";
+import type { LayerChoice } from "./layer_choice";
 import { coverActor } from "./space_cover";
 import { stillWorld } from "./space_ground";
 import { mapActor } from "./space_map";
 import { mappingActor, sensedActor } from "./space_mapping";
+import { labelActor } from "./space_labels";
 import { stationActor, waypointActor, wayActor } from "./space_marks";
 import type { Actor } from "./space_parts";
 import { beliefActor, robotActor } from "./space_robot";
 import { eyeActor } from "./space_sight";
 import { pursuitActor, targetActor, waterActor } from "./space_targets";
 
-/** Each makes what it has messages of. */
-const actorsOf: ((run: Run) => Actor[])[] = [robotActor, beliefActor, mapActor, sensedActor, eyeActor, mappingActor, waypointActor, wayActor, stationActor, coverActor,
-  targetActor, waterActor, pursuitActor];
+/** Each makes what it has messages of, by the name of its layer. */
+const actorsOf: [string, (run: Run) => Actor[]][] = [["robot", robotActor], ["belief", beliefActor], ["map", mapActor], ["range finder", sensedActor], ["camera", eyeActor],
+  ["landmarks", mappingActor], ["path", waypointActor], ["path", wayActor], ["stations", stationActor], ["covered area", coverActor], ["targets", targetActor], ["names", labelActor],
+  ["shots", waterActor], ["pursuit", pursuitActor]];
+
+/** Draws a group as strongly as is chosen, whatever its materials are by themselves. */
+function veil(group: Object3D, opacity: number): void {
+  group.visible = opacity > 0;
+  if (opacity === 1 && !group.userData.veiled) return;
+  group.userData.veiled = true;
+  group.traverse((thing) => {
+    for (const material of [(thing as Mesh).material ?? []].flat()) {
+      material.userData.own ??= { opacity: material.opacity, transparent: material.transparent };
+      const own = material.userData.own as { opacity: number; transparent: boolean };
+      material.opacity = own.opacity * opacity;
+      material.transparent = own.transparent || opacity < 1;
+    }
+  });
+}
 
 /** Gives back what a thing and its parts hold of the graphics card. */
 function dispose(whole: Object3D): void {
   whole.traverse((thing) => {
-    if (!(thing instanceof Mesh || thing instanceof Line || thing instanceof Points)) return;
-    (thing.geometry as BufferGeometry).dispose();
+    if (!(thing instanceof Mesh || thing instanceof Line || thing instanceof Points || thing instanceof Sprite)) return;
+    if (!(thing instanceof Sprite)) (thing.geometry as BufferGeometry).dispose();  // all sprites share one
     for (const material of [thing.material].flat() as MeshLambertMaterial[]) {
       material.map?.dispose();
       material.dispose();
@@ -48,13 +66,14 @@ export class SpaceView {
   private moving = new Group();  // what the run tells
   private spent: Group[] = [];   // taken away since the last frame
   private actors: ((now: Now) => void)[] = [];
+  private groups: { name: string; group: Group }[] = [];
   private drawn: Run | null = null;
   private home = true;  // nobody moved the view
   private area: Box;
   private watcher: ResizeObserver;
   private off: () => void;
 
-  constructor(private run: Run, private redraw: () => void) {
+  constructor(private run: Run, private redraw: () => void, private choice: LayerChoice, private clicked: (x: number, y: number) => void) {
     this.area = areaOf(run);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.element = h("div", { class: "view space-view" }, this.canvas,
@@ -65,6 +84,7 @@ export class SpaceView {
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
     this.controls.addEventListener("change", redraw);
+    this.listen();
     this.controls.addEventListener("start", () => { this.home = false; });
     const sun = new DirectionalLight("#ffffff", 1.7);
     sun.position.set(-6, -9, 14);
@@ -99,10 +119,13 @@ export class SpaceView {
     }
     this.moving = this.exchanged(this.moving, new Group());
     this.actors = [];
-    for (const { things, act } of actorsOf.flatMap((make) => make(run))) {
-      for (const thing of things) this.moving.add(thing);
-      if (act) this.actors.push(act);
-    }
+    this.groups = actorsOf.flatMap(([name, make]) => {
+      const made = make(run);
+      const group = new Group().add(...made.flatMap(({ things }) => things));
+      this.moving.add(group);
+      this.actors.push(...made.flatMap(({ act }) => act ?? []));
+      return made.length > 0 ? [{ name, group }] : [];
+    });
   }
 
   /** What is taken away is disposed of after the next frame, which then needs no new shaders for what came instead. */
@@ -112,6 +135,8 @@ export class SpaceView {
     this.spent.push(old);
     return made;
   }
+
+  get names(): string[] { return ["obstacles", ...new Set(this.groups.map(({ name }) => name))]; }
 
   zoom(factor: number): void {
     this.home = false;
@@ -138,6 +163,20 @@ export class SpaceView {
     this.redraw();
   }
 
+  /** A click, no drag, selects what is there. */
+  private listen(): void {
+    let pressed: [number, number] = [0, 0];
+    this.canvas.addEventListener("pointerdown", (event) => { pressed = [event.clientX, event.clientY]; });
+    this.canvas.addEventListener("click", (event) => {
+      if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
+      const { left, top, width, height } = this.canvas.getBoundingClientRect();
+      const ray = new Raycaster();
+      ray.setFromCamera(new Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height), this.camera);
+      const [hit] = ray.intersectObjects([this.still, this.moving], true).filter(({ object }) => object instanceof Mesh && object.visible);
+      if (hit) this.clicked(hit.point.x, hit.point.y);
+    });
+  }
+
   private resize(): void {
     const [width, height] = [Math.max(1, this.canvas.clientWidth), Math.max(1, this.canvas.clientHeight)];
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
@@ -152,6 +191,7 @@ export class SpaceView {
   draw(now: Now): void {
     if (this.run !== this.drawn) this.bringUpToDate();
     for (const act of this.actors) act(now);
+    for (const { name, group } of [...this.groups, { name: "obstacles", group: this.still }]) veil(group, this.choice.of(name));
     if (this.follow) this.followRobot(now.t);
     this.renderer.render(this.scene, this.camera);
     for (const old of this.spent.splice(0)) dispose(old);

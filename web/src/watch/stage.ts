@@ -1,11 +1,14 @@
 // The stage: the plan and the view in space of the same instant, which of them is shown, its legend and its tools.
 import type { SceneAnswer } from "../api";
 import { h, iconButton } from "../base/dom";
+import { MenuButton, type MenuItem } from "../base/menu";
 import { keepInAddress } from "../base/url";
 import type { Flight } from "../log/flights";
 import type { Run } from "../log/run";
 import type { TargetStory } from "../log/targets";
-import type { Now } from "./layer";
+import type { Now, Told } from "./layer";
+import type { LayerChoice } from "./layer_choice";
+import { LayerMenu } from "./layer_menu";
 import { signedLegend } from "./parts";
 import { PlanView } from "./plan_view";
 import type { SpaceView } from "./space_view";
@@ -14,8 +17,8 @@ export interface StageActs {
   redraw: () => void;
   selectShot: (shot: Flight) => void;
   selectTarget: (target: TargetStory) => void;
-  savePicture: () => void;
-  saveFilm: () => void;
+  tell: (told: Told) => void;
+  exports: () => MenuItem[];
 }
 
 export class Stage {
@@ -28,10 +31,13 @@ export class Stage {
   private switcher: HTMLElement;
   private legend: HTMLElement;
   private followButton = iconButton("follow", "Follow the robot", () => this.setFollow(!this.following), "f");
+  private rulerButton = iconButton("ruler", "Measure in the plan: drag", () => this.measure(), "r");
   private barWatcher: ResizeObserver;
+  private menu: MenuButton;
+  private layers: LayerMenu;
 
-  constructor(private run: Run, private acts: StageActs) {
-    this.plan = new PlanView(run, acts);
+  constructor(private run: Run, private acts: StageActs, private choice: LayerChoice) {
+    this.plan = new PlanView(run, acts, false, choice);
     this.legend = signedLegend(run);
     this.switcher = h("div", { class: "segments", role: "group", "aria-label": "View" },
       h("button", { type: "button", "aria-pressed": "true", onclick: () => void this.show(false), title: "Plan view (v)" }, "Plan"),
@@ -39,13 +45,18 @@ export class Stage {
     const bar = h("div", { class: "stage-bar" }, this.switcher, this.legend);
     this.barWatcher = new ResizeObserver(() => this.plan.camera.headroom(Math.max(50, bar.offsetHeight + 20)));
     this.barWatcher.observe(bar);
-    this.stage.append(this.plan.element, bar,
-      h("div", { class: "stage-tools" }, this.followButton, iconButton("save", "Save this view as PNG", acts.savePicture, "s"),
-        iconButton("film", "Save frames of a film", acts.saveFilm, "m")));
+    this.menu = new MenuButton("save", "Export", acts.exports);
+    this.layers = new LayerMenu(choice, () => this.view.names, () => {
+      keepInAddress({ layers: choice.text });
+      this.plan.choiceChanged();
+    });
+    this.stage.append(this.plan.element, bar, h("div", { class: "stage-tools" }, this.layers.element, this.rulerButton, this.followButton, this.menu.element));
     this.element = h("section", { class: "panel stage-panel", "aria-label": "The run" }, this.stage);
   }
 
   close(): void {
+    this.menu.close();
+    this.layers.close();
     this.barWatcher.disconnect();
     this.plan.close();
     this.space?.close();
@@ -84,7 +95,7 @@ export class Stage {
     keepInAddress({ view: space ? "3d" : "" });
     if (space && !this.space) {
       const { SpaceView: View } = await import("./space_view");
-      this.space ??= new View(this.run, this.acts.redraw);
+      this.space ??= new View(this.run, this.acts.redraw, this.choice, (x, y) => this.plan.clickPlane(x, y));
       this.space.follow = this.following;
       this.stage.prepend(this.space.element);
     }
@@ -98,10 +109,19 @@ export class Stage {
     this.followButton.setAttribute("aria-pressed", String(on));
     this.plan.follow = on;
     if (this.space) this.space.follow = on;
-    if (on && this.plan.camera.home) this.plan.camera.zoom(2);
     keepInAddress({ follow: on ? "1" : "" });
     this.acts.redraw();
   }
+
+  measure(): void {
+    if (this.inSpace) return;
+    this.plan.ruler.toggle();
+    this.plan.camera.moved();
+    this.rulerButton.setAttribute("aria-pressed", String(this.plan.ruler.on));
+    this.acts.redraw();
+  }
+
+  showLayers(): void { this.layers.show(); }
 
   zoom(closer: boolean): void {
     if (this.inSpace) this.space?.zoom(closer ? 1 / 1.3 : 1.3);

@@ -92,7 +92,7 @@ export function tags(run: Run): Layer | null {
       });
       if (!stop) return null;
       const off = Math.hypot(stop.error.x, stop.error.y);
-      return { lines: Number.isFinite(stop.reached) ? [`reached after ${fixed(stop.reached, 1)} s, ${fixed(1000 * off, 1)} mm off`] : ["not reached"] };
+      return { told: { topic: topic.waypoints, name: `stop ${waypoints.indexOf(stop) + 1}`, at: () => stop }, lines: Number.isFinite(stop.reached) ? [`reached after ${fixed(stop.reached, 1)} s, ${fixed(1000 * off, 1)} mm off`] : ["not reached"] };
     },
   };
 }

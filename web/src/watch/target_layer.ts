@@ -5,9 +5,11 @@ import { fixed } from "../base/numbers";
 import { drawSign, statusColour } from "../base/signs";
 import { theme } from "../base/theme";
 import type { Run } from "../log/run";
+import { topic } from "../log/topics";
 import { targetsOf, type TargetStory } from "../log/targets";
 import { disk, label, type Layer, type Pen } from "./layer";
 
+/** Where the name stands from the sign of its target, in pixels. */
 interface Name { text: string; x: number; y: number; target: TargetStory }
 
 function boxOf({ last: { size, yaw } }: TargetStory): Path {
@@ -37,7 +39,7 @@ function placeNames(ctx: Ink, camera: Camera, targets: TargetStory[]): Name[] {
       const area: Area = [left - 2, middle - 7, left + width + 2, middle + 7];
       if (!free(area)) continue;
       taken.push(area);
-      return [{ text, x: left, y: middle, target }];
+      return [{ text, x: left - x, y: middle - y, target }];
     }
     return [];
   });
@@ -94,7 +96,8 @@ export function targets(run: Run): Layer | null {
         const place = target.placeAt(now.t);
         if (!place || place[0] !== target.centre[0] || place[1] !== target.centre[1]) continue;
         ctx.font = `${target === now.target ? 650 : 450} 11.5px ${theme.sans}`;
-        label(ctx, text, x, y, theme.ink, theme.yard);
+        const sign = camera.screen(...place);
+        label(ctx, text, sign.x + x, sign.y + y, theme.ink, theme.yard);
       }
     },
     find(at, { camera, now }) {
@@ -110,7 +113,8 @@ export function targets(run: Run): Layer | null {
       if (!found) return null;
       const { z } = found.last.size;
       const base = found.centre[2] - z / 2;
-      return { target: found, lines: [`${found.name}: ${found.statusAt(now.t)}`, `base at ${fixed(base, 2)} m, ${fixed(z, 2)} m high`] };
+      const { name } = found;
+      return { target: found, told: { topic: topic.targets, name, at: (t) => all.find((one) => one.name === name)?.at(t) }, lines: [`${found.name}: ${found.statusAt(now.t)}`, `base at ${fixed(base, 2)} m, ${fixed(z, 2)} m high`] };
     },
   };
 }

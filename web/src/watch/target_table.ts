@@ -1,6 +1,7 @@
 // The table of targets at the present time: a row each, its reason below it where there is something to explain.
 import { h } from "../base/dom";
 import { clockText, degrees, fixed } from "../base/numbers";
+import { typeset } from "../base/typeset";
 import { known, signElement } from "../base/signs";
 import type { Run } from "../log/run";
 import { targetsOf, type TargetStory } from "../log/targets";
@@ -108,7 +109,7 @@ export class TargetTable {
       const [row, below] = body.rows;
       texts.forEach((text, i) => { if (i > 0) row!.cells[i]!.textContent = text; });
       row!.cells[1]!.style.setProperty("color", `var(--${known(status)})`);
-      below!.cells[0]!.textContent = reason;
+      below!.cells[0]!.textContent = typeset(reason);
       below!.hidden = !reason || !(chosen ? status !== "waiting" : status === "failed" || status === "unreachable");
     }
     if (changed && this.order.column) this.arrange();

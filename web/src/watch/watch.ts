@@ -4,18 +4,23 @@ import { h } from "../base/dom";
 import { keepInAddress } from "../base/url";
 import { keys } from "../base/keys";
 import { clockText, finite } from "../base/numbers";
+import type { MenuItem } from "../base/menu";
 import { saveBlob, saveCanvas, saveText } from "../base/save";
 import { flightsOf, type Flight } from "../log/flights";
 import { Run } from "../log/run";
 import type { RunLog } from "../log/run_log";
 import { targetsOf, type TargetStory } from "../log/targets";
+import { topic } from "../log/topics";
 import { Clock, neighbour } from "./clock";
+import { hasEncoder } from "./encode";
 import { EventList } from "./event_list";
 import { Facts } from "./facts";
 import { showFilmDialog } from "./film_dialog";
 import { Frame } from "./frame";
-import type { Now } from "./layer";
+import type { Now, Told } from "./layer";
+import { LayerChoice } from "./layer_choice";
 import { marksOf, type Mark } from "./marks";
+import { MessageView } from "./message_view";
 import { playingKeys } from "./playing_keys";
 import { Plots } from "./plots";
 import { SideView } from "./side_view";
@@ -23,6 +28,7 @@ import { Stage } from "./stage";
 import { Tabs } from "./tabs";
 import { TargetTable } from "./target_table";
 import { Timeline } from "./timeline";
+import { WhyView } from "./why_view";
 
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -38,6 +44,8 @@ export class Watch {
   private events: EventList;
   private plots: Plots;
   private facts = new Facts();
+  private messages: MessageView;
+  private why: WhyView;
   private tabs: Tabs;
   private timeline: Timeline;
   private frameAsked = 0;
@@ -52,9 +60,11 @@ export class Watch {
     this.clock = new Clock(this.run.duration, () => this.invalidate(), goesOn);
     this.marks = marksOf(this.run);
     this.stage = new Stage(this.run, { redraw: () => this.invalidate(), selectShot: (shot) => this.selectShot(shot), selectTarget: (one) => this.selectTarget(one),
-      savePicture: () => this.savePicture(), saveFilm: () => this.saveFilm() });
+      exports: () => this.exports(), tell: (told) => this.tell(told) }, new LayerChoice(query.layers));
     this.events = new EventList(this.run, (t) => this.clock.seek(t));
-    this.plots = new Plots(this.run, (t) => this.clock.seek(t));
+    this.plots = new Plots(this.run, (t) => this.clock.seek(t), query.plots?.split(",").filter(Boolean));
+    this.messages = new MessageView(this.run);
+    this.why = new WhyView(this.run, (t) => this.clock.seek(t));
     this.side = new SideView(this.run, () => this.invalidate());
     this.table = new TargetTable(this.run, (target) => this.selectTarget(target));
     this.timeline = new Timeline(this.clock, { step: (d) => this.step(d), select: (mark) => this.selectMark(mark) });
@@ -86,7 +96,9 @@ export class Watch {
       { name: "Targets", element: h("div", { class: "split" }, this.side.element, this.table.element), empty: () => targetsOf(this.run).length === 0 },
       { name: "Plots", element: this.plots.element, empty: () => this.plots.empty },
       { name: "Events", element: this.events.element, empty: () => this.events.empty },
+      { name: "Why", element: this.why.element, empty: () => this.why.empty },
       { name: "Numbers", element: this.facts.element, empty: () => false },
+      { name: "Messages", element: this.messages.element, empty: () => false },
     ], (name) => { keepInAddress({ tab: name.toLowerCase() }); this.invalidate(); });
   }
 
@@ -97,7 +109,7 @@ export class Watch {
     const { shot, target, mark } = this.selected;
     this.run = run;
     this.marks = marksOf(run);
-    for (const part of [this.stage, this.side, this.table, this.events, this.plots]) part.renew(run);
+    for (const part of [this.stage, this.side, this.table, this.events, this.plots, this.messages, this.why]) part.renew(run);
     this.clock.grow(run.duration, goesOn);
     this.timeline.renew(run, this.marks);
     this.facts.renew(run, goesOn);
@@ -157,6 +169,8 @@ export class Watch {
     this.table.show(clock.t, this.selected.target);
     this.events.show(clock.t);
     this.plots.show(clock.t);
+    this.messages.show(clock.t);
+    this.why.show(clock.t);
     this.timeline.show(this.selected.mark);
     if (clock.moves) this.invalidate();
     else keepInAddress({ t: clock.live ? "" : clock.t.toFixed(2) });
@@ -202,6 +216,13 @@ export class Watch {
     else this.choose(null, target);
   }
 
+  /** Something was clicked: its message is shown, on top where nothing else here tells of it. */
+  private tell(told: Told): void {
+    this.messages.pick(told);
+    if (told.topic === topic.targets || told.topic === topic.shots) this.invalidate();
+    else this.tabs.choose("Messages");
+  }
+
   private selectMark(mark: Mark): void {
     if (mark.shot) {
       this.selectShot(mark.shot);
@@ -219,12 +240,17 @@ export class Watch {
   private get name(): string { return this.run.name || "run"; }
   private get instant(): string { return `${this.name}-${clockText(this.clock.t, 1).replace(":", "m")}s`; }
 
-  private saveLog(): void {
-    if (this.log.file) void this.log.file.whole().then((blob) => saveBlob(blob, "run.mcap"));
-    else saveText(JSON.stringify(this.log.summary), "run.json");
+  /** What can be saved: the view at this instant, a film of it, the run. */
+  private exports(): MenuItem[] {
+    const { log } = this;
+    return [
+      { name: "PNG", about: "this view as a picture", key: "s", act: () => saveCanvas(this.stage.canvas, `${this.instant}.png`) },
+      { name: "SVG", about: "the plan as shapes and text", key: "g", act: () => saveText(this.stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
+      { name: hasEncoder() ? "WebM" : "Frames", about: "a film of this view", key: "m", act: () => this.saveFilm() },
+      ...(log.summary ? [{ name: "JSON", about: "how the run ended, its numbers", key: "J", act: () => saveText(JSON.stringify(log.summary, null, 1), "run.json") }] : []),
+      ...(log.file ? [{ name: "MCAP", about: "the log of the run", key: "j", act: () => void log.file!.whole().then((blob) => saveBlob(blob, "run.mcap")) }] : []),
+    ];
   }
-
-  private savePicture(): void { saveCanvas(this.stage.canvas, `${this.instant}.png`); }
 
   /** Opens the dialog that saves frames of the current view; a frame depends on the time alone. */
   private saveFilm(): void {
@@ -243,15 +269,14 @@ export class Watch {
     keys.set("Playing", playingKeys(clock, (direction) => this.step(direction)), this);
     keys.set("View", [
       { key: "v", words: "plan or space", act: () => void stage.show(!stage.inSpace) },
+      { key: "r", words: "measure in the plan", act: () => stage.measure() },
+      { key: "y", words: "layers", act: () => stage.showLayers() },
       { key: "f", words: "follow the robot", act: () => stage.setFollow(!stage.following) },
       { key: "+", words: "zoom in", act: () => stage.zoom(true) },
       { key: "-", words: "zoom out", act: () => stage.zoom(false) },
       { key: "0", words: "show everything", act: () => stage.reset() },
       { key: "t", words: "next tab", act: () => this.tabs.next() },
-      { key: "s", words: "save the view as PNG", act: () => this.savePicture() },
-      { key: "g", words: "save the plan view as SVG", act: () => saveText(stage.svg(this.present), `${this.instant}.svg`, "image/svg+xml") },
-      { key: "m", words: "save frames of a film", act: () => this.saveFilm() },
-      { key: "j", words: "save the log of the run", act: () => this.saveLog() },
+      ...this.exports().map(({ name, about, key, act }) => ({ key: key!, words: `save ${about} (${name})`, act })),
     ], this);
   }
 }

@@ -11,13 +11,8 @@ export const executable = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/u
 
 /** A page that a test serves itself (useBuiltPage) has no address, and may not open a socket to this machine without the feature off. */
 const plain = ["--disable-features=LocalNetworkAccessChecks", "--no-sandbox", "--disable-dev-shm-usage", "--disable-background-networking", "--force-color-profile=srgb", "--font-render-hinting=none"];
-/** A graphics card made of software, which the view in space needs where there is none. It draws the plane as well, and slowly. */
-const card = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
-
-export const launch = () => chromium.launch({ executablePath: executable, args: [...plain, ...card] });
-
-/** As Chromium runs on a machine without a graphics card: it draws by itself. */
-export const launchPlain = () => chromium.launch({ executablePath: executable, args: [...plain, "--disable-gpu"] });
+/** Chromium draws the plane by itself, which is fast, and the view in space by a graphics card made of software. */
+export const launch = () => chromium.launch({ executablePath: executable, args: [...plain, "--disable-gpu", "--enable-unsafe-swiftshader"] });
 
 /** Waits until `ask` answers with something true, which is returned. */
 export async function until(what, ask, seconds = 60) {

@@ -1,7 +1,7 @@
 // Plans while one drags, measured: how often a plan comes back, and how long after the pointer moved.
 import { cpSync } from "node:fs";
 import { join } from "node:path";
-import { launchPlain } from "./browser.mjs";
+import { launch } from "./browser.mjs";
 import { source } from "./server.mjs";
 
 const margin = { left: 34, right: 20, top: 50, bottom: 40 };  // as Camera has it
@@ -57,7 +57,7 @@ async function drag(page, from, to, seconds = 2) {
 
 /** Says for each kind of ground how it goes. */
 export async function measureDragging(server, folder) {
-  const browser = await launchPlain();
+  const browser = await launch();
   cpSync(join(source, "scenarios/explore"), join(folder, "explore"), { recursive: true });
   for (const [what, path, planner, tool, from, to] of [
     ["the goal", "maps/gallery.map", "a_star", "", "goal", [0.5, 0.5]],

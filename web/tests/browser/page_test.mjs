@@ -7,9 +7,13 @@ import { join } from "node:path";
 import { compareShot, executable, launch, saved, until } from "./browser.mjs";
 import { difference, readPng, shrunk } from "./png.mjs";
 import { onScreen } from "./drag.mjs";
+import { accessCases } from "./access_cases.mjs";
+import { exportCases } from "./export_cases.mjs";
 import { frontCases } from "./front_cases.mjs";
 import { liveCases } from "./live_cases.mjs";
+import { lookCases } from "./look_cases.mjs";
 import { makeMaps, makeRuns } from "./runs.mjs";
+import { planToolCases } from "./plan_tool_cases.mjs";
 import { runsCases } from "./runs_cases.mjs";
 import { truthCases } from "./truth_cases.mjs";
 import { wayCases } from "./way_cases.mjs";
@@ -194,6 +198,7 @@ const cases = {
     await frames(page);
     const film = (from, to) => saved(page, async () => {
       await page.keyboard.press("m");
+      await page.selectOption('.film [aria-label="Format"]', { label: "pictures (zip of PNG)" });
       for (const [name, value] of [["From", from], ["To", to], ["Frames a second", 10]]) await page.fill(`.film [aria-label="${name}"]`, String(value));
       await page.keyboard.press("Enter");
     });
@@ -265,7 +270,7 @@ const cases = {
     assert.ok(await page.isChecked("#option-first_turn"));
     await page.goto(`${server.url}#plan/maps/gallery.map?planner=hub_labels`);
     await page.waitForSelector(".result");
-    await until("the sentence", async () => /^hub_labels looks its answer up in an index/.test(await text(page, ".action")));
+    await until("the sentence", async () => /^Hub labels looks its answer up in an index/.test(await text(page, ".action")));
     await page.close();
   },
 
@@ -428,6 +433,10 @@ const cases = {
   ...runsCases({ open, text, output }),
   ...truthCases({ open, text, frames, cell, answers, server, folder }),
   ...wayCases({ open, text, frames, cell, answers, onMap, folder }),
+  ...lookCases({ open, text, frames, server, folder }),
+  ...planToolCases({ open, text, cell, answers }),
+  ...exportCases({ open, text, frames }),
+  ...accessCases({ open, text, frames, server, folder }),
 
   async "a log that was cut short is shown up to there, and an old report is refused"() {
     const log = readFileSync(join(folder, "runs/yard/run.mcap"));

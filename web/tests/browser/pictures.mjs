@@ -1,6 +1,6 @@
 // Makes the pictures of docs/ from the page as it is now, the same each time.
 //   OUTRIDER=build/outrider OUTRIDER_SOURCE=. node web/tests/browser/pictures.mjs [NAME...]
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -22,6 +22,11 @@ async function open(hash, width, height) {
   page.on("pageerror", (error) => console.error(`${hash}: ${error.message}`));
   await page.goto(server.url + hash);
   return page;
+}
+/** The log of a run; one that is not done, such as an exploration that leaves something over, leaves one, too. */
+function makeRun(scenario, name) {
+  const { status } = spawnSync(tool, ["run", join(source, scenario), "--out", join(folder, name)], { stdio: "ignore" });
+  if (status !== 0 && status !== 1) throw new Error(`${scenario}: status ${status}`);
 }
 const frames = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 const docs = (name) => join(source, "docs", name);
@@ -53,6 +58,7 @@ async function film(name, hash, from, to, rate) {
   await page.waitForSelector(".space-view canvas");
   await frames(page);
   await page.keyboard.press("m");
+  await page.selectOption('.film [aria-label="Format"]', { label: "pictures (zip of PNG)" });
   for (const [field, value] of [["From", from], ["To", to], ["Frames a second", rate]]) await page.fill(`.film [aria-label="${field}"]`, String(value));
   const archive = await saved(page, () => page.keyboard.press("Enter"));
   await page.close();
@@ -69,15 +75,15 @@ const pictures = {
   "page-watch.png": (name) => still(name, "#watch/runs/yard/run.mcap?shot=9&t=28.26&theme=light", ".targets tbody"),
   "page-space.png": (name) => still(name, "#watch/runs/yard/run.mcap?view=3d&shot=6&t=20.2&theme=dark", ".space-view canvas"),
   "page-explore.png": (name) => {
-    execFileSync(tool, ["run", join(source, "scenarios/explore/office.yaml"), "--out", join(folder, "office")], { stdio: "ignore" });
+    makeRun("scenarios/explore/office.yaml", "office");
     return still(name, "#watch/office/run.mcap?view=3d&follow=1&t=36&theme=dark&tab=plots", ".space-view canvas");
   },
   "page-slam.png": (name) => {
-    execFileSync(tool, ["run", join(source, "scenarios/slam/office.yaml"), "--out", join(folder, "slam")], { stdio: "ignore" });
+    makeRun("scenarios/slam/office.yaml", "slam");
     return still(name, "#watch/slam/run.mcap?t=95&theme=light&tab=plots", ".plots figure");
   },
   "page-cover.png": (name) => {
-    execFileSync(tool, ["run", join(source, "scenarios/cover/cover_field.yaml"), "--out", join(folder, "field")], { stdio: "ignore" });
+    makeRun("scenarios/cover/cover_field.yaml", "field");
     return still(name, "#watch/field/run.mcap?view=3d&t=4985&theme=light&tab=plots", ".space-view canvas");
   },
   "page-search.png": (name) => still(name, "#plan/maps/gallery.map?planner=a_star&radius=0&theme=dark&step=70", ".result", async (page) => {

@@ -73,6 +73,10 @@ export const runsCases = ({ open, text, output }) => ({
     await page.evaluate(() => document.activeElement.blur());
     await page.keyboard.press("End");
     await until("the end", async () => (await page.locator(".compare-at").allTextContents()).some((one) => one.includes(", ended")));
+    await page.keyboard.press("o");
+    await until("one plan", () => page.locator(".compare-views .stage").nth(1).isHidden());
+    await until("the layout", () => page.evaluate(() => /layout=over/.test(location.hash)));
+    await page.keyboard.press("o");
     await page.setViewportSize({ width: 390, height: 844 });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "the page is wider than the window");
     await page.goto(`${server.url}#compare?runs=absent,${first.id}`);

@@ -33,7 +33,7 @@ export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) =
     const rested = async () => {
       let [before, now] = ["", await view()];
       while (now !== before) {
-        await page.waitForTimeout(300);
+        await page.waitForTimeout(150);
         [before, now] = [now, await view()];
       }
       return now;
@@ -112,7 +112,7 @@ export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) =
     await until("a longer path", async () => await length() > free + 1);
     await until("the last answer", async () => {  // of those to a pointer that moved
       const before = await answers(page);
-      await page.waitForTimeout(500);
+      await page.waitForTimeout(250);
       return await answers(page) === before;
     });
     const [once, view] = [await length(), await page.evaluateHandle(() => document.querySelector(".plan-page"))];
@@ -140,7 +140,7 @@ export const wayCases = ({ open, text, frames, cell, answers, onMap, folder }) =
     await until("the question", () => asked.length === 2);
     assert.ok(await same());
     await until("the address", () => page.evaluate(() => location.hash.startsWith("#draw")));
-    await page.reload({ timeout: 3000 }).catch(() => undefined);
+    await page.reload({ timeout: 800 }).catch(() => undefined);
     assert.deepEqual(asked, ["confirm", "confirm", "beforeunload"]);
     assert.ok(await same() && await length() === once);
     await page.fill("#save-name", "kept_wall.yaml");

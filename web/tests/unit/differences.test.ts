@@ -11,7 +11,7 @@ describe("the numbers of two runs", () => {
       ["covered", "50.00", "52.00", true, "+2.00 %"],
       ["shots", "23", "20", true, "\u22123"],
       ["driven", "21.6", "\u2013", true, ""],
-      ["gap", "\u2013", "0.25", true, ""],
+      ["gap", "\u2013", "25.0", true, ""],
     ]);
   });
 

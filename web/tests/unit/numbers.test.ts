@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { typeset } from "../../src/base/typeset";
 import { clockText, metric, minus, roundStep, wrapped } from "../../src/base/numbers";
 
 describe("numbers for people", () => {
@@ -6,6 +7,8 @@ describe("numbers for people", () => {
     expect(clockText(0)).toBe("0:00");
     expect(clockText(62.5, 1)).toBe("1:02.5");
     expect(clockText(59.96, 1)).toBe("1:00.0");  // rounds before it splits
+    expect(clockText(3599.9)).toBe("1:00:00");
+    expect(clockText(8070.6, 1)).toBe("2:14:30.6");
     expect(clockText(null)).toBe("\u2013");
   });
 
@@ -15,8 +18,17 @@ describe("numbers for people", () => {
     expect(metric("turned_rad", 2 * Math.PI)).toEqual({ label: "turned", value: "1.00", unit: "turns" });
     expect(metric("reach_m2", 41.26)).toEqual({ label: "reach", value: "41.3", unit: "m\u00b2" });
     expect(metric("covered_fraction", 0.99987)).toEqual({ label: "covered", value: "99.99", unit: "%" });
+    expect(metric("time_s", 8070)).toEqual({ label: "time", value: "2:14:30", unit: "h" });
+    expect(metric("tour_proven", 0)).toEqual({ label: "tour proven", value: "no", unit: "" });
+    expect(metric("gap", 0.01999)).toEqual({ label: "gap", value: "2.00", unit: "%" });
     expect(metric("places", 18569)).toEqual({ label: "places", value: "18,569", unit: "" });
     expect(metric("gap", null).value).toBe("\u2013");
+  });
+
+  it("rounds and sets the text of the tool, and leaves names alone", () => {
+    expect(typeset("caught at 26.087855297157624 s, on 0.3 m2, at most 0.5 m/s2")).toBe("caught at 26.0879 s, on 0.3 m\u00b2, at most 0.5 m/s\u00b2");
+    expect(typeset("2 places per m2; up to 12 m3")).toBe("2 places per m\u00b2; up to 12 m\u00b3");
+    for (const same of ["map m2.yaml of room_m2", "0.0909", "at 1234567 and 1.2.3456789", "seed 123456789"]) expect(typeset(same)).toBe(same);
   });
 
   it("finds round steps that are large enough", () => {

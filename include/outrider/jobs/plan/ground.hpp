@@ -22,6 +22,8 @@ struct PlanGround {
   double radius_m = 0.0;               ///< radius of the robot
   std::shared_ptr<const GridMap> grid = nullptr;            ///< null if there is no grid
   std::shared_ptr<const PolygonGround> polygons = nullptr;  ///< null if there are no polygons
+  std::shared_ptr<const GridMap> standing =
+      nullptr;  ///< the occupied cells; null if the map has exact shapes
 
   /// Convert a point between the world frame and the frame of the grid.
   [[nodiscard]] Vec2 to_grid(Vec2 world) const;

@@ -173,6 +173,41 @@ TEST_F(PlanAnswerTest, AWorldIsPolygonsToAPlannerThatTakesThose) {
   EXPECT_LT(number_of(*exact, 0, "cost"), number_of(*grid, 0, "cost") + 0.15);
 }
 
+/// The least distance of sampled legs to one square wall, or to the rim of a map of 12 by 8 m.
+double distance_to_wall(const std::vector<Vec2>& points) {
+  double least = 1e9;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    for (int k = 0; k <= 400; ++k) {
+      const Vec2 p = points[i - 1] + (k / 400.0) * (points[i] - points[i - 1]);
+      const Vec2 nearest{std::clamp(p.x, 5.0, 7.0), std::clamp(p.y, 3.0, 5.0)};
+      least = std::min({least, norm(p - nearest), p.x, p.y, 12.0 - p.x, 8.0 - p.y});
+    }
+  }
+  return least;
+}
+
+TEST_F(PlanAnswerTest, ClearanceIsThatOfTheMiddleOfTheRobotOnEveryGround) {
+  std::string rows;
+  for (int y = 0; y < 8; ++y) rows += y == 3 || y == 4 ? ".....@@.....\n" : "............\n";
+  const std::string grid = write("wall.map", "type octile\nheight 8\nwidth 12\nmap\n" + rows);
+  const std::string polygons =
+      write("wall.txt", "(0,0) (12,0) (12,8) (0,8)\n---\n(5,3) (7,3) (7,5) (5,5)\n---\n");
+  for (const std::string& map : {grid, polygons}) {
+    for (const char* radius : {"0.05", "0.3", "0.8"}) {
+      const auto run = plan({{"map", map},
+                             {"from", "2.5,4.5"},
+                             {"to", "9.5,3.5"},
+                             {"radius", radius},
+                             {"planner", "theta_star"}});
+      ASSERT_TRUE(run.has_value()) << to_string(run.error());
+      ASSERT_EQ(text_of(*run, 0, "status"), "done") << map << " " << radius;
+      EXPECT_NEAR(number_of(*run, 0, "clearance_m"), distance_to_wall(waypoints_of(*run, 0)), 1e-3)
+          << map << " " << radius;
+      EXPECT_GE(number_of(*run, 0, "clearance_m"), std::stod(radius) - 1e-9);
+    }
+  }
+}
+
 TEST_F(PlanAnswerTest, AKeptWorkspaceAnswersTheSame) {
   PlanScenario scenario;
   scenario.map = write("a.txt", room);

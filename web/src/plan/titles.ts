@@ -1,0 +1,13 @@
+// What people call a planner: "A*" for a_star, "JPS+" for jps_plus, "Visibility graph, implicit".
+
+const whole: Record<string, string> = {
+  visibility_graph_implicit: "Visibility graph, implicit", visibility_graph_reduced: "Visibility graph, reduced", lazy_theta_star: "Lazy Theta*",
+};
+const capitals = new Set(["a", "jps", "prm", "rrt", "bit"]);
+
+export function titleOf(planner: string): string {
+  if (whole[planner]) return whole[planner];
+  const [, stem = planner, mark = ""] = planner.match(/^(.*?)(_star|_plus)?$/) ?? [];
+  const word = capitals.has(stem) ? stem.toUpperCase() : stem.charAt(0).toUpperCase() + stem.slice(1);
+  return word.replaceAll("_", " ") + { "": "", _star: "*", _plus: "+" }[mark]!;
+}

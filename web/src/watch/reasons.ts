@@ -1,0 +1,75 @@
+// Why the run went as it did, from its log: which stop serves whom and what the bound says of the tour, what each decision of an
+// exploration had to choose from, how the bound of a pursuit closed in.
+import { clockText, figures, finite, fixed } from "../base/numbers";
+import { typeset } from "../base/typeset";
+import { flightsOf } from "../log/flights";
+import { refusalsOf } from "../log/plans";
+import { pursuitOf } from "../log/pursuit";
+import type { Run } from "../log/run";
+import { indexAt } from "../log/run_log";
+import { targetsOf } from "../log/targets";
+import { topic } from "../log/topics";
+
+/** A sentence, with the time it is about where it is about one. */
+export interface Reason { t?: number; head: string; text: string }
+export interface Reasons { title: string; about: string; rows: Reason[] }
+
+/** Shots from one place, one after another, are one stop. */
+const together_m = 0.05;
+
+interface Stop { t: number; end: number; x: number; y: number; hit: string[]; missed: string[] }
+
+export function stopsOf(run: Run): Stop[] {
+  const stops: Stop[] = [];
+  for (const shot of flightsOf(run)) {
+    const at = run.track.at(shot.start);
+    let stop = stops.at(-1);
+    if (!stop || Math.hypot(stop.x - at.x, stop.y - at.y) > together_m) stops.push(stop = { t: shot.start, end: shot.end, x: at.x, y: at.y, hit: [], missed: [] });
+    stop.end = shot.end;
+    (shot.hit ? stop.hit : stop.missed).push(shot.target);
+  }
+  return stops;
+}
+
+/** What the numbers of a plan say of it. */
+function tourWords(numbers: Record<string, number | null>): string {
+  const known = (name: string): number => finite(numbers[name], NaN);
+  const [planned, bound, anywhere, offered] = [known("planned_s"), known("lower_bound_s"), known("anywhere_lower_bound_s"), known("stops_offered")];
+  const among = Number.isFinite(offered) ? ` among tours of ${offered.toLocaleString("en")} places to stop at` : "";
+  const proof = numbers.tour_proven ? `It is the fastest${among}.`
+    : bound > 0 ? `None takes less than ${fixed(bound, 1)} s, so it is at most ${figures(100 * (planned / bound - 1))} % slower than the fastest${among}.` : "";
+  return [Number.isFinite(planned) ? `The plan takes ${fixed(planned, 1)} s. ${proof}` : "", Number.isFinite(anywhere) ? `Wherever it stopped, it would take at least ${fixed(anywhere, 1)} s.` : ""].filter(Boolean).join(" ");
+}
+
+function tourReasons(run: Run): Reasons[] {
+  if (targetsOf(run).length === 0) return [];
+  const about = run.log.summary ? tourWords(run.log.summary.metrics) : "";
+  const stops = stopsOf(run).map(({ t, end, x, y, hit, missed }, i): Reason => ({ t, head: `Stop ${i + 1} at (${fixed(x, 2)}, ${fixed(y, 2)}), ${clockText(t)} to ${clockText(end)}`,
+    text: [hit.length > 0 ? `serves ${hit.join(", ")}` : "", missed.length > 0 ? `misses ${missed.join(", ")}` : ""].filter(Boolean).join("; ") }));
+  const left = targetsOf(run).filter(({ status }) => status === "unreachable" || status === "failed").map(({ name, last }): Reason => ({ head: `${name}: ${last.status}`, text: typeset(last.reason) }));
+  return stops.length + left.length > 0 ? [{ title: "The tour", about, rows: [...stops, ...left] }] : [];
+}
+
+function explorationReasons(run: Run): Reasons[] {
+  const decisions = run.log.messages<{ kind: string; frontiers: number }>(topic.decisions);
+  if (decisions.length === 0) return [];
+  const goals = run.log.messages<{ pose: { position: { x: number; y: number } } }>(topic.goal);
+  const rows = decisions.map(({ t, message: { kind, frontiers } }): Reason => {
+    const goal = goals[indexAt(goals, t)]?.message.pose.position;
+    const to = goal ? ` (${fixed(goal.x, 2)}, ${fixed(goal.y, 2)})` : "";
+    return { t, head: `${clockText(t)} ${kind === "home" ? "goes home" : `to a frontier at${to}`}`, text: `${frontiers.toLocaleString("en")} ${frontiers === 1 ? "frontier was" : "frontiers were"} open` };
+  });
+  const refused = refusalsOf(run).map(({ at: [x, y], reason }): Reason => ({ head: `left over at (${fixed(x, 2)}, ${fixed(y, 2)})`, text: typeset(reason) }));
+  return [{ title: "Decisions", about: `${decisions.length.toLocaleString("en")} times it chose where to look next.`, rows: [...rows, ...refused] }];
+}
+
+function pursuitReasons(run: Run): Reasons[] {
+  const bounds = pursuitOf(run)?.bounds ?? [];
+  if (bounds.length === 0) return [];
+  const rows = bounds.map(({ t, expansions, cost, lower_bound }): Reason => ({ t, head: `${clockText(t, 1)} after ${expansions.toLocaleString("en")} expansions`,
+    text: Number.isFinite(cost) ? `a catch for ${figures(cost)} is known, none costs less than ${figures(lower_bound)}${cost <= lower_bound ? ": it is the best" : `: at most ${figures(100 * (cost / lower_bound - 1))} % above the best`}`
+      : `no catch is known yet; none costs less than ${figures(lower_bound)}` }));
+  return [{ title: "The bound closes in", about: "What planning knew, step by step.", rows }];
+}
+
+export const reasonsOf = (run: Run): Reasons[] => [tourReasons, explorationReasons, pursuitReasons].flatMap((make) => make(run));

@@ -1,0 +1,52 @@
+// A measuring tool: how far it is between two places of the plane, along each axis too, and in which direction.
+import type { Camera } from "../base/camera";
+import { degrees } from "../base/numbers";
+import type { Vec2 } from "../base/outline";
+import { theme } from "../base/theme";
+import { lengthText } from "../base/units";
+import { disk, label } from "./layer";
+
+export class Ruler {
+  on = false;
+  private ends: [Vec2, Vec2] | null = null;
+
+  toggle(on = !this.on): void {
+    this.on = on;
+    if (!on) this.ends = null;
+  }
+
+  begin(at: Vec2): void { this.ends = [at, at]; }
+  drag(at: Vec2): void { if (this.ends) this.ends = [this.ends[0], at]; }
+
+  /** What it measures, in words; empty where nothing is measured. */
+  get text(): string {
+    if (!this.ends) return "";
+    const [[ax, ay], [bx, by]] = this.ends;
+    const [dx, dy] = [bx - ax, by - ay];
+    return `${lengthText(Math.hypot(dx, dy))}, \u0394x ${lengthText(dx)}, \u0394y ${lengthText(dy)}, ${degrees(Math.atan2(dy, dx))}`;
+  }
+
+  draw(ctx: CanvasRenderingContext2D, camera: Camera): void {
+    if (!this.ends) return;
+    const [a, b] = this.ends.map(([x, y]) => camera.screen(x, y)) as [{ x: number; y: number }, { x: number; y: number }];
+    ctx.save();
+    camera.toScreen(ctx);
+    for (const [width, colour] of [[4.5, theme.yard], [2, theme.ink]] as const) {
+      ctx.lineWidth = width;
+      ctx.strokeStyle = ctx.fillStyle = colour;
+      ctx.beginPath();
+      ctx.moveTo(a.x, a.y);
+      ctx.lineTo(b.x, b.y);
+      ctx.stroke();
+      for (const end of [a, b]) {
+        disk(ctx, end.x, end.y, width + 1);
+        ctx.fill();
+      }
+    }
+    ctx.font = `600 12px ${theme.sans}`;
+    ctx.textBaseline = "middle";
+    const width = ctx.measureText(this.text).width;
+    label(ctx, this.text, Math.min(Math.max(6, (a.x + b.x - width) / 2), camera.width - width - 6), Math.max(14, Math.min(a.y, b.y) - 16), theme.ink, theme.yard);
+    ctx.restore();
+  }
+}
