@@ -72,10 +72,15 @@ std::vector<double> sweep_headings(const CoverField& field, std::int64_t count) 
   return headings;
 }
 
+/// Time of getting from one lane to the next.
+double change_time_s(const CoverProblem& problem) {
+  return 2.0 * (duration(0.5 * pi, problem.pace.turning()) + problem.pace.pause_s) +
+         duration(problem.stride_m(), problem.pace.straight());
+}
+
 /// Time of the lanes and of getting from one to the next.
 double sweep_time_s(const std::vector<SweepCell>& cells, const CoverProblem& problem) {
-  const double change = 2.0 * (duration(0.5 * pi, problem.pace.turning()) + problem.pace.pause_s) +
-                        duration(problem.stride_m(), problem.pace.straight());
+  const double change = change_time_s(problem);
   double time = 0.0;
   for (const SweepCell& cell : cells) {
     for (const Segment& lane : cell.lanes) {
@@ -92,8 +97,9 @@ using CellChoices = std::vector<std::vector<SweepCell>>;
 CellChoices cells_of(const Region& core, const CoverProblem& problem, const std::vector<double>& headings,
                      const std::stop_token& stop) {
   const Strides strides(problem);
+  const double change_m = problem.pace.speed_mps * change_time_s(problem);
   const auto cut = [&](const Region& region, double heading) {
-    return sweep_cells(region, heading, strides.slab_m, strides.slack_m);
+    return sweep_cells(region, heading, strides.slab_m, strides.slack_m, change_m);
   };
   std::vector<SweepCell> best;
   for (const RingedPolygon& part : core) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "outrider/core/units.hpp"
+#include "outrider/jobs/cover/length_bound.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/path/check.hpp"
 
@@ -83,6 +84,7 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   const std::vector<Vec2> points =
       points_along(plan.track.start.position, plan.track.pieces, proof_arc_step_rad);
   const double error_m = problem.tracking_error_m;
+  proof.length_bound_m = least_length_m(plan.ground, problem);
   proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
   const Coverage surely = error_m > 0.0
                               ? coverage_of(points, problem.sure_radius_m(), plan.ground.reach, budget.stop)

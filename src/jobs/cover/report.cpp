@@ -101,6 +101,7 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"order_bound_s", plan.order_bound_s},
           {"length_m", drive.length_m},
           {"planned_m", plan.sums.length_m},
+          {"length_bound_m", proof.length_bound_m},
           {"turned_rad", drive.turned_rad},
           {"tracking_error_m", drive.tracking_error_m},
           {"tracking_error_limit_m", problem.tracking_error_m},

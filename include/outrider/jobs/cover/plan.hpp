@@ -37,7 +37,8 @@ struct CoverOptions {
   TourOptions order{.exact_goals = 9,
                     .expansions = 20'000,
                     .iterations = 4000,
-                    .gap = 1.0};  ///< options of the tour; the default spends little time on a proof
+                    .gap = 0.05,
+                    .operations = 100'000'000};  ///< options of the tour
 };
 /// Describes the options by name.
 std::vector<Option> describe(CoverOptions& options);
@@ -86,6 +87,7 @@ struct CoverProof {
   double sure_fraction = 0.0;   ///< covered fraction of the reach for every allowed tracking error
   double inner_fraction = 0.0;  ///< the same for all points within the sure radius of the standing room
   double clearance_m = 0.0;  ///< exact smallest distance of the track from an edge; of transfers from a hole
+  double length_bound_m = 0.0;  ///< no track that covers all is shorter (length_bound.hpp)
   std::vector<FieldProof> fields = {};
 };
 
