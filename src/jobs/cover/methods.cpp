@@ -10,6 +10,7 @@ namespace {
 using namespace cover;
 
 constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer units than that
+constexpr std::size_t most_proven = 40;  // units whose order is proven; sweeps take no more goals
 constexpr double slack_part = 1e-3;      // of the stride: more than all rounding and chords
 
 /// The widest slab, a little less than a stride, and how much farther than half of it the core keeps from the
@@ -183,7 +184,9 @@ Outcome<CoverPlan> assembled(CoverageArea ground, std::vector<FieldWork> works, 
   const std::size_t each = most_stops / std::max<std::size_t>(1, plan.laps + plan.cells);
   auto units = units_of(works, each, transit);
   if (!units) return pass_on(units);
-  auto order = ordered(*units, problem.start, problem.pace, options.order, budget, transit);
+  TourOptions tour = options.order;
+  if (units->size() > most_proven) tour.gap = 1.0;
+  auto order = ordered(*units, problem.start, problem.pace, tour, budget, transit);
   if (!order) return pass_on(order);
   plan.track = std::move(order->track);
   plan.roles = std::move(order->roles);

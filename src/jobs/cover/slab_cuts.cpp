@@ -12,6 +12,7 @@ namespace {
 
 constexpr double beside_m = 1e-5;  // a cut along an edge would leave the parts beside it joined by a line
 constexpr double corner_rad = radians(20.0);  // smoother bends are no corners
+constexpr double even_part = 1e-3;            // of the stride, for which even slabs are better than others
 constexpr int grid_of_stride = 8;
 constexpr std::size_t most_heights = 4000;
 
@@ -111,7 +112,8 @@ std::vector<double> slab_cuts(const RingedPolygon& polygon, double stride_m, dou
     for (std::size_t k = i; k + 1 < heights.size(); ++k) {
       if (heights[k + 1] - heights[i] > stride_m * (1.0 + 1e-9)) break;
       unite(lanes, strips[k]);
-      const double cost = least[i] + cost_of(lanes, change_m);
+      const double height_m = heights[k + 1] - heights[i];
+      const double cost = least[i] + cost_of(lanes, change_m) + even_part * height_m * height_m / stride_m;
       if (cost >= least[k + 1] - 1e-9) continue;
       least[k + 1] = cost;
       from[k + 1] = i;

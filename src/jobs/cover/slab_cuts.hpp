@@ -2,8 +2,9 @@
 //
 // Slabs of even height waste length in tapers and beside steps: a lane is as long as the longest stretch of
 // its slab. A dynamic programme over heights (the corners, an even grid and one eight times finer than the
-// stride) chooses the cuts that make the sum of the lanes, with `change_m` for each, least. The length of a
-// lane is judged by rays through the slab; whatever the cuts are, slabs are at most a stride high.
+// stride) chooses the cuts that make the sum of the lanes, with `change_m` for each, least, and even slabs
+// where that is the same. The length of a lane is judged by rays through the slab; whatever the cuts are,
+// slabs are at most a stride high.
 #pragma once
 
 #include <vector>

@@ -206,6 +206,24 @@ TEST(CoverPlan, SameProblemSameTrack) {
   }
 }
 
+/// No order that a longer search with another seed finds is quicker than the bound that is stated.
+TEST(CoverPlan, NoOrderIsQuickerThanItsBound) {
+  Rng rng(77);
+  for (int k = 0; k < testing::cases(4); ++k) {
+    const CoverProblem problem = testing::random_cover_problem(rng);
+    const CoverMethod method = *find_cover_method("spiral");
+    CoverOptions hasty, thorough;
+    hasty.order.iterations = 50;
+    hasty.order.gap = 1.0;
+    thorough.order.iterations = 20'000;
+    thorough.order.seed = 2;
+    const auto bounded = method.plan(problem, hasty, {}), best = method.plan(problem, thorough, {});
+    ASSERT_TRUE(bounded && best);
+    EXPECT_LE(bounded->order_bound_s, best->sums.time_s + 1e-6) << k;
+    EXPECT_LE(best->order_bound_s, best->sums.time_s + 1e-6) << k;
+  }
+}
+
 TEST(CoverPlan, TheJudgeRefusesWhatIsWrong) {
   const CoverProblem problem = room(1.5);
   const CoverPlan plan = planned(problem, "boustrophedon");
