@@ -169,6 +169,15 @@ void add_drive_suite(Command& bench) {
   drive.footer("\nExample: outrider bench drive --seeds 10");
 }
 
+void add_cover_suite(Command& bench) {
+  Command& cover =
+      bench.add("cover", "coverage of areas of twelve kinds: proofs, and lengths against bounds");
+  auto asked = std::make_shared<Asked<bench::CoverRequest>>();
+  add_seeds(cover, asked->request.each, "areas of each kind [5]");
+  finish(cover, "bench cover", bench::measure_cover, asked);
+  cover.footer("\nExample: outrider bench cover --seeds 1");
+}
+
 }  // namespace
 
 void add_bench(Command& tool) {
@@ -180,6 +189,7 @@ void add_bench(Command& tool) {
   add_slam_suite(bench);
   add_explore_suite(bench);
   add_drive_suite(bench);
+  add_cover_suite(bench);
 }
 
 }  // namespace outrider::cli

@@ -75,8 +75,9 @@ Outcome<Scene> pursuit_scene(const std::string& file) {
 Outcome<Scene> area_scene(const std::string& file) {
   auto area = load_cover_area(file);
   if (!area) return pass_on(area);
-  PolygonMap map{area->boundary.corners, {}, {}};
-  for (const AreaRing& hole : area->holes) map.obstacles.push_back(hole.corners);
+  const AreaPolygon& polygon = area->polygons.front();  // a picture has one outline
+  PolygonMap map{polygon.boundary.corners, {}, {}};
+  for (const AreaRing& hole : polygon.holes) map.obstacles.push_back(hole.corners);
   return Scene{std::move(map), {}, {}};
 }
 

@@ -93,4 +93,10 @@ struct DriveRequest {
 };
 Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObserver& observer);
 
+/// Requests a benchmark of coverage plans: areas of twelve kinds, drawn at random, each covered and proven.
+struct CoverRequest {
+  std::int64_t each = 5;  ///< areas of each kind
+};
+Outcome<BenchResult> measure_cover(const CoverRequest& request, const BenchObserver& observer);
+
 }  // namespace outrider::bench

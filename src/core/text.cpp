@@ -87,7 +87,9 @@ std::string duration_text(double seconds) {
   if (seconds < 59.95) return fmt::format("{:.1f} s", seconds);
   if (seconds > 1e9) return fmt::format("{:.3g} s", seconds);
   const auto whole = static_cast<long>(seconds + 0.5);
-  return fmt::format("{} min {} s", whole / 60, whole % 60);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  const long minutes = (whole + 30) / 60;
+  return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
 }  // namespace outrider

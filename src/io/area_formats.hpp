@@ -9,10 +9,17 @@
 
 namespace outrider {
 
-/// The rings of an area: the boundary first, then the holes.
+/// The rings of a polygon: the boundary first, then the holes.
 using AreaRings = std::vector<AreaRing>;
 
-Outcome<AreaRings> rings_from_geojson(std::string_view text, const std::string& name);
+/// The polygons of a file, and what it says of its coordinates.
+struct AreaFile {
+  std::vector<AreaRings> polygons;
+  std::string crs = {};  ///< the member "crs" of GeoJSON as JSON text
+  Units units = Units::told_by_size;
+};
+
+Outcome<AreaFile> area_from_geojson(std::string_view text, const std::string& name);
 Outcome<AreaRings> rings_from_gml(std::string_view text, const std::string& name);
 Outcome<AreaRings> rings_from_yaml(std::string_view text, const std::string& name);
 

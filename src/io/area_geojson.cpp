@@ -12,10 +12,13 @@ using GeoJson = nlohmann::json;
 
 constexpr int deepest = 64;
 
-/// Collects the polygons of a GeoJSON object, each with its position in the document.
+/// A list of rings, and its position in the document.
+using FoundPolygon = std::pair<const GeoJson*, std::string>;
+
+/// Collects the polygons of a GeoJSON object.
 Status find_polygons(const GeoJson& object, const std::string& where, int depth,
-                     std::vector<std::pair<const GeoJson*, std::string>>& found) {
-  if (depth > deepest) return bad_input("it nests too deep; give one polygon", where);
+                     std::vector<FoundPolygon>& found) {
+  if (depth > deepest) return bad_input("it nests too deep; give polygons in features", where);
   const auto type = object.is_object() ? object.find("type") : object.end();
   if (!object.is_object() || type == object.end() || !type->is_string()) {
     return bad_input("it is no GeoJSON object with a type", where);
@@ -33,7 +36,16 @@ Status find_polygons(const GeoJson& object, const std::string& where, int depth,
   if (*type == "FeatureCollection") return into("features");
   if (*type == "Feature") return into("geometry");
   if (*type == "GeometryCollection") return into("geometries");
-  if (*type == "Polygon") found.emplace_back(&object, where + ".coordinates");
+  const bool many = *type == "MultiPolygon";
+  if (!many && *type != "Polygon") return {};
+  const auto coordinates = object.find("coordinates");
+  if (coordinates == object.end() || !coordinates->is_array()) {
+    return bad_input("it has no coordinates", where);
+  }
+  if (!many) found.emplace_back(&*coordinates, where + ".coordinates");
+  for (std::size_t i = 0; many && i < coordinates->size(); ++i) {
+    found.emplace_back(&(*coordinates)[i], fmt::format("{}.coordinates[{}]", where, i));
+  }
   return {};
 }
 
@@ -50,21 +62,9 @@ Outcome<AreaRing> ring_of(const GeoJson& points, const std::string& where) {
   return ring;
 }
 
-}  // namespace
-
-Outcome<AreaRings> rings_from_geojson(std::string_view text, const std::string& name) {
-  const GeoJson object = GeoJson::parse(text, nullptr, false);
-  if (object.is_discarded()) return bad_input("it is no JSON; write a GeoJSON polygon", name);
-  std::vector<std::pair<const GeoJson*, std::string>> polygons;
-  if (auto good = find_polygons(object, name + ": $", 0, polygons); !good) return pass_on(good);
-  if (polygons.size() != 1) {
-    return bad_input(
-        fmt::format("it holds {} polygons; give one, with its holes as further rings", polygons.size()),
-        name);
-  }
-  const auto& [polygon, where] = polygons.front();
-  const auto coordinates = polygon->find("coordinates");
-  if (coordinates == polygon->end() || !coordinates->is_array() || coordinates->empty()) {
+Outcome<AreaRings> polygon_of(const FoundPolygon& found) {
+  const auto& [coordinates, where] = found;
+  if (!coordinates->is_array() || coordinates->empty()) {
     return bad_input("a polygon has a list of rings here", where);
   }
   AreaRings rings;
@@ -74,6 +74,41 @@ Outcome<AreaRings> rings_from_geojson(std::string_view text, const std::string& 
     rings.push_back(std::move(*ring));
   }
   return rings;
+}
+
+/// Reads the member "crs" of the GeoJSON before RFC 7946: a name that is not of WGS 84 or ETRS 89 degrees
+/// stands for projected metres.
+void note_crs(const GeoJson& object, AreaFile& file) {
+  const auto crs = object.find("crs");
+  if (crs == object.end() || !crs->is_object()) return;
+  const auto properties = crs->find("properties");
+  if (properties == crs->end() || !properties->is_object()) return;
+  const auto name = properties->find("name");
+  if (name == properties->end() || !name->is_string()) return;
+  const auto text = name->get<std::string>();
+  const bool degrees = text.ends_with("CRS84") || text.ends_with(":4326") || text.ends_with(":4258");
+  file.crs = crs->dump(-1, ' ', false, GeoJson::error_handler_t::replace);
+  file.units = degrees ? Units::degrees : Units::metres;
+}
+
+}  // namespace
+
+Outcome<AreaFile> area_from_geojson(std::string_view text, const std::string& name) {
+  const GeoJson object = GeoJson::parse(text, nullptr, false);
+  if (object.is_discarded()) return bad_input("it is no JSON; write a GeoJSON polygon", name);
+  std::vector<FoundPolygon> found;
+  if (auto good = find_polygons(object, name + ": $", 0, found); !good) return pass_on(good);
+  if (found.empty()) {
+    return bad_input("it holds no polygon; give one or more, with their holes as further rings", name);
+  }
+  AreaFile file;
+  note_crs(object, file);
+  for (const FoundPolygon& one : found) {
+    auto rings = polygon_of(one);
+    if (!rings) return pass_on(rings);
+    file.polygons.push_back(std::move(*rings));
+  }
+  return file;
 }
 
 }  // namespace outrider

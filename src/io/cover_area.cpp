@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "area_formats.hpp"
-#include "outrider/core/units.hpp"
 #include "outrider/geometry/box.hpp"
 #include "outrider/io/files.hpp"
 #include "outrider/io/polygons.hpp"
@@ -17,7 +16,9 @@
 namespace outrider {
 namespace {
 
-constexpr double widest_deg = 0.2;
+constexpr double widest_deg = 0.2;          // of what is taken for degrees
+constexpr double widest_said_deg = 1.0;     // of what is said to be degrees
+constexpr double farthest_of_file_m = 3e7;  // more than any projected coordinate
 
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
   if (name.ends_with(".gz")) name.remove_suffix(3);
@@ -48,81 +49,126 @@ Outcome<AreaRings> rings_from_polygon_text(std::string_view text, const std::str
   return rings;
 }
 
-/// Converts degrees to metres east and north of the low corner of the box.
-/// Source: radii of curvature of WGS 84, NIMA TR8350.2 (2000).
-void project(AreaRings& rings, const Box2& box) {
-  constexpr double equator_m = 6378137.0, eccentricity2 = 6.69437999014e-3;
-  const double sine = std::sin(radians(0.5 * (box.low.y + box.high.y)));
-  const double w2 = 1.0 - eccentricity2 * sine * sine;
-  const double east_m = equator_m / std::sqrt(w2) * std::sqrt(1.0 - sine * sine);  // per radian
-  const double north_m = equator_m * (1.0 - eccentricity2) / (w2 * std::sqrt(w2));
-  for (AreaRing& ring : rings) {
-    for (Vec2& p : ring.corners) {
-      p = {east_m * radians(p.x - box.low.x), north_m * radians(p.y - box.low.y)};
+bool in_range_of_degrees(const Box2& box) {
+  return std::abs(box.low.y) <= 90.0 && std::abs(box.high.y) <= 90.0 && std::abs(box.low.x) <= 180.0 &&
+         std::abs(box.high.x) <= 180.0;
+}
+
+bool could_be_degrees(const Box2& box, double widest) {
+  return box.size().x <= widest && box.size().y <= widest && in_range_of_degrees(box);
+}
+
+template <class Check>
+Status each_ring(const std::vector<AreaRings>& polygons, Check check) {
+  for (const AreaRings& rings : polygons) {
+    for (const AreaRing& ring : rings) {
+      if (Status good = check(ring); !good) return good;
     }
   }
+  return {};
 }
 
-bool could_be_degrees(const Box2& box) {
-  return box.size().x <= widest_deg && box.size().y <= widest_deg && std::abs(box.low.y) <= 90.0 &&
-         std::abs(box.high.y) <= 90.0 && std::abs(box.low.x) <= 180.0 && std::abs(box.high.x) <= 180.0;
-}
-
-Status check_sizes(const AreaRings& rings) {
+/// Checks what was read.
+Status check_rings(const std::vector<AreaRings>& polygons) {
   std::size_t corners = 0;
-  for (const AreaRing& ring : rings) {
+  auto good = each_ring(polygons, [&](const AreaRing& ring) -> Status {
     corners += ring.corners.size();
     if (ring.corners.size() < 3) {
       return bad_input(fmt::format("a ring of {} corners has no area; give at least 3", ring.corners.size()),
                        ring.where);
     }
     for (const Vec2 p : ring.corners) {
-      if (std::abs(p.x) <= farthest_corner_m && std::abs(p.y) <= farthest_corner_m) continue;
-      return bad_input(
-          fmt::format("the corner ({:g}, {:g}) is farther than {:g} m from the origin; move it near", p.x,
-                      p.y, farthest_corner_m),
-          ring.where);
+      if (std::abs(p.x) <= farthest_of_file_m && std::abs(p.y) <= farthest_of_file_m) continue;
+      return bad_input(fmt::format("the corner ({:g}, {:g}) is farther than {:g} m from the origin; no "
+                                   "coordinates on the earth are",
+                                   p.x, p.y, farthest_of_file_m),
+                       ring.where);
     }
-  }
-  if (corners <= most_polygon_corners) return {};
+    return {};
+  });
+  if (!good || corners <= most_polygon_corners) return good;
   return bad_input(
       fmt::format("{} corners are more than {}; simplify the area", corners, most_polygon_corners),
-      rings.front().where);
+      polygons.front().front().where);
+}
+
+/// Checks the local coordinates.
+Status check_span(const std::vector<AreaRings>& polygons) {
+  return each_ring(polygons, [](const AreaRing& ring) -> Status {
+    for (const Vec2 p : ring.corners) {
+      if (std::abs(p.x) <= farthest_corner_m && std::abs(p.y) <= farthest_corner_m) continue;
+      return bad_input(fmt::format("a corner lies ({:g}, {:g}) m from the south-west corner, farther than "
+                                   "{:g} m; cut the area into parts",
+                                   p.x, p.y, farthest_corner_m),
+                       ring.where);
+    }
+    return {};
+  });
+}
+
+Outcome<AreaFile> read_area(std::string_view text, const std::string& name, bool json, bool xml) {
+  if (json) return area_from_geojson(text, name);
+  auto rings = xml                                      ? rings_from_gml(text, name)
+               : ends_with_any(name, {".yaml", ".yml"}) ? rings_from_yaml(text, name)
+                                                        : rings_from_polygon_text(text, name);
+  if (!rings) return pass_on(rings);
+  AreaFile file;
+  file.polygons.push_back(std::move(*rings));
+  return file;
+}
+
+/// Chooses the frame for coordinates in that box, and says in `note` if it had to guess.
+Outcome<AreaFrame> frame_of(const Box2& box, const std::string& name, Units units, bool geographic,
+                            std::string& note) {
+  if (units == Units::degrees && !could_be_degrees(box, widest_said_deg)) {
+    return bad_input(
+        fmt::format("({:g}, {:g}) to ({:g}, {:g}) are no degrees of an area up to {:g} across; say "
+                    "units: metres",
+                    box.low.x, box.low.y, box.high.x, box.high.y, widest_said_deg),
+        name);
+  }
+  const bool guess = units == Units::told_by_size && geographic;
+  if (units == Units::degrees || (guess && could_be_degrees(box, widest_deg))) {
+    return AreaFrame::of_degrees(box);
+  }
+  if (guess && in_range_of_degrees(box)) {
+    note = fmt::format("{}: as degrees it would span {:g} by {:g}; taken for metres", name, box.size().x,
+                       box.size().y);
+  }
+  return AreaFrame::of_metres(box, farthest_corner_m);
 }
 
 }  // namespace
 
 Outcome<CoverArea> cover_area_from_text(std::string_view text, const std::string& name, Units units) {
   const bool json = ends_with_any(name, {".json", ".geojson"}), xml = ends_with_any(name, {".xml", ".gml"});
-  auto rings = json                                     ? rings_from_geojson(text, name)
-               : xml                                    ? rings_from_gml(text, name)
-               : ends_with_any(name, {".yaml", ".yml"}) ? rings_from_yaml(text, name)
-                                                        : rings_from_polygon_text(text, name);
-  if (!rings) return pass_on(rings);
+  auto file = read_area(text, name, json, xml);
+  if (!file) return pass_on(file);
   Box2 box;
-  for (AreaRing& ring : *rings) {
-    if (ring.corners.size() > 1 && ring.corners.front() == ring.corners.back()) ring.corners.pop_back();
-    for (const Vec2 p : ring.corners) box.include(p);
+  for (AreaRings& rings : file->polygons) {
+    for (AreaRing& ring : rings) {
+      if (ring.corners.size() > 1 && ring.corners.front() == ring.corners.back()) ring.corners.pop_back();
+      for (const Vec2 p : ring.corners) box.include(p);
+    }
   }
+  if (auto good = check_rings(file->polygons); !good) return pass_on(good);
   CoverArea area;
-  const bool geographic = json || xml;
-  if (units == Units::degrees && !could_be_degrees(box)) {
-    return bad_input(
-        fmt::format("({:g}, {:g}) to ({:g}, {:g}) are no degrees of an area up to {:g} across; say "
-                    "units: metres",
-                    box.low.x, box.low.y, box.high.x, box.high.y, widest_deg),
-        name);
+  auto frame =
+      frame_of(box, name, units == Units::told_by_size ? file->units : units, json || xml, area.note);
+  if (!frame) return pass_on(frame);
+  area.frame = std::move(*frame);
+  area.frame.crs = std::move(file->crs);
+  for (AreaRings& rings : file->polygons) {
+    for (AreaRing& ring : rings) {
+      for (Vec2& p : ring.corners) p = area.frame.to_local(p);
+    }
   }
-  const bool degrees =
-      units == Units::degrees || (units == Units::told_by_size && geographic && could_be_degrees(box));
-  if (degrees) project(*rings, box);
-  if (geographic && units == Units::told_by_size && !degrees) {
-    area.note = fmt::format("{}: as degrees it would span {:g} by {:g}; taken for metres", name, box.size().x,
-                            box.size().y);
+  if (auto good = check_span(file->polygons); !good) return pass_on(good);
+  for (AreaRings& rings : file->polygons) {
+    area.polygons.push_back(
+        {std::move(rings.front()),
+         {std::make_move_iterator(rings.begin() + 1), std::make_move_iterator(rings.end())}});
   }
-  if (auto good = check_sizes(*rings); !good) return pass_on(good);
-  area.boundary = std::move(rings->front());
-  area.holes.assign(std::make_move_iterator(rings->begin() + 1), std::make_move_iterator(rings->end()));
   return area;
 }
 

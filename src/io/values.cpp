@@ -10,7 +10,7 @@
 namespace outrider {
 namespace {
 
-constexpr double most_m = 1e6;
+constexpr double most_m = 3e7;  // more than any projected coordinate
 
 }  // namespace
 

@@ -94,6 +94,53 @@ class Cover(ToolTest):
             self.assertLess(abs(piece["from"][0] - at[0]) + abs(piece["from"][1] - at[1]), 1e-8)
             at = piece["to"]
 
+    def features(self, name):
+        return json.loads((self.folder / name).read_text())["features"]
+
+    def test_a_field_in_utm(self):
+        crs = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}
+        corners = [[456789.5, 5428123], [456849.5, 5428123], [456849.5, 5428163], [456789.5, 5428163]]
+        self.write("utm.geojson", json.dumps({"type": "Polygon", "crs": crs, "coordinates": [corners + corners[:1]]}))
+        answer = self.cover("utm.geojson", "--width", "4", "--start", "456819.5,5428143,90", "--out", "out")
+        self.assertEqual((answer["origin_x"], answer["origin_y"]), (456789, 5428123))
+        self.assertAlmostEqual(answer["area_m2"], 2400, places=3)
+        areas = json.loads((self.folder / "out/areas.geojson").read_text())
+        self.assertEqual(areas["crs"], crs)
+        area = next(f for f in areas["features"] if f["properties"]["name"] == "area")
+        self.assertEqual(sorted(area["geometry"]["coordinates"][0][0][:-1]), sorted(corners))
+        line = self.features("out/track.geojson")[0]["geometry"]["coordinates"]
+        self.assertEqual(line[0], [456819.5, 5428143])
+        self.assertIn("metres east and north of (456789, 5428123)",
+                      [one.msg for _, one in self.log_of("out").read("/rosout")])
+        summary = self.run_tool("cover", "utm.geojson", "--width", "4")
+        self.assertEqual(summary.stderr, "")
+        self.assertIn("north of (456789, 5428123)", summary.stdout)
+        self.refused("cover", "utm.geojson", "--width", "4", "--start", "0,0,0", says=["start", "(456789, 5428123)"])
+
+    def test_two_polygons_in_degrees(self):
+        def square(lon, lat):
+            return [[lon, lat], [lon + 0.0004, lat], [lon + 0.0004, lat + 0.0003], [lon, lat + 0.0003], [lon, lat]]
+        squares = [square(8.4, 49.0), square(8.401, 49.0)]
+        self.write("two.geojson", json.dumps({"type": "FeatureCollection", "features": [
+            {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}} for ring in squares]}))
+        self.refused("cover", "two.geojson", "--width", "3", says=["2 areas lie apart", "transfers"])
+        answer = self.cover("two.geojson", "--width", "3", "--transfers", "--tracking-error", "0.1", "--out", "out")
+        self.assertEqual(answer["areas_apart"], 2)
+        self.assertGreater(answer["transfer_m"], 30)
+        rows = self.result_of("out")["areas"]
+        self.assertEqual(len(rows), 2)
+        for row in rows:
+            self.assertGreater(row["planned_fraction"], 0.995)
+        areas = {f["properties"]["name"]: f["geometry"]["coordinates"] for f in self.features("out/areas.geojson")}
+        for (ring,), square_ in zip(sorted(areas["area"]), squares):
+            for p, q in zip(sorted(ring[:-1]), sorted(square_[:-1])):
+                self.assertLess(math.dist(p, q), 3e-9, "within half a millimetre")
+        lines = self.features("out/track.geojson")
+        self.assertEqual({line["properties"]["role"] for line in lines} - {"move"}, {"lap", "lane", "transfer"})
+        for line in lines:
+            for lon, lat in line["geometry"]["coordinates"]:
+                self.assertTrue(8.4 <= lon <= 8.4014 and 49.0 <= lat <= 49.0003)
+
     def test_the_log_is_the_drive(self):
         answer = self.cover("room.txt", "--out", "out", "--tracking-error", "0.005", "--seed", "7")
         self.assertEqual(answer["log"], "out/run.mcap")

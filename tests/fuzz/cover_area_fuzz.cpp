@@ -11,7 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const char* name : {"area.json", "area.xml", "area.yaml", "area.txt"}) {
     const auto area = outrider::cover_area_from_text(input, name, outrider::Units::told_by_size);
     if (!area && area.error().sentence.empty()) std::abort();
-    if (area && area->boundary.corners.size() < 3) std::abort();
+    if (area && area->polygons.empty()) std::abort();
+    if (area && area->polygons.front().boundary.corners.size() < 3) std::abort();
   }
   return 0;
 }

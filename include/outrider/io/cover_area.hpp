@@ -1,15 +1,16 @@
-// Areas to cover: one polygon with holes, in one of four formats, chosen by the ending of the file name.
+// Areas to cover: polygons with holes, in one of four formats, chosen by the ending of the file name.
 //
-//   .json .geojson  GeoJSON (RFC 7946): a Polygon, a Feature or a FeatureCollection with one polygon
+//   .json .geojson  GeoJSON (RFC 7946): every Polygon and MultiPolygon in it, alone or in features
 //   .xml .gml       the first gml:Polygon of a file: outerBoundaryIs and innerBoundaryIs with gml:coordinates
 //   .yaml .yml      polygon_coverage_msgs/PolygonWithHoles: polygon: {polygon: {hull:, holes:}}, in metres
 //   anything else   the text of io/polygons.hpp: boundary, ---, obstacles, which are the holes; in metres
 //
-// GeoJSON and GML give longitude and latitude in degrees (WGS 84). They are converted to metres east and
-// north of the south-west corner of the area, with the radii of curvature of the ellipsoid at its middle; the
-// error is below 0.1 % for areas up to 10 km. If the area would span more than 0.2 degrees or exceed their
-// range, the numbers are assumed to be metres, and `note` says so. Units overrides this choice. Files may be
-// gzip-compressed.
+// GeoJSON and GML give longitude and latitude in degrees (WGS 84). They are projected to metres east and
+// north of the south-west corner of the area (io/area_frame.hpp); distances are right within 2e-6 of them.
+// If the area would span more than 0.2 degrees, the numbers are assumed to be metres, and `note` says so; if
+// they exceed the range of degrees, they are metres. The member "crs" of older GeoJSON files decides, and
+// Units overrides all. Metres far from the origin, such as UTM coordinates, are moved; `frame` has the way
+// back. Files may be gzip-compressed.
 //
 // Faults: bad_input with file and line, or the position in the JSON. Bounds: those of
 // path/visibility/polygon_ground.hpp. cover_ground() checks that the polygons are simple.
@@ -20,7 +21,7 @@
 #include <vector>
 
 #include "outrider/core/outcome.hpp"
-#include "outrider/geometry/vec.hpp"
+#include "outrider/io/area_frame.hpp"
 
 namespace outrider {
 
@@ -31,10 +32,15 @@ struct AreaRing {
   std::string where;          ///< file:line, or the position in the JSON
 };
 
-struct CoverArea {
+struct AreaPolygon {
   AreaRing boundary;
   std::vector<AreaRing> holes;
-  std::string note;  ///< how the numbers were interpreted, if that is uncertain
+};
+
+struct CoverArea {
+  std::vector<AreaPolygon> polygons;  ///< at least one, in the order of the file
+  AreaFrame frame;                    ///< where the local metres are
+  std::string note;                   ///< how the numbers were interpreted, if that is uncertain
 };
 
 Outcome<CoverArea> load_cover_area(const std::string& path, Units units = Units::told_by_size);

@@ -19,6 +19,32 @@ void add(Traversal& traversal, const std::vector<PathPiece>& pieces, PieceRole r
 
 }  // namespace
 
+TransitPlanner::TransitPlanner(const CoverageArea& area, const Budget& budget)
+    : near_m_(4.0 * area.arc_m), ground_(area.ground), budget_(budget) {
+  for (const CoverField& field : area.fields) {
+    for (const RingedPolygon& part : field.standing) parts_.push_back({part, field.ground});
+  }
+}
+
+/// Returns the index of the part of that point; that of no part if it is outside of all.
+std::size_t TransitPlanner::part_of(Vec2 p) const {
+  if (parts_.size() == 1) return 0;
+  std::size_t nearest = parts_.size();
+  double least = near_m_;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (contains(parts_[i].room, p)) return i;
+    const double away = distance_to_border(parts_[i].room, p);
+    if (away <= least) nearest = i;
+    least = std::min(least, away);
+  }
+  return nearest;
+}
+
+bool TransitPlanner::transfers(Vec2 from, Vec2 to) const {
+  const std::size_t part = part_of(from);
+  return part == parts_.size() || part != part_of(to);
+}
+
 Outcome<std::vector<PathPiece>> TransitPlanner::way(Vec2 from, Vec2 to) {
   auto found = ways(from, {to});
   if (!found) return pass_on(found);
@@ -27,23 +53,29 @@ Outcome<std::vector<PathPiece>> TransitPlanner::way(Vec2 from, Vec2 to) {
 
 Outcome<std::vector<std::vector<PathPiece>>> TransitPlanner::ways(Vec2 from, const std::vector<Vec2>& to) {
   std::vector<std::vector<PathPiece>> found(to.size());
-  std::vector<std::size_t> hidden;
-  std::vector<Vec2> goals;
-  for (std::size_t i = 0; i < to.size(); ++i) {
-    if (distance(from, to[i]) <= same_place_m) continue;
-    if (ground_->segment_free({from, to[i]})) {
-      found[i] = {{from, to[i], {}, 0.0}};
-    } else {
-      hidden.push_back(i);
-      goals.push_back(to[i]);
+  const std::size_t part = part_of(from);
+  for (const bool inside : {true, false}) {
+    if (inside && part == parts_.size()) continue;
+    const auto& ground = inside ? parts_[part].ground : ground_;
+    std::vector<std::size_t> hidden;
+    std::vector<Vec2> goals;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      if (distance(from, to[i]) <= same_place_m) continue;
+      if (inside != (part < parts_.size() && part_of(to[i]) == part)) continue;
+      if (ground->segment_free({from, to[i]})) {
+        found[i] = {{from, to[i], {}, 0.0}};
+      } else {
+        hidden.push_back(i);
+        goals.push_back(to[i]);
+      }
     }
-  }
-  if (hidden.empty()) return found;
-  const auto plans =
-      visibility_graph_reduced_many({nullptr, from, {}, ground_}, goals, {}, budget_, workspace_);
-  for (std::size_t k = 0; k < hidden.size(); ++k) {
-    if (!plans[k]) return tl::unexpected<Fault>(plans[k].error());
-    found[hidden[k]] = plans[k]->pieces;
+    if (hidden.empty()) continue;
+    const auto plans =
+        visibility_graph_reduced_many({nullptr, from, {}, ground}, goals, {}, budget_, workspace_);
+    for (std::size_t k = 0; k < hidden.size(); ++k) {
+      if (!plans[k]) return tl::unexpected<Fault>(plans[k].error());
+      found[hidden[k]] = plans[k]->pieces;
+    }
   }
   return found;
 }
@@ -120,6 +152,30 @@ double least_work_s(const std::vector<Stop>& stops, std::size_t units) {
   return std::accumulate(least.begin(), least.end(), 0.0);
 }
 
+/// A lower bound of the time of all orders: each unit takes its own time and that of the quickest drive to it
+/// from another one, except for the first without a start.
+double least_entered_s(const TourProblem& problem, const std::vector<Stop>& stops, bool started) {
+  const std::size_t n = stops.size() + 1;
+  std::vector<double> entered(problem.goals, std::numeric_limits<double>::infinity());
+  std::vector<double> alone(problem.goals, std::numeric_limits<double>::infinity());
+  for (std::size_t j = 1; j < n; ++j) {
+    const Stop& stop = stops[j - 1];
+    double drive_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = started ? 0 : 1; i < n; ++i) {
+      if (i > 0 && stops[i - 1].unit == stop.unit) continue;
+      drive_s = std::min(drive_s, problem.drives[i * n + j].time_s);
+    }
+    entered[stop.unit] = std::min(entered[stop.unit], stop.time_s + drive_s);
+    alone[stop.unit] = std::min(alone[stop.unit], stop.time_s);
+  }
+  double sum_s = 0.0, most_saved_s = 0.0;
+  for (std::size_t unit = 0; unit < problem.goals; ++unit) {
+    sum_s += entered[unit];
+    most_saved_s = std::max(most_saved_s, entered[unit] - alone[unit]);
+  }
+  return started ? sum_s : sum_s - most_saved_s;
+}
+
 /// The time of a move between two headings, both turns included.
 double move_time_s(double heading_rad, const std::vector<PathPiece>& move, const PathPiece& next,
                    const Pace& pace) {
@@ -186,6 +242,8 @@ Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std:
 
   OrderedUnits result;
   result.bound_s = std::max(tour->lower_bound_s, least_work_s(stops, units.size()));
+  if (units.size() > 1)
+    result.bound_s = std::max(result.bound_s, least_entered_s(problem, stops, start.has_value()));
   const PathPiece& first = stops[tour->visits.front().stop - 1].traversal->pieces.front();
   result.track.start = start ? *start : Pose2{first.from, heading_in(first)};
   Vec2 at = result.track.start.position;
@@ -194,7 +252,8 @@ Outcome<OrderedUnits> ordered(const std::vector<CoverageUnit>& units, const std:
     auto move = transit.way(at, traversal.entry());
     if (!move) return pass_on(move);
     result.track.pieces.insert(result.track.pieces.end(), move->begin(), move->end());
-    result.roles.resize(result.track.pieces.size(), PieceRole::move);
+    result.roles.resize(result.track.pieces.size(),
+                        transit.transfers(at, traversal.entry()) ? PieceRole::transfer : PieceRole::move);
     result.begins.push_back(result.track.pieces.size());
     result.track.pieces.insert(result.track.pieces.end(), traversal.pieces.begin(), traversal.pieces.end());
     result.roles.insert(result.roles.end(), traversal.roles.begin(), traversal.roles.end());

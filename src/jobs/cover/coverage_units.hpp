@@ -8,18 +8,29 @@
 
 namespace outrider::cover {
 
-/// Shortest ways of the disk between points, with memory for the next ones.
+/// Shortest ways of the disk between points, with memory for the next ones. A way between two points of one
+/// part of the standing room stays in its field; others use the ground of the whole track.
 class TransitPlanner {
  public:
-  TransitPlanner(std::shared_ptr<const PolygonGround> ground, const Budget& budget)
-      : ground_(std::move(ground)), budget_(budget) {}
+  TransitPlanner(const CoverageArea& area, const Budget& budget);
 
   /// Pieces from one point to the other; none where they are the same.
   Outcome<std::vector<PathPiece>> way(Vec2 from, Vec2 to);
   /// The ways to all of them.
   Outcome<std::vector<std::vector<PathPiece>>> ways(Vec2 from, const std::vector<Vec2>& to);
+  /// Whether a way between these leaves its part.
+  [[nodiscard]] bool transfers(Vec2 from, Vec2 to) const;
 
  private:
+  /// A part of the standing room and where moves within it stay.
+  struct Part {
+    RingedPolygon room;
+    std::shared_ptr<const PolygonGround> ground;
+  };
+  [[nodiscard]] std::size_t part_of(Vec2 p) const;
+
+  std::vector<Part> parts_;
+  double near_m_;  ///< from a part, of points that belong to it
   std::shared_ptr<const PolygonGround> ground_;
   Budget budget_;
   Workspace workspace_;

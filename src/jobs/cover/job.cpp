@@ -1,9 +1,9 @@
 #include "outrider/jobs/cover/job.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "geojson.hpp"
 #include "outrider/job/run_job.hpp"
 #include "outrider/jobs/cover/mission.hpp"
 #include "outrider/jobs/cover/report.hpp"
@@ -11,8 +11,6 @@
 
 namespace outrider {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Status cancelled() {
   return fault(FaultCode::cancelled, "it was cancelled while it measured what the drive covers");
@@ -26,60 +24,6 @@ void check_promises(const CoverRun& run) {
   if (!kept) throw std::logic_error("the simulated drive breaks the bounds of its track");
 }
 
-Json ring_json(const std::vector<Vec2>& ring) {
-  auto points = Json::array();
-  for (const Vec2 p : ring) points.push_back({p.x, p.y});
-  if (!ring.empty()) points.push_back({ring.front().x, ring.front().y});
-  return points;
-}
-
-/// A GeoJSON feature in metres of the area's frame.
-Json feature(const char* name, const Region& region) {
-  auto polygons = Json::array();
-  for (const RingedPolygon& polygon : region) {
-    auto rings = Json::array({ring_json(polygon.outer)});
-    for (const auto& hole : polygon.holes) rings.push_back(ring_json(hole));
-    polygons.push_back(std::move(rings));
-  }
-  return {{"type", "Feature"},
-          {"properties", {{"name", name}, {"area_m2", area_of(region)}}},
-          {"geometry", {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}}}};
-}
-
-Json areas_json(const CoverRun& run) {
-  const Coverage& planned = run.proof.planned;
-  return {{"type", "FeatureCollection"},
-          {"features",
-           {feature("area", run.plan.ground.area), feature("reachable", run.plan.ground.reach),
-            feature("covered", planned.covered), feature("missed", planned.missed),
-            feature("overlap", planned.overlap), feature("covered by the drive", run.driven.covered),
-            feature("missed by the drive", run.driven.missed),
-            feature("overlap of the drive", run.driven.overlap)}}};
-}
-
-Json track_json(const CoverRun& run) {
-  const CoverPlan& plan = run.plan;
-  const Pose2& start = plan.track.start;
-  auto pieces = Json::array();
-  for (std::size_t i = 0; i < plan.track.pieces.size(); ++i) {
-    const PathPiece& piece = plan.track.pieces[i];
-    const char* role = plan.roles[i] == PieceRole::lap    ? "lap"
-                       : plan.roles[i] == PieceRole::lane ? "lane"
-                                                          : "move";
-    Json one = {{"role", role}, {"from", {piece.from.x, piece.from.y}}, {"to", {piece.to.x, piece.to.y}}};
-    if (piece.turn_rad != 0.0) one["centre"] = {piece.centre.x, piece.centre.y};
-    if (piece.turn_rad != 0.0) one["turn_rad"] = piece.turn_rad;
-    pieces.push_back(std::move(one));
-  }
-  auto driven = Json::array();
-  for (const Vec2 p : run.drive.way) driven.push_back({p.x, p.y});
-  return {{"start", {start.position.x, start.position.y, start.heading_rad}},
-          {"pieces", std::move(pieces)},
-          {"driven", std::move(driven)}};
-}
-
-std::string text_of(const Json& object) { return object.dump() + "\n"; }
-
 /// The options with the method that was chosen.
 std::vector<std::pair<std::string, std::string>> settled_settings(const CoverScenario& scenario,
                                                                   const std::string& method) {
@@ -87,6 +31,13 @@ std::vector<std::pair<std::string, std::string>> settled_settings(const CoverSce
   settled.scenario = scenario;
   settled.scenario.method = method;
   return settings_of(settled.options());
+}
+
+/// Adds where the local metres of a moved area are.
+void add_frame(Report& report, const AreaFrame& frame) {
+  if (!frame.moved()) return;
+  report.metrics.emplace_back("origin_x", frame.origin.x);
+  report.metrics.emplace_back("origin_y", frame.origin.y);
 }
 
 }  // namespace
@@ -115,6 +66,7 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   const auto seed = static_cast<std::uint64_t>(scenario.seed);
   const std::string name = std::filesystem::path(scenario.area).filename().string();
   CoverLog log(run.log, problem, planned, seed, name);
+  if (task->frame.moved()) log_event(run.log, 0.0, "frame", sentence_of(task->frame));
   driven.drive = drive_track(planned.track, *planned.ground.ground, problem.pace, problem.tracking_error_m,
                              seed, steps.inner(), [&](const PieceDrive& so_far) { log.note(so_far); });
   // What a stopped drive has covered is still measured; the measuring of a whole one can be stopped.
@@ -126,7 +78,10 @@ Status CoverJob::run(Run& run, const RunWatch& watch) {
   run.report = cover_report(problem, driven, name);
   run.report.settings = settled_settings(scenario, planned.method);
   if (!driven.finished()) mark_cancelled(run.report, run.log, driven.drive.time_s);
-  run.files = {{"track.json", text_of(track_json(driven))}, {"areas.geojson", text_of(areas_json(driven))}};
+  add_frame(run.report, task->frame);
+  run.files = {{"track.json", cover::track_json(driven, task->frame)},
+               {"track.geojson", cover::track_geojson(driven, task->frame)},
+               {"areas.geojson", cover::areas_geojson(driven, task->frame)}};
   return {};
 }
 

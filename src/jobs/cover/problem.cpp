@@ -8,26 +8,56 @@
 namespace outrider {
 namespace {
 
-constexpr double arc_part = 2.5e-4;  // of the stride, between a true arc and its chords
+constexpr double arc_part = 2.5e-4;       // of the stride, between a true arc and its chords
+constexpr double transfer_margin = 10.0;  // widths around all areas that transfers may use
 
-Status check_polygons(const CoverProblem& problem) {
-  if (auto good = check_polygon(problem.boundary, "the boundary"); !good) {
-    good.error().where = "boundary";
+Status check_outline(const AreaOutline& outline, const std::string& of) {
+  if (auto good = check_polygon(outline.boundary, "the boundary"); !good) {
+    good.error().where = "boundary" + of;
     return good;
   }
-  const Region inside = region_of(problem.boundary, {});
-  for (std::size_t i = 0; i < problem.holes.size(); ++i) {
-    const std::string name = fmt::format("hole {}", i + 1);
-    if (auto good = check_polygon(problem.holes[i], name); !good) {
+  const Region inside = region_of(outline.boundary, {});
+  for (std::size_t i = 0; i < outline.holes.size(); ++i) {
+    const std::string name = fmt::format("hole {}{}", i + 1, of);
+    if (auto good = check_polygon(outline.holes[i], name); !good) {
       good.error().where = name;
       return good;
     }
-    const double out = area_of(without(region_of(problem.holes[i], {}), inside));
+    const double out = area_of(without(region_of(outline.holes[i], {}), inside));
     if (out <= 1e-6 * area_of(inside)) continue;
     return bad_input(
         fmt::format("{:.4g} m2 of it lie outside the boundary; cut it off or move the hole in", out), name);
   }
   return {};
+}
+
+Status check_polygons(const CoverProblem& problem) {
+  if (auto good = check_outline({problem.boundary, problem.holes}, ""); !good) return good;
+  for (std::size_t i = 0; i < problem.others.size(); ++i) {
+    auto good = check_outline(problem.others[i], fmt::format(" of area {}", i + 2));
+    if (!good) return good;
+  }
+  return {};
+}
+
+/// The tracking error may be at most half of what neighbouring strips share.
+Status check_tracking_error(const CoverProblem& problem) {
+  const double most_error_m = 0.5 * problem.width_m * problem.overlap, error_m = problem.tracking_error_m;
+  if (error_m >= 0.0 && error_m <= most_error_m * (1.0 + 1e-9)) return {};
+  const double enough = 2.0 * std::abs(error_m) / problem.width_m;
+  const auto rounded_up = [](double value) { return std::ceil(1e4 * value - 1e-6) * 1e-4; };
+  const std::string remedy =
+      enough <= most_overlap
+          ? fmt::format("an overlap of at least {:.4f}", rounded_up(enough))
+          : fmt::format(
+                "an overlap of {:g} with a width of at least {:.4f} m; at this width no overlap is enough",
+                most_overlap, rounded_up(2.0 * std::abs(error_m) / most_overlap));
+  return bad_input(
+      fmt::format(
+          "strips of {:g} m that share {:g} of their width leave gaps when the tracking error is {:g} "
+          "m; give a tracking error of 0 to {:g} m, or {}",
+          problem.width_m, problem.overlap, error_m, most_error_m, remedy),
+      "tracking_error");
 }
 
 Status check_numbers(const CoverProblem& problem) {
@@ -37,26 +67,17 @@ Status check_numbers(const CoverProblem& problem) {
                                  2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m),
                      "width");
   }
-  if (!within(problem.overlap, 0.0, 0.9)) {
-    return bad_input(
-        fmt::format("{:g} is no part of the width that strips share; give 0 to 0.9", problem.overlap),
-        "overlap");
+  if (!within(problem.overlap, 0.0, most_overlap)) {
+    return bad_input(fmt::format("{:g} is no part of the width that strips share; give 0 to {:g}",
+                                 problem.overlap, most_overlap),
+                     "overlap");
   }
   if (!within(problem.uncovered, 0.0, 0.5)) {
     return bad_input(
         fmt::format("{:g} is no part of the area that may stay uncovered; give 0 to 0.5", problem.uncovered),
         "uncovered");
   }
-  const double most_error_m = 0.5 * problem.width_m * problem.overlap;
-  if (!within(problem.tracking_error_m, 0.0, most_error_m * (1.0 + 1e-9))) {
-    return bad_input(
-        fmt::format(
-            "strips of {:g} m that share {:g} of their width leave gaps when the tracking error is {:g} "
-            "m; give a tracking error of 0 to {:g} m, or an overlap of at least {:.4f}",
-            problem.width_m, problem.overlap, problem.tracking_error_m, most_error_m,
-            2.0 * std::abs(problem.tracking_error_m) / problem.width_m),
-        "tracking_error");
-  }
+  if (auto good = check_tracking_error(problem); !good) return good;
   return check(problem.pace);
 }
 
@@ -71,32 +92,113 @@ double widest_m(const Region& area) {
   return low;
 }
 
-/// The part of the standing room where the robot starts; the largest without a start.
-Outcome<Region> part_of(const CoverProblem& problem, const PolygonGround& ground, const Region& standing) {
-  const RingedPolygon* chosen = &standing.front();
-  for (const RingedPolygon& part : standing) {
-    if (area_of(part) > area_of(*chosen)) chosen = &part;
-  }
-  if (!problem.start) return Region{*chosen};
+Outcome<PolygonGround> ground_of(const AreaOutline& outline, double radius_m) {
+  return PolygonGround::of(outline.boundary, outline.holes, radius_m);
+}
+
+tl::unexpected<Fault> fits_nowhere(const CoverProblem& problem, const Region& area) {
+  return bad_input(
+      fmt::format("a robot {:g} m wide fits nowhere in the area; the widest that does has {:.3g} m",
+                  problem.width_m, widest_m(area)),
+      "width");
+}
+
+/// Checks that the robot can stand at its start.
+Status check_start(const CoverProblem& problem, const PolygonGround& ground) {
+  if (!problem.start) return {};
   const Vec2 at = problem.start->position;
   if (ground.outside(at)) {
     return fault(FaultCode::outside_map, fmt::format("({:g}, {:g}) lies outside the area", at.x, at.y),
                  "start");
   }
-  if (!ground.point_free(at)) {
-    return fault(FaultCode::start_blocked,
-                 fmt::format("a robot {:g} m wide cannot stand at ({:g}, {:g}), {:.4g} m from an edge",
-                             problem.width_m, at.x, at.y, ground.edge_distance(at)),
-                 "start");
+  if (ground.point_free(at)) return {};
+  return fault(FaultCode::start_blocked,
+               fmt::format("a robot {:g} m wide cannot stand at ({:g}, {:g}), {:.4g} m from an edge",
+                           problem.width_m, at.x, at.y, ground.edge_distance(at)),
+               "start");
+}
+
+/// Returns the part of a room that the start lies in or is nearest to; the largest without a start.
+const RingedPolygon& part_of(const CoverProblem& problem, const Region& room) {
+  const RingedPolygon* chosen = &room.front();
+  for (const RingedPolygon& part : room) {
+    if (area_of(part) > area_of(*chosen)) chosen = &part;
   }
+  if (!problem.start) return *chosen;
+  const Vec2 at = problem.start->position;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const RingedPolygon& part : standing) {
-    if (contains(part, at)) return Region{part};
+  for (const RingedPolygon& part : room) {
+    if (contains(part, at)) return part;
     const double away = distance_to_border(part, at);
     if (away < nearest) chosen = &part;
     nearest = std::min(nearest, away);
   }
-  return Region{*chosen};
+  return *chosen;
+}
+
+/// Prepares an area by itself. All of its standing room is kept.
+Outcome<CoverField> field_of(const CoverProblem& problem, const AreaOutline& outline, double arc_m) {
+  auto ground = ground_of(outline, problem.radius_m());
+  if (!ground) return pass_on(ground);
+  CoverField field;
+  field.area = region_of(outline.boundary, outline.holes);
+  field.standing = shrunk(field.area, problem.radius_m(), arc_m);
+  if (field.standing.empty()) return fits_nowhere(problem, field.area);
+  field.ground = std::make_shared<const PolygonGround>(std::move(*ground));
+  return field;
+}
+
+void set_reach(CoverField& field, const CoverProblem& problem, double arc_m) {
+  field.reach = common(grown(field.standing, problem.radius_m(), arc_m), field.area);
+}
+
+/// Returns the areas with those that touch or overlap united.
+std::vector<AreaOutline> outlines_apart(const CoverProblem& problem) {
+  if (problem.others.empty()) return {{problem.boundary, problem.holes}};
+  std::vector<Region> all{region_of(problem.boundary, problem.holes)};
+  for (const AreaOutline& other : problem.others) all.push_back(region_of(other.boundary, other.holes));
+  std::vector<AreaOutline> apart;
+  for (const RingedPolygon& polygon : united(all)) apart.push_back({polygon.outer, polygon.holes});
+  return apart;
+}
+
+/// Returns the room of drives between areas: a box around all, without the holes.
+Outcome<AreaOutline> open_outline(const CoverProblem& problem, const Region& area) {
+  const Box2 box = bounds_of(area).grown(transfer_margin * problem.width_m);
+  AreaOutline outline{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {}};
+  std::vector<Region> holes;
+  for (const RingedPolygon& polygon : area) {
+    for (const auto& hole : polygon.holes) holes.push_back(region_of(hole, {}));
+  }
+  for (const RingedPolygon& hole : without(united(holes), area)) {
+    if (!hole.holes.empty()) {
+      return bad_input("an area lies in a hole of another, and no drive crosses a hole; cut the hole open",
+                       "area");
+    }
+    outline.holes.push_back(hole.outer);
+  }
+  return outline;
+}
+
+/// Restricts the fields to what is connected by transfers, and sets the ground of these.
+Status connect(CoverageArea& made, const CoverProblem& problem) {
+  auto outline = open_outline(problem, made.area);
+  if (!outline) return pass_on(outline);
+  auto ground = ground_of(*outline, problem.radius_m());
+  if (!ground) return pass_on(ground);
+  if (auto good = check_start(problem, *ground); !good) return good;
+  const Region open = shrunk(region_of(outline->boundary, outline->holes), problem.radius_m(), made.arc_m);
+  const Region room{part_of(problem, open)};
+  for (CoverField& field : made.fields) {
+    std::erase_if(field.standing, [&](const RingedPolygon& part) {
+      return area_of(common({part}, room)) < 0.5 * area_of(part);
+    });
+    if (field.standing.empty()) {
+      return bad_input("holes of the areas enclose one of them, so no drive leads to it", "area");
+    }
+  }
+  made.ground = std::make_shared<const PolygonGround>(std::move(*ground));
+  return {};
 }
 
 }  // namespace
@@ -104,23 +206,35 @@ Outcome<Region> part_of(const CoverProblem& problem, const PolygonGround& ground
 Outcome<CoverageArea> cover_ground(const CoverProblem& problem) {
   if (auto good = check_numbers(problem); !good) return pass_on(good);
   if (auto good = check_polygons(problem); !good) return pass_on(good);
-  auto ground = PolygonGround::of(problem.boundary, problem.holes, problem.radius_m());
-  if (!ground) return pass_on(ground);
   CoverageArea made;
   made.arc_m = arc_part * problem.stride_m();
-  made.area = region_of(problem.boundary, problem.holes);
-  const Region standing = shrunk(made.area, problem.radius_m(), made.arc_m);
-  if (standing.empty()) {
+  const std::vector<AreaOutline> outlines = outlines_apart(problem);
+  if (outlines.size() > 1 && !problem.transfers) {
     return bad_input(
-        fmt::format("a robot {:g} m wide fits nowhere in the area; the widest that does has {:.3g} m",
-                    problem.width_m, widest_m(made.area)),
-        "width");
+        fmt::format("{} areas lie apart; allow transfers, which cross the ground between them, or "
+                    "give one area",
+                    outlines.size()),
+        "transfers");
   }
-  auto part = part_of(problem, *ground, standing);
-  if (!part) return pass_on(part);
-  made.standing = *part;
-  made.reach = common(grown(made.standing, problem.radius_m(), made.arc_m), made.area);
-  made.ground = std::make_shared<const PolygonGround>(std::move(*ground));
+  for (const AreaOutline& outline : outlines) {
+    auto field = field_of(problem, outline, made.arc_m);
+    if (!field) return pass_on(field);
+    made.area.insert(made.area.end(), field->area.begin(), field->area.end());
+    made.fields.push_back(std::move(*field));
+  }
+  if (problem.transfers) {
+    if (auto good = connect(made, problem); !good) return pass_on(good);
+  } else {
+    CoverField& field = made.fields.front();
+    if (auto good = check_start(problem, *field.ground); !good) return pass_on(good);
+    field.standing = Region{part_of(problem, field.standing)};
+    made.ground = field.ground;
+  }
+  for (CoverField& field : made.fields) {
+    set_reach(field, problem, made.arc_m);
+    made.standing.insert(made.standing.end(), field.standing.begin(), field.standing.end());
+    made.reach.insert(made.reach.end(), field.reach.begin(), field.reach.end());
+  }
   return made;
 }
 

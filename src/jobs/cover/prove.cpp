@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "outrider/core/units.hpp"
+#include "outrider/jobs/cover/length_bound.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 #include "outrider/path/check.hpp"
 
@@ -29,39 +33,78 @@ Status check_joints(const CoverTrack& track) {
   return {};
 }
 
+/// Returns the smallest distance of the track from an edge of the field that each piece is in, and of
+/// transfers from an edge of the ground of all.
+double clearance_of(const CoverPlan& plan) {
+  const auto& fields = plan.ground.fields;
+  std::vector<Plan> inside(fields.size());
+  Plan all;
+  for (std::size_t i = 0; i < plan.track.pieces.size(); ++i) {
+    const PathPiece& piece = plan.track.pieces[i];
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const CoverField& one) {
+      return fields.size() == 1 || contains(one.area, piece.from);
+    });
+    const bool transfer = plan.roles[i] == PieceRole::transfer || field == fields.end();
+    Plan& part = transfer ? all : inside[static_cast<std::size_t>(field - fields.begin())];
+    part.pieces.push_back(piece);
+  }
+  double least =
+      all.pieces.empty() ? std::numeric_limits<double>::infinity() : clearance_m(all, *plan.ground.ground);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!inside[i].pieces.empty()) least = std::min(least, clearance_m(inside[i], *fields[i].ground));
+  }
+  return least;
+}
+
+/// Measures what of a field the regions cover.
+FieldProof measured(const CoverField& field, const CoverProblem& problem, const Region& planned,
+                    const Region& surely, double arc_m) {
+  const double sure = problem.sure_radius_m();
+  const Region inner =
+      problem.tracking_error_m > 0.0 ? common(grown(field.standing, sure, arc_m), field.area) : field.reach;
+  const auto fraction = [](const Region& covered, const Region& of) {
+    const double all_m2 = area_of(of);
+    return all_m2 > 0.0 ? area_of(common(covered, of)) / all_m2 : 1.0;
+  };
+  return {area_of(field.area), area_of(field.reach), area_of(inner), fraction(planned, field.reach),
+          fraction(surely, inner)};
+}
+
 }  // namespace
 
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget) {
-  const PolygonGround& ground = *plan.ground.ground;
   if (auto good = check_joints(plan.track); !good) return pass_on(good);
   CoverProof proof;
-  Plan path;
-  path.pieces = plan.track.pieces;
-  proof.clearance_m = clearance_m(path, ground);
+  proof.clearance_m = clearance_of(plan);
   if (!(proof.clearance_m >= problem.radius_m() - slack_m)) {
     return refused(fmt::format("it comes within {} m of an edge, nearer than the radius of {} m",
                                proof.clearance_m, problem.radius_m()));
   }
-  if (!contains(plan.ground.area, plan.track.start.position)) return refused("it begins outside of the area");
+  if (plan.ground.ground->solid(plan.track.start.position)) return refused("it begins outside of the area");
   const std::vector<Vec2> points =
       points_along(plan.track.start.position, plan.track.pieces, proof_arc_step_rad);
-  const double sure = problem.sure_radius_m(), error_m = problem.tracking_error_m;
+  const double error_m = problem.tracking_error_m;
+  proof.length_bound_m = least_length_m(plan.ground, problem);
   proof.planned = coverage_of(points, problem.radius_m(), plan.ground.reach, budget.stop);
-  const Coverage surely =
-      error_m > 0.0 ? coverage_of(points, sure, plan.ground.reach, budget.stop) : proof.planned;
+  const Coverage surely = error_m > 0.0
+                              ? coverage_of(points, problem.sure_radius_m(), plan.ground.reach, budget.stop)
+                              : proof.planned;
   if (budget.stop.stop_requested())
     return fault(FaultCode::cancelled, "it was cancelled while it measured what the track covers");
   proof.sure_fraction = surely.fraction;
-  const Region inner = error_m > 0.0
-                           ? common(grown(plan.ground.standing, sure, plan.ground.arc_m), plan.ground.area)
-                           : plan.ground.reach;
-  const double inner_m2 = area_of(inner);
-  proof.inner_fraction = inner_m2 > 0.0 ? area_of(common(surely.covered, inner)) / inner_m2 : 1.0;
-  const double asked = 1.0 - problem.uncovered * area_of(plan.ground.reach) / std::max(inner_m2, 1e-12);
-  if (!(proof.inner_fraction >= asked - measured_to)) {
-    return refused(
-        fmt::format("it surely covers only {:.5f} of what the robot can reach", proof.inner_fraction));
+  double inner_m2 = 0.0, inner_covered_m2 = 0.0;
+  for (const CoverField& field : plan.ground.fields) {
+    const FieldProof one = measured(field, problem, proof.planned.covered, surely.covered, plan.ground.arc_m);
+    if (!(one.inner_fraction >=
+          1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - measured_to)) {
+      return refused(
+          fmt::format("it surely covers only {:.5f} of what the robot can reach", one.inner_fraction));
+    }
+    inner_m2 += one.inner_m2;
+    inner_covered_m2 += one.inner_fraction * one.inner_m2;
+    proof.fields.push_back(one);
   }
+  proof.inner_fraction = inner_m2 > 0.0 ? inner_covered_m2 / inner_m2 : 1.0;
   return proof;
 }
 

@@ -65,6 +65,25 @@ std::string described(const CoverPlan& plan) {
                      counted(plan.sums.stops, "turn"));
 }
 
+double length_of(const CoverPlan& plan, PieceRole role) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+    if (plan.roles[i] == role) length += outrider::length_of(plan.track.pieces[i]);
+  }
+  return length;
+}
+
+/// One row for each area that lies apart.
+Table areas_table(const CoverProof& proof) {
+  Table table{"areas", {"area", "area_m2", "reach_m2", "planned_fraction", "sure_inner_fraction"}, {}};
+  for (std::size_t i = 0; i < proof.fields.size(); ++i) {
+    const FieldProof& field = proof.fields[i];
+    table.rows.push_back({static_cast<double>(i + 1), field.area_m2, field.reach_m2, field.planned_fraction,
+                          field.inner_fraction});
+  }
+  return table;
+}
+
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
   const auto& [plan, proof, bound, drive, driven] = run;
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
@@ -82,9 +101,12 @@ std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& probl
           {"order_bound_s", plan.order_bound_s},
           {"length_m", drive.length_m},
           {"planned_m", plan.sums.length_m},
+          {"length_bound_m", proof.length_bound_m},
           {"turned_rad", drive.turned_rad},
           {"tracking_error_m", drive.tracking_error_m},
           {"tracking_error_limit_m", problem.tracking_error_m},
+          {"areas_apart", number(plan.ground.fields.size())},
+          {"transfer_m", length_of(plan, PieceRole::transfer)},
           {"stops", number(plan.sums.stops)},
           {"laps", number(plan.laps)},
           {"cells", number(plan.cells)},
@@ -180,6 +202,7 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
   report.status = "done";
   report.world_name = name;
   report.metrics = metrics_of(problem, run);
+  if (run.proof.fields.size() > 1) report.tables.push_back(areas_table(run.proof));
   return report;
 }
 

@@ -32,16 +32,20 @@ std::vector<OptionGroup> describe(CoverScenario& scenario) {
        "the area and the robot",
        {file_option("area", "file of the polygon to cover", &scenario.area),
         {"units", "", 0, 0, "of its numbers: auto, degrees or metres", &scenario.units},
+        {"transfers", "", 0, 0, "several areas: the robot may drive between them, over all that is no hole",
+         &problem.transfers},
         {"width", "m", 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m,
          "of the robot, a disk, and of the strip it covers", &problem.width_m},
-        {"overlap", "", 0.0, 0.9, "part of the width that neighbouring strips share", &problem.overlap},
+        {"overlap", "", 0.0, most_overlap, "part of the width that neighbouring strips share",
+         &problem.overlap},
         {"tracking_error", "m", 0.0, most_polygon_radius_m, "largest distance of the robot from its track",
          &problem.tracking_error_m},
         {"uncovered", "", 0.0, 0.5,
          "part of the area that may stay uncovered where only a detour would cover it", &problem.uncovered},
         {"method", "", 0, 0, "a cover method of 'outrider list'", &scenario.method},
         {"start", "", 0, 0,
-         "x,y,heading of the robot at first, m, m and degrees; empty: where its track begins",
+         "x,y,heading of the robot at first, in the coordinates of the area and degrees; empty: where its "
+         "track begins",
          &scenario.start},
         {"error_factor", "", 1.0, 100.0, "how many times slower than its slowest pace the robot may be",
          &scenario.error_factor},
@@ -58,30 +62,43 @@ Outcome<CoverTask> load_task(const CoverScenario& scenario) {
   auto units = units_of(scenario);
   if (!units) return pass_on(units);
   CoverTask task{scenario.problem, *method, {}, {}, {}};
-  if (!scenario.start.empty()) {
-    auto start = parse_pose(scenario.start, "start");
-    if (!start) return pass_on(start);
-    task.problem.start = Pose2{start->position, wrap_angle(start->heading_rad)};
-  }
   auto area = load_cover_area(scenario.area, *units);
   if (!area) return pass_on(area);
   task.note = std::move(area->note);
-  task.problem.boundary = std::move(area->boundary.corners);
-  task.boundary_where = std::move(area->boundary.where);
-  for (AreaRing& hole : area->holes) {
-    task.problem.holes.push_back(std::move(hole.corners));
-    task.hole_wheres.push_back(std::move(hole.where));
+  task.frame = std::move(area->frame);
+  if (!scenario.start.empty()) {
+    auto start = parse_pose(scenario.start, "start");
+    if (!start) return pass_on(start);
+    task.problem.start = Pose2{task.frame.to_local(start->position), wrap_angle(start->heading_rad)};
+  }
+  for (std::size_t i = 0; i < area->polygons.size(); ++i) {
+    AreaPolygon& polygon = area->polygons[i];
+    const std::string of = i == 0 ? "" : fmt::format(" of area {}", i + 1);
+    AreaOutline outline{std::move(polygon.boundary.corners), {}};
+    task.places.push_back({"boundary" + of, std::move(polygon.boundary.where)});
+    for (AreaRing& hole : polygon.holes) {
+      outline.holes.push_back(std::move(hole.corners));
+      task.places.push_back({fmt::format("hole {}{}", outline.holes.size(), of), std::move(hole.where)});
+    }
+    if (i > 0) {
+      task.problem.others.push_back(std::move(outline));
+      continue;
+    }
+    task.problem.boundary = std::move(outline.boundary);
+    task.problem.holes = std::move(outline.holes);
   }
   return task;
 }
 
 Fault placed(Fault fault, const CoverTask& task) {
-  if (fault.where == "boundary") fault.where = task.boundary_where;
-  for (std::size_t i = 0; i < task.hole_wheres.size(); ++i) {
-    if (fault.where != fmt::format("hole {}", i + 1)) continue;
-    fault.where = task.hole_wheres[i];
-    if (!fault.sentence.starts_with("hole "))
-      fault.sentence = fmt::format("hole {}: {}", i + 1, fault.sentence);
+  if (fault.where == "start" && task.frame.moved())
+    fault.sentence += fmt::format(", in {}", sentence_of(task.frame));
+  for (const auto& [name, where] : task.places) {
+    if (fault.where != name) continue;
+    fault.where = where;
+    if (name.starts_with("hole ") && !fault.sentence.starts_with("hole "))
+      fault.sentence = fmt::format("{}: {}", name, fault.sentence);
+    break;
   }
   return fault;
 }

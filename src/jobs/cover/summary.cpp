@@ -14,9 +14,25 @@ std::string cover_summary(const Report& report) {
                                  100.0 * value("covered_fraction"), duration_text(value("time_s")));
   text += fmt::format("  area      {:.6g} m2, of which a disk of {:g} m reaches {:.6g} m2\n",
                       value("area_m2"), value("width_m"), value("reach_m2"));
+  if (std::isfinite(value("origin_x")))
+    text += fmt::format(
+        "  frame     of positions here: metres east and north of ({:.9g}, {:.9g}), the files have the "
+        "area's\n",
+        value("origin_x"), value("origin_y"));
   text += fmt::format("  track     {}: {:.2f} m, {:.0f} stops; {:.0f} laps, {:.0f} cells, {:.0f} lanes\n",
                       setting(report, "method"), value("planned_m"), value("stops"), value("laps"),
                       value("cells"), value("lanes"));
+  if (value("areas_apart") > 1.0)
+    text += fmt::format("  areas     {:.0f}, with {:.2f} m of transfers over the ground between them\n",
+                        value("areas_apart"), value("transfer_m"));
+  const Table& areas = table_named(report, "areas");
+  for (const auto& values : areas.rows) {
+    const TableRow row{areas, values};
+    text +=
+        fmt::format("  area {:<4.0f} {:.6g} m2, {:.3f} % of its reach covered, {:.3f} % surely off the rim\n",
+                    row.number("area"), row.number("area_m2"), 100.0 * row.number("planned_fraction"),
+                    100.0 * row.number("sure_inner_fraction"));
+  }
   text +=
       fmt::format("  covered   {:.3f} % of the reach, {:.3g} m2 missed, {:.3g} m2 overlap\n",
                   100.0 * value("planned_fraction"), value("planned_missed_m2"), value("planned_overlap_m2"));

@@ -21,7 +21,9 @@ struct SweepCell {
 };
 
 /// Cells of the region for lanes of that heading, no farther than `stride_m` from one to the next. Lanes
-/// shorter than `least_m` are made so long. O(slabs n log n).
-std::vector<SweepCell> sweep_cells(const Region& region, double heading_rad, double stride_m, double least_m);
+/// shorter than `least_m` are made so long. The slabs make the lanes short and few, where one more is worth
+/// `change_m` (slab_cuts.hpp). O(slabs n log n).
+std::vector<SweepCell> sweep_cells(const Region& region, double heading_rad, double stride_m, double least_m,
+                                   double change_m = 0.0);
 
 }  // namespace outrider::cover

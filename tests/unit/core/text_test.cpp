@@ -67,5 +67,13 @@ TEST(Text, EveryPairOfBytesEndsPrintable) {
   }
 }
 
+TEST(Text, DurationsInUnitsThatSuitThem) {
+  const std::pair<double, std::string> cases[] = {
+      {0.31, "0.31 s"},          {42.0, "42.0 s"},       {81.2, "1 min 21 s"},
+      {3599.4, "59 min 59 s"},   {3599.6, "1 h 0 min"},  {38580.0, "10 h 43 min"},
+      {360000.0, "100 h 0 min"}, {7169.0, "1 h 59 min"}, {7170.0, "2 h 0 min"}};
+  for (const auto& [seconds, text] : cases) EXPECT_EQ(duration_text(seconds), text);
+}
+
 }  // namespace
 }  // namespace outrider

@@ -28,9 +28,11 @@ TEST(CoverArea, FourFormatsOneRoom) {
                                    std::pair{"a.yaml", room_yaml}, std::pair{"a.txt", room_text}}) {
     const auto area = cover_area_from_text(text, name, Units::metres);
     ASSERT_TRUE(area) << to_string(area.error());
-    EXPECT_EQ(area->boundary.corners, (std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}, {0, 3}})) << name;
-    ASSERT_EQ(area->holes.size(), 1U) << name;
-    EXPECT_EQ(area->holes[0].corners, (std::vector<Vec2>{{1, 1}, {2, 1}, {2, 2}, {1, 2}})) << name;
+    ASSERT_EQ(area->polygons.size(), 1U) << name;
+    const AreaPolygon& polygon = area->polygons.front();
+    EXPECT_EQ(polygon.boundary.corners, (std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}, {0, 3}})) << name;
+    ASSERT_EQ(polygon.holes.size(), 1U) << name;
+    EXPECT_EQ(polygon.holes[0].corners, (std::vector<Vec2>{{1, 1}, {2, 1}, {2, 2}, {1, 2}})) << name;
   }
 }
 
@@ -52,6 +54,44 @@ TEST(CoverArea, BadInputIsRefusedWithItsPlace) {
   refused("a.yaml", "hull: 3\n", "a.yaml:1");
   refused("a.yaml", "hull:\n  points:\n  - {x: 1}\n", "a.yaml:3");
   refused("a.txt", "(0,0) (1,0) oops\n---\n", "a.txt:1");
+}
+
+TEST(CoverArea, UtmCoordinatesAreMoved) {
+  const auto area = cover_area_from_text(
+      R"({"type": "Polygon", "coordinates": [[[456789.5,5428123],[456989.5,5428123],[456989.5,5428223]]],
+          "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}})",
+      "utm.geojson", Units::told_by_size);
+  ASSERT_TRUE(area) << to_string(area.error());
+  EXPECT_EQ(area->frame.origin, (Vec2{456789.0, 5428123.0}));
+  EXPECT_EQ(area->polygons.front().boundary.corners, (std::vector<Vec2>{{0.5, 0}, {200.5, 0}, {200.5, 100}}));
+  EXPECT_NE(area->frame.crs.find("25832"), std::string::npos);
+  EXPECT_EQ(area->note, "") << "no degrees are so large";
+}
+
+TEST(CoverArea, TheReferenceSystemOfTheFileDecides) {
+  const auto loaded = [](const char* crs) {
+    const std::string text = R"({"type": "Polygon", "coordinates": [[[8,49],[8.1,49],[8.1,49.1]]], "crs":)" +
+                             std::string(R"({"type": "name", "properties": {"name": ")") + crs + "\"}}}";
+    return cover_area_from_text(text, "a.geojson", Units::told_by_size);
+  };
+  EXPECT_TRUE(loaded("urn:ogc:def:crs:OGC:1.3:CRS84")->frame.degrees);
+  EXPECT_TRUE(loaded("EPSG:4326")->frame.degrees);
+  EXPECT_FALSE(loaded("EPSG:32632")->frame.degrees);
+}
+
+TEST(CoverArea, EveryPolygonOfGeoJsonInItsOrder) {
+  const auto area = cover_area_from_text(
+      R"({"type": "FeatureCollection", "features": [
+          {"type": "Feature", "geometry": {"type": "Point", "coordinates": [7, 7]}},
+          {"type": "Feature", "geometry": {"type": "MultiPolygon", "coordinates": [
+            [[[0,0],[4,0],[4,4],[0,4],[0,0]], [[1,1],[2,1],[2,2],[1,1]]], [[[5,0],[6,0],[6,1]]]]}},
+          {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[8,0],[9,0],[9,1]]]}}]})",
+      "a.json", Units::metres);
+  ASSERT_TRUE(area) << to_string(area.error());
+  ASSERT_EQ(area->polygons.size(), 3U);
+  EXPECT_EQ(area->polygons[0].holes.size(), 1U);
+  EXPECT_EQ(area->polygons[1].boundary.where, "a.json: $.features[1].geometry.coordinates[1][0]");
+  EXPECT_EQ(area->polygons[2].boundary.corners.front(), (Vec2{8, 0}));
 }
 
 /// Damaged files are answered, not crashed on.

@@ -37,7 +37,7 @@ std::string refusal(const std::string& moved, const std::string& removed = "") {
   return world ? "" : world.error().where + ": " + world.error().sentence;
 }
 
-const Solid& solid(const World& world, const std::string& name) {
+const Solid& solid_named(const World& world, const std::string& name) {
   return *std::ranges::find(world.solids, name, &Solid::name);
 }
 
@@ -45,11 +45,11 @@ TEST(WorldChanges, AThingIsMovedAndTurnedAboutTheMiddleOfItsBox) {
   const auto world = with("shed=0,-5,90");
   ASSERT_TRUE(world.has_value()) << world.error().sentence;
   // The box around both walls is [1, 3.1] x [-0.1, 2]; its middle (2.05, 0.95) comes to (0, -5).
-  const Vec3 wall = solid(*world, "shed/wall").world_T_solid.position;
+  const Vec3 wall = solid_named(*world, "shed/wall").world_T_solid.position;
   EXPECT_NEAR(wall.x, 0.95, 1e-12);
   EXPECT_NEAR(wall.y, -5.05, 1e-12);
   EXPECT_NEAR(wall.z, 1.0, 1e-12);
-  EXPECT_EQ(solid(*world, "bench").world_T_solid.position.x, -4.0);
+  EXPECT_EQ(solid_named(*world, "bench").world_T_solid.position.x, -4.0);
   EXPECT_EQ(world->bounds.low.x, -10.0);
 }
 
@@ -84,7 +84,7 @@ TEST(WorldChanges, OnAHillItKeepsItsHeightAboveTheGround) {
   world = world.on(std::make_shared<const HeightField>(*field));
   const auto moved = changed(world, {{{"post", {{-5, 5}, 0.0}}}, {}});
   ASSERT_TRUE(moved.has_value());
-  EXPECT_NEAR(solid(*moved, "post").world_T_solid.position.z - 1.0,
+  EXPECT_NEAR(solid_named(*moved, "post").world_T_solid.position.z - 1.0,
               world.ground_z_m({-5, 5}) - world.ground_z_m({5, 5}), 1e-12);
 }
 
@@ -92,9 +92,9 @@ TEST(WorldChanges, ANameStandsForItsPartsAndNotForWhatOnlyBeginsLikeIt) {
   const auto world = with("shed/side=0,0,0; bench_2 = 1,2,3", " bench ;");
   ASSERT_TRUE(world.has_value()) << world.error().sentence;
   EXPECT_EQ(world->solids.size(), yard().solids.size() - 1);
-  EXPECT_EQ(solid(*world, "shed/wall").world_T_solid.position.x, 2.0);
-  EXPECT_NEAR(solid(*world, "shed/side/left").world_T_solid.position.x, 0.0, 1e-12);
-  EXPECT_NEAR(solid(*world, "bench_2").world_T_solid.position.y, 2.0, 1e-12);
+  EXPECT_EQ(solid_named(*world, "shed/wall").world_T_solid.position.x, 2.0);
+  EXPECT_NEAR(solid_named(*world, "shed/side/left").world_T_solid.position.x, 0.0, 1e-12);
+  EXPECT_NEAR(solid_named(*world, "bench_2").world_T_solid.position.y, 2.0, 1e-12);
 }
 
 TEST(WorldChanges, TheTextsReadBackToTheSame) {

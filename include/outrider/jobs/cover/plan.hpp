@@ -26,17 +26,20 @@
 
 namespace outrider {
 
-/// What a piece of the track is for: a move between cells, a lap along a border, or a lane of a cell.
-enum class PieceRole { move, lap, lane };
+/// What a piece of the track is for: a move between cells, a lap along a border, a lane of a cell, or a
+/// transfer between areas.
+enum class PieceRole { move, lap, lane, transfer };
 
 /// Options of the planner.
 struct CoverOptions {
   std::int64_t directions =
       4;  ///< number of sweep directions tried: along the longest edges, and across them
-  TourOptions order{.exact_goals = 9,
-                    .expansions = 20'000,
-                    .iterations = 4000,
-                    .gap = 1.0};  ///< options of the tour; the default spends little time on a proof
+  TourOptions order{
+      .exact_goals = 9,
+      .expansions = 20'000,
+      .iterations = 4000,
+      .gap = 0.05,
+      .operations = 100'000'000};  ///< of the tour; more than 40 laps and cells are ordered without a proof
 };
 /// Describes the options by name.
 std::vector<Option> describe(CoverOptions& options);
@@ -70,17 +73,29 @@ const std::vector<CoverMethod>& cover_methods();
 /// Fault: bad_input with the nearest known name.
 Outcome<CoverMethod> find_cover_method(std::string_view name);
 
+/// The guaranteed coverage of one of the fields.
+struct FieldProof {
+  double area_m2 = 0.0;
+  double reach_m2 = 0.0;
+  double inner_m2 = 0.0;          ///< of all within the sure radius of the standing room
+  double planned_fraction = 0.0;  ///< of the reach, by the disk exactly on the track
+  double inner_fraction = 0.0;    ///< as below
+};
+
 /// The guaranteed coverage of a track, computed from the track and the area alone.
 struct CoverProof {
   Coverage planned;             ///< coverage of the reach by the disk exactly on the track
   double sure_fraction = 0.0;   ///< covered fraction of the reach for every allowed tracking error
   double inner_fraction = 0.0;  ///< the same for all points within the sure radius of the standing room
-  double clearance_m = 0.0;     ///< exact smallest distance of the track from an edge
+  double clearance_m = 0.0;  ///< exact smallest distance of the track from an edge; of transfers from a hole
+  double length_bound_m = 0.0;  ///< no track that covers all is shorter (length_bound.hpp)
+  std::vector<FieldProof> fields = {};
 };
 
 /// Checks the track independently of the planner. Refuses a track whose pieces do not join, that comes nearer
-/// to an edge than the radius, that begins outside or in a hole, or that covers less than 1 - `uncovered` -
-/// 0.1 % of all points within the sure radius of the standing room.
+/// to an edge of its field than the radius (a transfer: to a hole), that begins outside or in a hole, or that
+/// covers, of any field, less than 1 - `uncovered` - 0.1 % of all points within the sure radius of the
+/// standing room.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

@@ -3,6 +3,11 @@
 // The reach of the robot is the area opened by its disk: the places where the disk may stand, restricted to
 // the part that is connected with the start, and everything that the disk touches from there. Corners sharper
 // than the disk and gaps narrower than it are out of reach.
+//
+// Several areas that touch or overlap are one. Between areas that lie apart the robot may drive only if
+// `transfers` says so: then over everything outside of the areas and over the areas, but never through a
+// hole, which stands for an obstacle. Within an area it stays inside. With transfers every part of the
+// standing room counts that such a drive comes to.
 #pragma once
 
 #include <memory>
@@ -15,13 +20,23 @@
 
 namespace outrider {
 
+inline constexpr double most_overlap = 0.9;  ///< of the width, that neighbouring strips may share
+
+/// A polygon with holes.
+struct AreaOutline {
+  std::vector<Vec2> boundary;
+  std::vector<std::vector<Vec2>> holes;
+};
+
 /// The question to a coverage planner.
 struct CoverProblem {
   std::vector<Vec2> boundary;            ///< simple polygon of either orientation, m
   std::vector<std::vector<Vec2>> holes;  ///< simple polygons inside the boundary
-  double width_m = 0.2;                  ///< diameter of the robot and width of the strip that it covers
-  double overlap = 0.1;                  ///< fraction of the width that neighbouring strips share, 0 to 0.9
-  double tracking_error_m = 0.0;         ///< largest distance of the robot from its track
+  std::vector<AreaOutline> others = {};  ///< further areas of the same kind
+  bool transfers = false;         ///< the robot may drive between areas, over the ground outside of them
+  double width_m = 0.2;           ///< diameter of the robot and width of the strip that it covers
+  double overlap = 0.1;           ///< fraction of the width that neighbouring strips share, 0 to 0.9
+  double tracking_error_m = 0.0;  ///< largest distance of the robot from its track
   double uncovered =
       0.002;  ///< fraction of the reach that may stay uncovered where only a detour would cover it
   std::optional<Pose2> start;  ///< none: the robot starts where its track begins
@@ -35,10 +50,19 @@ struct CoverProblem {
   [[nodiscard]] double sure_radius_m() const { return radius_m() - tracking_error_m; }
 };
 
-/// The area prepared for the robot.
+/// One of the areas that lie apart.
+struct CoverField {
+  std::shared_ptr<const PolygonGround> ground;  ///< exact: where laps, lanes and the moves between them stay
+  Region area;
+  Region standing;
+  Region reach;
+};
+
+/// The areas prepared for the robot.
 struct CoverageArea {
-  std::shared_ptr<const PolygonGround> ground;  ///< exact, for tracks and checks
-  Region area;                                  ///< the area to cover
+  std::shared_ptr<const PolygonGround> ground;  ///< exact: where the whole track stays
+  std::vector<CoverField> fields;               ///< at least one; its ground is `ground` if it is alone
+  Region area;                                  ///< the area to cover, of all fields
   Region standing;     ///< where the centre of the disk may be, connected with the start, within arc_m
   Region reach;        ///< what the disk touches from the standing room
   double arc_m = 0.0;  ///< largest distance between an arc and its chords
@@ -46,8 +70,9 @@ struct CoverageArea {
 
 /// Prepares the area. Faults: bad_input on a polygon that crosses itself, a hole that is not inside the
 /// boundary, a robot wider than every part of the area (with the widest that fits), numbers out of range, an
-/// overlap too small for the tracking error (with the one that is enough); start_blocked; outside_map.
-/// `where` is "boundary", "hole 2", or the key.
+/// overlap too small for the tracking error (with the one that is enough), areas apart without transfers, an
+/// area in a hole of another; start_blocked; outside_map. `where` is "boundary", "hole 2", "boundary of area
+/// 2", "hole 1 of area 2", or the key.
 Outcome<CoverageArea> cover_ground(const CoverProblem& problem);
 
 }  // namespace outrider

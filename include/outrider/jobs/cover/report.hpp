@@ -60,7 +60,10 @@ class CoverLog {
 /// - of the drive: covered_fraction of the reach, covered_m2, missed_m2, overlap_m2, of reach_m2 and area_m2;
 ///   time_s, length_m, turned_rad, tracking_error_m (the largest distance from the track);
 /// - bounds: t_min_s and t_max_s on the time of any drive, order_bound_s of any order of laps and cells;
-/// - of the track: planned_s at full speed, planned_m, stops (turns in place), laps, cells, lanes,
+/// - areas_apart, the number of areas that do not touch, and transfer_m, the length of the drives between
+/// them;
+/// - of the track: planned_s at full speed, planned_m, length_bound_m (of any track), stops (turns in place),
+/// laps, cells, lanes,
 ///   clearance_m (from the edges), and planned_fraction, planned_missed_m2, planned_overlap_m2 by its disk;
 /// - for every tracking error up to tracking_error_limit_m: sure_fraction of the reach, and
 /// sure_inner_fraction

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "outrider/core/options.hpp"
+#include "outrider/io/area_frame.hpp"
 #include "outrider/jobs/cover/plan.hpp"
 
 namespace outrider {
@@ -14,11 +16,11 @@ struct CoverScenario {
   std::string area;                 ///< path of an area (io/cover_area.hpp)
   std::string units = "auto";       ///< units of the area: auto, degrees or metres
   std::string method = "quickest";  ///< name of a row of cover_methods()
-  std::string start;                ///< "x,y,heading"; empty: where the track begins
-  double error_factor = 1.0;        ///< see cover/time_bound.hpp
-  std::int64_t seed = 1;            ///< of the simulated drive
-  CoverProblem problem;             ///< its numbers are options; its polygons come from the file
-  CoverOptions options;             ///< of the planner
+  std::string start;          ///< "x,y,heading" in the coordinates of the area; empty: where the track begins
+  double error_factor = 1.0;  ///< see cover/time_bound.hpp
+  std::int64_t seed = 1;      ///< of the simulated drive
+  CoverProblem problem;       ///< its numbers are options; its polygons come from the file
+  CoverOptions options;       ///< of the planner
 };
 
 /// Describes the options: the top-level keys, then the sections pace and order.
@@ -29,15 +31,16 @@ struct CoverTask {
   CoverProblem problem;
   CoverMethod method;
   std::string note;  ///< how the units of the file were interpreted, if that is uncertain
+  AreaFrame frame;   ///< from the metres of the problem back to the coordinates of the file
 
-  std::string boundary_where;            ///< place of the boundary in the file
-  std::vector<std::string> hole_wheres;  ///< places of the holes in the file
+  /// The rings as faults of cover_ground() name them, each with its place in the file.
+  std::vector<std::pair<std::string, std::string>> places = {};
 };
 
 /// Reads the area and the names. Faults: bad_input with the file and line, or the key.
 Outcome<CoverTask> load_task(const CoverScenario& scenario);
 
-/// Replaces the place "boundary" or "hole 2" of a fault by the place in the file.
+/// Replaces the place "boundary" or "hole 2 of area 2" of a fault by the place in the file.
 Fault placed(Fault fault, const CoverTask& task);
 
 }  // namespace outrider

@@ -129,11 +129,98 @@ TEST(CoverPlan, BeginsWhereTheRobotStandsAndLeavesOtherRoomsAlone) {
   EXPECT_TRUE(prove(plan, problem));
 }
 
+/// Two fields 4 m apart, a hole in the first; the straight way between them is free.
+CoverProblem two_fields() {
+  CoverProblem problem;
+  problem.boundary = {{0, 0}, {8, 0}, {8, 3}, {3, 3}, {3, 8}, {0, 8}};  // an L
+  problem.holes = {{{1, 4}, {2, 4}, {2, 5}, {1, 5}}};
+  problem.others = {{{{12, 0}, {16, 0}, {16, 5}, {12, 5}}, {}}};
+  problem.width_m = 0.5;
+  problem.transfers = true;
+  return problem;
+}
+
+TEST(CoverPlan, AreasApartAreCoveredInOneTrackWithTransfers) {
+  const CoverProblem problem = two_fields();
+  for (const char* method : {"boustrophedon", "spiral"}) {
+    const CoverPlan plan = planned(problem, method);
+    const auto proof = prove(plan, problem);
+    ASSERT_TRUE(proof) << method << ": " << to_string(proof.error());
+    ASSERT_EQ(proof->fields.size(), 2U);
+    for (const FieldProof& field : proof->fields) EXPECT_GE(field.planned_fraction, 0.997) << method;
+    EXPECT_NEAR(area_of(plan.ground.area), 39.0 - 1.0 + 20.0, 1e-4);
+    double transfers = 0.0;
+    for (std::size_t i = 0; i < plan.roles.size(); ++i) {
+      const PathPiece& piece = plan.track.pieces[i];
+      const bool within = contains(plan.ground.area, piece.from) && contains(plan.ground.area, piece.to) &&
+                          contains(plan.ground.area, 0.5 * (piece.from + piece.to));
+      if (plan.roles[i] == PieceRole::transfer) transfers += length_of(piece);
+      if (plan.roles[i] != PieceRole::transfer) {
+        EXPECT_TRUE(within) << method << ", piece " << i << " leaves its area";
+      }
+    }
+    EXPECT_GE(transfers, 4.5 - 1e-6) << "each field once, from one room of the centre to the other";
+    EXPECT_LT(transfers, 15.0);
+  }
+}
+
+TEST(CoverPlan, TransfersKeepAwayFromHolesAndMayBeginOutside) {
+  CoverProblem problem = two_fields();
+  problem.start = Pose2{{10.0, 7.0}, 0.0};  // outside of both
+  CoverPlan plan = planned(problem, "boustrophedon");
+  EXPECT_TRUE(prove(plan, problem));
+  EXPECT_EQ(plan.track.start, *problem.start);
+  // A leg through the hole, called a transfer, is refused.
+  plan.track.pieces.push_back({plan.track.pieces.back().to, {1.5, 4.5}, {}, 0.0});
+  plan.roles.push_back(PieceRole::transfer);
+  EXPECT_FALSE(prove(plan, problem));
+}
+
+TEST(CoverPlan, AFieldThatIsLeftOutIsNoticed) {
+  const CoverProblem problem = two_fields();
+  CoverPlan plan = planned(problem, "boustrophedon");
+  std::size_t far = plan.track.pieces.size();
+  while (far > 0 && plan.roles[far - 1] != PieceRole::transfer) --far;
+  ASSERT_GT(far, 0U);
+  plan.track.pieces.resize(far - 1);
+  plan.roles.resize(far - 1);
+  EXPECT_FALSE(prove(plan, problem));
+}
+
+TEST(CoverPlan, TouchingAreasAreOne) {
+  CoverProblem problem;
+  problem.boundary = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  problem.others = {{{{4, 0}, {8, 0}, {8, 4}, {4, 4}}, {}}};
+  problem.width_m = 0.5;
+  const CoverPlan plan = planned(problem, "boustrophedon");
+  EXPECT_EQ(plan.ground.fields.size(), 1U);
+  EXPECT_EQ(plan.laps, 1U);
+  EXPECT_TRUE(prove(plan, problem));
+}
+
 TEST(CoverPlan, SameProblemSameTrack) {
   Rng rng(3);
   const CoverProblem problem = testing::random_cover_problem(rng);
   for (const char* method : {"boustrophedon", "spiral"}) {
     EXPECT_EQ(planned(problem, method).track.pieces, planned(problem, method).track.pieces);
+  }
+}
+
+/// No order that a longer search with another seed finds is quicker than the bound that is stated.
+TEST(CoverPlan, NoOrderIsQuickerThanItsBound) {
+  Rng rng(77);
+  for (int k = 0; k < testing::cases(4); ++k) {
+    const CoverProblem problem = testing::random_cover_problem(rng);
+    const CoverMethod method = *find_cover_method("spiral");
+    CoverOptions hasty, thorough;
+    hasty.order.iterations = 50;
+    hasty.order.gap = 1.0;
+    thorough.order.iterations = 20'000;
+    thorough.order.seed = 2;
+    const auto bounded = method.plan(problem, hasty, {}), best = method.plan(problem, thorough, {});
+    ASSERT_TRUE(bounded && best);
+    EXPECT_LE(bounded->order_bound_s, best->sums.time_s + 1e-6) << k;
+    EXPECT_LE(best->order_bound_s, best->sums.time_s + 1e-6) << k;
   }
 }
 
@@ -176,11 +263,24 @@ TEST(CoverPlan, BadInputIsRefusedInASentence) {
   CoverProblem loose = room(1.5);
   loose.tracking_error_m = 0.02;
   expect_refused(loose, "tracking_error", "an overlap of at least 0.2");
+  loose.tracking_error_m = 0.1;
+  expect_refused(loose, "tracking_error",
+                 "an overlap of 0.9 with a width of at least 0.2223 m; at this width no");
+  loose.width_m = 0.2223;
+  loose.overlap = 0.9;
+  EXPECT_TRUE(cover_ground(loose)) << "the remedy is one";
   CoverProblem blocked = room(1.5);
   blocked.start = Pose2{{0.05, 0.05}, 0.0};
   expect_refused(blocked, "start", "cannot stand");
   blocked.start = Pose2{{-1.0, 0.05}, 0.0};
   expect_refused(blocked, "start", "outside");
+  CoverProblem apart = two_fields();
+  apart.transfers = false;
+  expect_refused(apart, "transfers", "2 areas lie apart; allow transfers");
+  apart.transfers = true;
+  apart.others = {{{{1.2, 4.2}, {1.8, 4.2}, {1.8, 4.8}, {1.2, 4.8}}, {}}};
+  apart.width_m = 0.2;
+  expect_refused(apart, "area", "lies in a hole of another");
   CoverProblem hasty = room(1.5);
   hasty.pace.slowest_speed_mps = 1.0;
   expect_refused(hasty, "pace.slowest_speed", "above the speed");
