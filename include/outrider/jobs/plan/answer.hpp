@@ -48,7 +48,7 @@ struct PlanRow {
   double length_m = unknown;
   double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
   bool optimal = false;               ///< the path is proven optimal
-  std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal or disk_optimal
+  std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal or widest_optimal
   double clearance_m = unknown;       ///< least clearance, by safety_of()
   double exposure = unknown;          ///< integral of 1 / clearance; infinite if the path touches an obstacle
   double reached_within_m = unknown;  ///< distance from the end of the path to the goal
