@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "commands.hpp"
+#include "detect_output.hpp"
 #include "flags.hpp"
 #include "output.hpp"
-#include "outrider/core/units.hpp"
 #include "outrider/estimate/planar_pnp.hpp"
 #include "outrider/estimate/tag_detector.hpp"
 #include "outrider/io/camera_file.hpp"
@@ -22,6 +21,8 @@
 namespace outrider::cli {
 namespace {
 
+constexpr std::int64_t few_tags = 4;  ///< fewer than that are worth a search at other scales
+
 struct DetectCommand {
   std::string path;
   bool json = false;
@@ -30,82 +31,41 @@ struct DetectCommand {
   std::string camera;
   ImageTopicsOptions topics;  ///< of a log instead of a photo
   double size_m = default_tag_size_m;
+  std::string family = "tag36h11";
   TagDetectorOptions detector;
   PlanarPnpOptions pnp;
+
+  DetectCommand() { detector.few = few_tags; }
 };
 
 std::vector<OptionGroup> describe(DetectCommand& command) {
-  return {{"",
-           "output",
-           {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
-            {"svg", "", 0, 0, "file to write, the photo with what was found", &command.svg}}},
-          {"",
-           "logs of ROS",
-           {{"image_topic", "", 0, 0, "topic of the images; needed if the log has several",
-             &command.topics.image},
-            {"info_topic", "", 0, 0, "topic of the camera; empty: camera_info beside the images",
-             &command.topics.info}}},
-          {"",
-           "camera and tags",
-           {{"calibration", "", 0, 0, "YAML file with the camera matrix; without it there are no poses",
-             &command.calibration},
-            {"camera", "", 0, 0, "which camera of a calibration file with several", &command.camera},
-            {"size", "m", 1e-4, 100, "side of the black square of the tags", &command.size_m}}},
-          {"", "detection", describe(command.detector)},
-          {"", "poses", describe(command.pnp)}};
+  return {
+      {"",
+       "output",
+       {{"json", "", 0, 0, "print one JSON object on standard output", &command.json},
+        {"svg", "", 0, 0, "file to write, the photo with what was found", &command.svg}}},
+      {"",
+       "logs of ROS",
+       {{"image_topic", "", 0, 0, "topic of the images; needed if the log has several",
+         &command.topics.image},
+        {"info_topic", "", 0, 0, "topic of the camera; empty: camera_info beside the images",
+         &command.topics.info}}},
+      {"",
+       "camera and tags",
+       {{"calibration", "", 0, 0, "YAML file with the camera matrix; without it there are no poses",
+         &command.calibration},
+        {"camera", "", 0, 0, "which camera of a calibration file with several", &command.camera},
+        {"family", "", 0, 0, "families of the tags, with commas between; all: every one", &command.family},
+        {"size", "m", 1e-4, 100, "side of the square of the tags at whose edge black meets white",
+         &command.size_m}}},
+      {"", "detection", describe(command.detector)},
+      {"", "poses", describe(command.pnp)}};
 }
 
-/// Returns the yaw of the tag, counter-clockwise as seen from above an upright camera; 0 if the tag faces the
-/// camera's plane.
-double yaw_rad(const Pose3& camera_T_tag) {
-  const Vec3 into_tag = camera_T_tag.rotation.axes[2];
-  return -std::atan2(into_tag.x, into_tag.z);
-}
-
-nlohmann::ordered_json pose_json(const TagPose& pose) {
-  const Vec3 t = pose.camera_T_tag.position;
-  const auto& axes = pose.camera_T_tag.rotation.axes;
-  const auto sigma = [&](int i) { return std::sqrt(pose.covariance(i, i)); };
-  return {{"translation_m", {t.x, t.y, t.z}},
-          {"rotation",
-           {{axes[0].x, axes[1].x, axes[2].x},
-            {axes[0].y, axes[1].y, axes[2].y},
-            {axes[0].z, axes[1].z, axes[2].z}}},
-          {"yaw_deg", degrees(yaw_rad(pose.camera_T_tag))},
-          {"distance_m", norm(t)},
-          {"error_px", pose.error_px},
-          {"sigma_m", {sigma(0), sigma(1), sigma(2)}},
-          {"sigma_deg", {degrees(sigma(3)), degrees(sigma(4)), degrees(sigma(5))}}};
-}
-
-nlohmann::ordered_json tags_json(const std::vector<TagSighting>& sightings) {
-  auto tags = nlohmann::ordered_json::array();
-  for (const TagSighting& sighting : sightings) {
-    auto corners = nlohmann::ordered_json::array();
-    for (const Vec2 corner : sighting.corners_px) corners.push_back({corner.x, corner.y});
-    auto poses = nlohmann::ordered_json::array();
-    for (const TagPose& pose : sighting.poses) poses.push_back(pose_json(pose));
-    tags.push_back({{"id", sighting.id},
-                    {"corners", std::move(corners)},
-                    {"corrected_bits", sighting.corrected_bits},
-                    {"margin", sighting.margin},
-                    {"poses", std::move(poses)}});
-  }
-  return tags;
-}
-
-void print_table(const std::vector<TagSighting>& sightings) {
-  show("{} tag{} found\n", sightings.size(), sightings.size() == 1 ? "" : "s");
-  for (const TagSighting& sighting : sightings) {
-    show("  {:3}  corners", sighting.id);
-    for (const Vec2 corner : sighting.corners_px) show(" ({:.2f}, {:.2f})", corner.x, corner.y);
-    show("\n");
-    for (const TagPose& pose : sighting.poses) {
-      const Vec3 t = pose.camera_T_tag.position;
-      show("       at ({:.3f}, {:.3f}, {:.3f}) m, turned by {:.1f} deg; error {:.2f} px\n", t.x, t.y, t.z,
-           degrees(yaw_rad(pose.camera_T_tag)), pose.error_px);
-    }
-  }
+nlohmann::ordered_json family_names(const DetectCommand& command) {
+  auto names = nlohmann::ordered_json::array();
+  for (const TagFamily family : command.detector.families) names.push_back(layout(family).name);
+  return names;
 }
 
 /// Returns the camera for images of this size.
@@ -125,9 +85,9 @@ Outcome<Camera> sized(Outcome<Camera> camera, const DetectCommand& command, cons
 }
 
 /// Detects the tags of an image, with their poses if the camera is known.
-std::vector<TagSighting> detect_tags(const DetectCommand& command, const CameraImage& image,
-                                     const std::optional<Camera>& camera) {
-  std::vector<TagSighting> sightings = TagDetector(command.detector).detect(image);
+std::vector<TagSighting> detect_tags(TagDetector& detector, const DetectCommand& command,
+                                     const CameraImage& image, const std::optional<Camera>& camera) {
+  std::vector<TagSighting> sightings = detector.detect(image);
   if (!camera) return sightings;
   for (TagSighting& sighting : sightings) {
     sighting.poses = planar_pnp(*camera, command.size_m, sighting.corners_px, command.pnp);
@@ -153,8 +113,9 @@ int execute_on_log(const DetectCommand& command, bool json) {
   }
   auto images = open_image_topics(command.path, command.topics);
   if (!images) return print_fault(images.error(), json);
+  TagDetector detector(command.detector);
   auto rows = nlohmann::ordered_json::array();
-  std::size_t count = 0;
+  std::size_t count = 0, tags = 0;
   for (;; ++count) {
     const auto read = (*images)->next();
     if (!read) return print_fault(read.error(), json);
@@ -162,18 +123,24 @@ int execute_on_log(const DetectCommand& command, bool json) {
     const auto& [time_s, image] = **read;
     const auto camera = camera_of_log(command, **images, image);
     if (!camera) return print_fault(camera.error(), json);
-    const auto sightings = detect_tags(command, image, *camera);
+    const auto sightings = detect_tags(detector, command, image, *camera);
     if (sightings.empty()) continue;
+    tags += sightings.size();
     if (json) {
       rows.push_back({{"time_s", time_s}, {"tags", tags_json(sightings)}});
     } else {
-      show("at {:.3f} s: ", time_s);
-      print_table(sightings);
+      show("at {:.3f} s: {} tag{} found\n", time_s, sightings.size(), sightings.size() == 1 ? "" : "s");
+      print_table(sightings, command.detector.families);
     }
   }
   if (const std::string cut = (*images)->cut_short(); !cut.empty()) warn(cut);
   if (json) {
-    print({{"status", "done"}, {"images", count}, {"sightings", std::move(rows)}});
+    print({{"status", "done"},
+           {"families", family_names(command)},
+           {"images", count},
+           {"sightings", std::move(rows)}});
+  } else if (tags == 0) {
+    show("{} images, 0 tags found: {}\n", count, none_found(command.detector.families, {}));
   } else {
     show("{} images\n", count);
   }
@@ -183,6 +150,20 @@ int execute_on_log(const DetectCommand& command, bool json) {
 int execute(DetectCommand& command, const Command& flags) {
   const bool json = flags.given("--json");
   if (auto ok = apply_flags(flags, describe(command)); !ok) return print_fault(ok.error(), json);
+  auto families = parse_tag_families(command.family);
+  if (!families) {
+    families.error().where = "--family";
+    return print_fault(families.error(), json);
+  }
+  command.detector.families = std::move(*families);
+  if (!command.camera.empty() && command.calibration.empty()) {
+    return print_fault({FaultCode::bad_input,
+                        fmt::format("'{}' is to be a camera of a calibration file, and there is none; give "
+                                    "--calibration FILE too",
+                                    command.camera),
+                        "--camera"},
+                       json);
+  }
   if (is_log_file(command.path)) return execute_on_log(command, json);
   const auto image = load_photo(command.path);
   if (!image) return print_fault(image.error(), json);
@@ -192,18 +173,26 @@ int execute(DetectCommand& command, const Command& flags) {
     if (!calibrated) return print_fault(calibrated.error(), json);
     camera = *calibrated;
   }
-  const std::vector<TagSighting> sightings = detect_tags(command, *image, camera);
+  TagDetector detector(command.detector);
+  const std::vector<TagSighting> sightings = detect_tags(detector, command, *image, camera);
+  const auto others = sightings.empty() ? count_others(*image, command.detector) : std::vector<FamilyCount>{};
   if (flags.given("--svg")) {
     const std::string picture = tag_picture(*image, camera.value_or(Camera{}), command.size_m, sightings);
     if (auto ok = write_file(command.svg, picture); !ok) return print_fault(ok.error(), json);
   }
   if (json) {
-    print({{"status", "done"},
-           {"width", image->width},
-           {"height", image->height},
-           {"tags", tags_json(sightings)}});
+    nlohmann::ordered_json found{{"status", "done"},
+                                 {"width", image->width},
+                                 {"height", image->height},
+                                 {"families", family_names(command)},
+                                 {"tags", tags_json(sightings)}};
+    for (const FamilyCount& other : others) found["other_families"][layout(other.family).name] = other.tags;
+    print(found);
+  } else if (sightings.empty()) {
+    show("0 tags found: {}\n", none_found(command.detector.families, others));
   } else {
-    print_table(sightings);
+    show("{} tag{} found\n", sightings.size(), sightings.size() == 1 ? "" : "s");
+    print_table(sightings, command.detector.families);
   }
   return job_done;
 }
@@ -211,7 +200,7 @@ int execute(DetectCommand& command, const Command& flags) {
 }  // namespace
 
 void add_detect(Command& tool) {
-  Command& detect = tool.add("detect", "find AprilTags (tag36h11) in a photo, with their poses");
+  Command& detect = tool.add("detect", "find AprilTags in a photo, with their poses");
   auto command = std::make_shared<DetectCommand>();
   detect
       .positional("image", &command->path,

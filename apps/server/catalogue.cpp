@@ -12,6 +12,7 @@ std::string_view name_of(PathClass among) {
     case PathClass::along_moves: return "along_moves";
     case PathClass::any_direction: return "any_direction";
     case PathClass::any_curve: return "any_curve";
+    case PathClass::widest_curve: return "widest_curve";
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "outrider/jobs/plan/answer.hpp"
+#include "outrider/path/clearance/medial_axis.hpp"
 #include "outrider/path/visibility/visibility_graph.hpp"
 #include "outrider/report/run_json.hpp"
 
@@ -161,6 +162,15 @@ Json legs_json(const PolygonGround& ground) {
   return legs;
 }
 
+Json axis_json(const PolygonGround& ground) {
+  Json legs = Json::array();
+  for (const std::vector<Vec2>& line : medial_axis_lines(ground)) {
+    for (std::size_t i = 1; i < line.size() && legs.size() < most_legs; ++i)
+      legs.push_back({line[i - 1].x, line[i - 1].y, line[i].x, line[i].y});
+  }
+  return legs;
+}
+
 Json view_json(const Question& question, const PlanGround& ground, const Trace& trace) {
   Json view = Json::object();
   const PathPlanner& planner = question.planner.first;
@@ -170,7 +180,8 @@ Json view_json(const Question& question, const PlanGround& ground, const Trace& 
         on_polygons ? placed_trace_json(trace, planner.guarantee.measure) : trace_json(trace, ground);
   }
   if (question.blocked && ground.grid) view["blocked"] = grid_json(ground.blocked, ground.yaw_rad);
-  if (question.legs && on_polygons) view["legs"] = legs_json(*ground.polygons);
+  if (question.legs && on_polygons)
+    view["legs"] = planner.axis ? axis_json(*ground.polygons) : legs_json(*ground.polygons);
   return view;
 }
 

@@ -18,6 +18,8 @@ using Vector8 = Eigen::Matrix<double, 8, 1>;
 
 constexpr int most_pnp_steps = 500;  // the worse solution of a tag seen at an angle converges slowly
 
+constexpr double least_sharpness = 1e-6;  // px^12 / m^6; far below that of tags that a camera can read
+
 using Rays = std::array<Vec2, 4>;  // points of the plane z = 1
 
 /// Returns true if the corners are convex and in the order of a tag seen from its front.
@@ -163,6 +165,26 @@ TagPose with_covariance(const Minimum& minimum, const PlanarPnpOptions& options)
   return pose;
 }
 
+/// Sets the probability of each pose: the integral of the likelihood of the corners around its minimum, where
+/// the variance of a corner has the prior of the options (Gelman et al., Bayesian Data Analysis, section 4.1:
+/// normal approximation).
+void set_probabilities(std::vector<TagPose>& poses, const std::vector<Minimum>& minima,
+                       const PlanarPnpOptions& options) {
+  const double weight = options.corner_sigma_weight;
+  const double prior = weight * options.corner_sigma_px * options.corner_sigma_px;
+  std::vector<double> logs;
+  for (const Minimum& minimum : minima) {
+    const Matrix6d normal = minimum.at.jacobian.transpose() * minimum.at.jacobian;
+    const double sharpness = normal.ldlt().vectorD().prod();  // not positive: the corners do not fix the pose
+    logs.push_back(-0.5 * (weight + 2.0) * std::log(prior + minimum.at.error.squaredNorm()) -
+                   0.5 * std::log(std::max(sharpness, least_sharpness)));
+  }
+  const double most = logs.empty() ? 0.0 : *std::ranges::max_element(logs);
+  double sum = 0.0;
+  for (const double log : logs) sum += std::exp(log - most);
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].probability = std::exp(logs[i] - most) / sum;
+}
+
 }  // namespace
 
 std::vector<Option> describe(PlanarPnpOptions& options) {
@@ -191,6 +213,7 @@ std::vector<TagPose> planar_pnp(const Camera& camera, double size_m, const std::
   }
   std::vector<TagPose> poses;
   for (const Minimum& minimum : minima) poses.push_back(with_covariance(minimum, options));
+  set_probabilities(poses, minima, options);
   std::ranges::stable_sort(poses, {}, &TagPose::error_px);
   return poses;
 }

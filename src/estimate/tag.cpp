@@ -14,10 +14,7 @@ const Tag* TagMap::find(int id) const {
 
 Status check_tags(const TagMap& map) {
   for (const Tag& tag : map.tags) {
-    if (tag.id < 0 || tag.id >= tag_family_size) {
-      return bad_input(
-          fmt::format("there is no tag {} in tag36h11; ids go from 0 to {}", tag.id, tag_family_size - 1));
-    }
+    if (auto ok = check_tag_id(tag.id, map.family); !ok) return ok;
     if (map.find(tag.id) != &tag) {
       return bad_input(fmt::format("the tag {} hangs twice; give one of them another id", tag.id));
     }

@@ -228,27 +228,30 @@ std::vector<PathPlanner> planners_with_prices() {
                 "Arimoto, "
                 "1992",
        .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = unbounded,
+                     .among = PathClass::widest_curve,
+                     .most_ratio = 1.0,
                      .sentence = "complete; no path has more clearance, and none of those is shorter"},
        .configure = with_options(widest),
        .models = {},
        .index = true,
-       .polygons = true},
+       .polygons = true,
+       .axis = true},
       {.name = "medial_axis",
        .sentence =
-           "As far from everything as can be: along the lines on which two obstacles are equally near.",
+           "As far from everything as can be: along the lines on which two obstacles are equally near, bent "
+           "where leaving them costs less.",
        .paper = "O'Dunlaing and Yap, A retraction method for planning the motion of a disc, 1985",
        .guarantee = {.complete = true,
                      .among = PathClass::any_curve,
                      .most_ratio = unbounded,
                      .sentence = "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times "
-                                 "the least along the axis",
+                                 "the least along the axis, and states a bound for all paths",
                      .measure = Measure::safety},
        .configure = with_options(medial_axis),
        .models = {},
        .index = true,
-       .polygons = true},
+       .polygons = true,
+       .axis = true},
   };
 }
 

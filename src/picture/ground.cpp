@@ -162,6 +162,9 @@ void draw_ground(Sheet& sheet, const Log& log) {
   } else if (walls != nullptr) {
     draw_obstacle(sheet, "wall", outlines_of(walls->outlines), 1.0, radius_m, mapped);
   }
+  if (const auto* axis = log.latest<Outlines>(topic::medial_axis)) {
+    for (const std::vector<Vec2>& line : outlines_of(axis->outlines)) sheet.line("axis", line);
+  }
 }
 
 }  // namespace outrider::picture

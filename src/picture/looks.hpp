@@ -42,6 +42,7 @@ inline constexpr auto looks = std::to_array<Look>({
     {"truth", "true solid", "fill:#15212b;fill-opacity:.14"},
     {"overhead", "overhead, not in the way",
      "fill:#566470;fill-opacity:.16;stroke:#566470;stroke-dasharray:4 3"},
+    {"axis", "medial axis", "stroke:#566470;stroke-width:.9;stroke-opacity:.75"},
     {"plan", "planned path", "stroke:#a9cdea;stroke-width:5;stroke-opacity:.75"},
     {"coloured", "", "stroke:currentColor"},
     {"odometry", "odometry alone", "stroke:#566470;stroke-opacity:.6"},

@@ -29,7 +29,7 @@ std::vector<Option> describe(DriveSimParams& params) {
       {"kidnapped_at", "s", 0.0, 1e9, "when the robot is put elsewhere", &params.kidnapping.at_s},
       {"kidnapped_by", "m", -100.0, 100.0, "how far to its left", &params.kidnapping.by_m},
       {"kidnapped_turn", "deg", -180.0, 180.0, "and turned by how much", &params.kidnapping.by_rad},
-      {"moved_tag", "", -1, 586, "id of a tag that hangs elsewhere than the map says; -1: none",
+      {"moved_tag", "", -1, 65534, "id of a tag that hangs elsewhere than the map says; -1: none",
        &params.moved_tag.id},
       {"moved_tag_by", "m", -10.0, 10.0, "how far to the right of its reader", &params.moved_tag.by_m},
       {"moved_tag_at", "s", 0.0, 1e9, "when it is moved", &params.moved_tag.at_s},

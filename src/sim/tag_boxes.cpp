@@ -7,7 +7,7 @@
 namespace outrider {
 namespace {
 
-constexpr double margin_share = 0.3;  // of the tag's side, around it: its paper and some of the wall
+constexpr double wall_share = 0.175;  // of the tag's side, around its paper
 constexpr double least_margin_px = 8.0;
 
 /// The box around the tag's paper in the image; nothing when it shows its back, is not wholly within the
@@ -38,8 +38,9 @@ std::optional<Box2> outline(const Camera& camera, const Pose3& world_T_camera, c
   return box;
 }
 
-PixelBox around(const Box2& box, const Camera& camera) {
-  const double margin = std::max(least_margin_px, margin_share * std::max(box.size().x, box.size().y));
+PixelBox around(const Box2& box, const Camera& camera, const TagLayout& family) {
+  const double share = wall_share + 0.5 * (family.paper_per_size() - 1.0);
+  const double margin = std::max(least_margin_px, share * std::max(box.size().x, box.size().y));
   const auto pixel = [](double at, int most) {
     return static_cast<int>(std::clamp(std::floor(at), 0.0, static_cast<double>(most)));
   };
@@ -81,7 +82,7 @@ std::vector<PixelBox> tag_boxes(const Camera& camera, const TagScene& scene, con
       box->include(later->high);
     }
     if (!box) continue;
-    const PixelBox pixels = around(*box, camera);
+    const PixelBox pixels = around(*box, camera, layout(scene.tags.family));
     if (!pixels.empty()) add(boxes, pixels);
   }
   return boxes;

@@ -14,13 +14,22 @@ std::vector<Option> describe(TagCameraOptions& options) {
           {"least_tag", "px", 1, 1e4, "tags that appear smaller are not rendered", &options.least_tag_px}};
 }
 
+namespace {
+
+TagDetectorOptions of_family(TagDetectorOptions options, TagFamily family) {
+  options.families = {family};
+  return options;
+}
+
+}  // namespace
+
 TagCamera::TagCamera(TagScene scene, const RobotCamera& robot_camera, const TagCameraOptions& options,
                      const Rng& rng, const TagDetectorOptions& detector, const PlanarPnpOptions& pnp)
     : scene_(std::move(scene)),
       robot_camera_(robot_camera),
       options_(options),
       pnp_(pnp),
-      detector_(detector),
+      detector_(of_family(detector, scene_.tags.family)),
       rng_(rng) {}
 
 std::vector<TagSighting> TagCamera::look(const Pose2& opening, const Pose2& closing) {

@@ -74,13 +74,12 @@ std::vector<Block> blocks_of(const World& world) {
 std::vector<Paper> papers_of(const TagMap& tags, const TagCameraOptions& options) {
   std::vector<Paper> papers;
   for (const Tag& tag : tags.tags) {
-    const auto pattern = tag_pattern(tag.id);
+    const auto pattern = tag_pattern(tag.id, tags.family);
     if (!pattern) continue;
-    Paper paper{tag.world_T_tag, paper_per_tag * tag.size_m, {}};
-    std::ranges::transform(*pattern, paper.greys.begin(), [&](bool white) {
-      return static_cast<float>(white ? options.white_grey : options.black_grey);
-    });
-    papers.push_back(paper);
+    Paper paper{tag.world_T_tag, layout(tags.family).paper_per_size() * tag.size_m, pattern->cells, {}};
+    for (const bool white : pattern->white)
+      paper.greys.push_back(static_cast<float>(white ? options.white_grey : options.black_grey));
+    papers.push_back(std::move(paper));
   }
   return papers;
 }
@@ -109,7 +108,8 @@ RayView::RayView(const Pose3& world_T_camera, const std::vector<Block>& blocks,
   for (const Paper& paper : papers) {
     SeenPaper seen{mapped(world_T_camera, paper.world_T_paper),
                    0.5 * paper.side_m,
-                   static_cast<double>(tag_cells) / paper.side_m,
+                   static_cast<double>(paper.cells) / paper.side_m,
+                   paper.cells,
                    &paper.greys,
                    {}};
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -128,9 +128,9 @@ RayView::OnPaper RayView::paper_met(Vec2 ray) const {
     if (!(at > 0.0) || at >= met.at) continue;
     const double x = (paper.map.origin.x + at * along.x + paper.half_side_m) * paper.cells_per_m;
     const double y = (paper.map.origin.y + at * along.y + paper.half_side_m) * paper.cells_per_m;
-    constexpr auto cells = static_cast<double>(tag_cells);
+    const auto cells = static_cast<double>(paper.cells);
     if (!(x >= 0.0 && y >= 0.0 && x < cells && y < cells)) continue;
-    const auto cell = static_cast<std::size_t>(y) * tag_cells + static_cast<std::size_t>(x);
+    const auto cell = static_cast<std::size_t>(y) * paper.cells + static_cast<std::size_t>(x);
     met = {at, (*paper.greys)[cell], &paper};
   }
   return met;

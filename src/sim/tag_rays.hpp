@@ -19,7 +19,8 @@ struct Block {
 struct Paper {
   Pose3 world_T_paper;
   double side_m = 0.0;
-  std::array<float, tag_cells * tag_cells> greys{};
+  std::size_t cells = 0;     ///< along a side
+  std::vector<float> greys;  ///< of the cells, row by row from the top
 };
 
 std::array<Vec3, 8> corners_of(const Block& block);
@@ -57,7 +58,8 @@ class RayView {
     Mapped map;
     double half_side_m = 0.0;
     double cells_per_m = 0.0;
-    const std::array<float, tag_cells * tag_cells>* greys = nullptr;
+    std::size_t cells = 0;
+    const std::vector<float>* greys = nullptr;
     std::vector<std::size_t> hiders;  ///< blocks that are not wholly behind it
   };
   struct OnPaper {

@@ -141,7 +141,7 @@ bool is_fine(const Camera& camera, const Pose3& opening, const Pose3& closing, c
     side_px = std::min(side_px, distance((*first)[i], (*first)[(i + 1) % 4]));
     moved_px = std::max(moved_px, distance((*first)[i], (*last)[i]));
   }
-  return side_px < (least_cell_px + moved_px) * static_cast<double>(tag_cells);
+  return side_px < (least_cell_px + moved_px) * static_cast<double>(paper.cells);
 }
 
 /// True where all of a convex hull lies beyond one side of the box of pixels, or behind the camera.

@@ -24,8 +24,13 @@ class Detect(ToolTest):
     def test_an_image_without_tags(self):
         result = self.run_tool("detect", "grey.pgm", "--calibration", "camera.yaml", "--json")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.json_of(result), {"status": "done", "width": 64, "height": 64, "tags": []})
-        self.assertIn("0 tags found", self.run_tool("detect", "grey.pgm").stdout)
+        self.assertEqual(self.json_of(result), {"status": "done", "width": 64, "height": 64,
+                                                "families": ["tag36h11"], "tags": []})
+        said = self.run_tool("detect", "grey.pgm").stdout
+        self.assertIn("0 tags found: none of tag36h11; --family takes tag16h5, tag25h9,", said)
+        said = self.run_tool("detect", "grey.pgm", "--family", "all").stdout
+        self.assertIn("tagStandard52h13", said)
+        self.assertNotIn("--family", said)
 
     def test_bad_input(self):
         self.write("text.jpg", "no photo")
@@ -42,6 +47,9 @@ class Detect(ToolTest):
         for name, remedy in [("singular.yaml", "singular"), ("other.yaml", "640 x 640"),
                              ("empty.yaml", "camera_matrix"), ("none.yaml", "none.yaml")]:
             self.refused("detect", "grey.pgm", "--calibration", name, says=[name, remedy])
+        self.refused("detect", "grey.pgm", "--camera", "left", says=["--camera", "'left'", "--calibration FILE"])
+        self.refused("detect", "grey.pgm", "--family", "tag36h12", says=["--family", "did you mean 'tag36h10'"])
+        self.refused("detect", "grey.pgm", "--family", "", says=["--family", "all"])
         self.refused("detect", "grey.pgm", "--svg", "no/such/folder.svg", says=["folder.svg"])
 
     @unittest.skipUnless(PHOTOS.exists(), f"{PHOTOS} is absent; set OUTRIDER_DATA")
@@ -61,6 +69,20 @@ class Detect(ToolTest):
         again = self.run_tool("detect", *flags, "--camera", "rotation_test", "--json", "--svg", "found.svg")
         self.assertEqual(again.stdout, result.stdout)
         self.assertIn("76  corners", self.run_tool("detect", photo).stdout)
+        other = self.run_tool("detect", photo, "--family", "tag25h9,tagStandard41h12", "--json")
+        self.assertEqual(self.json_of(other)["other_families"], {"tag36h11": 1})
+        self.assertIn("there is 1 of tag36h11; name the family with --family",
+                      self.run_tool("detect", photo, "--family", "tag25h9").stdout)
+
+    @unittest.skipUnless(PHOTOS.exists(), f"{PHOTOS} is absent; set OUTRIDER_DATA")
+    def test_both_poses_with_their_odds(self):
+        photo = PHOTOS / "dt_test_image_rotation_60.png"
+        flags = [photo, "--calibration", PHOTOS / "dt_test_info.yaml", "--camera", "rotation_test"]
+        poses = self.json_of(self.run_tool("detect", *flags, "--size", "0.065", "--json"))["tags"][0]["poses"]
+        self.assertEqual(len(poses), 2)
+        self.assertAlmostEqual(sum(pose["probability"] for pose in poses), 1.0, places=9)
+        self.assertGreater(poses[0]["probability"], 0.99)
+        self.assertIn("% likely", self.run_tool("detect", *flags, "--size", "0.065").stdout)
 
 
 if __name__ == "__main__":

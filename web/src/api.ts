@@ -16,7 +16,7 @@ export interface PlannerRow {
   name: string;
   sentence: string;
   paper: string;
-  guarantee: { sentence: string; measure: string; cost_unit: string };
+  guarantee: { sentence: string; among: string; measure: string; cost_unit: string };
   grounds: ("cells" | "corners" | "polygons")[];
   traces: boolean;
   /**
@@ -48,7 +48,7 @@ export interface PlanRequest {
   trace?: number;
   /** Requests the cells that the robot's centre must not enter. */
   blocked?: boolean;
-  /** Requests the edges of the visibility graph. */
+  /** Requests the edges of the visibility graph, or the medial axis. */
   legs?: boolean;
 }
 /** Describes a straight line, or an arc about a centre. */

@@ -40,6 +40,7 @@ inline constexpr std::string_view run = "/run";
 inline constexpr std::string_view solids = "/solids";
 inline constexpr std::string_view terrain = "/terrain";
 inline constexpr std::string_view walls = "/walls";
+inline constexpr std::string_view medial_axis = "/medial_axis";
 inline constexpr std::string_view shots = "/shots";
 inline constexpr std::string_view firing_regions = "/firing_regions";
 inline constexpr std::string_view targets = "/targets";

@@ -20,6 +20,7 @@ enum class PathClass {
   along_moves,    ///< paths along the eight moves of the grid
   any_direction,  ///< paths of straight legs between vertices, in any direction
   any_curve,      ///< all paths that the disk can drive on the ground
+  widest_curve,   ///< those of them that keep the largest clearance, or the share of it that was asked for
 };
 
 /// The quantity that a planner minimises, which is the cost of its plans.
@@ -75,6 +76,7 @@ struct PathPlanner {
   bool index = false;                   ///< builds an index at the first query on a ground and reuses it
   bool polygons = false;                ///< accepts polygons as ground
   TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
+  bool axis = false;                    ///< searches the medial axis, which pictures show
 
   /// Returns true if the planner accepts grids of that model; it refuses others with bad_input.
   [[nodiscard]] bool takes(GridModel model) const {

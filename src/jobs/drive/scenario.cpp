@@ -49,7 +49,13 @@ Outcome<Tag> tag_from(std::string_view word, double height_m, double size_m, con
 }
 
 Outcome<TagMap> tags_from(const DriveScenario& scenario, const std::string& text, const char* key) {
-  TagMap map;
+  auto families = parse_tag_families(scenario.tag_family);
+  if (families && families->size() != 1) families = bad_input("it takes one family, that of all tags");
+  if (!families) {
+    families.error().where = "tag_family";
+    return pass_on(families);
+  }
+  TagMap map{{}, families->front()};
   for (const std::string_view word : words(text)) {
     auto tag = tag_from(word, scenario.task.eye.height_m, scenario.tag_size_m, key);
     if (!tag) return pass_on(tag);
@@ -156,10 +162,13 @@ std::vector<OptionGroup> describe(DriveScenario& scenario) {
         {"goal", "", 0, 0, "x,y,heading, in place of waypoints", &scenario.goal},
         {"planner", "", 0, 0, "a path planner of 'outrider list', for the way to the goal",
          &scenario.planner},
-        {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag36h11, with blanks between", &scenario.tags},
+        {"tags", "", 0, 0, "id=x,y,facing[,height] of each tag, with blanks between", &scenario.tags},
         {"map_tags", "", 0, 0, "the same of the map that the robot has, if the world differs; empty: as tags",
          &scenario.map_tags},
-        {"tag_size", "m", 1e-3, 10.0, "side of the black square of every tag", &scenario.tag_size_m},
+        {"tag_size", "m", 1e-3, 10.0, "side of the square of every tag at whose edge black meets white",
+         &scenario.tag_size_m},
+        {"tag_family", "", 0, 0, "family of the tags, such as tag36h11 or tagStandard41h12",
+         &scenario.tag_family},
         {"loop", "", 0, 0, "closed (by tags) or open (by time)", &scenario.loop},
         {"sight", "", 0, 0, "rendered (images, tags detected in them) or modelled (corners with errors)",
          &scenario.sight},

@@ -23,6 +23,7 @@ std::string_view name_of(const Guarantee& guarantee) {
     case PathClass::along_moves: return "grid_optimal";
     case PathClass::any_direction: return "any_angle_optimal";
     case PathClass::any_curve: return "disk_optimal";
+    case PathClass::widest_curve: return "widest_optimal";
   }
   return "none";
 }

@@ -11,6 +11,8 @@
 #include "outrider/job/scene_markers.hpp"
 #include "outrider/log/conversions.hpp"
 #include "outrider/log/topics.hpp"
+#include "outrider/path/catalog.hpp"
+#include "outrider/path/clearance/medial_axis.hpp"
 #include "outrider/path/pieces.hpp"
 
 namespace outrider {
@@ -69,6 +71,15 @@ outrider_msgs::Outlines walls_of(const PolygonGround& ground) {
   return {outlines_of(walls)};
 }
 
+/// Returns the lines of the medial axis where the robot may be.
+outrider_msgs::Outlines axis_of(const PolygonGround& ground) {
+  std::vector<std::vector<Vec2>> lines;
+  for (std::vector<Vec2>& line : medial_axis_lines(ground)) {
+    if (!ground.solid(0.5 * (line.front() + line.back()))) lines.push_back(std::move(line));
+  }
+  return {outlines_of(lines)};
+}
+
 void log_ground(Log& log, const PlanTask& task, const PlanGround& ground) {
   const auto* world = std::get_if<World>(&task.map.shape);
   outrider_msgs::RunInfo info =
@@ -110,6 +121,12 @@ void log_answer(Log& log, const PlanTask& task, const PlanQuestion& question, co
   log_ground(log, task, ground);
   if (trace != nullptr && !trace->expansions.empty())
     log.append(topic::expanded, 0.0, expanded_of(*trace, ground));
+  const auto on_axis = [](const PlanRow& row) {
+    const auto planner = find_path_planner(row.planner);
+    return row.found() && planner && planner->axis;
+  };
+  if (ground.polygons && std::ranges::any_of(answer.rows, on_axis))
+    log.append(topic::medial_axis, 0.0, axis_of(*ground.polygons));
   log_queries(log, question.queries);
   for (const PlanRow& row : answer.rows) {
     if (!row.found()) continue;

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "exposure_bound.hpp"
+#include "exposure_descent.hpp"
 #include "medial_graph.hpp"
+#include "outrider/path/visibility/visibility_graph.hpp"
 #include "polygon_clearance.hpp"
 #include "straighten.hpp"
 
@@ -17,6 +21,8 @@ constexpr double legs_keep = 0.999;      // fraction of the clearance that legs 
 constexpr double most_exposure = 0.125;  // largest exposure between points of the path
 constexpr double least_apart_m = 1e-9;
 constexpr int most_halvings = 40;
+constexpr double tight = 0.999;  // share of the cost that a lower bound reaches
+constexpr std::int64_t most_bound_cells = 2048;
 
 Status check_options(const MedialAxisOptions& options) {
   const bool good_weight = options.weight_m >= 0.0 && options.weight_m <= most_weight_m;
@@ -28,6 +34,11 @@ Status check_options(const MedialAxisOptions& options) {
   if (!good_share) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.kept), "kept");
   const bool good_slack = options.slack >= 0.0 && options.slack <= 1.0;
   if (!good_slack) return bad_input(fmt::format("{} is not valid; expected 0 to 1", options.slack), "slack");
+  const bool good_cells = options.bound_cells >= 0 && options.bound_cells <= most_bound_cells;
+  if (!good_cells) {
+    return bad_input(fmt::format("{} is not valid; expected 0 to {}", options.bound_cells, most_bound_cells),
+                     "bound_cells");
+  }
   return {};
 }
 
@@ -79,6 +90,55 @@ double least_cost(const MedialGraph& graph, Vec2 start, Vec2 goal, double weight
   return length + weight_m * (std::log(top / from) + std::log(top / to) + level / top);
 }
 
+/// Returns the indices of few points of a path, so that legs between them cost at most 1 + `slack` times as
+/// much and keep the clearance.
+std::vector<Vec2> few_legs(const std::vector<Vec2>& points, const std::vector<double>& costs,
+                           const LegCost& cost, double slack, PlanCounters& counters) {
+  const auto does = [&](std::size_t i, std::size_t j) {
+    ++counters.line_of_sight_checks;
+    return cost(points[i], points[j]) <= (1.0 + slack) * (costs[j] - costs[i]);
+  };
+  std::vector<Vec2> kept;
+  for (const std::size_t i : straightened(points.size(), does)) kept.push_back(points[i]);
+  return kept;
+}
+
+std::vector<double> costs_along(const std::vector<Vec2>& points, const LegCost& cost) {
+  std::vector<double> costs{0.0};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    costs.push_back(costs.back() + cost(points[i - 1], points[i]));
+  return costs;
+}
+
+/// Returns the path bent until it costs least, as few legs that cost at most 1 + `slack` times as much; or as
+/// it is, if it costs less. Fewer legs are tried first, and bent again.
+std::vector<Vec2> bent(const std::vector<Vec2>& path, const LegCost& cost, double slack,
+                       PlanCounters& counters) {
+  const std::vector<Vec2> points = descended(path, cost);
+  const std::vector<double> costs = costs_along(points, cost);
+  const double most = std::min((1.0 + slack) * costs.back(), costs_along(path, cost).back());
+  for (const double share : {16.0, 8.0, 4.0, 2.0, 1.0}) {
+    const std::vector<Vec2> few = settled(few_legs(points, costs, cost, share * slack, counters), cost);
+    if (costs_along(few, cost).back() <= most) return few;
+  }
+  return path;
+}
+
+/// Returns the shortest path that keeps the clearance, with straight legs; empty if the budget ends before.
+std::vector<Vec2> shortest_wide(const Problem& problem, double clearance_m, const Budget& budget,
+                                Workspace& workspace) {
+  const PolygonGround& ground = *problem.polygons;
+  auto wide = PolygonGround::of(ground.boundary, ground.obstacles,
+                                std::clamp(clearance_m, ground.radius_m, most_polygon_radius_m));
+  if (!wide) return {};
+  Problem widened = problem;
+  widened.polygons = std::make_shared<const PolygonGround>(std::move(*wide));
+  Trace* const trace = std::exchange(workspace.trace, nullptr);
+  const auto plan = visibility_graph_implicit(widened, {.polygonal = true}, budget, workspace);
+  workspace.trace = trace;
+  return plan ? plan->waypoints : std::vector<Vec2>{};
+}
+
 Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double weight_m) {
   Plan plan;
   plan.waypoints = waypoints;
@@ -91,15 +151,27 @@ Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double 
   return plan;
 }
 
+/// Returns the larger of two lower bounds; the costly one only if the other leaves a gap.
+double bound_of(const MedialGraph& graph, const LegCost& cost, const Problem& problem, double found,
+                const MedialAxisOptions& options) {
+  const double simple = least_cost(graph, problem.start, problem.goal, options.weight_m);
+  if (options.bound_cells == 0 || simple >= tight * found) return simple;
+  const ExposureQuestion question{cost.ground, problem.start, problem.goal, options.weight_m, cost.least_m};
+  return std::max(simple, least_cost_bound(question, static_cast<int>(options.bound_cells)));
+}
+
 }  // namespace
 
 std::vector<Option> describe(MedialAxisOptions& options) {
-  return {{"weight", "m", 0.0, most_weight_m, "clearance at which a metre of path counts twice",
-           &options.weight_m},
-          {"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
-           &options.kept},
-          {"slack", "", 0.0, 1.0, "by how much a straight leg may cost more than the way it replaces",
-           &options.slack}};
+  return {
+      {"weight", "m", 0.0, most_weight_m, "clearance at which a metre of path counts twice",
+       &options.weight_m},
+      {"kept", "", 0.0, 1.0, "share of the largest possible least clearance that the path keeps",
+       &options.kept},
+      {"slack", "", 0.0, 1.0, "by how much a straight leg may cost more than the way it replaces",
+       &options.slack},
+      {"bound_cells", "", 0.0, static_cast<double>(most_bound_cells),
+       "cells along the longer side for the lower bound; 0: a bound without cells", &options.bound_cells}};
 }
 
 Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& options, const Budget& budget,
@@ -117,19 +189,20 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   if (!way) return pass_on(way);
 
   const double least = std::max((*ground)->radius_m, legs_keep * kept);
+  const LegCost cost{**ground, options.weight_m, least};
   const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least);
   PlanCounters counters{meter.spent(), 0, 0};
-  const auto does = [&](std::size_t i, std::size_t j) {
-    const Segment leg{fine.points[i], fine.points[j]};
-    ++counters.line_of_sight_checks;
-    if (leg_clearance(**ground, leg) < least) return false;
-    const double cost = distance(leg.a, leg.b) + options.weight_m * leg_exposure(**ground, leg);
-    return cost <= (1.0 + options.slack) * (fine.cost[j] - fine.cost[i]);
-  };
-  std::vector<Vec2> waypoints;
-  for (const std::size_t i : straightened(fine.points.size(), does)) waypoints.push_back(fine.points[i]);
-  Plan plan = plan_of(problem, waypoints, options.weight_m);
-  plan.lower_bound = std::min(plan.cost, least_cost(graph, problem.start, problem.goal, options.weight_m));
+  const std::vector<Vec2> along = few_legs(fine.points, fine.cost, cost, options.slack, counters);
+  std::vector<Vec2> best = bent(along, cost, options.slack, counters);
+  Budget left = budget;
+  left.expansions -= meter.spent();
+  const std::vector<Vec2> wide = shortest_wide(problem, kept, left, workspace);
+  if (!wide.empty()) {
+    std::vector<Vec2> other = bent(wide, cost, options.slack, counters);
+    if (costs_along(other, cost).back() < costs_along(best, cost).back()) best = std::move(other);
+  }
+  Plan plan = plan_of(problem, best, options.weight_m);
+  plan.lower_bound = std::min(plan.cost, bound_of(graph, cost, problem, plan.cost, options));
   plan.counters = counters;
   return plan;
 }

@@ -149,6 +149,49 @@ TEST(PlanarPnp, CovarianceIsThatOfManyTrials) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(spread[k] / predicted[k], 1.0, 0.15) << k;
 }
 
+/// A pose that shows the tag's face, at least 15 degrees of it, turned by any rotation.
+Pose3 any_pose(Rng& rng, double low_m, double high_m) {
+  for (;;) {
+    const double z = rng.uniform(low_m, high_m);
+    const Vec3 position{z * rng.uniform(-0.3, 0.3), z * rng.uniform(-0.2, 0.2), z};
+    const Pose3 pose{position, Rotation::from_rpy(rng.uniform(-pi, pi), std::asin(rng.uniform(-1.0, 1.0)),
+                                                  rng.uniform(-pi, pi))};
+    if (dot(pose.rotation.axes[2], position) > std::sin(radians(15.0)) * norm(position)) return pose;
+  }
+}
+
+TEST(PlanarPnp, ProbabilitiesAreHowOftenAPoseIsTheTrueOne) {
+  Rng rng(14);
+  const Camera camera;
+  struct Bin {
+    double stated = 0.0;
+    int poses = 0, right = 0;
+  };
+  std::array<Bin, 10> bins;
+  const int trials = testing::cases(4000);
+  for (int i = 0; i < trials; ++i) {
+    const Pose3 truth = any_pose(rng, 0.5, 8.0);
+    Corners corners = seen(camera, truth);
+    for (Vec2& c : corners) c = c + 0.3 * Vec2{rng.normal(), rng.normal()};
+    const auto poses = planar_pnp(camera, size_m, corners, {0.3, 1000.0});
+    if (poses.size() != 2) continue;
+    const auto off = [&](const TagPose& p) { return turn_between(p.camera_T_tag.rotation, truth.rotation); };
+    const std::size_t right = off(poses[0]) <= off(poses[1]) ? 0 : 1;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double p = poses[k].probability;
+      Bin& bin = bins[std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * p))];
+      bin.stated += p;
+      ++bin.poses;
+      bin.right += k == right ? 1 : 0;
+    }
+  }
+  for (const Bin& bin : bins) {
+    ASSERT_GT(bin.poses, 100);
+    const double stated = bin.stated / bin.poses, spread = std::sqrt(stated * (1.0 - stated) / bin.poses);
+    EXPECT_NEAR(static_cast<double>(bin.right) / bin.poses, stated, 0.05 + 3.0 * spread);
+  }
+}
+
 TEST(PlanarPnp, RefusesWhatIsNoTagSeenFromItsFront) {
   const Camera camera;
   const Corners good = seen(camera, {{0, 0, 1}, {}});

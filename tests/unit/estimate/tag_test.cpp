@@ -27,8 +27,10 @@ TEST(Tag, RefusesMapsThatCannotBe) {
   EXPECT_EQ(map.find(3), nullptr);
   map.tags[1].id = 1;
   EXPECT_NE(check_tags(map).error().sentence.find("hangs twice"), std::string::npos);
-  map.tags[1].id = tag_family_size;
+  map.tags[1].id = 587;
   EXPECT_NE(check_tags(map).error().sentence.find("0 to 586"), std::string::npos);
+  map.family = TagFamily::tag36h10;
+  EXPECT_TRUE(check_tags(map));
   map.tags[1] = upright_tag(2, {}, 0.0, 0.0);
   EXPECT_NE(check_tags(map).error().sentence.find("above 0"), std::string::npos);
 }

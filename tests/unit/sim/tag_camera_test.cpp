@@ -143,10 +143,10 @@ double grey_by_points(const Tag& tag, const TagPattern& pattern, const std::vect
       const Vec3 normal = tag.world_T_tag.rotation.axes[2];
       const double t = dot(normal, tag.world_T_tag.position - camera.position) / dot(normal, along);
       const Vec3 on_paper = tag.world_T_tag.to_local(camera.position + t * along);
-      const double cell = paper_per_tag * tag.size_m / 10.0;
+      const double cell = tag.size_m / 8.0;
       const auto column = static_cast<std::size_t>(on_paper.x / cell + 5.0);
       const auto row = static_cast<std::size_t>(on_paper.y / cell + 5.0);
-      sum += pattern.at(row * 10 + column) ? 220.0 : 30.0;
+      sum += pattern.white.at(row * 10 + column) ? 220.0 : 30.0;
     }
   }
   return sum / (across * across * static_cast<double>(cameras.size()));
@@ -179,6 +179,20 @@ TEST(TagCamera, PixelsAreMeansOverAreaAndExposure) {
     }
     EXPECT_LT(std::abs(sum) / 2400.0, 0.5);
     EXPECT_LT(worst, 40.0) << "of 190 between paper and ink";
+  }
+}
+
+TEST(TagCamera, RendersEveryFamilySoThatItIsMeasured) {
+  for (const TagLayout& family : tag_layouts()) {
+    TagScene scene;
+    scene.tags = {{upright_tag(29, {1.0, 0.1, 0.2}, pi - 0.4, 0.1)}, family.family};
+    const Pose2 robot;
+    const auto sightings = TagCamera(scene, mount, {}, Rng(5)).look(robot, robot);
+    ASSERT_EQ(sightings.size(), 1U) << family.name;
+    EXPECT_EQ(sightings[0].id, 29);
+    ASSERT_FALSE(sightings[0].poses.empty());
+    const Vec3 truth = camera_at(robot).to_local(scene.tags.tags[0].world_T_tag.position);
+    EXPECT_LT(norm(sightings[0].poses[0].camera_T_tag.position - truth), 0.02) << family.name;
   }
 }
 

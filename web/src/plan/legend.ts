@@ -8,5 +8,5 @@ export function legend(ground: Ground, planners: PlannerRow[]): HTMLElement[] {
   const line = (name: string, colour: string): HTMLElement => h("li", {}, h("i", { class: "line", style: `border-color:var(--${colour})` }), name);
   const tells = (kind: PlannerRow["tells"]): boolean => planners.some((one) => one.tells === kind);
   const search = tells("search") ? [swatch("closed", "closed"), swatch("in the queue", "open")] : tells("tree") ? [swatch("tree", "closed")] : [];
-  return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line("visibility graph", "open")] : [])];
+  return [line("path", "robot"), ...search, ...(search.length > 0 ? [line("parents", "belief")] : []), ...(ground.kind === "polygons" ? [line(planners.some((one) => one.guarantee.among === "widest_curve" || one.name === "medial_axis") ? "medial axis" : "visibility graph", "open")] : [])];
 }

@@ -37,6 +37,7 @@ struct DriveScenario {
   std::string tags;             ///< as above
   std::string map_tags;         ///< where the robot believes the tags; empty: as `tags`
   double tag_size_m = default_tag_size_m;  ///< side of a tag
+  std::string tag_family = "tag36h11";     ///< of all tags
   std::string loop = "closed";             ///< or open
   std::string sight = "rendered";          ///< or modelled
   std::string chassis = "mecanum";         ///< or differential, holonomic

@@ -60,6 +60,9 @@ TEST(DriveScenario, Refusals) {
   refused(way + "tags: \"1=2,1,180 1=0,0,0\"\n", "tags:");
   refused(way + "tags: 9999=2,1,180\n", "tags:");
   refused(way + "tag_size: 0\n", "tag_size");
+  refused(way + "tag_family: tag36h12\n", "tag_family: there is no family of tags 'tag36h12'");
+  refused(way + "tag_family: all\n", "tag_family: it takes one family");
+  refused(way + "tags: 30=2,1,180\ntag_family: tag16h5\n", "ids go from 0 to 29");
   refused(way + "camera:\n  fx: 0\n", "camera.fx");
   refused(way + "loop: shut\n", "loop: 'shut' is not valid; expected closed or open");
   refused(way + "sight: blind\n", "rendered or modelled");
