@@ -46,15 +46,11 @@ struct PlanRow {
   double cost = unknown;        ///< cost of the path, in cost_unit
   std::string cost_unit = {};   ///< "m", "s" or "m eq"
   double length_m = unknown;
-  double lower_bound = unknown;       ///< proven: no path of the planner's class costs less
-  bool optimal = false;               ///< the path is proven optimal
-<<<<<<< HEAD
-  std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal or disk_optimal
+  double lower_bound = unknown;  ///< proven: no path of the planner's class costs less
+  bool optimal = false;          ///< the path is proven optimal
+  std::string guarantee =
+      {};  ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal or widest_optimal
   double clearance_m = unknown;       ///< least distance of the middle of the robot to what stands there
-=======
-  std::string guarantee = {};         ///< none, bounded, grid_optimal, any_angle_optimal, disk_optimal or widest_optimal
-  double clearance_m = unknown;       ///< least clearance, by safety_of()
->>>>>>> abbdd64ba43bfbebc325308786451fabb4a30901
   double exposure = unknown;          ///< integral of 1 / clearance; infinite if the path touches an obstacle
   double reached_within_m = unknown;  ///< distance from the end of the path to the goal
   double waypoint_error_m = unknown;  ///< largest distance of the legs between waypoints from the pieces
