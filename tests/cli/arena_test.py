@@ -25,7 +25,7 @@ class Arena(ToolTest):
         self.assertLess(wide["exposure"], short["exposure"])
         self.assertAlmostEqual(safe["cost"], safe["length_m"] + 10 * safe["exposure"], delta=0.01 * safe["cost"])
         self.assertEqual((safe["cost_unit"], wide["cost_unit"]), ("m eq", "m"))
-        self.assertLessEqual(len(safe["waypoints"]), 8)
+        self.assertLessEqual(len(safe["waypoints"]), 12)  # it bends round the box
         again = self.row("widest", "--widest-kept", "0")
         self.assertAlmostEqual(again["cost"], short["cost"], places=9)
 
