@@ -110,7 +110,7 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
 }  // namespace
 
 bool LoopSearch::believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,
-                         const Visit& visit, std::uint32_t first) {
+                         const KeyframeRange& visit, std::uint32_t first) {
   if (is_contradicted(graph, robot_T_laser, visit, first, place.fit.pose) ||
       !close_loop(graph, place.keyframe, place.fit)) {
     ++refused;
@@ -147,7 +147,7 @@ bool LoopSearch::close_near(KeyframeGraph& graph, KeyframeSurfaces& surfaces, do
   bool any = false;
   for (const std::uint32_t scan : candidates(graph, window.reach_m, first)) {
     window.centre = graph.keyframes.back().pose;  // optimisation moves it
-    Visit visit = visit_of(graph, scan);
+    KeyframeRange visit = visit_of(graph, scan);
     visit.first = std::max(visit.first, first);
     const auto fit = recognise_place(map_of(graph, surfaces, visit), query, window);
     if (!fit) continue;
@@ -164,7 +164,7 @@ bool LoopSearch::close_near(KeyframeGraph& graph, KeyframeSurfaces& surfaces, do
 }
 
 bool LoopSearch::close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
-                           const Visit& earlier, const MatchWindow& window) {
+                           const KeyframeRange& earlier, const MatchWindow& window) {
   constexpr double first_m = 5.0, growth = 1.5, most_m = 50.0;
   const double way_m = graph.keyframes.back().way_m;
   if (window.reach_m > widest_m || way_m < far_due_at_m) return false;
@@ -188,7 +188,7 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
   constexpr double reach_m = 4.0;
   constexpr std::uint32_t most_keyframes = 16;
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
-  const Visit before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
+  const KeyframeRange before{gap > most_keyframes ? gap - most_keyframes : 0, gap};
   const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
                                    {graph.keyframes.back().pose, reach_m, std::numbers::pi});
   if (!fit || is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
@@ -206,7 +206,7 @@ bool LoopSearch::rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
   std::iota(before.begin(), before.end(), 0U);
   const auto place = recognise_far(graph, surfaces, before, gap, window);
   if (!place) return false;
-  Visit visit = visit_of(graph, place->keyframe);
+  KeyframeRange visit = visit_of(graph, place->keyframe);
   visit.end = std::min(visit.end, gap);
   if (!believe(graph, surfaces.robot_T_laser(), *place, visit, gap)) return false;
   bridged.emplace_back(place->keyframe, static_cast<std::uint32_t>(graph.keyframes.size() - 1));

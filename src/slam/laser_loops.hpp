@@ -45,10 +45,10 @@ struct LoopSearch {
  private:
   bool close_near(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, std::uint32_t first,
                   MatchWindow window);
-  bool close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd, const Visit& earlier,
-                 const MatchWindow& window);
-  bool believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place, const Visit& visit,
-               std::uint32_t first);
+  bool close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
+                 const KeyframeRange& earlier, const MatchWindow& window);
+  bool believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,
+               const KeyframeRange& visit, std::uint32_t first);
 };
 
 }  // namespace outrider

@@ -47,7 +47,7 @@ std::uint32_t nearest_of(const KeyframeGraph& graph, std::span<const std::uint32
 
 }  // namespace
 
-Visit visit_of(const KeyframeGraph& graph, std::uint32_t keyframe) {
+KeyframeRange visit_of(const KeyframeGraph& graph, std::uint32_t keyframe) {
   const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
   constexpr std::uint32_t apart = 2 * query_keyframes;
   return {keyframe > visit_keyframes ? keyframe - visit_keyframes : 0,
@@ -61,7 +61,7 @@ SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces,
   return SurfaceMap(parts, levels);
 }
 
-SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit) {
+SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const KeyframeRange& visit) {
   std::vector<std::uint32_t> which(visit.end > visit.first ? visit.end - visit.first : 0);
   std::iota(which.begin(), which.end(), visit.first);
   return map_of(graph, surfaces, which, SurfaceMap::few_levels);
@@ -71,7 +71,7 @@ Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std
   return joined_surface(graph, surfaces, first_of_last(graph, first, query_keyframes));
 }
 
-bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const Visit& visit,
+bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const KeyframeRange& visit,
                      std::uint32_t first, const Pose2& there) {
   constexpr std::size_t least_points = 40;
   constexpr double most_share = 0.1;

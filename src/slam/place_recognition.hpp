@@ -11,25 +11,25 @@
 namespace outrider {
 
 /// Keyframes from `first` to before `end`.
-struct Visit {
+struct KeyframeRange {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
 };
 
 /// Returns the keyframes around one, without the last ones.
-Visit visit_of(const KeyframeGraph& graph, std::uint32_t keyframe);
+KeyframeRange visit_of(const KeyframeGraph& graph, std::uint32_t keyframe);
 
 /// Returns the surfaces of some keyframes.
 SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces,
                   std::span<const std::uint32_t> which, int levels);
-SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const Visit& visit);
+SurfaceMap map_of(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, const KeyframeRange& visit);
 
 /// Returns surface points of the last six keyframes together, from `first` on, in the frame of the last one.
 Surface last_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t first);
 
 /// Returns true if the scans of the last keyframes, from `first` on, and those of a visit contradict each
 /// other with the last keyframe at `there`: too many points of the one are where the other looked through.
-bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const Visit& visit,
+bool is_contradicted(const KeyframeGraph& graph, const Pose2& robot_T_laser, const KeyframeRange& visit,
                      std::uint32_t first, const Pose2& there);
 
 /// A place that was recognised: the pose of the last keyframe there, and the nearest keyframe of before.

@@ -124,19 +124,24 @@ std::vector<Vec2> bent(const std::vector<Vec2>& path, const LegCost& cost, doubl
   return path;
 }
 
-/// Returns the shortest path that keeps the clearance, with straight legs; empty if the budget ends before.
-std::vector<Vec2> shortest_wide(const Problem& problem, double clearance_m, const Budget& budget,
-                                Workspace& workspace) {
+/// Returns the shortest path that keeps the clearance, with straight legs; empty if there is none. Expands
+/// each corner at most once, which is not counted, so that the answer does not depend on the budget.
+Outcome<std::vector<Vec2>> shortest_wide(const Problem& problem, double clearance_m, Budget budget,
+                                         Workspace& workspace) {
   const PolygonGround& ground = *problem.polygons;
   auto wide = PolygonGround::of(ground.boundary, ground.obstacles,
                                 std::clamp(clearance_m, ground.radius_m, most_polygon_radius_m));
-  if (!wide) return {};
+  if (!wide) return std::vector<Vec2>{};
   Problem widened = problem;
   widened.polygons = std::make_shared<const PolygonGround>(std::move(*wide));
+  budget.expansions = Budget{}.expansions;
   Trace* const trace = std::exchange(workspace.trace, nullptr);
-  const auto plan = visibility_graph_implicit(widened, {.polygonal = true}, budget, workspace);
+  auto plan = visibility_graph_implicit(widened, {.polygonal = true}, budget, workspace);
   workspace.trace = trace;
-  return plan ? plan->waypoints : std::vector<Vec2>{};
+  if (plan) return std::move(plan->waypoints);
+  const FaultCode code = plan.error().code;
+  if (code == FaultCode::cancelled || code == FaultCode::budget_exhausted) return pass_on(plan);
+  return std::vector<Vec2>{};
 }
 
 Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double weight_m) {
@@ -194,11 +199,10 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   PlanCounters counters{meter.spent(), 0, 0};
   const std::vector<Vec2> along = few_legs(fine.points, fine.cost, cost, options.slack, counters);
   std::vector<Vec2> best = bent(along, cost, options.slack, counters);
-  Budget left = budget;
-  left.expansions -= meter.spent();
-  const std::vector<Vec2> wide = shortest_wide(problem, kept, left, workspace);
-  if (!wide.empty()) {
-    std::vector<Vec2> other = bent(wide, cost, options.slack, counters);
+  auto wide = shortest_wide(problem, kept, budget, workspace);
+  if (!wide) return pass_on(wide);
+  if (!wide->empty()) {
+    std::vector<Vec2> other = bent(*wide, cost, options.slack, counters);
     if (costs_along(other, cost).back() < costs_along(best, cost).back()) best = std::move(other);
   }
   Plan plan = plan_of(problem, best, options.weight_m);
