@@ -70,13 +70,15 @@ TEST(CoverArea, UtmCoordinatesAreMoved) {
 
 TEST(CoverArea, TheReferenceSystemOfTheFileDecides) {
   const auto loaded = [](const char* crs) {
-    const std::string text = R"({"type": "Polygon", "coordinates": [[[8,49],[8.1,49],[8.1,49.1]]], "crs":)" +
+    const std::string text = R"({"type": "Polygon", "coordinates": [[[8,49],[8.08,49],[8.08,49.08]]], "crs":)" +
                              std::string(R"({"type": "name", "properties": {"name": ")") + crs + "\"}}}";
-    return cover_area_from_text(text, "a.geojson", Units::told_by_size);
+    const auto area = cover_area_from_text(text, "a.geojson", Units::told_by_size);
+    EXPECT_TRUE(area) << to_string(area.error());
+    return area && area->frame.degrees;
   };
-  EXPECT_TRUE(loaded("urn:ogc:def:crs:OGC:1.3:CRS84")->frame.degrees);
-  EXPECT_TRUE(loaded("EPSG:4326")->frame.degrees);
-  EXPECT_FALSE(loaded("EPSG:32632")->frame.degrees);
+  EXPECT_TRUE(loaded("urn:ogc:def:crs:OGC:1.3:CRS84"));
+  EXPECT_TRUE(loaded("EPSG:4326"));
+  EXPECT_FALSE(loaded("EPSG:32632"));
 }
 
 TEST(CoverArea, EveryPolygonOfGeoJsonInItsOrder) {
