@@ -19,7 +19,7 @@ constexpr double sensed_m = 4.0;        // visits nearer than this see the same 
 
 constexpr double least_reach_m = 0.5, most_reach_m = 6.0;  // of a search among single visits
 constexpr double widest_m = 250.0;                         // of a search on the whole map
-constexpr double recent_m = 60.0;  // a visit after which so much was driven is searched far away
+constexpr double recent_m = 60.0;  // of way; in a wide window, older visits are searched all together
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
 

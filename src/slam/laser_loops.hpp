@@ -3,10 +3,11 @@
 // The last keyframes, joined rigidly, are matched with the keyframes of each earlier visit whose uncertainty
 // allows the same place. A match is accepted if most points lie on a surface, no other pose in the window
 // scores nearly as well, the two visits agree on what is free, and the optimised graph still agrees with the
-// constraint. A gap, which odometry alone spans because a scan matched nothing, is bridged by the same rules:
-// the keyframes after it are searched among those just before it, in the full turn. If that fails, as for a
-// robot that was carried away, they are searched on the whole map before the gap, again and again while the
-// robot drives on.
+// constraint. Where the window is wider than 6 m, streets and corridors look alike: then more of the last
+// keyframes are matched with all older visits at once. A gap, which odometry alone spans because a scan
+// matched nothing, is bridged by the same rules: the keyframes after it are searched among those just before
+// it, in the full turn. If that fails, as for a robot that was carried away, they are searched on the whole
+// map before the gap, again and again while the robot drives on.
 #pragma once
 
 #include <span>
@@ -21,8 +22,8 @@ struct LoopSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged;  ///< one before a gap, and one after it
   std::size_t refused = 0;    ///< places that were recognised and not believed
   double tried_at_m = 0.0;    ///< distance driven at the last search
-  double far_due_at_m = 0.0;  ///< distance at which a far search is due again, and between two of them
-  double far_every_m = 0.0;
+  double far_due_at_m = 0.0;  ///< distance driven at which older visits are searched again
+  double far_every_m = 0.0;   ///< distance between two such searches; grows while they find nothing
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
@@ -47,6 +48,8 @@ struct LoopSearch {
                   MatchWindow window);
   bool close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
                  const KeyframeRange& earlier, const MatchWindow& window);
+  /// Adds the constraint of a place that was recognised, and returns true; unless the scans or the other
+  /// constraints contradict it, which is counted as refused.
   bool believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,
                const KeyframeRange& visit, std::uint32_t first);
 };

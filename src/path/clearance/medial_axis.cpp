@@ -90,7 +90,7 @@ double least_cost(const MedialGraph& graph, Vec2 start, Vec2 goal, double weight
   return length + weight_m * (std::log(top / from) + std::log(top / to) + level / top);
 }
 
-/// Returns the indices of few points of a path, so that legs between them cost at most 1 + `slack` times as
+/// Returns few points of a path, so that legs between them cost at most 1 + `slack` times as
 /// much and keep the clearance.
 std::vector<Vec2> few_legs(const std::vector<Vec2>& points, const std::vector<double>& costs,
                            const LegCost& cost, double slack, PlanCounters& counters) {

@@ -70,8 +70,9 @@ TEST(CoverArea, UtmCoordinatesAreMoved) {
 
 TEST(CoverArea, TheReferenceSystemOfTheFileDecides) {
   const auto loaded = [](const char* crs) {
-    const std::string text = R"({"type": "Polygon", "coordinates": [[[8,49],[8.08,49],[8.08,49.08]]], "crs":)" +
-                             std::string(R"({"type": "name", "properties": {"name": ")") + crs + "\"}}}";
+    const std::string text =
+        R"({"type": "Polygon", "coordinates": [[[8,49],[8.08,49],[8.08,49.08]]], "crs":)" +
+        std::string(R"({"type": "name", "properties": {"name": ")") + crs + "\"}}}";
     const auto area = cover_area_from_text(text, "a.geojson", Units::told_by_size);
     EXPECT_TRUE(area) << to_string(area.error());
     return area && area->frame.degrees;
