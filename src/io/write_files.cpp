@@ -1,3 +1,5 @@
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -5,12 +7,38 @@
 #include <cerrno>
 #include <filesystem>
 #include <set>
+#include <vector>
 
 #include "outrider/io/files.hpp"
 #include "temporary_file.hpp"
 
 namespace outrider {
 namespace {
+
+/// Holds locks on folders, so that of two writers one renames all its files before the other renames any. A
+/// forked process keeps them while it lives. A folder that cannot be locked (a file system may not know
+/// locks) is left out.
+class FolderLocks {
+ public:
+  /// Waits for other writers. The folders are sorted, so two writers never wait for each other.
+  explicit FolderLocks(const std::set<std::filesystem::path>& folders) {
+    for (const auto& folder : folders) {
+      const int descriptor =
+          ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (descriptor < 0) continue;
+      ::flock(descriptor, LOCK_EX);
+      descriptors_.push_back(descriptor);
+    }
+  }
+  FolderLocks(const FolderLocks&) = delete;
+  FolderLocks& operator=(const FolderLocks&) = delete;
+  ~FolderLocks() {
+    for (const int descriptor : descriptors_) ::close(descriptor);
+  }
+
+ private:
+  std::vector<int> descriptors_;
+};
 
 /// Renames all files in order and stops at the first failure. Returns 0, or errno. It makes only calls that
 /// are safe between fork() and _exit().
@@ -45,6 +73,7 @@ Status write_file(const std::string& path, std::string_view content) {
 Status write_files(const std::vector<NamedContent>& files, const std::vector<FileToRename>& complete) {
   std::set<std::filesystem::path> folders;
   for (const NamedContent& file : files) folders.insert(std::filesystem::path(file.path).parent_path());
+  for (const FileToRename& file : complete) folders.insert(std::filesystem::path(file.path).parent_path());
   for (const auto& folder : folders) remove_abandoned_files(folder);
   std::vector<TemporaryFile> written;
   written.reserve(files.size() + complete.size());
@@ -58,6 +87,7 @@ Status write_files(const std::vector<NamedContent>& files, const std::vector<Fil
     if (!file) return pass_on(file);
     written.push_back(std::move(*file));
   }
+  const FolderLocks locks(folders);
   const int error = written.size() < 2 ? rename_all(written) : rename_all_unharmed(written);
   Status first;
   for (TemporaryFile& file : written) {

@@ -175,6 +175,13 @@ std::set<std::string> versions(const fs::path& folder, const std::vector<std::st
   return texts;
 }
 
+/// Waits until no process renames files in the folder: write_files() holds a lock on it meanwhile.
+void wait_for_writers(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+  ::close(descriptor);
+}
+
 TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
   const test::Folder folder;
   const std::vector<std::string> names = {"a", "b", "c", "report"};
@@ -202,11 +209,8 @@ TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
     ASSERT_EQ(::waitpid(writer, nullptr, WNOHANG), 0) << "it is still writing when it is killed";
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
-    std::set<std::string> texts = versions(folder.path, names);
-    for (int wait = 0; texts.size() != 1 && wait < 100; ++wait) {  // the renaming may be under way
-      ::usleep(1000);
-      texts = versions(folder.path, names);
-    }
+    wait_for_writers(folder.path);
+    const std::set<std::string> texts = versions(folder.path, names);
     ASSERT_EQ(texts.size(), 1U) << "a mixture after kill " << kill;
     seen.insert(*texts.begin());
   }
