@@ -133,6 +133,19 @@ Status TemporaryFile::finish(int error) {
   return {};
 }
 
+FolderLocks::FolderLocks(const std::set<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    ::flock(descriptor, LOCK_EX);
+    descriptors_.push_back(descriptor);
+  }
+}
+
+FolderLocks::~FolderLocks() {
+  for (const int descriptor : descriptors_) ::close(descriptor);
+}
+
 void remove_abandoned_files(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator it(folder.empty() ? fs::path(".") : folder, error);

@@ -1,9 +1,12 @@
 // TemporaryFile: a complete file under a temporary name, which can be renamed to its final name.
+// FolderLocks: of several writers, one renames at a time.
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "outrider/core/outcome.hpp"
 
@@ -37,6 +40,21 @@ class TemporaryFile {
   std::string final_name_;  // with links resolved
   std::string name_;        // empty: there is no file to remove
   int descriptor_ = -1;
+};
+
+/// Holds locks on folders, so that of two writers one renames all its files before the other renames any. A
+/// forked process keeps them while it lives. A folder that cannot be locked (a file system may not know
+/// locks) is left out.
+class FolderLocks {
+ public:
+  /// Waits for other writers. The folders are sorted, so two writers never wait for each other.
+  explicit FolderLocks(const std::set<std::filesystem::path>& folders);
+  FolderLocks(const FolderLocks&) = delete;
+  FolderLocks& operator=(const FolderLocks&) = delete;
+  ~FolderLocks();
+
+ private:
+  std::vector<int> descriptors_;
 };
 
 /// Removes the temporary files of killed writers from a folder.

@@ -1,5 +1,3 @@
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,31 +12,6 @@
 
 namespace outrider {
 namespace {
-
-/// Holds locks on folders, so that of two writers one renames all its files before the other renames any. A
-/// forked process keeps them while it lives. A folder that cannot be locked (a file system may not know
-/// locks) is left out.
-class FolderLocks {
- public:
-  /// Waits for other writers. The folders are sorted, so two writers never wait for each other.
-  explicit FolderLocks(const std::set<std::filesystem::path>& folders) {
-    for (const auto& folder : folders) {
-      const int descriptor =
-          ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-      if (descriptor < 0) continue;
-      ::flock(descriptor, LOCK_EX);
-      descriptors_.push_back(descriptor);
-    }
-  }
-  FolderLocks(const FolderLocks&) = delete;
-  FolderLocks& operator=(const FolderLocks&) = delete;
-  ~FolderLocks() {
-    for (const int descriptor : descriptors_) ::close(descriptor);
-  }
-
- private:
-  std::vector<int> descriptors_;
-};
 
 /// Renames all files in order and stops at the first failure. Returns 0, or errno. It makes only calls that
 /// are safe between fork() and _exit().

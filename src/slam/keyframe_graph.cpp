@@ -18,16 +18,33 @@ void KeyframeGraph::add_constraint(std::uint32_t from, std::uint32_t to, const P
                                    const Eigen::Matrix3d& information) {
   const Pose2& start = keyframes[from].pose;
   const Eigen::Matrix3d local = in_frame(information, start.heading_rad);
-  KeyframeConstraint& added = constraints_.emplace_back();
+  KeyframeConstraint added;
   added.edge = {EdgeKind::pose, from, to, relative_pose(start, world_T_to), local};
-  const Eigen::LLT<Eigen::Matrix3d> factor(information);
+  add_constraint(added);
+}
+
+void KeyframeGraph::add_constraint(const KeyframeConstraint& constraint) {
+  constraints_.push_back(constraint);
+  add_links(constraint.edge);
+}
+
+void KeyframeGraph::add_links(const GraphEdge& edge) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(edge.information);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   if (factor.info() == Eigen::Success) covariance = factor.solve(Eigen::Matrix3d::Identity());
   constexpr double lever_m = 2.0;  // distance at which a rotation is converted to a displacement
   const double variance = covariance(0, 0) + covariance(1, 1) + lever_m * lever_m * covariance(2, 2);
   links_.resize(keyframes.size());
-  links_[from].push_back({to, variance});
-  links_[to].push_back({from, variance});
+  links_[edge.from].push_back({edge.to, variance});
+  links_[edge.to].push_back({edge.from, variance});
+}
+
+void KeyframeGraph::replace(std::vector<KeyframeConstraint> constraints, const std::vector<Pose2>& poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) keyframes[i].pose = poses[i];
+  constraints_ = std::move(constraints);
+  links_.clear();
+  for (const KeyframeConstraint& constraint : constraints_) add_links(constraint.edge);
+  of_last_.forget();
 }
 
 void KeyframeGraph::share_last_constraint(const Eigen::Matrix3d& information, const Matched& matched) {

@@ -16,6 +16,7 @@ class KeyframeGraph {
   /// of `from`. The information is along the world's axes.
   void add_constraint(std::uint32_t from, std::uint32_t to, const Pose2& world_T_to,
                       const Eigen::Matrix3d& information);
+  void add_constraint(const KeyframeConstraint& constraint);
   /// Returns the last constraint, to say more of it.
   [[nodiscard]] KeyframeConstraint& last_constraint() { return constraints_.back(); }
   /// Says that so much of the information of the last constraint comes from a match with the map of several
@@ -23,6 +24,9 @@ class KeyframeGraph {
   void share_last_constraint(const Eigen::Matrix3d& information, const Matched& matched);
   /// Removes the last constraint and restores the poses to `before`.
   void remove_last_constraint(const std::vector<Pose2>& before);
+  [[nodiscard]] const std::vector<KeyframeConstraint>& constraints() const { return constraints_; }
+  /// Takes other constraints and poses for all that there are.
+  void replace(std::vector<KeyframeConstraint> constraints, const std::vector<Pose2>& poses);
   /// Returns r^T W r of the last constraint at the present poses.
   [[nodiscard]] double chi2() const;
   /// Moves the poses to the least-squares solution of all constraints; the first stays. Returns false, and
@@ -44,6 +48,8 @@ class KeyframeGraph {
     std::uint32_t to = 0;
     double variance = 0.0;
   };
+
+  void add_links(const GraphEdge& edge);
 
   std::vector<KeyframeConstraint> constraints_;
   std::vector<std::vector<Link>> links_;  ///< by keyframe

@@ -3,8 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 #include "outrider/geometry/box.hpp"
 #include "scan_match.hpp"
@@ -21,6 +23,8 @@ constexpr double least_reach_m = 0.5, most_reach_m = 6.0;  // of a search among 
 constexpr double widest_m = 250.0;                         // of a search on the whole map
 constexpr double recent_m = 60.0;  // of way; in a wide window, older visits are searched all together
 constexpr double least_turn_rad = 0.1, most_turn_rad = 0.6;
+constexpr double most_chi2 = 100.0;  // r^T W r of a loop; beyond it, the other constraints contradict it
+constexpr std::size_t most_rivals = 16;
 constexpr double adrift_rad = 0.7;  // standard deviation of a heading from which the full turn is searched
 
 /// Returns the nearest keyframe of each earlier visit, from `first` on, that may be at the same place; at
@@ -94,14 +98,21 @@ bool is_plausible(const KeyframeGraph& graph, const Pose2& there, double reach_s
   return factor.info() == Eigen::Success && off.dot(factor.solve(off)) <= reach_sd * reach_sd;
 }
 
-/// Adds a loop constraint from `scan` to the last keyframe and optimises. Undoes both and returns false if
-/// the other constraints contradict it.
-bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
-  constexpr double most_chi2 = 100.0;
+/// Returns the constraint of a match of `scan` with the last keyframe.
+KeyframeConstraint loop_constraint(const KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
+  const Pose2& from = graph.keyframes[scan].pose;
+  KeyframeConstraint result;
+  result.edge = {EdgeKind::pose, scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1),
+                 relative_pose(from, fit.pose),
+                 in_frame(fit.information + Eigen::Matrix3d::Identity(), from.heading_rad)};
+  result.certainty = fit.certainty();
+  return result;
+}
+
+/// Adds a constraint and optimises. Undoes both and returns false if the other constraints contradict it.
+bool add_loop(KeyframeGraph& graph, const KeyframeConstraint& loop) {
   const std::vector<Pose2> before = graph.poses();
-  graph.add_constraint(scan, static_cast<std::uint32_t>(graph.keyframes.size() - 1), fit.pose,
-                       fit.information + Eigen::Matrix3d::Identity());
-  graph.last_constraint().certainty = fit.certainty();
+  graph.add_constraint(loop);
   if (graph.optimise() && graph.chi2() <= most_chi2) return true;
   graph.remove_last_constraint(before);
   return false;
@@ -111,12 +122,78 @@ bool close_loop(KeyframeGraph& graph, std::uint32_t scan, const Fit& fit) {
 
 bool LoopSearch::believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,
                          const KeyframeRange& visit, std::uint32_t first) {
-  if (is_contradicted(graph, robot_T_laser, visit, first, place.fit.pose) ||
-      !close_loop(graph, place.keyframe, place.fit)) {
+  if (was_undone(graph, place.keyframe) ||
+      is_contradicted(graph, robot_T_laser, visit, first, place.fit.pose)) {
     ++refused;
     return false;
   }
+  const KeyframeConstraint loop = loop_constraint(graph, place.keyframe, place.fit);
+  if (add_loop(graph, loop)) return true;
+  ++refused;
+  ++rivals_found;
+  rivals.push_back(loop);
+  if (rivals.size() > most_rivals) rivals.erase(rivals.begin());
+  return false;
+}
+
+bool LoopSearch::review(KeyframeGraph& graph, const Pose2& robot_T_laser) {
+  constexpr std::uint32_t later_keyframes = 12;
+  const auto last = static_cast<std::uint32_t>(graph.keyframes.size() - 1);
+  bool any = false;
+  for (const KeyframePair& loop : std::vector(closed)) {
+    const bool is_due = loop.second + later_keyframes == last && std::ranges::count(closed, loop) > 0;
+    if (!is_due || !is_contradicted_since(graph, robot_T_laser, loop)) continue;
+    if (undo_loop(graph, robot_T_laser, loop)) any = drop_removed(graph);
+  }
+  if (!rivals.empty() && rivals_found >= rivals_due) {
+    rivals_due = 2 * rivals_found;
+    any = hear_rivals(graph) || any;
+  }
+  if (any) graph.update_covariance();
+  return any;
+}
+
+bool LoopSearch::drop_removed(const KeyframeGraph& graph) {
+  std::set<KeyframePair> joined;
+  for (const KeyframeConstraint& constraint : graph.constraints())
+    joined.emplace(constraint.edge.from, constraint.edge.to);
+  const auto is_removed = [&](const KeyframePair& loop) { return !joined.contains(loop); };
+  const auto removed = std::ranges::stable_partition(closed, std::not_fn(is_removed));
+  undone.insert(undone.end(), removed.begin(), removed.end());
+  const bool any = !removed.empty();
+  closed.erase(removed.begin(), removed.end());
+  if (any) std::erase_if(bridged, is_removed);
+  return any;
+}
+
+bool LoopSearch::hear_rivals(KeyframeGraph& graph) {
+  const std::vector<KeyframeConstraint> before = graph.constraints();
+  const std::vector<Pose2> poses = graph.poses();
+  const auto kept = reconciled(graph, rivals, most_chi2);
+  if (!kept) return false;
+  const auto pair_of = [](const KeyframeConstraint& c) { return KeyframePair{c.edge.from, c.edge.to}; };
+  graph.replace(*kept, poses);
+  std::vector<KeyframePair> heard;
+  for (const KeyframeConstraint& rival : rivals) {
+    if (add_loop(graph, rival)) heard.push_back(pair_of(rival));
+  }
+  if (heard.empty() || !drop_removed(graph)) {
+    graph.replace(before, poses);
+    return false;
+  }
+  closed.insert(closed.end(), heard.begin(), heard.end());
+  std::erase_if(rivals, [&](const auto& rival) { return std::ranges::count(heard, pair_of(rival)) > 0; });
   return true;
+}
+
+bool LoopSearch::was_undone(const KeyframeGraph& graph, std::uint32_t keyframe) const {
+  constexpr std::uint32_t near_keyframes = 24;
+  constexpr double near_m = 30.0;  // of way
+  const double way_m = graph.keyframes.back().way_m;
+  return std::ranges::any_of(undone, [&](const KeyframePair& loop) {
+    const auto [low, high] = std::minmax(loop.first, keyframe);
+    return high - low <= near_keyframes && way_m - graph.keyframes[loop.second].way_m <= near_m;
+  });
 }
 
 bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
@@ -129,14 +206,14 @@ bool LoopSearch::close(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double 
   const Eigen::Matrix3d& c = graph.covariance();
   const double reach_m = std::max(least_reach_m, reach_sd * std::sqrt(c(0, 0) + c(1, 1)));
   const double heading_sd_rad = std::sqrt(c(2, 2));
-  const double turn_rad = heading_sd_rad > adrift_rad
-                              ? std::numbers::pi
-                              : std::clamp(reach_sd * heading_sd_rad, least_turn_rad, most_turn_rad);
+  const double turn_rad = std::clamp(reach_sd * heading_sd_rad, least_turn_rad, std::numbers::pi);
   MatchWindow window{graph.keyframes.back().pose, reach_m, turn_rad, reach_m, turn_rad};
-  if (reach_m <= most_reach_m) return close_near(graph, surfaces, reach_sd, first, window);
-  const std::uint32_t recent = std::max(first, first_recent(graph));
-  if (close_far(graph, surfaces, reach_sd, {first, recent}, window)) return true;
-  window.reach_m = window.position_sd_m = most_reach_m;
+  const bool is_wide = reach_m > most_reach_m;
+  const std::uint32_t recent = is_wide ? std::max(first, first_recent(graph)) : first;
+  if (is_wide && close_far(graph, surfaces, reach_sd, {first, recent}, window)) return true;
+  window.reach_m = window.position_sd_m = std::min(reach_m, most_reach_m);
+  if (heading_sd_rad <= adrift_rad)
+    window.turn_rad = window.heading_sd_rad = std::min(turn_rad, most_turn_rad);
   return close_near(graph, surfaces, reach_sd, recent, window);
 }
 
@@ -172,7 +249,9 @@ bool LoopSearch::close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, dou
       keyframes_within(graph, window.reach_m + sensed_m, earlier.first, earlier.end);
   if (among.empty()) return false;
   const auto place = recognise_far(graph, surfaces, among, earlier.end, window);
-  if (place && is_plausible(graph, place->fit.pose, reach_sd) &&
+  const bool plausible = place && is_plausible(graph, place->fit.pose, reach_sd);
+  if (place && !plausible) ++refused;
+  if (plausible &&
       believe(graph, surfaces.robot_T_laser(), *place, visit_of(graph, place->keyframe), earlier.end)) {
     closed.emplace_back(place->keyframe, static_cast<std::uint32_t>(graph.keyframes.size() - 1));
     graph.update_covariance();
@@ -192,7 +271,7 @@ bool LoopSearch::bridge(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::u
   const auto fit = recognise_place(map_of(graph, surfaces, before), last_surface(graph, surfaces, gap),
                                    {graph.keyframes.back().pose, reach_m, std::numbers::pi});
   if (!fit || is_contradicted(graph, surfaces.robot_T_laser(), before, gap, fit->pose) ||
-      !close_loop(graph, gap - 1, *fit))
+      !add_loop(graph, loop_constraint(graph, gap - 1, *fit)))
     return false;
   bridged.emplace_back(gap - 1, last);
   return true;

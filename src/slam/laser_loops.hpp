@@ -8,22 +8,28 @@
 // matched nothing, is bridged by the same rules: the keyframes after it are searched among those just before
 // it, in the full turn. If that fails, as for a robot that was carried away, they are searched on the whole
 // map before the gap, again and again while the robot drives on.
+//
+// A loop is judged once more after the next twelve keyframes, and whenever another one contradicts it;
+// see loop_review.hpp. One that was wrong is undone.
 #pragma once
 
 #include <span>
-#include <utility>
-
+#include "loop_review.hpp"
 #include "place_recognition.hpp"
 
 namespace outrider {
 
 struct LoopSearch {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> closed;   ///< keyframes: the earlier, the later
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> bridged;  ///< one before a gap, and one after it
-  std::size_t refused = 0;    ///< places that were recognised and not believed
-  double tried_at_m = 0.0;    ///< distance driven at the last search
-  double far_due_at_m = 0.0;  ///< distance driven at which older visits are searched again
-  double far_every_m = 0.0;   ///< distance between two such searches; grows while they find nothing
+  std::vector<KeyframePair> closed;
+  std::vector<KeyframePair> bridged;       ///< one before a gap, and one after it
+  std::vector<KeyframePair> undone;        ///< were closed, and turned out to be wrong
+  std::vector<KeyframeConstraint> rivals;  ///< the last places recognised that the graph contradicts
+  std::size_t rivals_found = 0;
+  std::size_t rivals_due = 1;  ///< number of rivals found at which they are heard; doubles
+  std::size_t refused = 0;     ///< places that were recognised and not believed
+  double tried_at_m = 0.0;     ///< distance driven at the last search
+  double far_due_at_m = 0.0;   ///< distance driven at which older visits are searched again
+  double far_every_m = 0.0;    ///< distance between two such searches; grows while they find nothing
 
   /// Adds constraints between the last keyframe and earlier visits and optimises the graph; returns true if
   /// it added any. Rejects a match farther than `reach_sd` standard deviations from the believed pose. Uses
@@ -37,6 +43,8 @@ struct LoopSearch {
   /// half of the way since the gap. Returns true if it joined them, which moves the poses. Takes about a
   /// second, and is not done on a map of more than 500 m by 500 m.
   bool rejoin(KeyframeGraph& graph, KeyframeSurfaces& surfaces, std::uint32_t gap);
+  /// Judges closed loops by what came later, and undoes wrong ones. Returns true if this moved the poses.
+  bool review(KeyframeGraph& graph, const Pose2& robot_T_laser);
   /// Returns true if a constraint of this search spans the gap.
   [[nodiscard]] bool spans(std::uint32_t gap) const;
   /// Returns those of the gaps, which are in order, between whose two sides no chain of matches leads: a loop
@@ -48,6 +56,12 @@ struct LoopSearch {
                   MatchWindow window);
   bool close_far(KeyframeGraph& graph, KeyframeSurfaces& surfaces, double reach_sd,
                  const KeyframeRange& earlier, const MatchWindow& window);
+  /// Moves the loops whose constraints were removed to `undone`. Returns true if there are any.
+  bool drop_removed(const KeyframeGraph& graph);
+  /// Lets the rivals take the place of loops that they cannot be reconciled with, if they outweigh them.
+  bool hear_rivals(KeyframeGraph& graph);
+  /// Returns true if the last keyframe and this one are near a loop that was undone.
+  [[nodiscard]] bool was_undone(const KeyframeGraph& graph, std::uint32_t keyframe) const;
   /// Adds the constraint of a place that was recognised, and returns true; unless the scans or the other
   /// constraints contradict it, which is counted as refused.
   bool believe(KeyframeGraph& graph, const Pose2& robot_T_laser, const KnownPlace& place,

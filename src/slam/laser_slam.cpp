@@ -281,6 +281,8 @@ void LaserSlam::State::take_scan(const LaserScan& scan, const Surface& surface, 
     graph.update_covariance();
     step.kept = true;
     step.closed_loop = options.close_loops && close_loops();
+    step.undid_loop = loops.review(graph, options.robot_T_laser);
+    step.closed_loop = step.closed_loop || step.undid_loop;
     if (bridge_gap()) {
       graph.update_covariance();
       step.closed_loop = true;
@@ -369,6 +371,7 @@ std::vector<std::size_t> LaserSlam::gaps() const {
   return open;
 }
 std::size_t LaserSlam::loops_refused() const { return state_->loops.refused; }
+std::size_t LaserSlam::loops_undone() const { return state_->loops.undone.size(); }
 std::vector<LaserLoop> LaserSlam::closed_loops() const {
   const std::vector<std::size_t> pose_of = state_->pose_numbers();
   std::vector<LaserLoop> result;

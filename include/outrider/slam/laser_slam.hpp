@@ -9,7 +9,8 @@
 // it to the keyframe before and, where the relative pose is well known, to one of an earlier visit; the next
 // scans are then matched with that visit too. Loop closing matches the last keyframes together with older
 // ones and accepts a match if enough points lie on surfaces, no other pose scores nearly as well, and the
-// graph still agrees with the constraint. If the optimised graph moves a keyframe by a cell, the map is
+// graph still agrees with the constraint. Loops that later scans or loops contradict are undone. If the
+// optimised graph moves a keyframe by a cell, the map is
 // redrawn from the keyframes. Until then the map holds every scan.
 //
 // Lost: after a long way without a match, or a jump, three standard deviations of the odometry exceed 3 m,
@@ -66,7 +67,8 @@ struct LaserSlamStep {
   bool lost = false;            ///< the robot is lost; see the head of this file
   bool kept = false;            ///< the scan became a keyframe
   bool is_known_place = false;  ///< the keyframe is from a place that was seen many times
-  bool closed_loop = false;     ///< a loop was closed, or a gap was bridged: poses moved
+  bool closed_loop = false;     ///< a loop was closed or undone, or a gap was bridged: poses moved
+  bool undid_loop = false;      ///< a loop was undone, because later scans or loops contradict it
   MapUpdate update;             ///< changes of map()
 };
 
@@ -111,6 +113,8 @@ class LaserSlam {
   [[nodiscard]] std::vector<LaserLoop> closed_loops() const;
   /// Returns the number of places that were recognised and not believed.
   [[nodiscard]] std::size_t loops_refused() const;
+  /// Returns the number of loops that were closed and undone, because later scans or loops contradicted them.
+  [[nodiscard]] std::size_t loops_undone() const;
   /// Returns the poses that only odometry joins to the ones before, because their scan matched nothing and no
   /// later match spans the gap.
   [[nodiscard]] std::vector<std::size_t> gaps() const;

@@ -93,7 +93,11 @@ void take_scan(ExploreMission& mission, const LaserScan& scan) {
     ++mission.loops;
     mission.path.reset();
     moved_on(mission);
-    add_event(mission, "loop", "a place was recognised, and the map was redrawn");
+    add_event(
+        mission, "loop",
+        step->undid_loop
+            ? "a loop that was closed before contradicts the scans: it is undone, and the map was redrawn"
+            : "a place was recognised, and the map was redrawn");
   }
   const Eigen::Matrix3d p = mission.slam.pose_covariance();
   const double sigma_m = std::sqrt(std::max(p(0, 0), p(1, 1)));

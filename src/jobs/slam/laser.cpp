@@ -67,6 +67,9 @@ class LaserRecorder {
     }
     if (outcome.kept || options_.trust_odometry) map_.add(log_.log(), outcome.pose, *seen.scan, time_s);
     if (outcome.lost) log_event(log_.log(), time_s, "lost", "odometry is off by too much to match the scan");
+    if (outcome.undid_loop)
+      log_event(log_.log(), log_.end_s(), "loop",
+                "a loop that was closed before contradicts the scans; it is undone");
     if (outcome.closed_loop) log_loops(slam, slam.trajectory());
   }
 
@@ -103,6 +106,7 @@ class LaserRecorder {
 
   void log_loops(const LaserSlam& slam, const std::vector<Pose2>& poses) {
     outrider_msgs::Loops loops;
+    told_ = std::min(told_, slam.loops());  // one may be undone
     for (const LaserLoop& loop : slam.closed_loops()) {
       const double then_s = times_s_[loop.from - 1], time_s = times_s_[loop.to - 1];
       loops.loops.push_back({time_s, point_of(poses[loop.from].position), point_of(poses[loop.to].position)});
@@ -110,7 +114,8 @@ class LaserRecorder {
       ++told_;
       log_event(log_.log(), log_.end_s(), "loop", fmt::format("the place of {:.1f} s is recognised", then_s));
     }
-    if (!loops.loops.empty()) log_.log().append(topic::loops, log_.end_s(), std::move(loops));
+    if (!loops.loops.empty() || slam.loops_undone() > 0)
+      log_.log().append(topic::loops, log_.end_s(), std::move(loops));
   }
 
   const LaserSlamOptions& options_;

@@ -110,6 +110,7 @@ void judge_mapping(Report& report, Log& log, const LaserRun& run, const std::vec
   report.metrics.emplace_back("gaps", static_cast<double>(gaps.size()));
   report.metrics.emplace_back("jumps", static_cast<double>(check.jumps.size()));
   report.metrics.emplace_back("loops_refused", static_cast<double>(run.slam.loops_refused()));
+  report.metrics.emplace_back("loops_undone", static_cast<double>(run.slam.loops_undone()));
   report.metrics.emplace_back("scans_checked", static_cast<double>(check.scans));
   report.metrics.emplace_back("scans_contradicted", static_cast<double>(check.contradicted));
   if (doubts.reason().empty()) return;

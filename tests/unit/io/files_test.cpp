@@ -182,16 +182,34 @@ void wait_for_writers(const fs::path& folder) {
   ::close(descriptor);
 }
 
+/// Files of one version, in the folder.
+std::vector<NamedContent> files_of_version(const fs::path& folder, const std::vector<std::string>& names,
+                                           int version) {
+  std::vector<NamedContent> files;
+  for (const std::string& name : names)
+    files.push_back({(folder / name).string(), fmt::format("{:08}", version) + std::string(20'000, 'x')});
+  return files;
+}
+
+TEST(WriteFiles, OfTwoWritersAreAllOfOneOfThem) {
+  const test::Folder folder;
+  const std::vector<std::string> names = {"a", "b", "c", "report"};
+  for (int round = 0; round < 20; ++round) {
+    const pid_t other = ::fork();
+    for (int i = 0; i < 5; ++i)
+      if (!write_files(files_of_version(folder.path, names, 10 * round + (other == 0 ? 1 : 2)))) ::_exit(1);
+    if (other == 0) ::_exit(0);
+    int status = 1;
+    ::waitpid(other, &status, 0);
+    ASSERT_EQ(status, 0);
+    ASSERT_EQ(versions(folder.path, names).size(), 1U) << "a mixture in round " << round;
+  }
+}
+
 TEST(WriteFiles, AreAllOldOrAllNewWheneverTheWriterIsKilled) {
   const test::Folder folder;
   const std::vector<std::string> names = {"a", "b", "c", "report"};
-  const auto version = [&](int i) {
-    std::vector<NamedContent> files;
-    for (const std::string& name : names) {
-      files.push_back({(folder.path / name).string(), fmt::format("{:08}", i) + std::string(20'000, 'x')});
-    }
-    return files;
-  };
+  const auto version = [&](int i) { return files_of_version(folder.path, names, i); };
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(write_files(version(0)));
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
