@@ -194,9 +194,9 @@ std::vector<NamedContent> files_of_version(const fs::path& folder, const std::ve
 TEST(WriteFiles, OfTwoWritersAreAllOfOneOfThem) {
   const test::Folder folder;
   const std::vector<std::string> names = {"a", "b", "c", "report"};
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 8; ++round) {
     const pid_t other = ::fork();
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 3; ++i)
       if (!write_files(files_of_version(folder.path, names, 10 * round + (other == 0 ? 1 : 2)))) ::_exit(1);
     if (other == 0) ::_exit(0);
     int status = 1;
