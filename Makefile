@@ -20,9 +20,10 @@ tests_of = ^($(subst $(space),|,$(strip $(patsubst %,unit_%,$(1)))))$(if $(1),[.
 FUZZ_SECONDS ?= 60
 LOAD_SECONDS ?= 600
 MOMENTS ?= 50
+RUNS ?= 200
 
 .DEFAULT_GOAL := help
-.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel load fuzz bench sbom lint tidy check-clang check-format format clean
+.PHONY: help demo build tool-and-page serve pictures test asan tsan docs soak cancel loops load fuzz bench sbom lint tidy check-clang check-format format clean
 
 help:  ## list the verbs
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-8s %s\n", $$1, $$2 }' Makefile
@@ -75,7 +76,7 @@ docs:  ## write docs/options.md and docs/scenario.schema.json anew
 	$(CONFIGURE) release build -DCMAKE_BUILD_TYPE=Release $(FIRST)
 	@ninja -C build -j $(JOBS) docs
 
-soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load and cancel
+soak:  ## run everything, the tool too, under the sanitizers, random tests on 100 times as many cases; then fuzz, load, cancel and loops
 	$(INSTALL) build test cbc
 	$(CONFIGURE) asan build-asan -DOUTRIDER_BUILD_TESTS=ON -DOUTRIDER_TEST_PARTS=0
 	@ninja -C build-asan -j $(JOBS)
@@ -83,9 +84,13 @@ soak:  ## run everything, the tool too, under the sanitizers, random tests on 10
 	@$(MAKE) --no-print-directory fuzz
 	@$(MAKE) --no-print-directory load
 	@$(MAKE) --no-print-directory cancel
+	@$(MAKE) --no-print-directory loops
 
 cancel: build  ## stop each published scenario with Ctrl-C at MOMENTS random moments, 50 unless given; tells the worst latency
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/cancel_soak.py --moments $(MOMENTS)
+
+loops: build  ## explore RUNS buildings of equal rooms, 200 unless given, and tell whether a false loop was closed
+	@OUTRIDER=$(CURDIR)/build/outrider python3 -B tests/cli/loops_soak.py --runs $(RUNS)
 
 load: build  ## what strangers do to the server, mixed for LOAD_SECONDS, 600 unless given; tells the memory it took
 	@OUTRIDER=$(CURDIR)/build/outrider OUTRIDER_SOURCE=$(CURDIR) python3 -B tests/cli/serve_load.py $(LOAD_SECONDS)

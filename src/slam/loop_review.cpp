@@ -10,15 +10,15 @@
 namespace outrider {
 namespace {
 
-constexpr std::uint32_t visit_keyframes = 24;   // to both sides of the earlier keyframe
-constexpr std::uint32_t recent_keyframes = 24;  // before the later one; constraints to them stay
+constexpr std::uint32_t around_keyframes = 24;  // to both sides of the earlier keyframe
+constexpr std::uint32_t latest_keyframes = 24;  // before the later one; constraints to them stay
 
 /// Returns the agreement of the scans since the loop with those of the earlier visit that are near them.
 Agreement agreement_since(const KeyframeGraph& graph, const Pose2& robot_T_laser, const KeyframePair& loop) {
   constexpr double near_m = 3.0;
   const auto [earlier, later] = loop;
-  const std::uint32_t first = earlier > visit_keyframes ? earlier - visit_keyframes : 0;
-  const std::uint32_t end = std::min(earlier + visit_keyframes, later);
+  const std::uint32_t first = earlier > around_keyframes ? earlier - around_keyframes : 0;
+  const std::uint32_t end = std::min(earlier + around_keyframes, later);
   Agreement sum;
   for (std::uint32_t q = later + 1; q < graph.keyframes.size(); q += 2) {
     for (std::uint32_t v = first; v < end; v += 2) {
@@ -61,7 +61,7 @@ bool undo_loop(KeyframeGraph& graph, const Pose2& robot_T_laser, const KeyframeP
   const std::vector<KeyframeConstraint> before = graph.constraints();
   const std::vector<Pose2> poses = graph.poses();
   const auto [earlier, later] = loop;
-  const std::uint32_t recent = std::max(earlier + 1, later - std::min(later, recent_keyframes));
+  const std::uint32_t recent = std::max(earlier + 1, later - std::min(later, latest_keyframes));
   std::vector<KeyframeConstraint> kept = before;
   std::erase_if(kept, [&](const KeyframeConstraint& constraint) {
     const bool follows = constraint.edge.to == constraint.edge.from + 1;

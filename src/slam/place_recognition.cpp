@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t query_keyframes = 6;  // the last scans, taken together
 constexpr std::uint32_t far_query_keyframes = 40;
 constexpr std::uint32_t visit_keyframes = 8;  // to both sides of the nearest keyframe of an earlier visit
-constexpr std::size_t most_points = 600;
+constexpr std::size_t most_query_points = 600;
 
 /// Returns the first of so many last keyframes, from `first` on.
 std::uint32_t first_of_last(const KeyframeGraph& graph, std::uint32_t first, std::uint32_t most) {
@@ -29,7 +29,7 @@ Surface joined_surface(const KeyframeGraph& graph, KeyframeSurfaces& surfaces, s
     for (const SurfacePoint& p : surfaces.of(graph, i))
       result.push_back({pose * p.position, rotated(pose.heading_rad, p.normal)});
   }
-  return thinned(result, most_points);
+  return thinned(result, most_query_points);
 }
 
 /// Returns the keyframe that is nearest to a place, of those that have a scan.

@@ -12,7 +12,7 @@ namespace {
 /// Twice the cost of a deviation from the centre by one standard deviation. The scores of wrong poses are
 /// lower by tenths.
 constexpr double cost_of_deviation = 0.01;
-constexpr std::size_t most_points = 180;
+constexpr std::size_t most_searched = 180;
 constexpr double most_reach_cells = 1 << 29;
 
 /// The poses of 2^level angles from `angle` on and of 2^level offsets from `offset` on, to each side.
@@ -204,13 +204,13 @@ class Search {
 
 std::optional<FoundPose> SurfaceMap::find(const Surface& surface, const MatchWindow& window,
                                           double least) const {
-  Search search(levels_, thinned(surface, most_points), window, least, nullptr, {});
+  Search search(levels_, thinned(surface, most_searched), window, least, nullptr, {});
   return search.run() ? search.best() : std::nullopt;
 }
 
 bool SurfaceMap::may_be_elsewhere(const Surface& surface, const MatchWindow& window, double least,
                                   const Pose2& except, const Separation& distinct) const {
-  Search search(levels_, thinned(surface, most_points), window, least, &except, distinct);
+  Search search(levels_, thinned(surface, most_searched), window, least, &except, distinct);
   return !search.run() || search.best();
 }
 

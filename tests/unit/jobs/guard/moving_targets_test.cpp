@@ -19,7 +19,7 @@ namespace {
 
 using testing::cases;
 
-GuardOptions quick() {
+GuardOptions coarse() {
   GuardOptions options;
   options.resolution_m = 0.25;
   return options;
@@ -77,7 +77,7 @@ std::vector<double> visits(const std::vector<double>& weights) {
 
 TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
   const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, quick());
+  const auto firing_map = build_firing_map(problem, coarse());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 5.0;
@@ -115,7 +115,7 @@ TEST(Wander, WalksOnFreeGroundAtItsSpeedAndLikesWhatItPrefers) {
 /// The map finds the pond, and how long they stay, from what was seen.
 TEST(VisitMap, LearnsWhereTheyRest) {
   const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, quick());
+  const auto firing_map = build_firing_map(problem, coarse());
   WanderOptions options;
   options.speed_mps = 0.7;
   options.rest_s = 8.0;
@@ -151,17 +151,17 @@ TEST(MovingTargets, HitsEverybodyAndSaysWhatHappened) {
   wander.rest_s = 10.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(3)); ++seed) {
     const GuardProblem problem = yard(true);
-    const auto firing_map = build_firing_map(problem, quick());
+    const auto firing_map = build_firing_map(problem, coarse());
     const auto history = past(problem, *firing_map, wander);
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
     const auto plan =
-        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), coarse(), wander);
     ASSERT_TRUE(plan.has_value()) << plan.error().sentence;
-    auto run = testing::run_walkers(*plan, *walks, quick(), seed);
+    auto run = testing::run_walkers(*plan, *walks, coarse(), seed);
     EXPECT_EQ(run.report.status, "done") << run.report.reason;
     test::LogRecorder recorder;
-    EXPECT_EQ(test::bytes_of_run(run),
-              test::bytes_of_run(testing::run_walkers(*plan, *walks, quick(), seed, {.sinks = {&recorder}})));
+    EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(testing::run_walkers(*plan, *walks, coarse(), seed,
+                                                                               {.sinks = {&recorder}})));
     EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
     for (const auto& stamped : testing::shots_of(run.log)) {
       const outrider_msgs::Shot& shot = stamped.message;
@@ -194,7 +194,7 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     GuardProblem problem = yard(false);
     problem.world.solids.resize(1);
     problem.targets.resize(1);
-    const auto firing_map = build_firing_map(problem, quick());
+    const auto firing_map = build_firing_map(problem, coarse());
     WanderOptions wander;
     wander.speed_mps = 0.4;
     wander.sight_m = 0.0;
@@ -203,7 +203,7 @@ TEST(MovingTargets, HitsAStraightWalkerAtOnceInAWorldWithoutErrors) {
     const Vec2 velocity = 0.4 * direction(rng.uniform(0.0, 6.28));
     const std::vector<Walk> walks = {{{{0.0, from}, {60.0, from + 60.0 * velocity}}}};
     const auto plan =
-        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
+        plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander);
     ASSERT_TRUE(plan.has_value());
     Log log;
     auto robot = simulated_guard(problem, *firing_map, log, 1, {.walks = walks, .look_s = wander.look_s});
@@ -225,19 +225,19 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
   problem.world.solids.resize(1);
   problem.targets.resize(1);
   problem.targets[0].base = {1.0, -2.0, 0.0};
-  const auto firing_map = build_firing_map(problem, quick());
+  const auto firing_map = build_firing_map(problem, coarse());
   WanderOptions wander;
   wander.sight_m = 0.0;
   const std::vector<Walk> walks = {{{{0.0, {1.0, -2.0}}}}};
   const auto plan =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), quick(), wander);
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, {}, wander), coarse(), wander);
   ASSERT_TRUE(plan.has_value());
   const GuardPlan none;
   Log log;
   const auto report = run_guard({.problem = plan->problem,
                                  .firing_map = plan->firing_map,
                                  .plan = none,
-                                 .options = quick(),
+                                 .options = coarse(),
                                  .seed = 1,
                                  .walkers = WalkerRun{*plan, walks}},
                                 log);
@@ -256,23 +256,23 @@ TEST(MovingTargets, OfThoseWhoStayIsTheStillYard) {
 /// Knowing where they like to be shortens their stay, on average.
 TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
   const GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, quick());
+  const auto firing_map = build_firing_map(problem, coarse());
   WanderOptions wander;
   wander.speed_mps = 0.8;
   wander.rest_s = 4.0;
   const auto history = past(problem, *firing_map, wander);
   const auto learned =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), quick(), wander);
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, wander), coarse(), wander);
   WanderOptions blank = wander;
   blank.learn = false;
   const auto unlearned =
-      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, blank), quick(), blank);
+      plan_moving(problem, *firing_map, visit_map(problem, *firing_map, history, blank), coarse(), blank);
   ASSERT_TRUE(learned && unlearned);
   double with_map = 0.0, without = 0.0, expected = 0.0, hits = 0.0;
   for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(16)); ++seed) {
     const auto walks = draw_walks(problem, *firing_map, often_at_the_pond, wander, seed, 7200.0);
-    const auto a = testing::run_walkers(*learned, *walks, quick(), seed);
-    const auto b = testing::run_walkers(*unlearned, *walks, quick(), seed);
+    const auto a = testing::run_walkers(*learned, *walks, coarse(), seed);
+    const auto b = testing::run_walkers(*unlearned, *walks, coarse(), seed);
     with_map += metric(a, "intruder_seconds");
     without += metric(b, "intruder_seconds");
     expected += metric(a, "expected_hits");
@@ -285,7 +285,7 @@ TEST(MovingTargets, IsShorterOnAverageWithTheLearnedMap) {
 
 TEST(Wander, IsRefusedWhereItCannotBe) {
   GuardProblem problem = yard(true);
-  const auto firing_map = build_firing_map(problem, quick());
+  const auto firing_map = build_firing_map(problem, coarse());
   WanderOptions options;
   options.speed_mps = 1.0;
   problem.targets[1].base.z = 0.5;

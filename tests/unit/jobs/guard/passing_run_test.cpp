@@ -19,7 +19,7 @@ using testing::cases;
 using testing::floor_at;
 using testing::fly_fine;
 
-GuardOptions quick() {
+GuardOptions on_the_move() {
   GuardOptions options;
   options.resolution_m = 0.2;
   options.stops = 60;
@@ -48,9 +48,9 @@ struct Planned {
 };
 
 Planned planned(GuardProblem problem) {
-  auto firing_map = build_firing_map(problem, quick());
+  auto firing_map = build_firing_map(problem, on_the_move());
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
+  auto plan = plan_guard(problem, *firing_map, on_the_move(), {});
   EXPECT_TRUE(plan.has_value());
   GuardPlan passing = shoot_in_passing(problem, *firing_map, *plan);
   EXPECT_LT(passing.cost_s, plan->cost_s);
@@ -61,7 +61,7 @@ TEST(PassingRun, WithoutErrorsTakesWhatThePlanSays) {
   GuardProblem problem = street();
   problem.errors = {0.0, 0.0, {0.0, 0.0}, 0.0};
   const Planned p = planned(problem);
-  const auto run = testing::run_still(p.problem, p.firing_map, p.plan, quick(), 1);
+  const auto run = testing::run_still(p.problem, p.firing_map, p.plan, on_the_move(), 1);
   EXPECT_NEAR(metric(run, "mission_s"), p.plan.cost_s, 1e-6);
   EXPECT_EQ(metric(run, "reached"), 5.0);
   EXPECT_EQ(metric(run, "shots"), 5.0);
@@ -85,7 +85,8 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
   const Planned p = planned(street());
   double passed = 0.0;
   for (int seed = 1; seed <= cases(4); ++seed) {
-    auto run = testing::run_still(p.problem, p.firing_map, p.plan, quick(), static_cast<std::uint64_t>(seed));
+    auto run =
+        testing::run_still(p.problem, p.firing_map, p.plan, on_the_move(), static_cast<std::uint64_t>(seed));
     const auto track = testing::track_of(run.log);
     const double gun_length_m = run.log.latest<outrider_msgs::RunInfo>(topic::run)->gun_length;
     EXPECT_EQ(metric(run, "reached"), 5.0);
@@ -111,7 +112,7 @@ TEST(PassingRun, ShotsLeaveTheRobotThatDrives) {
     EXPECT_TRUE(testing::stamps_are_sorted(run.log));
     test::LogRecorder recorder;
     EXPECT_EQ(test::bytes_of_run(run), test::bytes_of_run(testing::run_still(
-                                           p.problem, p.firing_map, p.plan, quick(),
+                                           p.problem, p.firing_map, p.plan, on_the_move(),
                                            static_cast<std::uint64_t>(seed), {.sinks = {&recorder}})));
     EXPECT_EQ(recorder.finish(), test::bytes_of_log(run.log));
   }

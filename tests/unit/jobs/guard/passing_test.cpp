@@ -50,7 +50,7 @@ struct Case {
   GuardPlan passing;  ///< and from the way
 };
 
-Case planned(GuardProblem problem) {
+Case planned_case(GuardProblem problem) {
   auto firing_map = build_firing_map(problem, quick_on_the_move());
   EXPECT_TRUE(firing_map.has_value()) << firing_map.error().sentence;
   auto plan = plan_guard(problem, *firing_map, quick_on_the_move(), {});
@@ -157,7 +157,7 @@ TEST(ShootInPassing, KeepsItsPromises) {
   Rng rng(502);
   std::size_t passed = 0;
   for (int i = 0; i < cases(6); ++i) {
-    const Case c = planned(i % 2 == 0 ? street(rng, 5) : random_guard_problem(rng, 8, 5, 2.5));
+    const Case c = planned_case(i % 2 == 0 ? street(rng, 5) : random_guard_problem(rng, 8, 5, 2.5));
     EXPECT_LE(c.passing.cost_s, c.plan.cost_s);
     EXPECT_NEAR(c.passing.cost_s, own_cost_in_passing(c.problem, c.passing), 1e-6);
     EXPECT_LE(c.passing.lower_bound_s, c.passing.cost_s);
@@ -188,14 +188,14 @@ TEST(ShootInPassing, KeepsItsPromises) {
 
 TEST(ShootInPassing, ShortensAStreet) {
   Rng rng(503);
-  const Case c = planned(street(rng, 6));
+  const Case c = planned_case(street(rng, 6));
   EXPECT_LT(c.passing.cost_s, 0.9 * c.plan.cost_s);
   EXPECT_GE(in_passing(c.passing), 2U);
 }
 
 TEST(PassingShot, HitsUnderErrorsWithinTheBounds) {
   Rng rng(504);
-  const Case c = planned(street(rng, 6));
+  const Case c = planned_case(street(rng, 6));
   const ExecutionErrors& errors = c.problem.errors;
   int flown = 0;
   int hits = 0;
@@ -225,7 +225,7 @@ TEST(PassingShot, HitsInWind) {
   Rng rng(505);
   GuardProblem problem = street(rng, 4);
   problem.air = {0.03, 3.0, 1.0};
-  const Case c = planned(problem);
+  const Case c = planned_case(problem);
   EXPECT_EQ(c.passing.lower_bound_s, 0.0);
   EXPECT_GE(in_passing(c.passing), 1U);
   const Vec3 wind{3.0 * std::cos(1.0), 3.0 * std::sin(1.0), 0.0};

@@ -16,7 +16,7 @@ using testing::cases;
 using testing::hill;
 using testing::terrain_of;
 
-GuardOptions quick() {
+GuardOptions on_terrain() {
   GuardOptions options;
   options.resolution_m = 0.25;
   options.refinements = 0;
@@ -31,11 +31,11 @@ struct Mission {
 };
 
 Mission run_of(const GuardProblem& problem, std::uint64_t seed) {
-  auto firing_map = build_firing_map(problem, quick());
+  auto firing_map = build_firing_map(problem, on_terrain());
   EXPECT_TRUE(firing_map) << firing_map.error().sentence;
-  auto plan = plan_guard(problem, *firing_map, quick(), {});
+  auto plan = plan_guard(problem, *firing_map, on_terrain(), {});
   EXPECT_TRUE(plan);
-  auto run = testing::run_still(problem, *firing_map, *plan, quick(), seed);
+  auto run = testing::run_still(problem, *firing_map, *plan, on_terrain(), seed);
   return {std::move(*firing_map), std::move(*plan), std::move(run)};
 }
 
@@ -143,8 +143,8 @@ TEST(TerrainSurvey, SaysWhereTheStartIsTooSteep) {
         terrain_of({-4, -4}, {1, 1}, 9, 9, [by](Vec2 p) { return by * p.x; })));
     return on;
   };
-  EXPECT_TRUE(build_firing_map(slope(0.3), quick()));
-  const auto steep = build_firing_map(slope(1.0), quick());
+  EXPECT_TRUE(build_firing_map(slope(0.3), on_terrain()));
+  const auto steep = build_firing_map(slope(1.0), on_terrain());
   ASSERT_FALSE(steep);
   EXPECT_EQ(steep.error().where, "start");
   EXPECT_EQ(
@@ -174,7 +174,7 @@ TEST(TerrainSurvey, RefusesTerrainThatEndsWithinTheYard) {
   problem.world.bounds = {{-5, -3}, {3, 3}};
   problem.world.solids = {testing::floor_at(0.0)};
   problem.world = problem.world.on(std::make_shared<const HeightField>(hill(4.0, 0.5, 0.5, 3.0)));
-  const auto refused = build_firing_map(problem, quick());
+  const auto refused = build_firing_map(problem, on_terrain());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().where, "terrain");
   EXPECT_NE(refused.error().sentence.find("spans (-4, -4) to (4, 4)"), std::string::npos);
