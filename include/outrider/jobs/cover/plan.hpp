@@ -82,6 +82,12 @@ struct FieldProof {
   double inner_fraction = 0.0;    ///< as below
 };
 
+/// A place that no disk on the track covers.
+struct MissedPlace {
+  Vec2 at;  ///< a point in the middle of it
+  double area_m2 = 0.0;
+};
+
 /// The guaranteed coverage of a track, computed from the track and the area alone.
 struct CoverProof {
   Coverage planned;             ///< coverage of the reach by the disk exactly on the track
@@ -90,6 +96,8 @@ struct CoverProof {
   double clearance_m = 0.0;  ///< exact smallest distance of the track from an edge; of transfers from a hole
   double length_bound_m = 0.0;  ///< no track that covers all is shorter (length_bound.hpp)
   std::vector<FieldProof> fields = {};
+  bool complete = true;  ///< at most the fraction `uncovered`, and 0.1 %, is left out; else see `missed`
+  std::vector<MissedPlace> missed = {};  ///< with a turning radius: what is left out, the largest first
 };
 
 /// Checks the track independently of the planner. Refuses a track whose pieces do not join, that comes nearer

@@ -39,9 +39,14 @@ struct CoverProblem {
   double tracking_error_m = 0.0;  ///< largest distance of the robot from its track
   double uncovered =
       0.002;  ///< fraction of the reach that may stay uncovered where only a detour would cover it
+  double turning_radius_m = 0.0;  ///< least radius of a curve; 0: the robot turns in place
+  bool reverse = false;           ///< a robot with a turning radius may drive backwards
+  std::int64_t headland = 0;   ///< laps along every border, with a turning radius; 0: as many as turns need
   std::optional<Pose2> start;  ///< none: the robot starts where its track begins
   Pace pace;                   ///< speeds, accelerations and pauses
 
+  /// Returns true if the robot cannot turn in place.
+  [[nodiscard]] bool curves() const { return turning_radius_m > 0.0; }
   /// Radius of the robot.
   [[nodiscard]] double radius_m() const { return 0.5 * width_m; }
   /// Distance between neighbouring strips.
