@@ -8,6 +8,9 @@
 // `transfers` says so: then over everything outside of the areas and over the areas, but never through a
 // hole, which stands for an obstacle. Within an area it stays inside. With transfers every part of the
 // standing room counts that such a drive comes to.
+//
+// A robot with a turning radius drives no curve that is tighter, and turns nowhere in place. Its reach is
+// that of a disk all the same: what its curves cannot cover counts as missed.
 #pragma once
 
 #include <memory>
@@ -21,6 +24,8 @@
 namespace outrider {
 
 inline constexpr double most_overlap = 0.9;  ///< of the width, that neighbouring strips may share
+
+inline constexpr std::int64_t most_headland = 1000;  ///< laps
 
 /// A polygon with holes.
 struct AreaOutline {
