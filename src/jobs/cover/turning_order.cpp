@@ -148,7 +148,7 @@ void append(CoverPlan& plan, const std::vector<PathPiece>& pieces, PieceRole rol
 }  // namespace
 
 Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const CoverProblem& problem,
-                                   const CoverOptions& options, const FreeRoom& room, const Budget& budget) {
+                                   const TourOptions& options, const FreeRoom& room, const Budget& budget) {
   const Roadmap map(strokes, problem, room, budget.stop);
   const std::vector<Drivable> stops = joined(map);
   if (budget.stop.stop_requested())
@@ -160,7 +160,7 @@ Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const Cov
                  "start");
   }
   const OrderProblem order(map, stops);
-  TourOptions search = options.order;
+  TourOptions search = options;
   if (order.tour.goals > most_proven) search.gap = 1.0;
   auto tour = solve(order.tour, search, budget);
   if (!tour) return pass_on(tour);

@@ -8,6 +8,6 @@ namespace outrider::cover {
 /// Joins as many of the strokes as lead to each other. Sets track, roles, begins, laps, cells (here: lanes),
 /// lanes and the bound.
 Outcome<CoverPlan> ordered_strokes(const std::vector<Stroke>& strokes, const CoverProblem& problem,
-                                   const CoverOptions& options, const FreeRoom& room, const Budget& budget);
+                                   const TourOptions& options, const FreeRoom& room, const Budget& budget);
 
 }  // namespace outrider::cover

@@ -34,6 +34,19 @@ double missed_m2(const CoverPlan& plan, const CoverProblem& problem, const Cover
   return coverage_of(points, problem.sure_radius_m(), ground.reach, stop).missed_m2;
 }
 
+struct Candidate {
+  int laps = 0;
+  std::vector<Stroke> strokes;
+  double missed_m2 = 0.0;
+  double time_s = 0.0;
+};
+
+/// Returns true if the candidate leaves less, by more than `more_m2`, or takes less time.
+bool better(const Candidate& one, const Candidate& than, double more_m2) {
+  if (std::abs(one.missed_m2 - than.missed_m2) > more_m2) return one.missed_m2 < than.missed_m2;
+  return one.time_s < than.time_s;
+}
+
 tl::unexpected<Fault> fits_nowhere(const CoverProblem& problem) {
   return bad_input(
       fmt::format("no lap and no lane fits a robot {:g} m wide whose curves have a radius of {:g} m or "
@@ -50,32 +63,33 @@ Outcome<CoverPlan> turning_plan(const CoverProblem& problem, const CoverOptions&
   if (!ground) return pass_on(ground);
   const CoverField& field = ground->fields.front();
   const FreeRoom room(*field.ground);
-  std::optional<CoverPlan> best;
-  double best_missed_m2 = 0.0;
+  TourOptions hasty = options.order;  // proves nothing yet
+  hasty.gap = 1.0;
+  std::optional<Candidate> best;
   std::optional<Fault> refused;
   for (const int laps : headlands(problem, method)) {
     auto strokes =
         turning_strokes(problem, field, ground->arc_m, options.directions, laps, room, budget.stop);
     if (!strokes) return pass_on(strokes);
     if (strokes->empty()) continue;
-    auto plan = ordered_strokes(*strokes, problem, options, room, budget);
-    if (!plan && plan.error().code == FaultCode::start_blocked) refused = plan.error();
-    if (!plan && !refused) return plan;
-    if (!plan) continue;
-    plan->sums = sums_of(plan->track.start.heading_rad, plan->track.pieces, problem.pace);
-    const double missed = missed_m2(*plan, problem, *ground, budget.stop);
-    const double more = same_part * area_of(ground->reach);
-    const bool better = !best || missed < best_missed_m2 - more ||
-                        (missed <= best_missed_m2 + more && plan->sums.time_s < best->sums.time_s);
-    if (!better) continue;
-    best = std::move(*plan);
-    best->method = laps == all_laps ? "spiral" : "boustrophedon";
-    best_missed_m2 = missed;
+    const auto plan = ordered_strokes(*strokes, problem, hasty, room, budget);
+    if (!plan && plan.error().code != FaultCode::start_blocked) return plan;
+    if (!plan) {
+      refused = plan.error();
+      continue;
+    }
+    const double time_s = sums_of(plan->track.start.heading_rad, plan->track.pieces, problem.pace).time_s;
+    Candidate one{laps, std::move(*strokes), missed_m2(*plan, problem, *ground, budget.stop), time_s};
+    if (!best || better(one, *best, same_part * area_of(ground->reach))) best = std::move(one);
   }
   if (!best && refused) return tl::unexpected<Fault>(*refused);
   if (!best) return fits_nowhere(problem);
-  best->ground = std::move(*ground);
-  return std::move(*best);
+  auto plan = ordered_strokes(best->strokes, problem, options.order, room, budget);
+  if (!plan) return plan;
+  plan->method = best->laps == all_laps ? "spiral" : "boustrophedon";
+  plan->sums = sums_of(plan->track.start.heading_rad, plan->track.pieces, problem.pace);
+  plan->ground = std::move(*ground);
+  return plan;
 }
 
 }  // namespace outrider::cover
