@@ -8,9 +8,6 @@
 namespace outrider::cover {
 namespace {
 
-constexpr double widest_chord_rad = 0.25 * pi;
-constexpr double least_sagitta_m = 1e-10;
-
 Box2 box_of(const PathPiece& piece) {
   Box2 box;
   if (piece.turn_rad == 0.0) {
@@ -24,15 +21,33 @@ Box2 box_of(const PathPiece& piece) {
   return box;
 }
 
-/// Returns true if the arc that begins at centre + arm keeps that distance from the edge.
-bool arc_clear(Vec2 centre, Vec2 arm, double turn_rad, const Segment& edge, double radius_m) {
-  const double sagitta = norm(arm) * (1.0 - std::cos(0.5 * turn_rad));
-  const double away = distance(Segment{centre + arm, centre + rotated(turn_rad, arm)}, edge);
-  if (away < radius_m - sagitta - contact_m) return false;
-  if (std::abs(turn_rad) <= widest_chord_rad && away >= radius_m + sagitta - contact_m) return true;
-  if (sagitta < least_sagitta_m) return away >= radius_m - contact_m;
-  return arc_clear(centre, arm, 0.5 * turn_rad, edge, radius_m) &&
-         arc_clear(centre, rotated(0.5 * turn_rad, arm), 0.5 * turn_rad, edge, radius_m);
+/// Returns true if the arc passes that direction from its centre.
+bool spans(const PathPiece& arc, Vec2 towards) {
+  const double side = arc.turn_rad > 0.0 ? 1.0 : -1.0;
+  const Vec2 arm = arc.from - arc.centre;
+  const double angle = side * std::atan2(cross(arm, towards), dot(arm, towards));
+  return (angle < 0.0 ? angle + 2.0 * pi : angle) <= std::abs(arc.turn_rad);
+}
+
+/// Returns true if the arc keeps that distance from the edge. It is nearest at an end of the arc or the edge,
+/// at a crossing, or where a tangent is parallel to the edge.
+bool arc_clear(const PathPiece& arc, const Segment& edge, double least_m) {
+  if (distance(arc.from, edge) < least_m || distance(arc.to, edge) < least_m) return false;
+  const double radius = distance(arc.centre, arc.from);
+  for (const Vec2 corner : {edge.a, edge.b}) {
+    const Vec2 arm = corner - arc.centre;
+    if (std::abs(norm(arm) - radius) < least_m && spans(arc, arm)) return false;
+  }
+  const Vec2 along = (1.0 / distance(edge.a, edge.b)) * (edge.b - edge.a);
+  const double foot = dot(arc.centre - edge.a, along), length = distance(edge.a, edge.b);
+  const Vec2 to_line = edge.a + foot * along - arc.centre;
+  const double away = norm(to_line);
+  if (away >= radius) return away - radius >= least_m || foot < 0.0 || foot > length || !spans(arc, to_line);
+  const double half = std::sqrt(radius * radius - away * away);
+  for (const double at : {foot - half, foot + half}) {
+    if (at >= 0.0 && at <= length && spans(arc, edge.a + at * along - arc.centre)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -54,7 +69,7 @@ bool FreeRoom::free(const PathPiece& piece) const {
     const Segment& edge = ground_.edges[i];
     const bool clear = piece.turn_rad == 0.0
                            ? distance(Segment{piece.from, piece.to}, edge) >= radius - contact_m
-                           : arc_clear(piece.centre, piece.from - piece.centre, piece.turn_rad, edge, radius);
+                           : arc_clear(piece, edge, radius - contact_m);
     if (!clear) return false;
   }
   return true;

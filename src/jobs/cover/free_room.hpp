@@ -1,9 +1,8 @@
-// FreeRoom: which legs and arcs a disk may drive among polygons, by bisection.
+// FreeRoom: which legs and arcs a disk may drive among polygons.
 //
-// A piece that begins where the disk may stand is free if it keeps the radius from every edge. Arcs are
-// replaced by chords with their sagitta as a margin, halved until they are clear or their middle is too near;
-// so an arc that counts as free is free, to 1e-9 m. Shares no code with the judge of tracks. O(edges near the
-// piece) after a scan of all boxes of edges.
+// A piece that begins where the disk may stand is free if it keeps the radius from every edge, by exact
+// distances to 1e-9 m. Shares no code with the judge of tracks. O(edges near the piece) after a scan of all
+// boxes of edges.
 #pragma once
 
 #include <span>

@@ -49,8 +49,8 @@ bool better(const Candidate& one, const Candidate& than, double more_m2) {
 
 tl::unexpected<Fault> fits_nowhere(const CoverProblem& problem) {
   return bad_input(
-      fmt::format("no lap and no lane fits a robot {:g} m wide whose curves have a radius of {:g} m or "
-                  "more; give a smaller radius",
+      fmt::format("a robot {:g} m wide whose curves have a radius of {:g} m or more finds no lap and no "
+                  "lane from which it could drive on; give a smaller radius",
                   problem.width_m, problem.turning_radius_m),
       "turning_radius");
 }

@@ -9,10 +9,14 @@
 namespace outrider::cover {
 namespace {
 
-constexpr int most_trims = 16;          // of an end of a lane
-constexpr double trim_part = 0.25;      // of the turning radius, in one of them
-constexpr double least_gain = 0.15;     // of the area of its strip, that a stroke adds
-constexpr double least_rest = 1e-4;     // of the reach, worth a stroke
+constexpr int most_trims = 16;       // of an end of a lane
+constexpr double trim_part = 0.25;   // of the turning radius, in one of them
+constexpr double least_lane = 0.1;   // strides
+constexpr double least_gain = 0.15;  // of the area of its strip, that a stroke adds
+constexpr double least_rest = 1e-4;  // of the reach, worth a stroke
+constexpr double dot_part = 0.5;     // of the turning radius, between places of a lane that others lead to
+constexpr double most_dots = 300.0;
+constexpr std::size_t most_probes = 8;  // from which exits are looked for
 constexpr std::size_t most_exits = 16;  // of the headland, tried from the end of a lane
 constexpr double strip_step_rad = radians(2.0);
 
@@ -29,7 +33,8 @@ class Exits {
     TurningTransit transit(problem, room);
     const auto nodes = add_strokes(transit, laps);
     transit.connect(nodes, nodes, stop);
-    for (std::size_t base = 0; base < std::min<std::size_t>(2, nodes.size()); ++base) {
+    for (std::size_t k = 0; k < most_probes && k < nodes.size(); ++k) {
+      const std::size_t base = k * nodes.size() / std::min(most_probes, nodes.size());
       const auto there = transit.ways_from(nodes[base]), back = transit.ways_to(nodes[base]);
       std::vector<Pose2> joined;
       for (const std::size_t node : nodes) {
@@ -47,7 +52,10 @@ class Exits {
     const auto kept = static_cast<std::ptrdiff_t>(std::min(near.size(), most_exits));
     std::partial_sort(near.begin(), near.begin() + kept, near.end());
     return std::any_of(near.begin(), near.begin() + kept, [&](const auto& one) {
-      return free_turning_path(from, poses_[one.second], problem_, room_).has_value();
+      // A way from a place to the end of a lane is one from there, turned about, to the place.
+      const Pose2& to = poses_[one.second];
+      return free_turning_path(from, to, problem_, room_) ||
+             free_turning_path(from, {to.position, to.heading_rad + pi}, problem_, room_);
     });
   }
   [[nodiscard]] bool none() const { return poses_.empty(); }
@@ -76,6 +84,24 @@ std::optional<Segment> trimmed(Segment lane, const CoverProblem& problem, const 
     }
   }
   return lane;
+}
+
+/// The lanes as chains of short pieces, between which others may come and go.
+std::vector<Stroke> dotted(const std::vector<Segment>& lanes, double turning_radius_m) {
+  double length = 0.0;
+  for (const Segment& lane : lanes) length += distance(lane.a, lane.b);
+  const double step = std::max(dot_part * turning_radius_m, length / most_dots);
+  std::vector<Stroke> strokes;
+  for (const Segment& lane : lanes) {
+    const int count = std::max(1, static_cast<int>(distance(lane.a, lane.b) / step));
+    Stroke stroke{{}, PieceRole::lane, false};
+    for (int i = 0; i < count; ++i) {
+      const auto at = [&](int k) { return lane.a + (static_cast<double>(k) / count) * (lane.b - lane.a); };
+      stroke.pieces.push_back({at(i), at(i + 1), {}, 0.0});
+    }
+    strokes.push_back(std::move(stroke));
+  }
+  return strokes;
 }
 
 /// Collects strokes and what they surely cover of a field.
@@ -116,38 +142,30 @@ class Collection {
   Region rest_;
 };
 
-void add_lanes(Collection& all, const Region& core, const CoverProblem& problem,
-               const std::vector<double>& headings, const Exits& exits, bool whole,
-               const std::stop_token& stop) {
-  for (const auto& choice : cells_of(core, problem, headings, stop)) {
-    for (const Segment& lane : choice.front().lanes) {
-      const auto kept = trimmed(lane, problem, exits, 0.1 * problem.stride_m());
-      if (!kept) continue;
-      if (whole) {
-        all.add({{{kept->a, kept->b, {}, 0.0}}, PieceRole::lane, false});
-      } else {
-        all.add_if_worth(*kept, PieceRole::lane);
-      }
-    }
-  }
-}
-
-/// The straight sides of the exact laps, where the rounded ones left enough of them.
-Status add_sides(Collection& all, const CoverProblem& problem, const CoverField& field, double arc_m,
-                 int laps, const Exits& exits) {
+/// The straight sides of the exact laps, which rounded ones may leave.
+Outcome<std::vector<Segment>> sides_of(const CoverProblem& problem, const CoverField& field, double arc_m,
+                                       int laps) {
+  std::vector<Segment> sides;
   for (int k = 0; k < laps; ++k) {
-    auto ground = PolygonGround::of(field.ground->boundary, field.ground->obstacles,
-                                    problem.radius_m() + k * problem.stride_m());
+    const double depth = problem.radius_m() + k * problem.stride_m();
+    if (depth > most_polygon_radius_m) break;
+    auto ground = PolygonGround::of(field.ground->boundary, field.ground->obstacles, depth);
     if (!ground) return pass_on(ground);
     for (const Lap& lap : laps_within(*ground, field.standing, arc_m)) {
       for (const PathPiece& piece : lap) {
-        if (piece.turn_rad != 0.0) continue;
-        const auto kept = trimmed({piece.from, piece.to}, problem, exits, problem.stride_m());
-        if (kept) all.add_if_worth(*kept, PieceRole::lane);
+        if (piece.turn_rad == 0.0 && length_of(piece) >= problem.stride_m())
+          sides.push_back({piece.from, piece.to});
       }
     }
   }
-  return {};
+  return sides;
+}
+
+std::vector<Segment> lanes_of(const CellChoices& cells) {
+  std::vector<Segment> lanes;
+  for (const auto& choice : cells)
+    lanes.insert(lanes.end(), choice.front().lanes.begin(), choice.front().lanes.end());
+  return lanes;
 }
 
 }  // namespace
@@ -200,19 +218,38 @@ Outcome<std::vector<Stroke>> turning_strokes(const CoverProblem& problem, const 
     if (strokes->empty()) break;
     for (Stroke& stroke : *strokes) all.add(std::move(stroke));
   }
-  const Exits exits(all.strokes, problem, room, stop);
   const Strides strides(problem);
   std::vector<double> headings = sweep_headings(field, directions);
+  const auto lanes = [&](const Region& region) {
+    return lanes_of(cells_of(region, problem, headings, stop));
+  };
+  const Region inside = core_of(problem, field, problem.sure_radius_m() - 2.0 * strides.slack_m);
+  auto sides = sides_of(problem, field, arc_m, std::max(1, std::min(laps, made + 1)));
+  if (!sides) return pass_on(sides);
+  std::vector<Stroke> chains = all.strokes;
+  if (chains.empty()) {  // too narrow for any lap: lanes lead to lanes
+    std::vector<Segment> segments = lanes(inside);
+    segments.insert(segments.end(), sides->begin(), sides->end());
+    chains = dotted(segments, problem.turning_radius_m);
+  }
+  const Exits exits(chains, problem, room, stop);
   if (laps != all_laps) {
     const double depth = (laps - 1) * problem.stride_m() + 0.5 * strides.slab_m;
-    add_lanes(all, core_of(problem, field, depth), problem, headings, exits, true, stop);
+    for (const Segment& lane : lanes(core_of(problem, field, depth))) {
+      const auto kept = trimmed(lane, problem, exits, least_lane * problem.stride_m());
+      if (kept) all.add({{{kept->a, kept->b, {}, 0.0}}, PieceRole::lane, false});
+    }
   }
-  if (auto good = add_sides(all, problem, field, arc_m, std::max(1, std::min(laps, made + 1)), exits); !good)
-    return pass_on(good);
-  const Region inside = core_of(problem, field, problem.sure_radius_m() - 2.0 * strides.slack_m);
+  const auto add_rest = [&](const std::vector<Segment>& segments) {
+    for (const Segment& one : segments) {
+      const auto kept = trimmed(one, problem, exits, least_lane * problem.stride_m());
+      if (kept) all.add_if_worth(*kept, PieceRole::lane);
+    }
+  };
+  add_rest(*sides);
   const std::size_t along = headings.size();
   for (std::size_t i = 0; i < along; ++i) headings.push_back(headings[i] + 0.25 * pi);
-  add_lanes(all, common(inside, all.rest()), problem, headings, exits, false, stop);
+  add_rest(lanes(common(inside, all.rest())));
   if (stop.stop_requested()) return fault(FaultCode::cancelled, "it was cancelled while it planned lanes");
   return std::move(all.strokes);
 }
