@@ -14,6 +14,7 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 constexpr double measured_to = 1e-3;  // of the area, by chords and rounding
+constexpr double chords_only = 1e-4;  // of it, where a track may leave something out
 constexpr double proof_arc_step_rad = radians(2.0);
 constexpr double same_heading_rad = 1e-6;
 constexpr double least_missed = 1e-5;  // of the reach, worth a row
@@ -138,9 +139,9 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   double inner_m2 = 0.0, inner_covered_m2 = 0.0;
   for (const CoverField& field : plan.ground.fields) {
     const FieldProof one = measured(field, problem, proof.planned.covered, surely.covered, plan.ground.arc_m);
+    const double slack = problem.curves() ? chords_only : measured_to;
     const bool complete =
-        one.inner_fraction >=
-        1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - measured_to;
+        one.inner_fraction >= 1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - slack;
     if (!complete && problem.curves()) {
       proof.complete = false;
       proof.missed =
