@@ -59,15 +59,14 @@ Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
   return {};
 }
 
-/// Returns the parts of the region, the largest first, without those that are only chords and rounding.
+/// Returns the parts of the region, the largest first, without those that are only chords and rounding; at
+/// least the largest.
 std::vector<MissedPlace> places_of(const Region& missed, double reach_m2) {
   std::vector<MissedPlace> places;
-  for (const RingedPolygon& part : missed) {
-    const double area_m2 = area_of(part);
-    if (area_m2 >= least_missed * reach_m2) places.push_back({middle_of(part), area_m2});
-  }
+  for (const RingedPolygon& part : missed) places.push_back({middle_of(part), area_of(part)});
   std::stable_sort(places.begin(), places.end(),
                    [](const MissedPlace& a, const MissedPlace& b) { return a.area_m2 > b.area_m2; });
+  while (places.size() > 1 && places.back().area_m2 < least_missed * reach_m2) places.pop_back();
   return places;
 }
 
