@@ -174,8 +174,14 @@ void add_cover_suite(Command& bench) {
       bench.add("cover", "coverage of areas of twelve kinds: proofs, and lengths against bounds");
   auto asked = std::make_shared<Asked<bench::CoverRequest>>();
   add_seeds(cover, asked->request.each, "areas of each kind [5]");
+  cover
+      .option("--turning-radius", &asked->request.turning_radius_m,
+              "of the robot; 0: it turns in place [0]; areas that lie apart are left out with one")
+      .between(0.0, 100.0)
+      .type("m");
+  cover.flag("--reverse", &asked->request.reverse, "the robot with a turning radius may drive backwards");
   finish(cover, "bench cover", bench::measure_cover, asked);
-  cover.footer("\nExample: outrider bench cover --seeds 1");
+  cover.footer("\nExample: outrider bench cover --seeds 1 --turning-radius 1");
 }
 
 }  // namespace

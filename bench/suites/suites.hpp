@@ -95,7 +95,9 @@ Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObser
 
 /// Requests a benchmark of coverage plans: areas of twelve kinds, drawn at random, each covered and proven.
 struct CoverRequest {
-  std::int64_t each = 5;  ///< areas of each kind
+  std::int64_t each = 5;          ///< areas of each kind
+  double turning_radius_m = 0.0;  ///< of the robot; with one, areas apart are left out
+  bool reverse = false;           ///< it may drive backwards
 };
 Outcome<BenchResult> measure_cover(const CoverRequest& request, const BenchObserver& observer);
 

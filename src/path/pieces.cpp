@@ -9,9 +9,10 @@ namespace outrider {
 namespace {
 
 double heading_at(const PathPiece& piece, Vec2 p) {
-  if (piece.turn_rad == 0.0) return heading_of(piece.to - piece.from);
+  const double looks = piece.backward ? -1.0 : 1.0;
+  if (piece.turn_rad == 0.0) return heading_of(looks * (piece.to - piece.from));
   const Vec2 aside = perpendicular(p - piece.centre);
-  return heading_of(piece.turn_rad > 0.0 ? aside : -aside);
+  return heading_of((piece.turn_rad > 0.0 ? looks : -looks) * aside);
 }
 
 }  // namespace
@@ -19,7 +20,9 @@ double heading_at(const PathPiece& piece, Vec2 p) {
 double heading_in(const PathPiece& piece) { return heading_at(piece, piece.from); }
 double heading_out(const PathPiece& piece) { return heading_at(piece, piece.to); }
 
-PathPiece reversed(const PathPiece& piece) { return {piece.to, piece.from, piece.centre, -piece.turn_rad}; }
+PathPiece reversed(const PathPiece& piece) {
+  return {piece.to, piece.from, piece.centre, -piece.turn_rad, piece.backward};
+}
 
 Limits limits_on(const PathPiece& piece, const Pace& pace) {
   Limits limits = pace.straight();

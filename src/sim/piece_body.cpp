@@ -145,12 +145,16 @@ class Recorder {
   Pose2 pose_;
 };
 
+/// The heading of a robot that drives from a to b.
+double looks_along(Vec2 a, Vec2 b, bool backward) { return heading_of(backward ? a - b : b - a); }
+
 /// Of a curve through the points that begins and ends in these headings: between two legs the mean of theirs.
-std::vector<double> headings_along(const std::vector<Vec2>& points, double begin_rad, double end_rad) {
+std::vector<double> headings_along(const std::vector<Vec2>& points, double begin_rad, double end_rad,
+                                   bool backward) {
   std::vector<double> headings{begin_rad};
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double before = heading_of(points[i] - points[i - 1]);
-    const double after = heading_of(points[i + 1] - points[i]);
+    const double before = looks_along(points[i - 1], points[i], backward);
+    const double after = looks_along(points[i], points[i + 1], backward);
     const double mean = before + 0.5 * wrap_angle(after - before);
     headings.push_back(headings.back() + wrap_angle(mean - headings.back()));
   }
@@ -201,15 +205,18 @@ void PieceBody::follow(const FollowPiece& command) {
   const bool moves = length > 0.0;
   // The tangent at an end of an arc is half a step away from its first chord.
   const double half_rad = 0.5 * piece.turn_rad / static_cast<double>(points.size() - 1);
-  const double begin = moves ? heading_of(points[1] - points[0]) - half_rad : heading_rad_;
-  const double end = moves ? heading_of(points.back() - points[points.size() - 2]) + half_rad : heading_rad_;
+  const bool backward = piece.backward;
+  const double begin = moves ? looks_along(points[0], points[1], backward) - half_rad : heading_rad_;
+  const double end =
+      moves ? looks_along(points[points.size() - 2], points.back(), backward) + half_rad : heading_rad_;
   const double turn = wrap_angle(begin - heading_rad_), turning_s = duration(std::abs(turn), now.turning());
   const double begin_s = drive_.time_s, moving_s = begin_s + turning_s + command.pause_s;
   drive_.time_s = moving_s + duration(length, limits_on(piece, now));
   Recorder recorder(drive_);
   recorder.turn(begin_s, turn, now.turning());
   recorder.stand_until(moving_s);
-  recorder.drive(moving_s, drive_.time_s, points, headings_along(points, begin, end), limits_on(piece, now));
+  recorder.drive(moving_s, drive_.time_s, points, headings_along(points, begin, end, backward),
+                 limits_on(piece, now));
   drive_.ends_s.push_back(drive_.time_s);
   drive_.turned_rad += std::abs(turn) + std::abs(piece.turn_rad);
   drive_.length_m += length;

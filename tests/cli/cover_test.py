@@ -170,6 +170,34 @@ class Cover(ToolTest):
         self.assertEqual((answer["job"], answer["log"]), ("cover", "out/run.mcap"))
         self.assertGreater(answer["covered_fraction"], 0.995)
 
+    def test_a_turning_radius(self):
+        self.write("meadow.txt", "(0,0) (30,0) (30,18) (0,18)\n---\n")
+        steers = ("meadow.txt", "--width", "2", "--turning-radius", "2", "--headland", "2")
+        result = self.run_tool("cover", *steers, "--out", "out", "--json")
+        self.assertEqual(result.returncode, 1, result.stderr)
+        answer = flat(self.json_of(result))
+        self.assertEqual((answer["status"], answer["stops"]), ("not_done", 0))
+        self.assertIn("4 places", answer["reason"])
+        left = [row["area_m2"] for row in self.result_of("out")["missed"]]
+        for area_m2 in left:
+            self.assertAlmostEqual(area_m2, (1 - math.pi / 4) * (3 ** 2 - 1), delta=0.02)
+        self.assertAlmostEqual(sum(left), answer["planned_missed_m2"], delta=0.01 * sum(left))
+        for piece in json.loads((self.folder / "out/track.json").read_text())["pieces"]:
+            self.assertNotIn("backward", piece)
+            if "turn_rad" in piece:
+                self.assertGreaterEqual(math.dist(piece["centre"], piece["from"]), 2 - 1e-8)
+        accepted = self.run_tool("cover", *steers, "--uncovered", "0.02", "--json")
+        self.assertEqual((accepted.returncode, self.json_of(accepted)["status"]), (0, "done"))
+        self.cover(*steers, "--reverse", "--out", "both")
+        pieces = json.loads((self.folder / "both/track.json").read_text())["pieces"]
+        self.assertTrue(any(piece.get("backward") for piece in pieces))
+        self.assertIn("not done", self.run_tool("cover", *steers).stdout)
+        for radius in ("-1", "nan", "x", "5000"):
+            self.refused("cover", "meadow.txt", "--turning-radius", radius, says=["turning-radius", radius])
+        self.refused("cover", "meadow.txt", "--width", "2", "--turning-radius", "500", says=["turning_radius", "500 m", "smaller"])
+        self.refused("cover", "meadow.txt", "--reverse", says=["reverse", "turning radius"])
+        self.refused("cover", "meadow.txt", "--headland", "2", says=["headland", "turning radius"])
+
     def test_people_get_a_summary(self):
         result = self.run_tool("cover", "room.txt")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

@@ -8,11 +8,11 @@
 
 namespace outrider {
 
-/// Return the heading at the beginning and at the end of a piece, rad.
+/// Return the heading of the robot at the beginning and at the end of a piece, rad.
 double heading_in(const PathPiece& piece);
 double heading_out(const PathPiece& piece);
 
-/// Returns the piece in the opposite direction.
+/// Returns the piece in the opposite direction; a piece that is driven in reverse stays one.
 PathPiece reversed(const PathPiece& piece);
 
 /// Returns the limits of speed and acceleration along the piece. On an arc the turn rate of the robot limits

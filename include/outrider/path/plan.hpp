@@ -23,6 +23,7 @@ struct PathPiece {
   Vec2 to;
   Vec2 centre;            ///< centre of the arc; unused for a leg
   double turn_rad = 0.0;  ///< angle of the arc, counter-clockwise positive; 0 for a leg
+  bool backward = false;  ///< the robot drives it in reverse, so it looks against the direction of travel
   friend bool operator==(const PathPiece&, const PathPiece&) = default;
 };
 

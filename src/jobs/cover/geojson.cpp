@@ -106,6 +106,7 @@ std::string track_json(const CoverRun& run, const AreaFrame& frame) {
                 {"to", {piece.to.x, piece.to.y}}};
     if (piece.turn_rad != 0.0) one["centre"] = {piece.centre.x, piece.centre.y};
     if (piece.turn_rad != 0.0) one["turn_rad"] = piece.turn_rad;
+    if (piece.backward) one["backward"] = true;
     pieces.push_back(std::move(one));
   }
   auto driven = Json::array();

@@ -2,7 +2,9 @@
 #include <cmath>
 
 #include "coverage_units.hpp"
+#include "field_work.hpp"
 #include "outrider/core/units.hpp"
+#include "turning_plan.hpp"
 
 namespace outrider {
 namespace {
@@ -11,136 +13,6 @@ using namespace cover;
 
 constexpr std::size_t most_stops = 240;  // of the tour, where there are fewer units than that
 constexpr std::size_t most_proven = 40;  // units whose order is proven; sweeps take no more goals
-constexpr double slack_part = 1e-3;      // of the stride: more than all rounding and chords
-
-/// The widest slab, a little less than a stride, and how much farther than half of it the core keeps from the
-/// border of the standing room, so that lanes are free in spite of rounding.
-struct Strides {
-  double slab_m;
-  double slack_m;
-  explicit Strides(const CoverProblem& problem)
-      : slab_m((1.0 - 4.0 * slack_part) * problem.stride_m()), slack_m(slack_part * problem.stride_m()) {}
-};
-
-/// The points of the standing room whose distance from a lap along its border is at least `depth_m`.
-Region core_of(const CoverProblem& problem, const CoverField& field, double depth_m) {
-  const Strides strides(problem);
-  const Region deep =
-      shrunk(field.area, problem.radius_m() + depth_m + strides.slack_m, 0.25 * strides.slack_m);
-  Region core;
-  for (const RingedPolygon& polygon : deep) {
-    if (contains(field.standing, polygon.outer.front())) core.push_back(polygon);
-  }
-  return core;
-}
-
-/// Laps of a ground that belong to the part where the robot starts.
-std::vector<Lap> laps_within(const PolygonGround& ground, const Region& standing, double arc_m) {
-  std::vector<Lap> laps = laps_of(ground);
-  std::erase_if(laps, [&](const Lap& lap) {
-    const Vec2 p = lap.front().from;
-    return std::none_of(standing.begin(), standing.end(), [&](const RingedPolygon& part) {
-      return contains(part, p) || distance_to_border(part, p) <= 2.0 * arc_m;
-    });
-  });
-  return laps;
-}
-
-/// Headings of the longest edges of the field, and across them, each once.
-std::vector<double> sweep_headings(const CoverField& field, std::int64_t count) {
-  std::vector<std::pair<double, double>> edges;  // minus the length, heading in [0, pi/2)
-  const auto add_edges = [&](const std::vector<Vec2>& polygon) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const Vec2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
-      const double heading = std::fmod(heading_of(edge) + 2.0 * pi, 0.5 * pi);
-      edges.emplace_back(-norm(edge), heading);
-    }
-  };
-  add_edges(field.ground->boundary);
-  for (const auto& obstacle : field.ground->obstacles) add_edges(obstacle);
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<double> headings;
-  for (const auto& [length, heading] : edges) {
-    if (static_cast<std::int64_t>(headings.size()) >= count) break;
-    const bool known = std::any_of(headings.begin(), headings.end(), [&, h = heading](double other) {
-      return std::abs(std::remainder(h - other, 0.5 * pi)) < radians(2.0);
-    });
-    if (known) continue;
-    headings.push_back(heading);
-    headings.push_back(heading + 0.5 * pi);
-  }
-  return headings;
-}
-
-/// Time of getting from one lane to the next.
-double change_time_s(const CoverProblem& problem) {
-  return 2.0 * (duration(0.5 * pi, problem.pace.turning()) + problem.pace.pause_s) +
-         duration(problem.stride_m(), problem.pace.straight());
-}
-
-/// Time of the lanes and of getting from one to the next.
-double sweep_time_s(const std::vector<SweepCell>& cells, const CoverProblem& problem) {
-  const double change = change_time_s(problem);
-  double time = 0.0;
-  for (const SweepCell& cell : cells) {
-    for (const Segment& lane : cell.lanes) {
-      time += change + duration(distance(lane.a, lane.b), problem.pace.straight());
-    }
-  }
-  return time;
-}
-
-/// Cells of each connected part of the region in the heading that takes the least time, and for each cell
-/// other headings of its own that cover it in one back-and-forth, best first. Fewer once the token is raised.
-using CellChoices = std::vector<std::vector<SweepCell>>;
-
-CellChoices cells_of(const Region& core, const CoverProblem& problem, const std::vector<double>& headings,
-                     const std::stop_token& stop) {
-  const Strides strides(problem);
-  const double change_m = problem.pace.speed_mps * change_time_s(problem);
-  const auto cut = [&](const Region& region, double heading) {
-    return sweep_cells(region, heading, strides.slab_m, strides.slack_m, change_m);
-  };
-  std::vector<SweepCell> best;
-  for (const RingedPolygon& part : core) {
-    std::vector<SweepCell> least;
-    for (const double heading : headings) {
-      if (stop.stop_requested()) return {};
-      auto cells = cut({part}, heading);
-      if (least.empty() || sweep_time_s(cells, problem) < sweep_time_s(least, problem))
-        least = std::move(cells);
-    }
-    std::move(least.begin(), least.end(), std::back_inserter(best));
-  }
-  CellChoices choices;
-  for (const SweepCell& cell : best) {
-    std::vector<SweepCell> choice{cell};
-    for (const double heading : headings) {
-      if (stop.stop_requested()) return choices;
-      auto other = cut(cell.area, heading);
-      if (other.size() == 1) choice.push_back(std::move(other.front()));
-    }
-    std::stable_sort(choice.begin(), choice.end(), [&](const SweepCell& a, const SweepCell& b) {
-      return sweep_time_s({a}, problem) < sweep_time_s({b}, problem);
-    });
-    choices.push_back(std::move(choice));
-  }
-  return choices;
-}
-
-/// Removes the smallest cells, as long as their area together is at most `most_m2`. Returns that area, m2.
-double leave_uncovered(CellChoices& cells, double most_m2) {
-  std::stable_sort(cells.begin(), cells.end(), [](const auto& a, const auto& b) {
-    return area_of(a.front().area) > area_of(b.front().area);
-  });
-  double removed = 0.0;
-  while (!cells.empty() && removed + area_of(cells.back().front().area) <= most_m2) {
-    removed += area_of(cells.back().front().area);
-    cells.pop_back();
-  }
-  return removed;
-}
 
 /// The laps and the cells of a field.
 struct FieldWork {
@@ -205,16 +77,20 @@ FieldWork sweep(const CoverField& field, double arc_m, const CoverProblem& probl
           cells_of(core, problem, sweep_headings(field, options.directions), stop)};
 }
 
+Outcome<CoverPlan> named(Outcome<CoverPlan> plan, const char* method) {
+  if (plan) plan->method = method;
+  return plan;
+}
+
 Outcome<CoverPlan> boustrophedon(const CoverProblem& problem, const CoverOptions& options,
                                  const Budget& budget) {
+  if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::lanes);
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
   for (const CoverField& field : ground->fields)
     works.push_back(sweep(field, ground->arc_m, problem, options, budget.stop));
-  auto plan = assembled(std::move(*ground), std::move(works), problem, options, budget);
-  if (plan) plan->method = "boustrophedon";
-  return plan;
+  return named(assembled(std::move(*ground), std::move(works), problem, options, budget), "boustrophedon");
 }
 
 /// Laps along the border and inwards, each a stride from the one before.
@@ -248,6 +124,7 @@ Outcome<FieldWork> laps_inwards(const CoverField& field, double arc_m, const Cov
 }
 
 Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::laps);
   auto ground = cover_ground(problem);
   if (!ground) return pass_on(ground);
   std::vector<FieldWork> works;
@@ -256,12 +133,11 @@ Outcome<CoverPlan> spiral(const CoverProblem& problem, const CoverOptions& optio
     if (!work) return pass_on(work);
     works.push_back(std::move(*work));
   }
-  auto plan = assembled(std::move(*ground), std::move(works), problem, options, budget);
-  if (plan) plan->method = "spiral";
-  return plan;
+  return named(assembled(std::move(*ground), std::move(works), problem, options, budget), "spiral");
 }
 
 Outcome<CoverPlan> quickest(const CoverProblem& problem, const CoverOptions& options, const Budget& budget) {
+  if (problem.curves()) return turning_plan(problem, options, budget, TurningMethod::both);
   auto best = boustrophedon(problem, options, budget);
   if (!best) return best;
   auto other = spiral(problem, options, budget);

@@ -60,6 +60,35 @@ Status check_tracking_error(const CoverProblem& problem) {
       "tracking_error");
 }
 
+Status check_turning(const CoverProblem& problem) {
+  const double radius_m = problem.turning_radius_m;
+  if (!(radius_m == 0.0 || (radius_m >= least_polygon_radius_m && radius_m <= most_polygon_radius_m))) {
+    return bad_input(
+        fmt::format("a turning radius of {:g} m is none; give {:g} to {:g} m, or 0 for a robot that "
+                    "turns in place",
+                    radius_m, least_polygon_radius_m, most_polygon_radius_m),
+        "turning_radius");
+  }
+  if (!(problem.headland >= 0 && problem.headland <= most_headland)) {
+    return bad_input(
+        fmt::format("a headland of {} laps is none; give 1 to {}, or 0 for as many as turns need",
+                    problem.headland, most_headland),
+        "headland");
+  }
+  if (!problem.curves() && (problem.reverse || problem.headland > 0)) {
+    return bad_input(fmt::format("'{}' is for a robot with a turning radius; give one, or leave it out",
+                                 problem.reverse ? "reverse" : "headland"),
+                     problem.reverse ? "reverse" : "headland");
+  }
+  if (problem.curves() && problem.transfers) {
+    return bad_input(
+        "transfers between areas are planned for robots that turn in place only; leave out the turning "
+        "radius, or cover one area at a time",
+        "transfers");
+  }
+  return {};
+}
+
 Status check_numbers(const CoverProblem& problem) {
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   if (!within(problem.width_m, 2.0 * least_polygon_radius_m, 2.0 * most_polygon_radius_m)) {
@@ -78,6 +107,7 @@ Status check_numbers(const CoverProblem& problem) {
         "uncovered");
   }
   if (auto good = check_tracking_error(problem); !good) return good;
+  if (auto good = check_turning(problem); !good) return good;
   return check(problem.pace);
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "outrider/core/units.hpp"
@@ -13,7 +14,10 @@ namespace {
 
 constexpr double slack_m = 2.0 * contact_m;
 constexpr double measured_to = 1e-3;  // of the area, by chords and rounding
+constexpr double chords_only = 1e-4;  // of it, where a track may leave something out
 constexpr double proof_arc_step_rad = radians(2.0);
+constexpr double same_heading_rad = 1e-6;
+constexpr double least_missed = 1e-5;  // of the reach, worth a row
 
 tl::unexpected<Fault> refused(std::string sentence) { return bad_input(std::move(sentence), "track"); }
 
@@ -31,6 +35,39 @@ Status check_joints(const CoverTrack& track) {
     at = piece.to;
   }
   return {};
+}
+
+/// Checks that a robot with the turning radius can drive the track: no turn in place, no curve that is
+/// tighter, and backwards only where it may.
+Status check_curvature(const CoverTrack& track, const CoverProblem& problem) {
+  double heading = track.start.heading_rad;
+  for (std::size_t i = 0; i < track.pieces.size(); ++i) {
+    const PathPiece& piece = track.pieces[i];
+    const double turn = std::abs(wrap_angle(heading_in(piece) - heading));
+    if (!(turn <= same_heading_rad)) {
+      return refused(
+          fmt::format("the robot would have to turn by {} rad on the spot before piece {}", turn, i));
+    }
+    if (piece.backward && !problem.reverse) return refused(fmt::format("piece {} is driven backwards", i));
+    const double radius = distance(piece.centre, piece.from);
+    if (piece.turn_rad != 0.0 && !(radius >= problem.turning_radius_m - slack_m)) {
+      return refused(fmt::format("piece {} has a radius of {} m, below the {} m that the robot can drive", i,
+                                 radius, problem.turning_radius_m));
+    }
+    heading = heading_out(piece);
+  }
+  return {};
+}
+
+/// Returns the parts of the region, the largest first, without those that are only chords and rounding; at
+/// least the largest.
+std::vector<MissedPlace> places_of(const Region& missed, double reach_m2) {
+  std::vector<MissedPlace> places;
+  for (const RingedPolygon& part : missed) places.push_back({middle_of(part), area_of(part)});
+  std::stable_sort(places.begin(), places.end(),
+                   [](const MissedPlace& a, const MissedPlace& b) { return a.area_m2 > b.area_m2; });
+  while (places.size() > 1 && places.back().area_m2 < least_missed * reach_m2) places.pop_back();
+  return places;
 }
 
 /// Returns the smallest distance of the track from an edge of the field that each piece is in, and of
@@ -56,12 +93,16 @@ double clearance_of(const CoverPlan& plan) {
   return least;
 }
 
+/// Returns all within the sure radius of the standing room of the field.
+Region inner_of(const CoverField& field, const CoverProblem& problem, double arc_m) {
+  if (!(problem.tracking_error_m > 0.0)) return field.reach;
+  return common(grown(field.standing, problem.sure_radius_m(), arc_m), field.area);
+}
+
 /// Measures what of a field the regions cover.
 FieldProof measured(const CoverField& field, const CoverProblem& problem, const Region& planned,
                     const Region& surely, double arc_m) {
-  const double sure = problem.sure_radius_m();
-  const Region inner =
-      problem.tracking_error_m > 0.0 ? common(grown(field.standing, sure, arc_m), field.area) : field.reach;
+  const Region inner = inner_of(field, problem, arc_m);
   const auto fraction = [](const Region& covered, const Region& of) {
     const double all_m2 = area_of(of);
     return all_m2 > 0.0 ? area_of(common(covered, of)) / all_m2 : 1.0;
@@ -74,6 +115,8 @@ FieldProof measured(const CoverField& field, const CoverProblem& problem, const 
 
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget) {
   if (auto good = check_joints(plan.track); !good) return pass_on(good);
+  if (auto good = problem.curves() ? check_curvature(plan.track, problem) : Status{}; !good)
+    return pass_on(good);
   CoverProof proof;
   proof.clearance_m = clearance_of(plan);
   if (!(proof.clearance_m >= problem.radius_m() - slack_m)) {
@@ -95,8 +138,14 @@ Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, co
   double inner_m2 = 0.0, inner_covered_m2 = 0.0;
   for (const CoverField& field : plan.ground.fields) {
     const FieldProof one = measured(field, problem, proof.planned.covered, surely.covered, plan.ground.arc_m);
-    if (!(one.inner_fraction >=
-          1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - measured_to)) {
+    const double slack = problem.curves() ? chords_only : measured_to;
+    const bool complete =
+        one.inner_fraction >= 1.0 - problem.uncovered * one.reach_m2 / std::max(one.inner_m2, 1e-12) - slack;
+    if (!complete && problem.curves()) {
+      proof.complete = false;
+      proof.missed =
+          places_of(without(inner_of(field, problem, plan.ground.arc_m), surely.covered), one.reach_m2);
+    } else if (!complete) {
       return refused(
           fmt::format("it surely covers only {:.5f} of what the robot can reach", one.inner_fraction));
     }

@@ -101,6 +101,18 @@ double area_of(const Region& region) {
   return area;
 }
 
+Vec2 middle_of(const RingedPolygon& polygon) {
+  const Vec2 origin = polygon.outer.front();
+  Vec2 sum;
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
+    const Vec2 a = polygon.outer[i] - origin, b = polygon.outer[(i + 1) % polygon.outer.size()] - origin;
+    sum = sum + (cross(a, b) / 3.0) * (a + b);
+    doubled += cross(a, b);
+  }
+  return doubled != 0.0 ? origin + (1.0 / doubled) * sum : origin;
+}
+
 Box2 bounds_of(const Region& region) {
   Box2 box;
   for (const RingedPolygon& polygon : region) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "outrider/core/units.hpp"
@@ -82,6 +83,30 @@ Table areas_table(const CoverProof& proof) {
                           field.inner_fraction});
   }
   return table;
+}
+
+/// One row for each place that is left out.
+Table missed_table(const CoverProof& proof) {
+  Table table{"missed", {"x", "y", "area_m2"}, {}};
+  for (const MissedPlace& place : proof.missed) table.rows.push_back({place.at.x, place.at.y, place.area_m2});
+  return table;
+}
+
+/// Why a track that leaves something out is not done.
+std::string shortfall(const CoverProblem& problem, const CoverProof& proof) {
+  double missed_m2 = 0.0;
+  for (const MissedPlace& place : proof.missed) missed_m2 += place.area_m2;
+  const MissedPlace& largest = proof.missed.front();
+  const FieldProof& field = proof.fields.front();
+  return fmt::format(
+      "{:.3f} % of the reach is surely covered; {} with {:.4g} m2 left, the largest {:.4g} m2 about ({:.6g}, "
+      "{:.6g}); "
+      "the robot with a turning radius of {:g} m {}; {}an 'uncovered' of {:.4f} accepts it",
+      100.0 * proof.sure_fraction, counted(proof.missed.size(), "place"), missed_m2, largest.area_m2,
+      largest.at.x, largest.at.y, problem.turning_radius_m,
+      problem.reverse ? "found no way to cover more" : "and without reverse found no way to cover more",
+      problem.reverse ? "" : "'reverse' may cover it, ",
+      std::ceil(1e4 * (1.0 - field.inner_fraction) * field.inner_m2 / field.reach_m2) * 1e-4);
 }
 
 std::vector<std::pair<std::string, double>> metrics_of(const CoverProblem& problem, const CoverRun& run) {
@@ -203,6 +228,11 @@ Report cover_report(const CoverProblem& problem, const CoverRun& run, const std:
   report.world_name = name;
   report.metrics = metrics_of(problem, run);
   if (run.proof.fields.size() > 1) report.tables.push_back(areas_table(run.proof));
+  if (!run.proof.complete) {
+    report.status = "not_done";
+    report.reason = shortfall(problem, run.proof);
+    report.tables.push_back(missed_table(run.proof));
+  }
   return report;
 }
 

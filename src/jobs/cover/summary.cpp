@@ -41,8 +41,10 @@ std::string cover_summary(const Report& report) {
   text += fmt::format(
       "  surely    {:.3f} % of the reach and {:.3f} % of it off the rim, with a tracking error of {:g} m\n",
       100.0 * value("sure_fraction"), 100.0 * value("sure_inner_fraction"), value("tracking_error_limit_m"));
-  return text + fmt::format("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(value("time_s")),
-                            setting(report, "seed"), 100.0 * value("covered_fraction"));
+  text += fmt::format("  driven    {} with seed {}, {:.3f} % covered\n", duration_text(value("time_s")),
+                      setting(report, "seed"), 100.0 * value("covered_fraction"));
+  if (report.status == "not_done") text += fmt::format("  not done  {}\n", report.reason);
+  return text;
 }
 
 }  // namespace outrider

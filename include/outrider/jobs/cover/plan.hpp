@@ -82,6 +82,12 @@ struct FieldProof {
   double inner_fraction = 0.0;    ///< as below
 };
 
+/// A place that no disk on the track covers.
+struct MissedPlace {
+  Vec2 at;  ///< a point in the middle of it
+  double area_m2 = 0.0;
+};
+
 /// The guaranteed coverage of a track, computed from the track and the area alone.
 struct CoverProof {
   Coverage planned;             ///< coverage of the reach by the disk exactly on the track
@@ -90,12 +96,16 @@ struct CoverProof {
   double clearance_m = 0.0;  ///< exact smallest distance of the track from an edge; of transfers from a hole
   double length_bound_m = 0.0;  ///< no track that covers all is shorter (length_bound.hpp)
   std::vector<FieldProof> fields = {};
+  bool complete = true;                  ///< at most the fraction `uncovered` is left out; else see `missed`
+  std::vector<MissedPlace> missed = {};  ///< with a turning radius: what is left out, the largest first
 };
 
 /// Checks the track independently of the planner. Refuses a track whose pieces do not join, that comes nearer
 /// to an edge of its field than the radius (a transfer: to a hole), that begins outside or in a hole, or that
 /// covers, of any field, less than 1 - `uncovered` - 0.1 % of all points within the sure radius of the
-/// standing room.
+/// standing room. With a turning radius it refuses turns in place, curves that are tighter and pieces that
+/// are driven backwards without `reverse`; a track that covers less than 1 - `uncovered` - 0.01 % is not
+/// refused, but not complete.
 Outcome<CoverProof> prove(const CoverPlan& plan, const CoverProblem& problem, const Budget& budget = {});
 
 }  // namespace outrider

@@ -8,6 +8,9 @@
 // `transfers` says so: then over everything outside of the areas and over the areas, but never through a
 // hole, which stands for an obstacle. Within an area it stays inside. With transfers every part of the
 // standing room counts that such a drive comes to.
+//
+// A robot with a turning radius drives no curve that is tighter, and turns nowhere in place. Its reach is
+// that of a disk all the same: what its curves cannot cover counts as missed.
 #pragma once
 
 #include <memory>
@@ -21,6 +24,8 @@
 namespace outrider {
 
 inline constexpr double most_overlap = 0.9;  ///< of the width, that neighbouring strips may share
+
+inline constexpr std::int64_t most_headland = 1000;  ///< laps
 
 /// A polygon with holes.
 struct AreaOutline {
@@ -39,9 +44,14 @@ struct CoverProblem {
   double tracking_error_m = 0.0;  ///< largest distance of the robot from its track
   double uncovered =
       0.002;  ///< fraction of the reach that may stay uncovered where only a detour would cover it
+  double turning_radius_m = 0.0;  ///< least radius of a curve; 0: the robot turns in place
+  bool reverse = false;           ///< a robot with a turning radius may drive backwards
+  std::int64_t headland = 0;   ///< laps along every border, with a turning radius; 0: as many as turns need
   std::optional<Pose2> start;  ///< none: the robot starts where its track begins
   Pace pace;                   ///< speeds, accelerations and pauses
 
+  /// Returns true if the robot cannot turn in place.
+  [[nodiscard]] bool curves() const { return turning_radius_m > 0.0; }
   /// Radius of the robot.
   [[nodiscard]] double radius_m() const { return 0.5 * width_m; }
   /// Distance between neighbouring strips.

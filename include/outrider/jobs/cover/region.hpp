@@ -24,6 +24,9 @@ using Region = std::vector<RingedPolygon>;
 double area_of(const RingedPolygon& polygon);
 double area_of(const Region& region);
 
+/// Returns the centroid of the outer polygon; it may lie outside of a bent one.
+Vec2 middle_of(const RingedPolygon& polygon);
+
 /// Returns the smallest box that contains the region.
 Box2 bounds_of(const Region& region);
 
