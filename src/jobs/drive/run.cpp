@@ -256,6 +256,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   Report report;
   report.world_name = task.world.name;
   const std::string missed = recorder.missed();
+  const bool came_to_the_end = !mission.arrivals.empty() && status_of(mission.end) != "not_done";
   report.status = touched || !missed.empty() ? "not_done" : status_of(mission.end);
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
@@ -269,7 +270,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
                     {"ideal_s", ideal.time_s},
-                    {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
+                    {"time_s", came_to_the_end ? mission.arrivals.back().time_s : motion.time_s()},
                     {"clearance_m", recorder.clearance_m},
                     {"deviation_m", recorder.deviation_m},
                     {"belief_error_m", recorder.belief_error_m},
