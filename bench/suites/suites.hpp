@@ -85,9 +85,9 @@ struct ExploreRequest {
 };
 Outcome<BenchResult> measure_explore(const ExploreRequest& request, const BenchObserver& observer);
 
-/// Requests a benchmark of drives: each scenario is driven by each follower with one fault after another, over
-/// many seeds, with modelled images. A stop that is called reached and is off by more than its tolerance is
-/// wrong. The followers are compared on random courses, too.
+/// Requests a benchmark of drives: each scenario is driven by each follower with one fault after another,
+/// over many seeds, with modelled images. A stop that is called reached and is off by more than its tolerance
+/// is wrong. The followers are compared on random courses, too.
 struct DriveRequest {
   std::vector<std::string> scenarios = {"scenarios/waypoints/closed_loop.yaml"};
   std::vector<std::string> followers = {"pid", "pure_pursuit", "time_optimal"};
