@@ -164,7 +164,8 @@ void add_drive_suite(Command& bench) {
   auto asked = std::make_shared<Asked<bench::DriveRequest>>();
   bench::DriveRequest& request = asked->request;
   add_scenarios(drive, request.scenarios, "scenario files [scenarios/waypoints/closed_loop.yaml]");
-  add_seeds(drive, request.seeds, "runs with each fault, with seeds from 1 on [100]");
+  add_names(drive, "--followers", request.followers, "pid, pure_pursuit or time_optimal; all unless given");
+  add_seeds(drive, request.seeds, "runs of each follower with each fault, with seeds from 1 on [100]");
   finish(drive, "bench drive", bench::measure_drive, asked);
   drive.footer("\nExample: outrider bench drive --seeds 10");
 }

@@ -32,10 +32,8 @@ struct DetectCommand {
   ImageTopicsOptions topics;  ///< of a log instead of a photo
   double size_m = default_tag_size_m;
   std::string family = "tag36h11";
-  TagDetectorOptions detector;
+  TagDetectorOptions detector{.few = few_tags};
   PlanarPnpOptions pnp;
-
-  DetectCommand() { detector.few = few_tags; }
 };
 
 std::vector<OptionGroup> describe(DetectCommand& command) {

@@ -141,6 +141,8 @@ fs::path RunsFolder::place(const fs::path& served, const std::string& id) {
   return served / ".outrider/runs" / id;
 }
 
+Outcome<FileLock> RunsFolder::lock(const fs::path& run) { return FileLock::take((run / ".lock").string()); }
+
 std::vector<KeptRun> RunsFolder::find(const fs::path& served) {
   std::vector<KeptRun> found;
   const fs::path runs = served / ".outrider/runs";
@@ -151,8 +153,8 @@ std::vector<KeptRun> RunsFolder::find(const fs::path& served) {
        it.increment(error)) {
     const fs::path& folder = it->path();
     if (!is_id(folder.filename().string()) || !is_folder(folder)) continue;
-    const auto lock = FolderLock::take(folder);
-    if (!lock) continue;
+    const auto held = lock(folder);
+    if (held && !held->held()) continue;
     auto run = read_state(folder);
     if (!run) continue;
     if (run->state == "queued" || run->state == "running") cut_short(folder, *run);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fields.hpp"
+#include "outrider/io/file_lock.hpp"
 #include "temporary_folder.hpp"
 
 namespace outrider::server {
@@ -43,6 +44,10 @@ class RunsFolder {
   /// Returns the runs below DIR/.outrider/runs that no server carries out now, the oldest first. The state of
   /// one that was under way is `cut_short` then, in its file too.
   static std::vector<KeptRun> find(const std::filesystem::path& served);
+  /// Locks a run's folder against other servers, by a file in it. The mission itself locks the folder when it
+  /// renames its files, and would wait for ever for a server that held the same lock. The lock is empty if
+  /// another server carries the run out. Fault: cannot_write.
+  static Outcome<FileLock> lock(const std::filesystem::path& run);
 
   /// Returns the folder of a run.
   [[nodiscard]] static std::filesystem::path place(const std::filesystem::path& served,

@@ -16,12 +16,6 @@ namespace {
 constexpr std::size_t most_maps = 32;
 constexpr std::size_t most_map_bytes = std::size_t{64} << 20U;
 
-Json points_json(const std::vector<Vec2>& points) {
-  Json list = Json::array();
-  for (const Vec2 p : points) list.push_back({p.x, p.y});
-  return list;
-}
-
 Json polygons_json(const PolygonMap& map) {
   Json obstacles = Json::array(), queries = Json::array();
   for (const auto& corners : map.obstacles) obstacles.push_back(points_json(corners));
@@ -122,6 +116,12 @@ std::size_t memory_of(const KnownMap& map) {
 }
 
 }  // namespace
+
+Json points_json(const std::vector<Vec2>& points) {
+  Json list = Json::array();
+  for (const Vec2 p : points) list.push_back({p.x, p.y});
+  return list;
+}
 
 double usual_radius_m(MapKind kind) { return settle({}, kind, {}).radius_m; }
 

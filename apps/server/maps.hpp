@@ -33,6 +33,8 @@ struct KnownMap {
 
 /// Returns {"origin", "resolution_m", "width", "height", "runs": [value, count, ...], "yaw_rad"}.
 Json grid_json(const Grid<std::uint8_t>& cells, double yaw_rad);
+/// Returns [[x, y], ...].
+Json points_json(const std::vector<Vec2>& points);
 /// Returns {"id", "name", "radius_m", "warnings", "grid" or "polygons"}.
 Json map_json(const KnownMap& map);
 

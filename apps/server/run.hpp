@@ -38,7 +38,7 @@ struct Runs::Run {
   std::optional<std::size_t> newest_progress;  // its index in `messages`
   std::shared_ptr<GrowingLog> live_log;
   bool live_log_gone = false;
-  std::optional<FolderLock> lock;  // on `out`, until the run has ended
+  FileLock lock;  // of `out`, until the run has ended
 
   [[nodiscard]] bool ended() const { return state != "queued" && state != "running"; }
   [[nodiscard]] Json json() const {

@@ -163,7 +163,7 @@ Response Runs::start(const RunRequest& request) {
   run->asked = std::chrono::steady_clock::now();
   std::error_code error;
   fs::create_directories(run->out, error);
-  run->lock = FolderLock::take(run->out);
+  if (auto lock = RunsFolder::lock(run->out)) run->lock = std::move(*lock);
   keep(run, run->state);
   {
     const std::lock_guard lock(mutex_);
@@ -368,7 +368,7 @@ void Runs::end(const RunPtr& run, const std::string& state, Fault fault) {
   {
     const std::lock_guard lock(mutex_);
     run->state = state;
-    run->lock.reset();
+    run->lock = {};
     message = run->json();
   }
   message.erase("seq");

@@ -26,6 +26,7 @@ struct Scene {
   std::optional<MapShape> shape;
   std::optional<Vec2> start;
   std::vector<Vec2> targets;
+  std::vector<std::vector<Vec2>> other_boundaries = {};  ///< of further areas
 };
 
 MapCells coarser(const MapCells& map) {
@@ -75,10 +76,15 @@ Outcome<Scene> pursuit_scene(const std::string& file) {
 Outcome<Scene> area_scene(const std::string& file) {
   auto area = load_cover_area(file);
   if (!area) return pass_on(area);
-  const AreaPolygon& polygon = area->polygons.front();  // a picture has one outline
-  PolygonMap map{polygon.boundary.corners, {}, {}};
-  for (const AreaRing& hole : polygon.holes) map.obstacles.push_back(hole.corners);
-  return Scene{std::move(map), {}, {}};
+  PolygonMap map;
+  std::vector<std::vector<Vec2>> boundaries;
+  for (const AreaPolygon& polygon : area->polygons) {
+    boundaries.push_back(polygon.boundary.corners);
+    for (const AreaRing& hole : polygon.holes) map.obstacles.push_back(hole.corners);
+  }
+  map.boundary = std::move(boundaries.front());
+  boundaries.erase(boundaries.begin());
+  return Scene{std::move(map), {}, {}, std::move(boundaries)};
 }
 
 /// Returns what blocks a robot. A wall without a thickness has two corners, which a planner would refuse.
@@ -157,7 +163,9 @@ Outcome<Json> scene_in(const fs::path& file, const Folder& folder) {
   }
   Json targets = Json::array();
   for (const Vec2 at : scene->targets) targets.push_back({at.x, at.y});
-  return Json{{"map", scene->shape ? shown_map(file, std::move(*scene->shape)) : Json()},
+  Json map = scene->shape ? shown_map(file, std::move(*scene->shape)) : Json();
+  for (const auto& boundary : scene->other_boundaries) map["others"].push_back(points_json(boundary));
+  return Json{{"map", std::move(map)},
               {"start", scene->start ? Json{scene->start->x, scene->start->y} : Json()},
               {"targets", std::move(targets)}};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "drive_followers.hpp"
 #include "outrider/core/rng.hpp"
@@ -25,8 +26,9 @@ struct DriveFault {
   ApplyFault apply;
 };
 
-/// Counts the outcomes of all runs with one fault.
+/// Counts the outcomes of all runs of one follower with one fault.
 struct DriveRow {
+  std::string follower;
   std::string fault;
   int runs = 0, done = 0, doubtful = 0, unconfirmed = 0, not_done = 0;
   int stops = 0, reached = 0;
@@ -156,7 +158,8 @@ void count(DriveRow& row, const DriveSetup& setup, const Report& report) {
 }
 
 nlohmann::ordered_json row_json(const DriveRow& row) {
-  return {{"fault", row.fault},
+  return {{"follower", row.follower},
+          {"fault", row.fault},
           {"runs", row.runs},
           {"done", row.done},
           {"doubtful", row.doubtful},
@@ -172,25 +175,53 @@ nlohmann::ordered_json row_json(const DriveRow& row) {
 }
 
 std::string table_text(const std::vector<DriveRow>& rows) {
-  std::string text = fmt::format("  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n",
-                                 "fault", "runs", "done", "doubtful", "unconfirmed", "not done", "reached",
-                                 "false", "worst mm", "worst deg", "belief, sigmas");
+  std::string text =
+      fmt::format("  {:<12}  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>12} {:>6} {:>9} {:>9} {:>15}\n",
+                  "follower", "fault", "runs", "done", "doubtful", "unconfirmed", "not done", "reached",
+                  "false", "worst mm", "worst deg", "belief, sigmas");
   for (const DriveRow& row : rows) {
     text += fmt::format(
-        "  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>7}/{:<4} {:>6} {:>9.1f} {:>9.2f} {:>7.1f} {:>7.1f}\n",
-        row.fault, row.runs, row.done, row.doubtful, row.unconfirmed, row.not_done, row.reached, row.stops,
-        row.false_reached, 1e3 * row.worst_m, degrees(row.worst_rad), quantile(row.error_ratios, 0.5),
-        quantile(row.error_ratios, 1.0));
+        "  {:<12}  {:<34} {:>5} {:>5} {:>8} {:>11} {:>8} {:>7}/{:<4} {:>6} {:>9.1f} {:>9.2f} {:>7.1f} "
+        "{:>7.1f}\n",
+        row.follower, row.fault, row.runs, row.done, row.doubtful, row.unconfirmed, row.not_done, row.reached,
+        row.stops, row.false_reached, 1e3 * row.worst_m, degrees(row.worst_rad),
+        quantile(row.error_ratios, 0.5), quantile(row.error_ratios, 1.0));
   }
   return text;
 }
 
-Outcome<DriveSetup> loaded(const std::string& path) {
+Outcome<DriveSetup> loaded(const std::string& path, const std::string& follower) {
   DriveJob job;
   if (auto ok = read_scenario(job, path); !ok) return pass_on(ok);
-  if (auto ok = change(job, {{"sight", "modelled"}}); !ok) return pass_on(ok);
+  if (auto ok = change(job, {{"sight", "modelled"}, {"follow.follower", follower}}); !ok) return pass_on(ok);
   if (auto ok = job.load(); !ok) return pass_on(ok);
   return std::move(*job.setup);
+}
+
+/// Drives with one fault after another.
+std::vector<DriveRow> drive_with_faults(const DriveSetup& setup, std::int64_t seeds,
+                                        const BenchObserver& observer, std::vector<std::string>& complaints) {
+  std::vector<DriveRow> rows;
+  const std::string& follower = setup.task.follow.follower;
+  for (const DriveFault& fault : drive_faults()) {
+    next_step(observer, fmt::format("{}, {}", follower, fault.name));
+    DriveRow row{.follower = follower, .fault = fault.name, .error_ratios = {}};
+    for (std::int64_t i = 1; i <= seeds; ++i) {
+      const auto seed = static_cast<std::uint64_t>(i);
+      DriveSetup one = setup;
+      Rng rng = Rng(seed).child(fault.name);
+      fault.apply(one, rng, seed);
+      const int before = row.false_reached;
+      count(row, one, driven(one, seed));
+      if (row.false_reached > before)
+        complaints.push_back(
+            fmt::format("{}, {}, seed {}: a stop called reached was off by more than the tolerance", follower,
+                        fault.name, seed));
+      if (observer.part) observer.part(static_cast<double>(i) / static_cast<double>(seeds));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 }  // namespace
@@ -198,32 +229,19 @@ Outcome<DriveSetup> loaded(const std::string& path) {
 Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObserver& observer) {
   std::vector<DriveRow> rows;
   std::vector<std::string> complaints;
-  constexpr std::size_t followers = 3;
   std::vector<FollowerRow> follower_rows;
-  begin_steps(observer, request.scenarios.size() * (drive_faults().size() + followers));
+  begin_steps(observer, request.scenarios.size() * request.followers.size() * (drive_faults().size() + 1));
   for (const std::string& path : request.scenarios) {
-    auto setup = loaded(path);
-    if (!setup) return pass_on(setup);
-    for (const DriveFault& fault : drive_faults()) {
-      next_step(observer, fault.name);
-      DriveRow row{.fault = fault.name, .error_ratios = {}};
-      for (std::int64_t i = 1; i <= request.seeds; ++i) {
-        const auto seed = static_cast<std::uint64_t>(i);
-        DriveSetup one = *setup;
-        Rng rng = Rng(seed).child(fault.name);
-        fault.apply(one, rng, seed);
-        const int before = row.false_reached;
-        count(row, one, driven(one, seed));
-        if (row.false_reached > before)
-          complaints.push_back(
-              fmt::format("{}, seed {}: a stop called reached was off by more than the "
-                          "tolerance",
-                          fault.name, seed));
-        if (observer.part) observer.part(static_cast<double>(i) / static_cast<double>(request.seeds));
-      }
-      rows.push_back(std::move(row));
+    std::optional<DriveSetup> plain;
+    for (const std::string& follower : request.followers) {
+      auto setup = loaded(path, follower);
+      if (!setup) return pass_on(setup);
+      for (DriveRow& row : drive_with_faults(*setup, request.seeds, observer, complaints))
+        rows.push_back(std::move(row));
+      plain = std::move(*setup);
     }
-    for (FollowerRow& row : compare_followers(*setup, request.seeds, observer)) {
+    if (!plain) continue;
+    for (FollowerRow& row : compare_followers(*plain, request.followers, request.seeds, observer)) {
       if (row.false_reached > 0 || row.touched > 0)
         complaints.push_back(
             fmt::format("{}: {} stops called reached were off by more than the tolerance, {} courses "

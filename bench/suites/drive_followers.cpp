@@ -78,7 +78,8 @@ DriveTask course(const DriveSetup& setup, std::uint64_t number) {
   return task;
 }
 
-double leg_clearance_m(const DriveTask& task) {
+/// By how much the legs keep more clearance than the robot's radius.
+double leg_margin_m(const DriveTask& task) {
   std::vector<Vec2> points = {task.start.position};
   for (const Waypoint& waypoint : task.waypoints) points.push_back(waypoint.pose.position);
   return way_clearance_m(points, CollisionMap::of(task.world, task.eye.height_m)) - task.radius_m;
@@ -89,9 +90,9 @@ void count(FollowerRow& row, const DriveTask& task, const Report& report) {
   row.done += report.status == "done" ? 1 : 0;
   row.doubtful += report.status == "doubtful" ? 1 : 0;
   row.lost += report.reason.find("lost:") != std::string::npos ? 1 : 0;
-  const double clearance_m = metric(report, "clearance_m");
-  row.touched += clearance_m < 0.0 ? 1 : 0;
-  row.clearances.push_back(clearance_m / std::min(1.0, leg_clearance_m(task)));
+  const double margin_m = metric(report, "clearance_m") - task.radius_m;
+  row.touched += margin_m < 0.0 ? 1 : 0;
+  row.margins.push_back(margin_m / std::min(1.0, leg_margin_m(task)));
   row.deviations_m.push_back(metric(report, "deviation_m"));
   row.times.push_back(report.status == "done" ? metric(report, "time_s") / metric(report, "ideal_s")
                                               : unknown);
@@ -123,11 +124,11 @@ void keep_common_times(std::vector<FollowerRow>& rows) {
 
 }  // namespace
 
-std::vector<FollowerRow> compare_followers(const DriveSetup& setup, std::int64_t courses,
-                                           const BenchObserver& observer) {
+std::vector<FollowerRow> compare_followers(const DriveSetup& setup, const std::vector<std::string>& followers,
+                                           std::int64_t courses, const BenchObserver& observer) {
   std::vector<FollowerRow> rows;
-  for (const char* follower : {"pid", "pure_pursuit", "time_optimal"}) {
-    next_step(observer, follower);
+  for (const std::string& follower : followers) {
+    next_step(observer, follower + ", courses");
     FollowerRow row;
     row.follower = follower;
     for (std::int64_t i = 1; i <= courses; ++i) {
@@ -163,16 +164,16 @@ nlohmann::ordered_json row_json(const FollowerRow& row) {
           {"stop_error_m_most", quantile(row.stop_errors_m, 1.0)},
           {"deviation_m_median", quantile(row.deviations_m, 0.5)},
           {"deviation_m_90", quantile(row.deviations_m, 0.9)},
-          {"clearance_ratio_median", quantile(row.clearances, 0.5)},
-          {"clearance_ratio_10", quantile(row.clearances, 0.1)},
-          {"clearance_ratio_least", quantile(row.clearances, 0.0)}};
+          {"margin_ratio_median", quantile(row.margins, 0.5)},
+          {"margin_ratio_10", quantile(row.margins, 0.1)},
+          {"margin_ratio_least", quantile(row.margins, 0.0)}};
 }
 
 std::string table_text(const std::vector<FollowerRow>& rows) {
   std::string text =
       fmt::format("\n  {:<13} {:>5} {:>5} {:>9} {:>5} {:>8} {:>7} {:>12} {:>6} {:>14} {:>20} {:>15} {:>18}\n",
                   "follower", "runs", "done", "doubtful", "lost", "touched", "missed", "reached", "false",
-                  "time / ideal", "stop error, mm", "off legs, mm", "clearance / legs");
+                  "time / ideal", "stop error, mm", "off legs, mm", "margin / legs");
   text += fmt::format("  {:>78} {:>14} {:>20} {:>15} {:>18}\n", "", "50 %   90 %", "50 %   90 %   most",
                       "50 %   90 %", "50 %  10 %  least");
   for (const FollowerRow& row : rows) {
@@ -184,8 +185,8 @@ std::string table_text(const std::vector<FollowerRow>& rows) {
         row.stops, row.false_reached, quantile(row.times, 0.5), quantile(row.times, 0.9),
         1e3 * quantile(row.stop_errors_m, 0.5), 1e3 * quantile(row.stop_errors_m, 0.9),
         1e3 * quantile(row.stop_errors_m, 1.0), 1e3 * quantile(row.deviations_m, 0.5),
-        1e3 * quantile(row.deviations_m, 0.9), quantile(row.clearances, 0.5), quantile(row.clearances, 0.1),
-        quantile(row.clearances, 0.0));
+        1e3 * quantile(row.deviations_m, 0.9), quantile(row.margins, 0.5), quantile(row.margins, 0.1),
+        quantile(row.margins, 0.0));
   }
   return text;
 }

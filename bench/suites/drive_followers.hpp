@@ -17,14 +17,14 @@ struct FollowerRow {
   std::vector<double> times;          ///< over the ideal time, of the courses that every follower finished
   std::vector<double> stop_errors_m;  ///< at stops called reached
   std::vector<double> deviations_m;  ///< of each course: largest distance of the robot from the straight legs
-  std::vector<double> clearances;    ///< of each course: the least, over that of the legs
+  std::vector<double> margins;       ///< of each course: least clearance less radius, over that of the legs
 };
 
 /// Drives `courses` random courses with each follower: three to six waypoints between posts in a walled
 /// square with tags, a third of them passed by; mecanum, omnidirectional and differential robots in turn.
 /// Faults, link and the options are those of `setup`.
-std::vector<FollowerRow> compare_followers(const DriveSetup& setup, std::int64_t courses,
-                                           const BenchObserver& observer);
+std::vector<FollowerRow> compare_followers(const DriveSetup& setup, const std::vector<std::string>& followers,
+                                           std::int64_t courses, const BenchObserver& observer);
 
 nlohmann::ordered_json row_json(const FollowerRow& row);
 std::string table_text(const std::vector<FollowerRow>& rows);

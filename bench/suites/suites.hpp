@@ -85,10 +85,12 @@ struct ExploreRequest {
 };
 Outcome<BenchResult> measure_explore(const ExploreRequest& request, const BenchObserver& observer);
 
-/// Requests a benchmark of drives: each scenario is driven with one fault after another, over many seeds,
-/// with modelled images. A stop that is called reached and is off by more than its tolerance is wrong.
+/// Requests a benchmark of drives: each scenario is driven by each follower with one fault after another,
+/// over many seeds, with modelled images. A stop that is called reached and is off by more than its tolerance
+/// is wrong. The followers are compared on random courses, too.
 struct DriveRequest {
   std::vector<std::string> scenarios = {"scenarios/waypoints/closed_loop.yaml"};
+  std::vector<std::string> followers = {"pid", "pure_pursuit", "time_optimal"};
   std::int64_t seeds = 100;  ///< runs with each fault, seeds from 1
 };
 Outcome<BenchResult> measure_drive(const DriveRequest& request, const BenchObserver& observer);

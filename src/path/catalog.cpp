@@ -55,6 +55,17 @@ std::function<ConfiguredPlanner()> with_options(Planner<Options> planner, ManyPl
   };
 }
 
+/// What searches on the medial axis promise.
+Guarantee along_the_axis() {
+  return {.complete = true,
+          .among = PathClass::any_curve,
+          .most_ratio = unbounded,
+          .sentence =
+              "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times the least "
+              "along the axis, and states a bound for all paths",
+          .measure = Measure::safety};
+}
+
 std::vector<PathPlanner> planners_along_moves() {
   return {
       {.name = "dijkstra",
@@ -156,10 +167,14 @@ std::vector<PathPlanner> planners_in_any_direction() {
             .among = PathClass::along_moves,
             .most_ratio = 1.0,
             .sentence =
-                "complete; no path along the eight moves has more clearance, and none of those costs less",
+                "complete; no path along the eight moves has more clearance, and none of those costs less; "
+                "on polygons that of medial_axis",
             .measure = Measure::safety},
        .configure = with_options(safest),
-       .models = {GridModel::cells}},
+       .models = {GridModel::cells},
+       .polygons = true,
+       .axis = true,
+       .on_polygons = along_the_axis()},
   };
 }
 
@@ -241,12 +256,7 @@ std::vector<PathPlanner> planners_with_prices() {
            "As far from everything as can be: along the lines on which two obstacles are equally near, bent "
            "where leaving them costs less.",
        .paper = "O'Dunlaing and Yap, A retraction method for planning the motion of a disc, 1985",
-       .guarantee = {.complete = true,
-                     .among = PathClass::any_curve,
-                     .most_ratio = unbounded,
-                     .sentence = "complete; no path has more clearance (to 0.1 %); costs at most 1.006 times "
-                                 "the least along the axis, and states a bound for all paths",
-                     .measure = Measure::safety},
+       .guarantee = along_the_axis(),
        .configure = with_options(medial_axis),
        .models = {},
        .index = true,

@@ -131,7 +131,11 @@ class Drive(ToolTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         answer = json.loads(result.stdout)
         self.assertEqual(answer["status"], "done")
-        self.assertGreaterEqual(len(answer["rows"]), 10)
+        followers = ["pid", "pure_pursuit", "time_optimal"]
+        faults = [row["fault"] for row in answer["rows"] if "fault" in row]
+        self.assertGreaterEqual(len(set(faults)), 16)
+        self.assertEqual(len(faults), len(set(faults)) * len(followers), "each fault with each follower")
+        self.assertEqual([row["follower"] for row in answer["rows"] if "fault" not in row], followers)
         for row in answer["rows"]:
             self.assertEqual(row["runs"], 2)
             self.assertEqual(row["false_reached"], 0, row)
@@ -143,7 +147,7 @@ class Drive(ToolTest):
         for planner in ("a_star", "visibility_graph"):
             answer = self.run_json(*flags, planner)
             self.assertGreater(answer["path_m"], 2.49)
-            self.assertGreater(answer["clearance_m"], 0)
+            self.assertGreater(answer["clearance_m"], 0.15, "of the robot's middle: more than the radius")
 
     def test_refusals(self):
         self.write("drive.yaml", "job: drive\nwaypoints: 1,0\n")

@@ -34,7 +34,7 @@ class Polygons(ToolTest):
             self.assertLessEqual(row["lower_bound"], row["cost"] + 1e-9)
             if row["cost_unit"] == "m":
                 self.assertAlmostEqual(row["cost"], row["length_m"], places=9)
-            units = {"least_time": "s", "medial_axis": "m eq"}
+            units = {"least_time": "s", "medial_axis": "m eq", "safest": "m eq"}
             self.assertEqual(row["cost_unit"], units.get(row["planner"], "m"))
         for query in {row["query"] for row in rows}:
             exact = [row for row in rows if row["query"] == query and row["guarantee"] == "disk_optimal"]

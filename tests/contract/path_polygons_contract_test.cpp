@@ -113,7 +113,7 @@ TEST_P(PolygonContract, BudgetCancellationAndRepeats) {
   if (path_planners()[GetParam()].tells == TraceKind::search) {
     EXPECT_EQ(trace.expansions.size(), answer->counters.expansions);
   }
-  const bool complete = path_planners()[GetParam()].guarantee.complete;
+  const bool complete = path_planners()[GetParam()].guarantee_on(true).complete;
   EXPECT_EQ(code({nullptr, {-3, 3}, {3, -3}, ground_of(slit(0.1, 0.2))}),
             complete ? FaultCode::no_path : FaultCode::budget_exhausted);
   EXPECT_EQ(*plan(problem), *answer);  // after another ground
@@ -162,7 +162,7 @@ void expect_lawful(const PathPlanner& row, const Question& q, const Plan& plan, 
   const double slack_m = 1e-6 * std::max(1.0, q.least_m);
   EXPECT_GE(length_of(plan), q.least_m - slack_m);
   EXPECT_LE(plan.lower_bound, plan.cost + slack_m);
-  const Guarantee& guarantee = row.guarantee;
+  const Guarantee& guarantee = row.guarantee_on(true);
   if (guarantee.among == PathClass::widest_curve) {  // whose least is that of the widest paths
     EXPECT_NEAR(plan.lower_bound, plan.cost, slack_m);
     return;
@@ -203,7 +203,7 @@ TEST_P(PolygonContract, AgreesWithBruteForceOnRandomWorlds) {
       ++joined;
       EXPECT_EQ(*answer, *again);
       expect_lawful(row, q, *answer, workspace_);
-    } else if (row.guarantee.complete) {
+    } else if (row.guarantee_on(true).complete) {
       ASSERT_FALSE(std::isfinite(q.least_m)) << answer.error().sentence;
       EXPECT_EQ(answer.error().code, FaultCode::no_path);
     } else {

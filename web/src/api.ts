@@ -128,7 +128,12 @@ export type ScenarioAnswer = { path: string; map: MapAnswer; start: [number, num
   | { goal: [number, number]; planner: string; options: PlanRequest["options"]; model: string; radius_m: number; resolution_m: number }
   | { heading_rad: number; targets: YardTarget[]; fixed: [number, number][][]; things: YardThing[] });
 /** What a scenario looks like from above: its ground, coarse where it is large and null where it names none, the start and the targets. */
-export interface SceneAnswer { map: Pick<MapAnswer, "name" | "grid" | "polygons"> | null; start: [number, number] | null; targets: [number, number][] }
+export interface SceneAnswer {
+  /** `others`: the boundaries of further areas. */
+  map: Pick<MapAnswer, "name" | "grid" | "polygons"> & { others?: [number, number][][] } | null;
+  start: [number, number] | null;
+  targets: [number, number][];
+}
 export type ScenarioRequest =
   | { plan: PlanRequest }
   | { guard: YardRequest };

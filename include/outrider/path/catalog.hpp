@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,12 @@ struct PathPlanner {
   bool polygons = false;                ///< accepts polygons as ground
   TraceKind tells = TraceKind::search;  ///< events that it reports to a Trace
   bool axis = false;                    ///< searches the medial axis, which pictures show
+  std::optional<Guarantee> on_polygons = std::nullopt;  ///< if it differs from that on grids
+
+  /// Returns the guarantee on a kind of ground.
+  [[nodiscard]] const Guarantee& guarantee_on(bool is_polygons) const {
+    return is_polygons && on_polygons ? *on_polygons : guarantee;
+  }
 
   /// Returns true if the planner accepts grids of that model; it refuses others with bad_input.
   [[nodiscard]] bool takes(GridModel model) const {

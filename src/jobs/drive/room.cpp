@@ -10,13 +10,13 @@ namespace outrider {
 namespace {
 
 constexpr int halvings = 12;
-constexpr double kept = 0.9;          ///< part of the clearance of the legs
-constexpr double most_clear_m = 0.5;  ///< more clearance than this is not distinguished
+constexpr double kept = 0.9;           ///< part of the margin of the legs
+constexpr double most_margin_m = 0.5;  ///< more is not distinguished
 
 /// Returns by how much the corner between two legs may be cut.
 double room_m(Vec2 before, Vec2 at, Vec2 after, const DriveTask& task, const CollisionMap& ground) {
   if (before == at || at == after) return 0.0;
-  const double clear_m = largest_up_to(most_clear_m, halvings, [&](double c) {
+  const double margin_m = largest_up_to(most_margin_m, halvings, [&](double c) {
     return ground.segment_free({before, at}, task.radius_m + c) &&
            ground.segment_free({at, after}, task.radius_m + c);
   });
@@ -26,7 +26,7 @@ double room_m(Vec2 before, Vec2 at, Vec2 after, const DriveTask& task, const Col
   return largest_up_to(std::min(task.follow.pass_m, all_m), halvings, [&](double room) {
     const auto curve = rounded_corner(before, at, after, room, 1.0, 1.0);
     for (std::size_t i = 1; i < curve.size(); ++i) {
-      if (!ground.segment_free({curve[i - 1], curve[i]}, task.radius_m + kept * clear_m)) return false;
+      if (!ground.segment_free({curve[i - 1], curve[i]}, task.radius_m + kept * margin_m)) return false;
     }
     return true;
   });

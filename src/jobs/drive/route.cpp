@@ -16,7 +16,7 @@ namespace {
 Outcome<Problem> problem_for(const PathPlanner& planner, const CollisionMap& ground, double radius_m,
                              Vec2 start, Vec2 goal, double resolution_m) {
   Problem problem{nullptr, start, goal};
-  if (planner.polygons) {
+  if (planner.models.empty()) {
     auto polygons = polygons_from_world(ground, radius_m);
     if (!polygons) return pass_on(polygons);
     problem.polygons = std::make_shared<const PolygonGround>(std::move(*polygons));

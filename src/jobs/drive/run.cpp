@@ -22,7 +22,7 @@ namespace outrider {
 namespace {
 
 constexpr double belief_every_s = 0.2;
-constexpr double look_around_m = 1.0;  ///< clearance beyond it is not told
+constexpr double look_around_m = 1.0;  ///< beyond the radius: more clearance is not told
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The way straight from waypoint to waypoint, the turns from heading to heading where it stops, and the
@@ -87,6 +87,7 @@ class Recorder {
         log_(log),
         outcomes_(task.waypoints.size(), "not reached"),
         nearest_m_(task.waypoints.size(), unknown) {
+    clearance_m = task.radius_m + look_around_m;
     waypoints_.closed_loop = task.closed_loop;
     for (const Waypoint& waypoint : task.waypoints) {
       waypoints_.waypoints.push_back({point_of(waypoint.pose.position),
@@ -103,8 +104,7 @@ class Recorder {
   void note(const DriveMission& mission, const SimulatedRobot& robot) {
     const Pose2& truth = robot.pose();
     const double time_s = robot.time_s();
-    clearance_m = std::min(
-        clearance_m, ground_.clearance(truth.position, task_.radius_m + look_around_m) - task_.radius_m);
+    clearance_m = std::min(clearance_m, ground_.clearance(truth.position, clearance_m));
     for (; arrivals_ < mission.arrivals.size(); ++arrivals_)
       arrived(time_s, mission.arrivals[arrivals_], truth);
     if (task_.closed_loop) note_passed(mission.follower.next, truth.position);
@@ -147,7 +147,7 @@ class Recorder {
     return {};
   }
 
-  double clearance_m = look_around_m;
+  double clearance_m = 0.0;         ///< least distance of the robot's middle to an obstacle or the edge
   double deviation_m = 0.0;         ///< largest distance from the straight legs
   double belief_error_m = 0.0;      ///< largest error of the believed position
   double belief_error_ratio = 0.0;  ///< largest error of the believed position in standard deviations
@@ -251,15 +251,16 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
   const DriveTask& task = mission.task;
   const Ideal ideal = ideal_of(task);
   const WheelBody& motion = robot.body<WheelBody>();
-  const bool touched = recorder.clearance_m < 0.0;
+  const double too_near_m = task.radius_m - recorder.clearance_m;
+  const bool touched = too_near_m > 0.0;
   Report report;
   report.world_name = task.world.name;
   const std::string missed = recorder.missed();
+  const bool came_to_the_end = !mission.arrivals.empty() && status_of(mission.end) != "not_done";
   report.status = touched || !missed.empty() ? "not_done" : status_of(mission.end);
   report.reason = mission.reason;
   if (report.reason.empty() && touched) {
-    report.reason =
-        fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", -recorder.clearance_m);
+    report.reason = fmt::format("the robot came {:.3f} m too near to an obstacle or the edge", too_near_m);
   }
   if (!missed.empty()) report.reason += (report.reason.empty() ? "" : "; ") + missed;
   const double images = static_cast<double>(std::max<std::int64_t>(1, robot.devices().camera->images()));
@@ -269,7 +270,7 @@ Report judged(const DriveMission& mission, const SimulatedRobot& robot, const Re
                     {"ideal_rad", ideal.turned_rad},
                     {"tag_fraction", static_cast<double>(mission.used) / images},
                     {"ideal_s", ideal.time_s},
-                    {"time_s", mission.arrivals.empty() ? motion.time_s() : mission.arrivals.back().time_s},
+                    {"time_s", came_to_the_end ? mission.arrivals.back().time_s : motion.time_s()},
                     {"clearance_m", recorder.clearance_m},
                     {"deviation_m", recorder.deviation_m},
                     {"belief_error_m", recorder.belief_error_m},

@@ -222,7 +222,7 @@ Outcome<DriveSetup> load_drive(const DriveScenario& scenario) {
     if (!route) return pass_on(route);
     setup.task.waypoints = std::move(route->waypoints);
     setup.plan = std::move(route->plan);
-    setup.path_clearance_m = way_clearance_m(setup.plan->waypoints, ground) - setup.task.radius_m;
+    setup.path_clearance_m = way_clearance_m(setup.plan->waypoints, ground);
   }
   if (auto ok = check_waypoints(setup.task, ground); !ok) return pass_on(ok);
   for (std::string& warning : tag_warnings(setup.task)) setup.warnings.push_back(std::move(warning));

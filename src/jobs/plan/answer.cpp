@@ -83,7 +83,8 @@ void fill(PlanRow& row, const PathPlanner& planner, const PlanGround& ground, Pl
   row.cost = plan.cost;
   row.length_m = length_of(plan);
   row.lower_bound = plan.lower_bound;
-  row.optimal = planner.guarantee.most_ratio == 1.0 && plan.cost <= plan.lower_bound * (1.0 + 1e-9) + 1e-12;
+  const Guarantee& guarantee = planner.guarantee_on(ground.polygons != nullptr);
+  row.optimal = guarantee.most_ratio == 1.0 && plan.cost <= plan.lower_bound * (1.0 + 1e-9) + 1e-12;
   row.clearance_m = safety.clearance_m;
   row.exposure = safety.exposure;
   row.reached_within_m = plan.reached_within;
@@ -100,8 +101,9 @@ void fill(PlanRow& row, const PathPlanner& planner, const PlanGround& ground, Pl
 PlanRow row_of(const PathPlanner& planner, const PlanGround& ground, const PlanQuery& query,
                Outcome<Plan> plan) {
   PlanRow row{std::string(planner.name), query};
-  row.cost_unit = unit_of(planner.guarantee.measure);
-  row.guarantee = name_of(planner.guarantee);
+  const Guarantee& guarantee = planner.guarantee_on(ground.polygons != nullptr);
+  row.cost_unit = unit_of(guarantee.measure);
+  row.guarantee = name_of(guarantee);
   if (ground.polygons) {
     auto stands = polygon_query({nullptr, query.from, query.to, ground.polygons});
     if (!stands) plan = pass_on(stands);

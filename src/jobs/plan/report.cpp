@@ -9,7 +9,7 @@ namespace {
 
 bool on_polygons(const PlanRow& row) {
   const auto planner = find_path_planner(row.planner);
-  return planner && planner->polygons;
+  return planner && planner->models.empty();
 }
 
 /// The sentence of the first row without a path; of several queries with the number of its own.

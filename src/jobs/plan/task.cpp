@@ -27,7 +27,7 @@ Outcome<std::vector<ChosenPlanner>> chosen(const PlanScenario& scenario, const P
 bool takes_polygons(const PlanScenario& scenario, MapKind kind) {
   if (kind == MapKind::polygons) return true;
   const auto planner = find_path_planner(scenario.planner);
-  return !scenario.compare && kind == MapKind::world && planner && planner->polygons;
+  return !scenario.compare && kind == MapKind::world && planner && planner->models.empty();
 }
 
 /// What a trace needs to be shown.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "exposure_bound.hpp"
 #include "exposure_descent.hpp"
@@ -20,6 +19,7 @@ constexpr double most_weight_m = 1e6;
 constexpr double legs_keep = 0.999;      // fraction of the clearance that legs keep
 constexpr double most_exposure = 0.125;  // largest exposure between points of the path
 constexpr double least_apart_m = 1e-9;
+constexpr double rounding = 1e-9;  // of the clearance that another search keeps
 constexpr int most_halvings = 40;
 constexpr double tight = 0.999;  // share of the cost that a lower bound reaches
 constexpr std::int64_t most_bound_cells = 2048;
@@ -124,24 +124,16 @@ std::vector<Vec2> bent(const std::vector<Vec2>& path, const LegCost& cost, doubl
   return path;
 }
 
-/// Returns the shortest path that keeps the clearance, with straight legs; empty if there is none. Expands
-/// each corner at most once, which is not counted, so that the answer does not depend on the budget.
-Outcome<std::vector<Vec2>> shortest_wide(const Problem& problem, double clearance_m, Budget budget,
-                                         Workspace& workspace) {
+/// Returns the shortest path that keeps the clearance, with straight legs.
+Outcome<Plan> shortest_wide(const Problem& problem, double clearance_m, const Budget& budget,
+                            Workspace& workspace) {
   const PolygonGround& ground = *problem.polygons;
   auto wide = PolygonGround::of(ground.boundary, ground.obstacles,
                                 std::clamp(clearance_m, ground.radius_m, most_polygon_radius_m));
-  if (!wide) return std::vector<Vec2>{};
+  if (!wide) return pass_on(wide);
   Problem widened = problem;
   widened.polygons = std::make_shared<const PolygonGround>(std::move(*wide));
-  budget.expansions = Budget{}.expansions;
-  Trace* const trace = std::exchange(workspace.trace, nullptr);
-  auto plan = visibility_graph_implicit(widened, {.polygonal = true}, budget, workspace);
-  workspace.trace = trace;
-  if (plan) return std::move(plan->waypoints);
-  const FaultCode code = plan.error().code;
-  if (code == FaultCode::cancelled || code == FaultCode::budget_exhausted) return pass_on(plan);
-  return std::vector<Vec2>{};
+  return visibility_graph_implicit(widened, {.polygonal = true}, budget, workspace);
 }
 
 Plan plan_of(const Problem& problem, const std::vector<Vec2>& waypoints, double weight_m) {
@@ -196,15 +188,16 @@ Outcome<Plan> medial_axis(const Problem& problem, const MedialAxisOptions& optio
   const double least = std::max((*ground)->radius_m, legs_keep * kept);
   const LegCost cost{**ground, options.weight_m, least};
   const PointsOfWay fine = points_of(*way, **ground, problem, options.weight_m, least);
-  PlanCounters counters{meter.spent(), 0, 0};
+  Budget left = budget;
+  left.expansions -= meter.spent();
+  auto wide = shortest_wide(problem, kept * (1.0 - rounding) - graph.rounding_m, left, workspace);
+  if (!wide) return pass_on(wide);
+  PlanCounters counters = wide->counters;
+  counters.expansions += meter.spent();
   const std::vector<Vec2> along = few_legs(fine.points, fine.cost, cost, options.slack, counters);
   std::vector<Vec2> best = bent(along, cost, options.slack, counters);
-  auto wide = shortest_wide(problem, kept, budget, workspace);
-  if (!wide) return pass_on(wide);
-  if (!wide->empty()) {
-    std::vector<Vec2> other = bent(*wide, cost, options.slack, counters);
-    if (costs_along(other, cost).back() < costs_along(best, cost).back()) best = std::move(other);
-  }
+  std::vector<Vec2> other = bent(wide->waypoints, cost, options.slack, counters);
+  if (costs_along(other, cost).back() < costs_along(best, cost).back()) best = std::move(other);
   Plan plan = plan_of(problem, best, options.weight_m);
   plan.lower_bound = std::min(plan.cost, bound_of(graph, cost, problem, plan.cost, options));
   plan.counters = counters;

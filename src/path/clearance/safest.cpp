@@ -10,6 +10,7 @@
 
 #include "grid/octile.hpp"
 #include "grid_clearance.hpp"
+#include "outrider/path/clearance/medial_axis.hpp"
 #include "outrider/path/grid/line_of_sight.hpp"
 #include "outrider/search/best_first.hpp"
 #include "straighten.hpp"
@@ -202,6 +203,9 @@ std::vector<Option> describe(SafestOptions& options) {
 Outcome<Plan> safest(const Problem& problem, const SafestOptions& options, const Budget& budget,
                      Workspace& workspace) {
   if (auto good = check_options(options); !good) return pass_on(good);
+  if (problem.polygons) {
+    return medial_axis(problem, {.weight_m = options.weight_m, .kept = options.kept}, budget, workspace);
+  }
   auto query = query_of(problem);
   if (!query) return pass_on(query);
   const GridMap& ground = query->ground;

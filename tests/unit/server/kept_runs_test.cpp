@@ -64,10 +64,20 @@ TEST_F(KeptRunsTest, OneThatWasUnderWayWhenItsServerDiedIsCutShort) {
 
 TEST_F(KeptRunsTest, OneThatAnotherServerCarriesOutIsLeftAlone) {
   leave_cut_short("abc-1");
-  const auto other = FolderLock::take(place("abc-1"));
-  ASSERT_TRUE(other);
+  const auto other = RunsFolder::lock(place("abc-1"));
+  ASSERT_TRUE(other && other->held());
   EXPECT_TRUE(list().empty());
   EXPECT_TRUE(fs::exists(place("abc-1") / "live.mcap"));
+}
+
+/// A mission that waits for its server's lock never ends.
+TEST_F(KeptRunsTest, AMissionWritesItsFilesWhileItsServerHoldsTheLock) {
+  leave_cut_short("abc-1");
+  const auto server = RunsFolder::lock(place("abc-1"));
+  ASSERT_TRUE(server && server->held());
+  const std::string folder = place("abc-1").string();
+  EXPECT_TRUE(write_files({{folder + "/run.json", "{}"}, {folder + "/run.svg", "<svg/>"}}, {}));
+  EXPECT_TRUE(fs::exists(place("abc-1") / "run.svg"));
 }
 
 TEST_F(KeptRunsTest, TheOldestAreRemoved) {

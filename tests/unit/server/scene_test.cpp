@@ -31,6 +31,18 @@ TEST(Scene, IsThereForEveryScenarioThatNamesAGround) {
     EXPECT_TRUE(scene_of(path)["map"].is_null());
 }
 
+TEST_F(AppTest, ASceneShowsEveryAreaThatIsToBeCovered) {
+  write("areas.geojson", R"({"type":"MultiPolygon","coordinates":[
+    [[[0,0],[4,0],[4,3],[0,3],[0,0]],[[1,1],[1,2],[2,2],[2,1],[1,1]]],
+    [[[6,0],[9,0],[9,3],[6,0]],[[8,1],[8,1.5],[8.5,1.5],[8,1]]]]})");
+  write("a.yaml", "job: cover\narea: areas.geojson\n");
+  const Json map = json("GET", "/api/v1/scenes/a.yaml")["map"];
+  EXPECT_EQ(map["polygons"]["boundary"].size(), 4U);
+  ASSERT_EQ(map["others"].size(), 1U);
+  EXPECT_EQ(map["others"][0].size(), 3U);
+  EXPECT_EQ(map["polygons"]["obstacles"].size(), 2U) << "the holes of both";
+}
+
 /// Of a wall one cell wide something remains.
 TEST_F(AppTest, ALargeGridIsMadeCoarser) {
   std::string image = "P5\n1000 500\n255\n" + std::string(500'000, '\xff');

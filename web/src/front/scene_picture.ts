@@ -3,7 +3,7 @@ import type { SceneAnswer } from "../api";
 import { Path } from "../base/ink";
 import type { Vec2 } from "../base/outline";
 import { theme } from "../base/theme";
-import { cellsOf, groundOf, PolygonGround, type GridGround } from "../plan/ground";
+import { boxAround, cellsOf, groundOf, PolygonGround, type GridGround } from "../plan/ground";
 
 type Place = (at: Vec2) => Vec2;
 const margin = 14;
@@ -15,11 +15,11 @@ function outline(points: readonly Vec2[], place: Place): Path {
   return path;
 }
 
-function drawPolygons(ctx: CanvasRenderingContext2D, { polygons, box: [x0, y0, x1, y1] }: PolygonGround, place: Place): void {
+function drawPolygons(ctx: CanvasRenderingContext2D, { polygons, box: [x0, y0, x1, y1] }: PolygonGround, others: readonly Vec2[][], place: Place): void {
   const boundary: Vec2[] = polygons.boundary.length > 2 ? polygons.boundary : [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
-  const edge = outline(boundary, place);
+  const edges = [boundary, ...others].map((points) => outline(points, place));
   ctx.fillStyle = theme.yard;
-  ctx.fill(edge);
+  for (const edge of edges) ctx.fill(edge);
   ctx.fillStyle = ctx.strokeStyle = theme["solid-high"];
   ctx.lineWidth = 1.2;  // of a wall that has no thickness
   for (const obstacle of polygons.obstacles) {
@@ -29,7 +29,7 @@ function drawPolygons(ctx: CanvasRenderingContext2D, { polygons, box: [x0, y0, x
   }
   ctx.strokeStyle = theme.soft;
   ctx.lineWidth = 1;
-  ctx.stroke(edge);
+  for (const edge of edges) ctx.stroke(edge);
 }
 
 /** One pixel a cell, scaled down smoothly. */
@@ -75,10 +75,11 @@ export function drawScene(canvas: HTMLCanvasElement, scene: SceneAnswer): boolea
   canvas.height = Math.round(height * dpr);
   const ctx = canvas.getContext("2d")!;
   ctx.setTransform(dpr, 0, 0, dpr, 0, 0);
-  const [x0, y0, x1, y1] = ground.box;
+  const others = scene.map.others ?? [];
+  const [x0, y0, x1, y1] = boxAround(others.flat(), ground.box);
   const scale = Math.min((width - 2 * margin) / Math.max(1e-6, x1 - x0), (height - 2 * margin) / Math.max(1e-6, y1 - y0));
   const place: Place = ([x, y]) => [width / 2 + scale * (x - (x0 + x1) / 2), height / 2 - scale * (y - (y0 + y1) / 2)];
-  if (ground.kind === "polygons") drawPolygons(ctx, ground, place);
+  if (ground.kind === "polygons") drawPolygons(ctx, ground, others, place);
   else drawGrid(ctx, ground, place);
   for (const target of scene.targets) dot(ctx, place(target), 3, theme.water);
   if (scene.start) dot(ctx, place(scene.start), 5, theme.robot);

@@ -121,6 +121,11 @@ export class GridGround {
   }
 }
 
+/** Returns the box of the points and of another box. */
+export function boxAround(points: readonly Vec2[], box: Box = [Infinity, Infinity, -Infinity, -Infinity]): Box {
+  return points.reduce<Box>(([x0, y0, x1, y1], [x, y]) => [Math.min(x0, x), Math.min(y0, y), Math.max(x1, x), Math.max(y1, y)], box);
+}
+
 export class PolygonGround {
   readonly kind = "polygons";
   /** The obstacles by index: those of the map, then the added ones; null for removed ones. */
@@ -136,8 +141,7 @@ export class PolygonGround {
 
   get box(): Box {
     const points = [...this.polygons.boundary, ...this.obstacles.flatMap((one) => one ?? [])];
-    return points.reduce<Box>(([x0, y0, x1, y1], [x, y]) => [Math.min(x0, x), Math.min(y0, y), Math.max(x1, x), Math.max(y1, y)],
-      [Infinity, Infinity, -Infinity, -Infinity]);
+    return boxAround(points);
   }
 
   /** Returns the index of the obstacle at a place; -1 if there is none. */

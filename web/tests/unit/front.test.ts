@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { FileRow } from "../../src/api";
 import { kindWords } from "../../src/front/kinds";
 import { missionsOf, titleOf } from "../../src/front/missions";
+import { boxAround, PolygonGround } from "../../src/plan/ground";
 
 const scenario = (path: string, description = ""): FileRow => ({ path, kind: "scenario", job: "guard", description, bytes: 1 });
 
@@ -34,5 +35,13 @@ describe("kinds of files", () => {
     expect(kindWords({ path: "hall.map.gz", kind: "map" })).toBe("grid map (MovingAI)");
     expect(kindWords({ path: "YARD.SDF", kind: "map" })).toBe("world (SDF)");
     expect(kindWords({ path: "what", kind: "other" })).toBe("other");
+  });
+});
+
+describe("the picture of a scene", () => {
+  it("has room for every area", () => {
+    const ground = new PolygonGround({ boundary: [[0, 0], [4, 0], [4, 3]], obstacles: [], queries: [] });
+    expect(boxAround([], ground.box)).toEqual([0, 0, 4, 3]);
+    expect(boxAround([[6, -1], [9, 5], [-2, 0]], ground.box)).toEqual([-2, -1, 9, 5]);
   });
 });

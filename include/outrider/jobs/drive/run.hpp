@@ -23,8 +23,9 @@ namespace outrider {
 ///   turned_rad, ideal_rad  the same of the heading
 ///   tag_fraction           fraction of the images with a tag that corrected the belief
 ///   ideal_s                least time of the course (control/timed_path.hpp), with the pause at each stop
-///   time_s                 until the last stop
-///   clearance_m            smallest distance of the robot's disk to an obstacle or the edge, at most 1
+///   time_s                 until the last stop, or the end of a drive that did not come to it
+///   clearance_m            least distance of the robot's middle to an obstacle or the edge, at most the
+///                          radius and 1 m
 ///   deviation_m            largest distance of the robot's centre from the straight legs
 ///   belief_error_m         largest error of the believed position, m
 ///   belief_error_ratio     the same in standard deviations of the belief (Mahalanobis distance)

@@ -61,7 +61,7 @@ struct DriveSetup {
   DriveSimParams sim;
   bool rendered = true;               ///< images are rendered; false: modelled
   std::optional<Plan> plan;           ///< answer of the planner, if one was used
-  double path_clearance_m = 0.0;      ///< clearance of its legs from the robot's disk
+  double path_clearance_m = 0.0;      ///< least distance of its legs to an obstacle or the edge
   std::vector<std::string> warnings;  ///< what was repaired, and what tags will miss
 };
 

@@ -25,9 +25,10 @@
 // Complete, with one exception: passages wider than the disk by less than 2^-28 of the map size count as
 // closed, because corners are rounded to 2^-30 of it. The axis is built at the first query on a ground, in
 // O(n^2) for n edges, and kept in the workspace. A query takes O(n log n), and O(n) for each leg tried.
-// Faults: those of polygon_query(); bad_input for an option out of range; no_path; budget_exhausted;
-// cancelled. Sources: O'Dunlaing and Yap, A retraction method for planning the motion of a disc (1985); Wein,
-// van den Berg and Halperin, Planning high-quality paths and corridors amidst obstacles (2008).
+// Counters and trace cover the two searches on the axis and that for the shortest path. Faults: those of
+// polygon_query(); bad_input for an option out of range; no_path; budget_exhausted; cancelled. Sources:
+// O'Dunlaing and Yap, A retraction method for planning the motion of a disc (1985); Wein, van den Berg and
+// Halperin, Planning high-quality paths and corridors amidst obstacles (2008).
 #pragma once
 
 #include <cstdint>

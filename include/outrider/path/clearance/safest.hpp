@@ -1,5 +1,9 @@
-// Safest paths on a grid: the path keeps the largest possible clearance, and is then as short and as little
-// exposed as possible.
+// Safest paths: the path keeps the largest possible clearance, and is then as short and as little exposed as
+// possible.
+//
+// Among polygons this is the question that medial_axis() answers, with the same `weight` and `kept`: its
+// guarantees, its lower bound for every path of the disk, and its faults hold (medial_axis.hpp). What follows
+// is about grids.
 //
 // The clearance of a point is its distance to the nearest blocked cell (a closed square; everything outside
 // the grid is blocked). On a grid made for a disk it is the tracking error that the robot can have before it
@@ -42,7 +46,7 @@ namespace outrider {
 struct SafestOptions {
   double weight_m = 10.0;    ///< clearance at which a metre of path counts twice
   double kept = 1.0;         ///< fraction of the largest possible clearance that the path keeps
-  bool along_moves = false;  ///< keep the moves instead of replacing them by straight legs
+  bool along_moves = false;  ///< on grids: keep the moves instead of replacing them by straight legs
 };
 std::vector<Option> describe(SafestOptions& options);
 

@@ -165,7 +165,10 @@ TEST(DriveRun, AKidnappedRobotThatSeesNoTagsSaysSo) {
   const auto run = driven(waypoints(), params, false, 1);
   EXPECT_EQ(run.report.status, "not_done");
   EXPECT_NE(run.report.reason.find("lost"), std::string::npos) << run.report.reason;
-  EXPECT_EQ(events_of(run.log).back().message.name, "lost");
+  const auto lost = events_of(run.log).back();
+  EXPECT_EQ(lost.message.name, "lost");
+  EXPECT_GE(metric(run, "time_s"), 1e-9 * static_cast<double>(nanoseconds_of(lost.message.stamp)) - 1e-6)
+      << "until it was lost, not until its last stop";
 }
 
 TEST(DriveRun, SameSeedSameBytes) {

@@ -34,7 +34,7 @@ TEST(DriveScenario, AGoalAndAPlannerBecomeWaypoints) {
   ASSERT_TRUE(setup) << to_string(setup.error());
   ASSERT_TRUE(setup->plan);
   EXPECT_EQ(setup->task.waypoints.back().pose.position, (Vec2{2.5, 2.0}));
-  EXPECT_NEAR(setup->path_clearance_m, 0.5 - 0.15, 0.06);
+  EXPECT_NEAR(setup->path_clearance_m, 0.5, 0.06);
 }
 
 TEST(DriveScenario, TextOfAllKeysReadsBack) {

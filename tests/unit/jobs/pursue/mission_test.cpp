@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include "outrider/sim/simulated_team.hpp"
 #include "support/pursuit_oracle.hpp"
+#include "support/random_cases.hpp"
 #include "support/smooth_pursuit.hpp"
 
 namespace outrider {
@@ -77,6 +82,49 @@ TEST(PursuitMission, TheSearchIsKeptFromCallToCallWhileTheRobotGoesOn) {
     EXPECT_LE(mission.run.expansions, whole.counters().expansions * 3 / 2) << "it began again";
   }
   EXPECT_GT(most_calls, 2) << "it is no test if one call is enough";
+}
+
+/// The costs of the missions of one pursuit, with ever more thinking in each call; none where it is not
+/// caught.
+std::vector<std::optional<std::uint64_t>> costs_by_thinking(const PursuitProblem& problem, double lap_s) {
+  std::vector<std::optional<std::uint64_t>> costs;
+  for (std::uint64_t expansions = 500; expansions <= 2'000'000; expansions *= 2) {
+    PursuitRules rules;
+    rules.clock = PursuitClock::wall;
+    rules.budget.expansions = expansions;
+    SteadyWatch watch;
+    watch.each_s = lap_s;
+    PursuitMission mission(problem, problem.target.size(), rules, watch);
+    (void)commanded(mission, problem);
+    const PursuitState& state = mission.run.state;
+    costs.push_back(state.caught ? std::optional(state.cost) : std::nullopt);
+  }
+  return costs;
+}
+
+TEST(PursuitMission, MoreThinkingIsNeverWorse) {
+  int pursuits = 0, cheaper = 0;
+  for (const auto walk : {testing::Walk::wander, testing::Walk::round, testing::Walk::late}) {
+    for (const double lap_s : {0.1, 0.6, 1.6}) {
+      for (int seed = 1; seed <= testing::cases(4); ++seed) {
+        testing::SmoothPursuit of;
+        of.side = 60;
+        of.seconds = 900;
+        of.walk = walk;
+        of.seed = static_cast<std::uint64_t>(seed);
+        const auto costs = costs_by_thinking(testing::smooth_pursuit(of), lap_s);
+        const auto first = std::ranges::find_if(costs, [](const auto& cost) { return cost.has_value(); });
+        ASSERT_NE(first, costs.end());
+        for (auto next = first + 1; next < costs.end(); ++next) {
+          ASSERT_TRUE(*next) << "caught with less thinking";
+          EXPECT_LE(**next, *next[-1]) << seed << ", " << lap_s << " s a lap";
+        }
+        ++pursuits;
+        cheaper += **first > *costs.back() ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(cheaper, pursuits / 2) << "it is no test if the first catch is the cheapest";
 }
 
 TEST(PursuitMission, AFaultOfTheFirstCallEndsItWithoutACommand) {

@@ -11,6 +11,7 @@
 #include "clearance/exposure_descent.hpp"
 #include "outrider/path/check.hpp"
 #include "outrider/path/clearance/medial_axis.hpp"
+#include "outrider/path/clearance/safest.hpp"
 #include "outrider/path/clearance/widest.hpp"
 #include "polygon_worlds.hpp"
 #include "support/costly_cases.hpp"
@@ -111,6 +112,11 @@ TEST(ExposureBound, LiesBelowWhatAFineLatticeFindsAndThePlanNearIt) {
     }
     EXPECT_GE(plan->lower_bound, before * (1.0 - 1e-9));
     EXPECT_LE(plan->cost, 1.06 * found);
+    const auto safe = safest(problem, {weight_m, kept}, {}, workspace);
+    ASSERT_TRUE(safe && check(*safe, problem));
+    EXPECT_LE(safe->cost, 1.06 * found);
+    EXPECT_LE(safe->lower_bound, found * (1.0 + 1e-4));
+    EXPECT_GE(clearance_m(*safe, *ground), 0.998 * kept * largest);
     ++compared;
     gap += plan->cost / plan->lower_bound;
     off += plan->cost / found;
