@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = ".outrider-";
 constexpr std::string_view suffix = ".part";
+constexpr int longest_wait_ms = 2000;  // for a lock on a folder; a writer holds it for some renamings
 
 tl::unexpected<Fault> cannot_write(int error, const std::string& path) {
   return fault(FaultCode::cannot_write,
@@ -137,7 +138,7 @@ FolderLocks::FolderLocks(const std::set<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) continue;
-    ::flock(descriptor, LOCK_EX);
+    for (int wait = 0; wait < longest_wait_ms && !lock(descriptor); ++wait) ::usleep(1000);
     descriptors_.push_back(descriptor);
   }
 }

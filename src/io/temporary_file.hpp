@@ -43,11 +43,12 @@ class TemporaryFile {
 };
 
 /// Holds locks on folders, so that of two writers one renames all its files before the other renames any. A
-/// forked process keeps them while it lives. A folder that cannot be locked (a file system may not know
-/// locks) is left out.
+/// forked process keeps them while it lives. A folder that cannot be locked is left out: a file system may
+/// not know locks, and another program may lock the folder for reasons of its own.
 class FolderLocks {
  public:
-  /// Waits for other writers. The folders are sorted, so two writers never wait for each other.
+  /// Waits for other writers, for two seconds at most. The folders are sorted, so two writers never wait for
+  /// each other.
   explicit FolderLocks(const std::set<std::filesystem::path>& folders);
   FolderLocks(const FolderLocks&) = delete;
   FolderLocks& operator=(const FolderLocks&) = delete;

@@ -1,8 +1,6 @@
 #include "loop_review.hpp"
 
 #include <algorithm>
-#include <limits>
-#include <stop_token>
 
 #include "graduated.hpp"
 #include "scan_agreement.hpp"

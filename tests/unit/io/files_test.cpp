@@ -191,6 +191,16 @@ std::vector<NamedContent> files_of_version(const fs::path& folder, const std::ve
   return files;
 }
 
+/// As under `flock FOLDER outrider run ... --out FOLDER`.
+TEST(WriteFiles, AreWrittenIntoAFolderThatAnotherProgramHasLocked) {
+  const test::Folder folder;
+  const int descriptor = ::open(folder.path.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
+  EXPECT_TRUE(write_files({{(folder.path / "a").string(), "1"}, {(folder.path / "b").string(), "2"}}));
+  EXPECT_EQ(entries(folder.path), 2U);
+  ::close(descriptor);
+}
+
 TEST(WriteFiles, OfTwoWritersAreAllOfOneOfThem) {
   const test::Folder folder;
   const std::vector<std::string> names = {"a", "b", "c", "report"};
