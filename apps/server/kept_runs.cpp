@@ -157,7 +157,9 @@ std::vector<KeptRun> RunsFolder::find(const fs::path& served) {
     if (held && !held->held()) continue;
     auto run = read_state(folder);
     if (!run) continue;
-    if (run->state == "queued" || run->state == "running") cut_short(folder, *run);
+    const bool has_ended = run->state != "queued" && run->state != "running";
+    if (!has_ended && !held) continue;  // nothing tells whether another server carries it out
+    if (!has_ended) cut_short(folder, *run);
     found.push_back(std::move(*run));
   }
   std::ranges::sort(found, {},

@@ -44,9 +44,8 @@ class RunsFolder {
   /// Returns the runs below DIR/.outrider/runs that no server carries out now, the oldest first. The state of
   /// one that was under way is `cut_short` then, in its file too.
   static std::vector<KeptRun> find(const std::filesystem::path& served);
-  /// Locks a run's folder against other servers, by a file in it. The mission itself locks the folder when it
-  /// renames its files, and would wait for ever for a server that held the same lock. The lock is empty if
-  /// another server carries the run out. Fault: cannot_write.
+  /// Locks a run's folder against other servers, by a file in it. The mission itself locks the folder while
+  /// it renames its files. The lock is empty if another server carries the run out. Fault: cannot_write.
   static Outcome<FileLock> lock(const std::filesystem::path& run);
 
   /// Returns the folder of a run.

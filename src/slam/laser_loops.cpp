@@ -143,11 +143,11 @@ bool LoopSearch::review(KeyframeGraph& graph, const Pose2& robot_T_laser) {
   for (const KeyframePair& loop : std::vector(closed)) {
     const bool is_due = loop.second + later_keyframes == last && std::ranges::count(closed, loop) > 0;
     if (!is_due || !is_contradicted_since(graph, robot_T_laser, loop)) continue;
-    if (undo_loop(graph, robot_T_laser, loop)) any = drop_removed(graph);
+    if (undo_loop(graph, robot_T_laser, loop)) any = drop_removed(graph) || any;
   }
   if (!rivals.empty() && rivals_found >= rivals_due) {
     rivals_due = 2 * rivals_found;
-    any = hear_rivals(graph) || any;
+    any = weigh_rivals(graph) || any;
   }
   if (any) graph.update_covariance();
   return any;
@@ -166,23 +166,23 @@ bool LoopSearch::drop_removed(const KeyframeGraph& graph) {
   return any;
 }
 
-bool LoopSearch::hear_rivals(KeyframeGraph& graph) {
+bool LoopSearch::weigh_rivals(KeyframeGraph& graph) {
   const std::vector<KeyframeConstraint> before = graph.constraints();
   const std::vector<Pose2> poses = graph.poses();
   const auto kept = reconciled(graph, rivals, most_chi2);
   if (!kept) return false;
   const auto pair_of = [](const KeyframeConstraint& c) { return KeyframePair{c.edge.from, c.edge.to}; };
   graph.replace(*kept, poses);
-  std::vector<KeyframePair> heard;
+  std::vector<KeyframePair> accepted;
   for (const KeyframeConstraint& rival : rivals) {
-    if (add_loop(graph, rival)) heard.push_back(pair_of(rival));
+    if (add_loop(graph, rival)) accepted.push_back(pair_of(rival));
   }
-  if (heard.empty() || !drop_removed(graph)) {
+  if (accepted.empty() || !drop_removed(graph)) {
     graph.replace(before, poses);
     return false;
   }
-  closed.insert(closed.end(), heard.begin(), heard.end());
-  std::erase_if(rivals, [&](const auto& rival) { return std::ranges::count(heard, pair_of(rival)) > 0; });
+  closed.insert(closed.end(), accepted.begin(), accepted.end());
+  std::erase_if(rivals, [&](const auto& rival) { return std::ranges::count(accepted, pair_of(rival)) > 0; });
   return true;
 }
 

@@ -25,7 +25,7 @@ struct LoopSearch {
   std::vector<KeyframePair> undone;        ///< were closed, and turned out to be wrong
   std::vector<KeyframeConstraint> rivals;  ///< the last places recognised that the graph contradicts
   std::size_t rivals_found = 0;
-  std::size_t rivals_due = 1;  ///< number of rivals found at which they are heard; doubles
+  std::size_t rivals_due = 1;  ///< number of rivals found at which they are weighed; doubles
   std::size_t refused = 0;     ///< places that were recognised and not believed
   double tried_at_m = 0.0;     ///< distance driven at the last search
   double far_due_at_m = 0.0;   ///< distance driven at which older visits are searched again
@@ -59,7 +59,7 @@ struct LoopSearch {
   /// Moves the loops whose constraints were removed to `undone`. Returns true if there are any.
   bool drop_removed(const KeyframeGraph& graph);
   /// Lets the rivals take the place of loops that they cannot be reconciled with, if they outweigh them.
-  bool hear_rivals(KeyframeGraph& graph);
+  bool weigh_rivals(KeyframeGraph& graph);
   /// Returns true if the last keyframe and this one are near a loop that was undone.
   [[nodiscard]] bool was_undone(const KeyframeGraph& graph, std::uint32_t keyframe) const;
   /// Adds the constraint of a place that was recognised, and returns true; unless the scans or the other

@@ -10,8 +10,8 @@
 // scans are then matched with that visit too. Loop closing matches the last keyframes together with older
 // ones and accepts a match if enough points lie on surfaces, no other pose scores nearly as well, and the
 // graph still agrees with the constraint. Loops that later scans or loops contradict are undone. If the
-// optimised graph moves a keyframe by a cell, the map is
-// redrawn from the keyframes. Until then the map holds every scan.
+// optimised graph moves a keyframe by a cell, the map is redrawn from the keyframes. Until then the map holds
+// every scan.
 //
 // Lost: after a long way without a match, or a jump, three standard deviations of the odometry exceed 3 m,
 // and the scan may fit several places. Then it must be recognised in exactly one, by the rules of loop

@@ -42,18 +42,37 @@ bool same(const Pose2& a, const Pose2& b) {
          std::abs(wrap_angle(a.heading_rad - b.heading_rad)) <= same_heading_rad;
 }
 
+std::vector<TurningPath> turning_paths(const Pose2& from, const Pose2& to, const CoverProblem& problem) {
+  const double radius = problem.turning_radius_m;
+  return problem.reverse ? reeds_shepp_paths(from, to, radius) : dubins_paths(from, to, radius);
+}
+
+/// A node and the paths to it, the shortest first.
+struct Reached {
+  std::size_t node = 0;
+  std::vector<TurningPath> paths;
+
+  [[nodiscard]] double length_m() const {
+    return paths.empty() ? std::numeric_limits<double>::infinity() : paths.front().length_m;
+  }
+};
+
+/// Returns the first of the paths that is free.
+std::optional<std::vector<PathPiece>> first_free(const std::vector<TurningPath>& paths, const Pose2& from,
+                                                 const Pose2& to, double radius_m, const FreeRoom& room) {
+  if (same(from, to)) return std::vector<PathPiece>{};
+  for (std::size_t i = 0; i < std::min(paths.size(), most_words); ++i) {
+    auto pieces = pieces_of(paths[i], from, to, radius_m);
+    if (pieces && room.free(*pieces)) return pieces;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::vector<PathPiece>> free_turning_path(const Pose2& from, const Pose2& to,
                                                         const CoverProblem& problem, const FreeRoom& room) {
-  if (same(from, to)) return std::vector<PathPiece>{};
-  const double radius = problem.turning_radius_m;
-  const auto paths = problem.reverse ? reeds_shepp_paths(from, to, radius) : dubins_paths(from, to, radius);
-  for (std::size_t i = 0; i < std::min(paths.size(), most_words); ++i) {
-    auto pieces = pieces_of(paths[i], from, to, radius);
-    if (pieces && room.free(*pieces)) return pieces;
-  }
-  return std::nullopt;
+  return first_free(turning_paths(from, to, problem), from, to, problem.turning_radius_m, room);
 }
 
 std::size_t TurningTransit::add(const Pose2& pose) {
@@ -78,15 +97,13 @@ void TurningTransit::connect(std::span<const std::size_t> from, std::span<const 
     const auto kept = static_cast<std::ptrdiff_t>(std::min(near.size(), most_near));
     std::partial_sort(near.begin(), near.begin() + kept, near.end());
     near.resize(static_cast<std::size_t>(kept));
-    for (auto& [length, j] : near) {
-      const auto paths = problem_.reverse ? reeds_shepp_paths(poses_[i], poses_[j], problem_.turning_radius_m)
-                                          : dubins_paths(poses_[i], poses_[j], problem_.turning_radius_m);
-      length = paths.empty() ? std::numeric_limits<double>::infinity() : paths.front().length_m;
-    }
-    std::sort(near.begin(), near.end());
+    std::vector<Reached> reached;
+    for (const auto& [away_m, j] : near)
+      reached.push_back({j, turning_paths(poses_[i], poses_[j], problem_)});
+    std::ranges::sort(reached, {}, [](const Reached& one) { return std::pair(one.length_m(), one.node); });
     std::size_t joined = 0;
-    for (const auto& [length, j] : near) {
-      auto pieces = free_turning_path(poses_[i], poses_[j], problem_, room_);
+    for (const auto& [j, paths] : reached) {
+      auto pieces = first_free(paths, poses_[i], poses_[j], problem_.turning_radius_m, room_);
       if (!pieces) continue;
       join(i, j, std::move(*pieces));
       if (++joined == most_joined) break;

@@ -70,7 +70,17 @@ TEST_F(KeptRunsTest, OneThatAnotherServerCarriesOutIsLeftAlone) {
   EXPECT_TRUE(fs::exists(place("abc-1") / "live.mcap"));
 }
 
-/// A mission that waits for its server's lock never ends.
+/// The file that locks it cannot be opened, as in the folder of another user.
+TEST_F(KeptRunsTest, OneThatMayBeUnderWayElsewhereIsNotSaidToBeCutShort) {
+  leave_cut_short("abc-1");
+  ASSERT_EQ(RunsFolder::find(path("")).size(), 1U);
+  leave_cut_short("abc-1");
+  fs::remove(place("abc-1") / ".lock");
+  fs::create_directory(place("abc-1") / ".lock");
+  EXPECT_TRUE(RunsFolder::find(path("")).empty());
+}
+
+/// A mission that waits for its server's lock comes late.
 TEST_F(KeptRunsTest, AMissionWritesItsFilesWhileItsServerHoldsTheLock) {
   leave_cut_short("abc-1");
   const auto server = RunsFolder::lock(place("abc-1"));

@@ -141,7 +141,7 @@ TEST(LoopReview, AWrongLoopGivesWayToTheLoopsThatItContradicts) {
   EXPECT_TRUE(search.rivals.empty());
 }
 
-TEST(LoopReview, ARivalThatContradictsRightLoopsIsNotHeard) {
+TEST(LoopReview, ARivalThatContradictsRightLoopsStaysRefused) {
   Rounds rounds;
   LoopSearch search;
   for (const std::uint32_t place : {2U, 8U, 20U}) {
